@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/properties/pictures.h"
+#include "tests/support/testprogram.h"
 
 #include <QTest>
 
 #include <cstdlib>
+
+namespace tst_properties {
 
 using namespace pixelplumb;
 using tilings::Layout;
@@ -283,5 +286,8 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestProperties)
+PIXELPLUMB_TEST(TestProperties)
+
+} // namespace tst_properties
+
 #include "tst_properties.moc"

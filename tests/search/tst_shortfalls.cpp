@@ -4,11 +4,15 @@
 #include "tests/search/casefiles.h"
 #include "tests/search/measure.h"
 #include "tests/search/shortfallrecord.h"
+#include "tests/support/sourcetree.h"
+#include "tests/support/testprogram.h"
 
 #include <QRegularExpression>
 #include <QTest>
 
 #include <algorithm>
+
+namespace tst_shortfalls {
 
 using namespace pixelplumb;
 
@@ -97,10 +101,7 @@ private slots:
     }
 
 private:
-    static QString path(const QString &name)
-    {
-        return QStringLiteral(PIXELPLUMB_TEST_DATA "/") + name;
-    }
+    static QString path(const QString &name) { return testData(name); }
     static void addFiles()
     {
         QTest::addColumn<QString>("name");
@@ -118,5 +119,8 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestShortfalls)
+PIXELPLUMB_TEST(TestShortfalls)
+
+} // namespace tst_shortfalls
+
 #include "tst_shortfalls.moc"

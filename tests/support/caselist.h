@@ -20,5 +20,3 @@ const HardCase &caseNamed(const std::vector<HardCase> &cases, const QString &id)
 QByteArray fileOfCase(const QByteArray &members);
 
 } // namespace pixelplumb
-
-Q_DECLARE_METATYPE(const pixelplumb::HardCase *)

@@ -4,6 +4,7 @@
 #include "core/compare/casegallery.h"
 #include "core/runs/tracedscene.h"
 #include "core/scene/fileaccess.h"
+#include "tests/support/sourcetree.h"
 
 #include <QTest>
 
@@ -125,8 +126,7 @@ Scene detailOf(const Scene &scene)
 std::vector<NamedScene> hardCaseScenes()
 {
     std::vector<NamedScene> scenes;
-    const Result<QByteArray> text
-        = readFile(QStringLiteral(PIXELPLUMB_TEST_DATA "/hard_cases.json"));
+    const Result<QByteArray> text = readFile(testData("hard_cases.json"));
     const Result<std::vector<GalleryCase>> gallery = text ? readGallery(*text) : text.error();
     if (!gallery) {
         QTest::qFail(qPrintable(gallery.error().message()), __FILE__, __LINE__);

@@ -5,4 +5,6 @@ namespace pixelplumb {
 
 QString resource(const QString &path) { return QStringLiteral(PIXELPLUMB_RESOURCES) + path; }
 
+QString testData(const QString &name) { return resource(QStringLiteral("/../tests/data/")) + name; }
+
 } // namespace pixelplumb

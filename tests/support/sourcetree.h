@@ -9,5 +9,7 @@ namespace pixelplumb {
 /// "/scenes/default.json". A function and no macro, since a path among the options of every test
 /// would keep a compiler cache from knowing it in another clone.
 QString resource(const QString &path);
+/// That of a file of tests/data: "hard_cases.json".
+QString testData(const QString &name);
 
 } // namespace pixelplumb

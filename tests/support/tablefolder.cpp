@@ -2,6 +2,7 @@
 #include "tests/support/tablefolder.h"
 
 #include "core/export/traceexport.h"
+#include "tests/support/sourcetree.h"
 
 #include <QBuffer>
 #include <QFile>
@@ -95,7 +96,7 @@ QString TableFolder::faultByPython() const
         return QStringLiteral("python3 is one of the tests' packages");
     QProcess process;
     process.start(python,
-                  {QStringLiteral(PIXELPLUMB_TEST_SUPPORT "/readtables.py"), m_folder.path()});
+                  {resource(QStringLiteral("/../tests/support/readtables.py")), m_folder.path()});
     process.waitForFinished(-1);
     const QByteArray read = process.readAllStandardOutput().trimmed();
     if (process.exitCode() != 0 || read != QByteArray::number(m_kept))

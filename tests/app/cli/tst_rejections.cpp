@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/rejectedprimitives.h"
+#include "core/runs/tracedscene.h"
+#include "core/scene/scenefile.h"
+#include "tests/support/programrun.h"
+#include "tests/support/shapeexamples.h"
+#include "tests/support/testprogram.h"
+
+#include <QJsonDocument>
+#include <QSet>
+#include <QTest>
+
+namespace tst_rejections {
+
+using namespace pixelplumb;
+
+namespace {
+
+/// Something of each kind, and of each kind something that one method or another rejects.
+const char *const everything
+    = "{ 'triangle': [[1, 1], [7, 2], [3, 7]], 'colors': ['#ff0000', '#00ff00', '#0000ff'] },\n"
+      "{ 'triangle': [[1, 1], [3, 2], [5, 3]], 'colors': ['#ff0000', '#00ff00', '#0000ff'] },\n"
+      "{ 'triangle': [[90, 1], [99, 2], [95, 9]], 'colors': ['#ff0000', '#00ff00', '#0000ff'] },\n"
+      "{ 'triangle': [[-70000, 1], [70000, 2], [3, 70000]],"
+      " 'colors': ['#ff0000', '#00ff00', '#0000ff'] },\n"
+      "{ 'points': [[1, 2], [3, 4]], 'colors': ['#cc7722', '#ffffff'] },\n"
+      "{ 'line': [[0, 0], [7, 5]], 'colors': ['#cc7722', '#ffffff'] },\n"
+      "{ 'line': [[4, 1], [4, 6]], 'colors': ['#cc7722', '#ffffff'] },\n"
+      "{ 'circle': { 'centre': [4, 4], 'radius': 3 }, 'color': '#cc7722', 'fill': 'outline' },\n"
+      "{ 'bezier': [[0, 0], [1, 5], [7, 1]], 'color': '#cc7722' },\n"
+      "{ 'polygon': [[1, 1], [6, 1], [6, 6]], 'color': '#cc7722' },\n"
+      "{ 'polygon': [[1, 1], [6, 1], [3, 3], [6, 6], [1, 6]], 'color': '#cc7722' },\n"
+      "{ 'polygon': [[1, 1], [6, 6], [6, 1], [1, 6]], 'color': '#cc7722' }";
+
+QByteArray sceneText() { return sceneOfPrimitives(json(everything)); }
+
+} // namespace
+
+/// Nobody gets a blank picture without a word.
+class TestRejections : public QObject {
+    Q_OBJECT
+
+private slots:
+    void areKnownWithoutARecording_data()
+    {
+        QTest::addColumn<QString>("method");
+        for (const Method &method : methods())
+            QTest::newRow(qPrintable(method.id)) << method.id;
+    }
+    void areKnownWithoutARecording()
+    {
+        QFETCH(QString, method);
+        const Result<SceneReading> reading = readScene(sceneText());
+        QVERIFY2(reading.isOk(), reading ? "" : qPrintable(reading.error().message()));
+        Scene scene = reading->scene;
+        const Method &drawnBy = *methodNamed(method);
+        scene.method = method.toStdString();
+        for (const Arithmetic arithmetic : drawnBy.arithmetics) {
+            for (const FillRule rule : drawnBy.fillRules) {
+                scene.settings.arithmetic = arithmetic;
+                scene.settings.fillRule = rule;
+
+                const auto traced = traceScene(scene);
+
+                const auto recorded = rejectedPrimitives(traced->primitives, *traced->trace);
+                QCOMPARE(rejectedPrimitives(scene), recorded);
+                QSet<std::size_t> rejected;
+                for (const RejectedPrimitive &each : recorded)
+                    rejected.insert(each.primitive);
+                for (std::size_t span = 0; span < traced->trace->spanCount(); ++span)
+                    QVERIFY(!rejected.contains(traced->trace->primitiveOf(span)));
+            }
+        }
+    }
+
+    void areSaidOnStandardError_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QStringList>("messages");
+        const QString concave
+            = QStringLiteral("primitive 10 (polygon): It is not convex at vertex 2");
+        const QString crossing
+            = QStringLiteral("primitive 11 (polygon): Its edges 0–1 and 2–3 cross");
+        const QString vertical = QStringLiteral("primitive 6 (line): The line is vertical");
+        const QString tooFar
+            = QStringLiteral("primitive 3 (triangle): A coordinate does not fit this arithmetic");
+        const QString otherKind = QStringLiteral(
+            "primitive 5 (line): It is of another kind, or filled otherwise, than");
+        const auto rows = [](const char *name, const QStringList &options,
+                             const QStringList &messages) {
+            QTest::addRow("render, %s", name)
+                << QStringList{"render", "-", "--ascii"} + options << messages;
+            QTest::addRow("trace, %s", name) << QStringList{"trace", "-"} + options << messages;
+            QTest::addRow("pixel, %s", name)
+                << QStringList{"pixel", "-", "3", "3"} + options << messages;
+        };
+        // Five are named, in drawing order; polygons stand last among the rejected here.
+        rows("line", {"--method", "column-scan"},
+             {QStringLiteral("primitive 2 (triangle): It lies outside"), otherKind,
+              QStringLiteral("more primitives are not drawn")});
+        rows("16.16", {"--method", "column-scan", "--arithmetic", "fixed16.16"}, {tooFar});
+        QTest::newRow("vertical line")
+            << QStringList{"render", "-", "--ascii", "--method", "line-slope-intercept",
+                           "only",   "6"}
+            << QStringList{vertical};
+        QTest::newRow("concave") << QStringList{"render",   "-",           "--ascii",
+                                                "--method", "polygon-fan", "--fill-rule",
+                                                "top-left", "only",        "10"}
+                                 << QStringList{concave};
+        QTest::newRow("crossing") << QStringList{"trace",       "-",
+                                                 "--method",    "polygon-delaunay",
+                                                 "--fill-rule", "top-left",
+                                                 "only",        "11"}
+                                  << QStringList{crossing};
+        QTest::newRow("compare") << QStringList{"compare", "-", "--methods", "column-scan,truth"}
+                                 << QStringList{otherKind, QStringLiteral("column-scan exact")};
+    }
+    void areSaidOnStandardError()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(QStringList, messages);
+        QByteArray scene = sceneText();
+        // "only N": the scene of this primitive alone.
+        if (const qsizetype only = arguments.indexOf(QStringLiteral("only")); only >= 0) {
+            const int index = arguments[only + 1].toInt();
+            scene = sceneOfPrimitives(json(everything).split('\n')[index].replace("},", "}"));
+            arguments.resize(only);
+            messages.replaceInStrings(QStringLiteral("primitive %1").arg(index),
+                                      QStringLiteral("primitive 0"));
+        }
+
+        const ProgramRun result = run(arguments, scene);
+
+        const QString said = QString::fromUtf8(result.messages);
+        for (const QString &message : messages)
+            QVERIFY2(said.contains(message), qPrintable(said));
+        QVERIFY(said.count(QStringLiteral(": primitive ")) <= 5);
+    }
+
+    void aPixelIsNotCalledTrueWhereSomethingIsNotDrawn()
+    {
+        const ProgramRun onTheLine
+            = run({"pixel", "-", "4", "3", "--method", "column-scan"}, sceneText());
+        const ProgramRun inJson
+            = run({"pixel", "-", "4", "3", "--method", "column-scan", "--json"}, sceneText());
+
+        const QString heading = QString::fromUtf8(onTheLine.output.split('\n')[0]);
+        QVERIFY2(heading.contains(QStringLiteral("the truth of the scene is")),
+                 qPrintable(heading));
+        const QJsonDocument document = QJsonDocument::fromJson(inJson.output);
+        QCOMPARE(document[QStringLiteral("notDrawn")][0].toString(), QStringLiteral("line 5"));
+    }
+};
+
+PIXELPLUMB_TEST(TestRejections)
+
+} // namespace tst_rejections
+
+#include "tst_rejections.moc"

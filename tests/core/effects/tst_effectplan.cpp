@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/effectchanges.h"
+#include "tests/support/testprogram.h"
+
+#include <QtTest>
+
+namespace tst_effectplan {
+
+using namespace pixelplumb;
+
+namespace {
+
+/// "plain", "smooth blending", …
+QString textOf(const EffectSet &effects)
+{
+    QStringList words;
+    const auto addIf = [&words](bool isThere, const char *word) {
+        if (isThere)
+            words.append(QString::fromLatin1(word));
+    };
+    addIf(effects.smooth, "smooth");
+    addIf(effects.perspective, "perspective");
+    addIf(effects.texture, "texture");
+    addIf(effects.light, "light");
+    addIf(effects.blending, "blending");
+    addIf(effects.depth == DepthTest::Number, "depth");
+    addIf(effects.depth == DepthTest::Levels, "depth-levels");
+    return words.isEmpty() ? QStringLiteral("plain") : words.join(u' ');
+}
+
+/// "0+2 plain, 2+1 smooth"
+QString textOf(const std::vector<EffectBatch> &batches)
+{
+    QStringList words;
+    for (const EffectBatch &batch : batches)
+        words.append(QStringLiteral("%1+%2 %3")
+                         .arg(batch.first)
+                         .arg(batch.count)
+                         .arg(textOf(batch.effects)));
+    return words.join(QStringLiteral(", "));
+}
+
+} // namespace
+
+/// What runs.
+class TestEffectPlan : public QObject {
+    Q_OBJECT
+
+private slots:
+    void batchesAreRunsOfTheSameNeeds_data()
+    {
+        QTest::addColumn<Change>("change");
+        QTest::addColumn<QString>("batches");
+        const auto add = [](const char *name, const Change &change, const char *batches) {
+            QTest::newRow(name) << change << QString::fromLatin1(batches);
+        };
+        add(
+            "nothing", [](Primitives &p) { p.triangles.clear(); }, "");
+        add(
+            "plain", [](Primitives &) {}, "0+2 plain");
+        add(
+            "one smooth", [](Primitives &p) { setColour(p, 1); }, "0+1 plain, 1+1 smooth");
+        add(
+            "glass before a wall", [](Primitives &p) { setAlpha(p, 0, 1); },
+            "0+1 blending, 1+1 plain");
+        add(
+            "outside joins what stands before it",
+            [](Primitives &p) {
+                p.triangles.insert(p.triangles.begin() + 1,
+                                   triangleAt({{{-9, 2}, {-2, 2}, {-9, 10}}}));
+                p.triangles[1].vertices[0].colour = {};
+                setAlpha(p, 2, 1);
+            },
+            "0+2 plain, 2+1 blending");
+        add(
+            "outside at the beginning joins what follows",
+            [](Primitives &p) {
+                p.triangles[0] = triangleAt({{{-9, 2}, {-2, 2}, {-9, 10}}});
+                setAlpha(p, 0, 1);
+                setColour(p, 1);
+            },
+            "0+2 smooth");
+        const Change crossing = [](Primitives &p) {
+            overlap(p);
+            setDepths(p, 0, {1, 1, 1});
+            setDepths(p, 1, {2, 2, 2});
+        };
+        add("depth where it is in question", crossing, "0+2 depth");
+        add(
+            "depth in levels",
+            [=](Primitives &p) {
+                crossing(p);
+                p.appearance.depthFormat = DepthFormat::Bits16;
+            },
+            "0+2 depth-levels");
+        add(
+            "no depth where it is not in question",
+            [=](Primitives &p) {
+                crossing(p);
+                p.triangles.push_back(triangleAt({{{22, 2}, {30, 2}, {22, 10}}}));
+                setAlpha(p, 2, 7);
+            },
+            "0+2 depth, 2+1 blending");
+        add(
+            "depth does not part a run",
+            [=](Primitives &p) {
+                crossing(p);
+                p.triangles.push_back(triangleAt({{{22, 2}, {30, 2}, {22, 10}}}));
+            },
+            "0+3 depth");
+    }
+    void batchesAreRunsOfTheSameNeeds()
+    {
+        QFETCH(Change, change);
+        QFETCH(QString, batches);
+
+        QCOMPARE(textOf(planOf(changed(change)).batches), batches);
+    }
+
+    void forcingTakesAnEffectIntoEveryBatchOrOutOfIt_data()
+    {
+        QTest::addColumn<Effect>("effect");
+        QTest::addColumn<Forcing>("forcing");
+        QTest::addColumn<QString>("batches");
+        const auto add = [](const char *name, Effect effect, Forcing forcing, const char *batches) {
+            QTest::newRow(name) << effect << forcing << QString::fromLatin1(batches);
+        };
+        add("as called for", Effect::Depth, Forcing::AsCalledFor,
+            "0+1 texture light, 1+1 smooth blending");
+        add("smooth on", Effect::SmoothColour, Forcing::On,
+            "0+1 smooth texture light, 1+1 smooth blending");
+        add("smooth off", Effect::SmoothColour, Forcing::Off, "0+1 texture light, 1+1 blending");
+        add("depth on", Effect::Depth, Forcing::On,
+            "0+1 texture light depth, 1+1 smooth blending depth");
+        add("perspective on", Effect::Perspective, Forcing::On,
+            "0+1 perspective texture light, 1+1 smooth perspective blending");
+        add("texture on, where there are texels", Effect::Texture, Forcing::On,
+            "0+1 texture light, 1+1 smooth blending");
+        add("texture off", Effect::Texture, Forcing::Off, "0+1 light, 1+1 smooth blending");
+        add("light on, where there are normals", Effect::Light, Forcing::On,
+            "0+1 texture light, 1+1 smooth blending");
+        add("light off", Effect::Light, Forcing::Off, "0+1 texture, 1+1 smooth blending");
+        add("blending on", Effect::Blending, Forcing::On,
+            "0+1 texture light blending, 1+1 smooth blending");
+        add("blending off", Effect::Blending, Forcing::Off, "0+1 texture light, 1+1 smooth");
+        add("clipping has no switch", Effect::Clipping, Forcing::Off,
+            "0+1 texture light, 1+1 smooth blending");
+    }
+    void forcingTakesAnEffectIntoEveryBatchOrOutOfIt()
+    {
+        QFETCH(Effect, effect);
+        QFETCH(Forcing, forcing);
+        QFETCH(QString, batches);
+        Primitives primitives = plain();
+        setTexture(primitives, 0);
+        setLight(primitives, 0);
+        setAlpha(primitives, 1, 9);
+        setColour(primitives, 1);
+        const PerEffect<EffectVerdict> unforced = planOf(primitives).verdicts;
+
+        primitives.appearance.forced[effect] = forcing;
+        const EffectPlan plan = planOf(primitives);
+
+        QCOMPARE(textOf(plan.batches), batches);
+        for (const Effect each : allEffects)
+            QCOMPARE(plan.verdicts[each].reason, unforced[each].reason);
+    }
+
+    void forcedAntialiasingMeansFourSamples()
+    {
+        Primitives primitives = plain();
+        primitives.appearance.forced[Effect::Antialiasing] = Forcing::On;
+        QCOMPARE(int(planOf(primitives).antialiasing), int(Antialiasing::Samples4));
+        QVERIFY(planOf(primitives).runs(Effect::Antialiasing));
+
+        primitives.appearance.antialiasing = Antialiasing::Area;
+        QCOMPARE(int(planOf(primitives).antialiasing), int(Antialiasing::Area));
+
+        primitives.appearance.forced[Effect::Antialiasing] = Forcing::Off;
+        QCOMPARE(int(planOf(primitives).antialiasing), int(Antialiasing::None));
+        QVERIFY(!planOf(primitives).runs(Effect::Antialiasing));
+    }
+
+    void anyPrimitivesHaveAPlan()
+    {
+        Primitives primitives = plain();
+        const LatticePoint far = {largestCoordinate, largestCoordinate};
+        primitives.triangles.push_back(triangleAt({{{5, 5}, {5, 5}, {5, 5}}}));
+        primitives.triangles.push_back(primitives.triangles[0]);
+        primitives.triangles.back().vertices[2].position = far;
+        primitives.triangles.push_back(primitives.triangles.back());
+        primitives.triangles.back().vertices[1].position = {-far.x, far.y};
+        for (std::size_t i = 0; i < primitives.triangles.size(); ++i) {
+            for (VertexAttributes &vertex : attributesAt(primitives, i).vertices)
+                vertex.z = i % 2 == 0 ? largestAttribute : -largestAttribute;
+        }
+        attributesAt(primitives, 1).material = 5; // there is none
+        attributesAt(primitives, 2).vertices[1].z = 0;
+        Shape empty;
+        primitives.shapes = {empty};
+
+        for (const Antialiasing antialiasing :
+             {Antialiasing::None, Antialiasing::Samples4, Antialiasing::Area}) {
+            primitives.appearance.antialiasing = antialiasing;
+            std::size_t count = 0;
+            for (const EffectBatch &batch : planOf(primitives).batches) {
+                QCOMPARE(batch.first, count);
+                count += batch.count;
+            }
+            QCOMPARE(count, primitives.triangles.size());
+        }
+    }
+};
+
+PIXELPLUMB_TEST(TestEffectPlan)
+
+} // namespace tst_effectplan
+
+#include "tst_effectplan.moc"

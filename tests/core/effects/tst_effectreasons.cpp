@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/effectchanges.h"
+#include "tests/support/testprogram.h"
+
+#include <QtTest>
+
+namespace tst_effectreasons {
+
+using namespace pixelplumb;
+
+/// What is called for, and the words that say why.
+class TestEffectReasons : public QObject {
+    Q_OBJECT
+
+private slots:
+    void eachVerdictSaysWhy_data()
+    {
+        QTest::addColumn<Change>("change");
+        QTest::addColumn<Effect>("effect");
+        QTest::addColumn<Verdict>("verdict");
+        QTest::addColumn<int>("primitives");
+        QTest::addColumn<QString>("reason");
+        const auto add = [](const char *name, const Change &change, Effect effect, Verdict verdict,
+                            int primitives, const char *reason) {
+            QTest::newRow(name) << change << effect << verdict << primitives
+                                << QString::fromUtf8(reason);
+        };
+        const Change none = [](Primitives &) {};
+        constexpr Verdict no = Verdict::NotCalledFor;
+        constexpr Verdict yes = Verdict::CalledFor;
+
+        add("one colour each", none, Effect::SmoothColour, no, 0,
+            "the vertex colours are equal in each of 2 triangles");
+        add(
+            "one colour differs", [](Primitives &p) { setColour(p, 1); }, Effect::SmoothColour, yes,
+            1, "1 of 2 triangles has vertex colours that differ");
+        add(
+            "one triangle whose colours differ",
+            [](Primitives &p) {
+                p.triangles.pop_back();
+                setColour(p, 0);
+            },
+            Effect::SmoothColour, yes, 1, "the triangle has vertex colours that differ");
+        add(
+            "nothing there", [](Primitives &p) { p.triangles.clear(); }, Effect::SmoothColour, no,
+            0, "nothing reaches the frame");
+
+        add("within", none, Effect::Clipping, no, 0, "what is drawn lies within the frame");
+        add(
+            "one crosses the border",
+            [](Primitives &p) { p.triangles[0].vertices[0].position.x = -unitsPerPixel; },
+            Effect::Clipping, yes, 1, "1 of 2 triangles crosses the frame's border");
+        add(
+            "one is outside",
+            [](Primitives &p) {
+                p.triangles[0] = triangleAt({{{-9, 2}, {-2, 2}, {-9, 10}}});
+            },
+            Effect::Clipping, no, 0,
+            "what is drawn lies within the frame; 1 covers no sample of it");
+        add(
+            "the box alone crosses the border",
+            [](Primitives &p) {
+                p.triangles[0] = triangleAt({{{-9, 2}, {2, -9}, {-9, -9}}});
+            },
+            Effect::Clipping, no, 0, "what is drawn lies within the frame");
+
+        add("no depths", none, Effect::Depth, no, 0, "all triangles have the same depth");
+        add(
+            "one triangle", [](Primitives &p) { p.triangles.pop_back(); }, Effect::Depth, no, 0,
+            "there are no two triangles in the frame");
+        add(
+            "the later one is nearer",
+            [](Primitives &p) {
+                overlap(p);
+                setDepths(p, 0, {3, 3, 3});
+                setDepths(p, 1, {1, 2, 3});
+            },
+            Effect::Depth, no, 0,
+            "every triangle is nearer than all that are drawn before it, or as near");
+        add(
+            "side by side",
+            [](Primitives &p) {
+                setDepths(p, 0, {1, 1, 1});
+                setDepths(p, 1, {2, 2, 2});
+            },
+            Effect::Depth, no, 0, "no two triangles overlap");
+        add(
+            "tilted, but nearer where they overlap",
+            [](Primitives &p) {
+                overlap(p);
+                setDepths(p, 0, {2, 2, 3});
+                setDepths(p, 1, {1, 1, 3});
+            },
+            Effect::Depth, no, 0,
+            "where triangles overlap or touch, the later one is nearer or as near");
+        add(
+            "the later one is behind",
+            [](Primitives &p) {
+                overlap(p);
+                setDepths(p, 0, {1, 1, 1});
+                setDepths(p, 1, {2, 2, 2});
+            },
+            Effect::Depth, yes, 2,
+            "at pixel (2, 5) triangle 1 lies behind triangle 0, which is drawn before it; 2 "
+            "triangles are in question");
+        add(
+            "behind between samples alone",
+            [](Primitives &p) {
+                p.triangles[1] = p.triangles[0];
+                p.triangles[1].vertices[1].position = {2 * unitsPerPixel + 9, 2 * unitsPerPixel};
+                p.triangles[1].vertices[2].position = {2 * unitsPerPixel, 2 * unitsPerPixel + 9};
+                setDepths(p, 0, {1, 1, 1});
+                setDepths(p, 1, {1, 2, 2});
+            },
+            Effect::Depth, no, 0,
+            "at every sample that two triangles cover, the later one is nearer or as near");
+        add(
+            "depth off",
+            [](Primitives &p) {
+                overlap(p);
+                setDepths(p, 0, {1, 1, 1});
+                setDepths(p, 1, {2, 2, 2});
+                p.appearance.depth = DepthUse::Off;
+            },
+            Effect::Depth, no, 0,
+            "the scene says so: what is drawn later covers what was drawn before");
+        add(
+            "depth on", [](Primitives &p) { p.appearance.depth = DepthUse::On; }, Effect::Depth,
+            yes, 2, "the scene says so, for all triangles");
+
+        add("one w", none, Effect::Perspective, no, 0,
+            "w is the same at the three vertices of every triangle");
+        add(
+            "w differs alone", [](Primitives &p) { setW(p, 0, 2 * attributeOne); },
+            Effect::Perspective, no, 0,
+            "w differs between the vertices of 1 of 2 triangles, but nothing else does that is "
+            "divided by it");
+        add(
+            "w and the colours differ",
+            [](Primitives &p) {
+                setW(p, 0, 2 * attributeOne);
+                setColour(p, 0);
+            },
+            Effect::Perspective, yes, 1,
+            "w differs between the vertices of 1 of 2 triangles; only divided by it do these "
+            "change "
+            "evenly: colours");
+        add(
+            "w and u differ",
+            [](Primitives &p) {
+                setW(p, 0, 2 * attributeOne);
+                setTexture(p, 0);
+            },
+            Effect::Perspective, yes, 1,
+            "w differs between the vertices of 1 of 2 triangles; only divided by it do these "
+            "change "
+            "evenly: u and v");
+
+        add("no texture", none, Effect::Texture, no, 0, "no triangle's material has a texture");
+        add(
+            "a texture", [](Primitives &p) { setTexture(p, 0); }, Effect::Texture, yes, 1,
+            "1 of 2 triangles has a material with a texture: “checker”");
+
+        add("no light", none, Effect::Light, no, 0, "no light is on");
+        add(
+            "a light", [](Primitives &p) { setLight(p, 1); }, Effect::Light, yes, 1,
+            "1 of 2 triangles has normals, and a light is on (Phong shading: at every sample)");
+        add(
+            "a light without normals",
+            [](Primitives &p) {
+                setLight(p, 1);
+                p.attributes.clear();
+            },
+            Effect::Light, no, 0, "no triangle has normals");
+        add(
+            "flat shading",
+            [](Primitives &p) {
+                setLight(p, 1);
+                p.appearance.shading = Shading::Flat;
+            },
+            Effect::Light, no, 0, "flat shading: light is in the colours, once a triangle");
+
+        add("opaque", none, Effect::Blending, no, 0, "every alpha is 255: opaque");
+        add(
+            "glass", [](Primitives &p) { setAlpha(p, 0, 128); }, Effect::Blending, yes, 1,
+            "1 of 2 triangles has an alpha below 255, the lowest is 128");
+        add(
+            "two panes that share an edge",
+            [](Primitives &p) {
+                p.triangles[1] = triangleAt({{{10, 2}, {10, 10}, {2, 10}}});
+                setAlpha(p, 0, 128);
+                setAlpha(p, 1, 254);
+            },
+            Effect::Blending, yes, 2,
+            "both triangles have an alpha below 255, the lowest is 128; the closed rule paints 9 "
+            "samples on their shared edges twice, one of them (2, 10)");
+        add(
+            "a pane beside what is opaque",
+            [](Primitives &p) {
+                p.triangles[1] = triangleAt({{{10, 2}, {10, 10}, {2, 10}}});
+                setAlpha(p, 0, 128);
+            },
+            Effect::Blending, yes, 1,
+            "1 of 2 triangles has an alpha below 255, the lowest is 128; the closed rule paints 9 "
+            "samples on their shared edges twice, one of them (2, 10)");
+        add(
+            "a face that the near plane cuts", [](Primitives &p) { p.cutAtNear = {1}; },
+            Effect::Clipping, yes, 1, "1 of 2 triangles is of a face that the near plane cuts");
+
+        add("one sample", none, Effect::Antialiasing, no, 0,
+            "the scene asks for one sample a pixel");
+        add(
+            "four samples",
+            [](Primitives &p) { p.appearance.antialiasing = Antialiasing::Samples4; },
+            Effect::Antialiasing, yes, 2,
+            "the scene asks for 4 samples in each pixel that an edge passes");
+        add(
+            "exact area", [](Primitives &p) { p.appearance.antialiasing = Antialiasing::Area; },
+            Effect::Antialiasing, yes, 2,
+            "the scene asks for the exact area that a triangle has of a pixel");
+    }
+    void eachVerdictSaysWhy()
+    {
+        QFETCH(Change, change);
+        QFETCH(Effect, effect);
+        QFETCH(Verdict, verdict);
+        QFETCH(int, primitives);
+        QFETCH(QString, reason);
+
+        const EffectVerdict found = verdictsOf(changed(change))[effect];
+
+        QCOMPARE(found.reason, reason);
+        QCOMPARE(int(found.verdict), int(verdict));
+        QCOMPARE(int(found.primitives), primitives);
+        QCOMPARE(found.pixels > 0, primitives > 0);
+    }
+
+    void otherFillRulesPaintNoSampleOfASharedEdgeTwice()
+    {
+        Primitives primitives = plain();
+        primitives.triangles[1] = triangleAt({{{10, 2}, {10, 10}, {2, 10}}});
+        setAlpha(primitives, 0, 128);
+        setAlpha(primitives, 1, 128);
+        for (const FillRule rule : allFillRules) {
+            const EffectVerdict verdict = verdictsOf(
+                primitives, {Arithmetic::Exact, rule, ByteRounding::Nearest})[Effect::Blending];
+            QCOMPARE(verdict.reason.contains(QStringLiteral("twice")), rule == FillRule::Closed);
+        }
+    }
+
+    void shapesCallForColoursAndClipping()
+    {
+        Primitives primitives;
+        Shape line;
+        line.vertices = {{latticePixel(2, 2), Colour{{255, 0, 0}}},
+                         {latticePixel(40, 2), Colour{{0, 255, 0}}}};
+        primitives.shapes = {line};
+        const PerEffect<EffectVerdict> verdicts = verdictsOf(primitives);
+
+        QCOMPARE(verdicts[Effect::SmoothColour].reason,
+                 QStringLiteral("the primitive has vertex colours that differ"));
+        QCOMPARE(verdicts[Effect::Clipping].reason,
+                 QStringLiteral("the primitive crosses the frame's border"));
+        QCOMPARE(int(verdicts[Effect::Depth].verdict), int(Verdict::NotCalledFor));
+        QVERIFY(planOf(primitives).batches.empty());
+    }
+};
+
+PIXELPLUMB_TEST(TestEffectReasons)
+
+} // namespace tst_effectreasons
+
+#include "tst_effectreasons.moc"

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/check/casecheck.h"
+#include "core/runs/sceneplan.h"
+#include "core/scene/scenefile.h"
+#include "tests/support/caselist.h"
+#include "tests/support/sanitized.h"
+#include "tests/support/shapeexamples.h"
+#include "tests/support/shapes.h"
+#include "tests/support/sourcetree.h"
+#include "tests/support/testprogram.h"
+
+#include <QTest>
+
+namespace tst_strokeplans {
+
+using namespace pixelplumb;
+
+namespace {
+
+Scene sceneOf(const Shape &shape, Antialiasing antialiasing)
+{
+    Scene scene;
+    scene.frame = frameOf(12, 8);
+    scene.method = "stroke-coverage";
+    scene.shapes = {shape};
+    scene.appearance.antialiasing = antialiasing;
+    return scene;
+}
+
+} // namespace
+
+/// Who antialiases lines and curves, and who says that he does not.
+class TestStrokePlans : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aLineMethodRefusesAntialiasingAndNamesTheOneThatCan()
+    {
+        Scene scene = sceneOf(lineAt(1, 1, 9, 4), Antialiasing::Samples4);
+        QCOMPARE(objectionTo(scene), QString());
+        for (const char *id : {"line-dda", "line-bresenham", "line-slope-intercept"}) {
+            scene.method = id;
+            QVERIFY2(objectionTo(scene).contains(QStringLiteral("stroke-coverage can")), id);
+        }
+        scene.shapes = {lineAt(100, 100, 109, 104)};
+        QCOMPARE(objectionTo(scene), QString());
+        scene.shapes = {circleAt(4, 4, 2, ShapeFill::NonZero)};
+        scene.method = "circle-fill";
+        QCOMPARE(objectionTo(scene), QString());
+    }
+
+    void aPlanSaysThatLinesAreAntialiased()
+    {
+        const Scene scene = sceneOf(lineAt(1, 1, 9, 4), Antialiasing::Area);
+        const EffectVerdict verdict = planOf(scene).verdicts[Effect::Antialiasing];
+        QCOMPARE(verdict.verdict, Verdict::CalledFor);
+        QCOMPARE(verdict.primitives, std::size_t(1));
+        QVERIFY(verdict.pixels < 12 * 8);
+        QCOMPARE(verdict.reason,
+                 QStringLiteral("the scene asks for the exact area that a line or "
+                                "curve has of a pixel"));
+    }
+
+    void aSceneOfLinesThatNamesNoMethodGetsTheOneThatCan()
+    {
+        const QByteArray line = shapeExamples()[1].text;
+        const QByteArray curve = shapeExamples()[5].text;
+        const QByteArray antialiased = "\"antialiasing\": \"area\",";
+        QCOMPARE(readScene(sceneOfPrimitives(line, antialiased))->scene.method,
+                 std::string("stroke-coverage"));
+        QCOMPARE(readScene(sceneOfPrimitives(curve, antialiased))->scene.method,
+                 std::string("stroke-coverage"));
+        QCOMPARE(readScene(sceneOfPrimitives(line))->scene.method, std::string("line-dda"));
+    }
+
+    void theLinesAndCirclesOfTheHardCasesAreTheTruth()
+    {
+        const std::vector<HardCase> cases = casesOf(testData("shape_cases.json"));
+        int checked = 0;
+        for (const HardCase &hardCase : fewerIfSanitized(cases)) {
+            const CaseReport report = checkCase(
+                hardCase, {contenderFor(*methodNamed(u"stroke-coverage"), ScanSettings{})});
+            if (report.verdicts.empty())
+                continue;
+            QVERIFY2(report.summary() == CaseOutcome::Passed, qPrintable(hardCase.id));
+            ++checked;
+        }
+        QCOMPARE(checked, fewerIfSanitized(24));
+    }
+};
+
+PIXELPLUMB_TEST(TestStrokePlans)
+
+} // namespace tst_strokeplans
+
+#include "tst_strokeplans.moc"

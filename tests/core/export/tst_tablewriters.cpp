@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/numbertext.h"
+#include "core/export/textwriter.h"
+#include "tests/support/testprogram.h"
+
+#include <QBuffer>
+#include <QJsonDocument>
+#include <QJsonValue>
+#include <QtTest>
+
+namespace tst_tablewriters {
+
+using namespace pixelplumb;
+
+/// How cells and numbers are spelt in CSV, JSON and aligned text, whatever the table is of.
+class TestTableWriters : public QObject {
+    Q_OBJECT
+
+private slots:
+    void quotesCellsAfterRfc4180()
+    {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        const auto writer = makeCsvWriter(buffer);
+
+        writer->begin(
+            {{QStringLiteral("a"), Field::Kind::Text}, {QStringLiteral("b"), Field::Kind::Text}});
+        writer->writeRow({QStringLiteral("1, 2"), QStringLiteral("say \"yes\"\nor no")});
+        writer->writeRow({QString(), QStringLiteral("ÄΔ")});
+        writer->end();
+
+        QCOMPARE(bytes, QByteArray("a,b\r\n\"1, 2\",\"say \"\"yes\"\"\nor no\"\r\n,ÄΔ\r\n"));
+    }
+
+    void writesWhatJsonCannotHoldAsText()
+    {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        const auto writer = makeJsonWriter(buffer, {});
+
+        writer->begin({{QStringLiteral("error"), Field::Kind::Error},
+                       {QStringLiteral("name"), Field::Kind::Text},
+                       {QStringLiteral("count"), Field::Kind::Number}});
+        writer->writeRow({Quantity::of(std::numeric_limits<double>::quiet_NaN()),
+                          QStringLiteral("a\"b"), Quantity()});
+        writer->writeRow({Quantity::of(-std::numeric_limits<double>::infinity()), QString(),
+                          Quantity::integer(7)});
+        writer->end();
+
+        const QJsonDocument document = QJsonDocument::fromJson(bytes);
+        QCOMPARE(document[QStringLiteral("rows")][0][QStringLiteral("error")].toString(),
+                 QStringLiteral("nan"));
+        QCOMPARE(document[QStringLiteral("rows")][0][QStringLiteral("name")].toString(),
+                 QStringLiteral("a\"b"));
+        QVERIFY(document[QStringLiteral("rows")][0][QStringLiteral("count")].isNull());
+        QCOMPARE(document[QStringLiteral("rows")][1][QStringLiteral("error")].toString(),
+                 QStringLiteral("-inf"));
+        QCOMPARE(document[QStringLiteral("rows")][1][QStringLiteral("count")].toInt(), 7);
+    }
+
+    void spellsNumbersForProgramsWithoutLosingADigit_data()
+    {
+        QTest::addColumn<Quantity>("number");
+        QTest::addColumn<QString>("decimal");
+        QTest::addColumn<QString>("fraction");
+        const auto row = [](const char *name, const Quantity &number, const char *decimal,
+                            const char *fraction) {
+            QTest::newRow(name) << number << QString::fromLatin1(decimal)
+                                << QString::fromLatin1(fraction);
+        };
+        row("none", {}, "", "");
+        row("whole", Quantity::integer(-17), "-17", "-17");
+        row("lattice", Quantity::rational(-23, 4), "-5.75", "-23/4");
+        row("between -1 and 0", Quantity::rational(-1, 256), "-0.00390625", "-1/256");
+        row("last digit of 32.32", Quantity::rational((Int128(1) << 62) + 1, Int128(1) << 32),
+            "1073741824.00000000023283064365386962890625", "4611686018427387905/4294967296");
+        row("third", Quantity::rational(1, 3), "0.3333333333333333", "1/3");
+        row("float32", Quantity::of(0.1F), "0.10000000149011612", "0.10000000149011612");
+        row("nearest to a fraction below zero", Quantity::rational(-2, 99), "-0.020202020202020204",
+            "-2/99");
+        row("float64", Quantity::of(0.1), "0.1", "0.1");
+        row("infinite", Quantity::of(-std::numeric_limits<float>::infinity()), "-inf", "-inf");
+        row("no number", Quantity::of(-std::numeric_limits<double>::quiet_NaN()), "nan", "nan");
+    }
+    void spellsNumbersForProgramsWithoutLosingADigit()
+    {
+        QFETCH(Quantity, number);
+
+        QTEST(decimalText(number), "decimal");
+        QTEST(fractionText(number), "fraction");
+    }
+
+    void alignsATextTable()
+    {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        const auto writer = makeTextWriter(buffer, TextNumbers::Mixed);
+
+        writer->begin({{QStringLiteral("x"), Field::Kind::Number},
+                       {QStringLiteral("y_B"), Field::Kind::Number, QStringLiteral("⌈y⌉")},
+                       {QStringLiteral("fate"), Field::Kind::Text}});
+        writer->writeRow({Quantity::integer(9), Quantity::rational(277, 54), QStringLiteral("a")});
+        writer->writeRow({Quantity::integer(10), Quantity::rational(-7, 8), QString()});
+        writer->writeRow({Quantity::integer(-1), Quantity::integer(12), QStringLiteral("bc")});
+        writer->end();
+
+        QCOMPARE(QString::fromUtf8(bytes),
+                 QStringLiteral(" x      ⌈y⌉  fate\n"
+                                " 9   5 7/54  a\n"
+                                "10     -7/8\n"
+                                "-1  12       bc\n"));
+    }
+};
+
+PIXELPLUMB_TEST(TestTableWriters)
+
+} // namespace tst_tablewriters
+
+#include "tst_tablewriters.moc"

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/traceexport.h"
+#include "core/scene/scenefile.h"
+#include "tests/support/sourcetree.h"
+#include "tests/support/spacescenes.h"
+#include "tests/support/testprogram.h"
+
+#include <QBuffer>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QRegularExpression>
+#include <QtTest>
+
+#include <algorithm>
+
+namespace tst_traceexport {
+
+using namespace pixelplumb;
+
+namespace {
+
+Scene defaultScene(Arithmetic arithmetic = Arithmetic::Exact)
+{
+    Scene scene = readSceneFile(resource(QStringLiteral("/scenes/default.json")))->scene;
+    scene.settings.arithmetic = arithmetic;
+    return scene;
+}
+
+QByteArray exported(const Scene &scene, TraceLevel level, TableFormat format)
+{
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    if (!exportTrace(*traceScene(scene), {level, format}, buffer))
+        return {};
+    return bytes;
+}
+
+/// The lines of a CSV, without their line ends.
+QList<QByteArray> linesOf(const QByteArray &csv)
+{
+    QList<QByteArray> lines = QByteArray(csv).replace("\r\n", "\n").split('\n');
+    lines.removeLast();
+    return lines;
+}
+
+/// The nearest double of "277/54" or "17".
+double valueOf(const QString &fraction)
+{
+    const QStringList parts = fraction.split(u'/');
+    return parts[0].toDouble() / (parts.size() > 1 ? parts[1].toDouble() : 1);
+}
+
+/// A device that is full after some bytes.
+class FullDevice final : public QIODevice {
+public:
+    explicit FullDevice(qint64 room)
+        : m_room(room)
+    {
+    }
+
+protected:
+    qint64 readData(char *, qint64) override { return -1; }
+    qint64 writeData(const char *, qint64 size) override
+    {
+        m_room -= size;
+        return m_room < 0 ? -1 : size;
+    }
+
+private:
+    qint64 m_room;
+};
+
+} // namespace
+
+/// The tables of a traced run: their rows, their columns and how they were made.
+class TestTraceExport : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyStageFromSpaceToTheFrameIsPrinted()
+    {
+        Scene scene = sceneOf({triangle3({0, 0, 2}, {1, 0, -2}, {0, 1, 4.5})});
+        scene.triangles = defaultScene().triangles;
+
+        const QList<QByteArray> lines
+            = linesOf(exported(scene, TraceLevel::Stage, TableFormat::Csv));
+
+        QCOMPARE(lines.value(0),
+                 QByteArray("step,primitive,stage,point,used,used_exact,used_error,formula,numbers,"
+                            "note"));
+        const auto has = [&](const char *pattern) {
+            const QRegularExpression expression(QString::fromUtf8(pattern));
+            return std::ranges::any_of(lines, [&](const QByteArray &line) {
+                return expression.match(QString::fromUtf8(line)).hasMatch();
+            });
+        };
+        // One triangle of the frame, then two of the polygon that the near plane leaves.
+        QVERIFY(!has("^\\d+,0,"));
+        for (const char *pattern :
+             {"^\\d+,1,Vertex,V₁,1,1,0,x,,$", "Camera,the camera,1,1,0,near,,$",
+              "Clip coordinates,V₀,3,3,0,w = −z_view,−\\(−3\\),",
+              "Clipped polygon,C₃,0\\.(8|7999)\\d*,4/5,.*,t = z_V₀/\\(z_V₀ − z_V₂\\),.*,the near "
+              "plane cuts V₀V₂$",
+              "^\\d+,2,Lattice,C₃,.*,x = ⌊256·x′ \\+ ½⌋/256,"})
+            QVERIFY2(has(pattern), pattern);
+    }
+
+    void writesARowForEachColumn()
+    {
+        const auto traced = traceScene(defaultScene());
+
+        const QList<QByteArray> lines
+            = linesOf(exported(defaultScene(), TraceLevel::Column, TableFormat::Csv));
+
+        QCOMPARE(std::size_t(lines.size()), traced->trace->spanCount() + 1);
+        QVERIFY(lines[0].startsWith("step,primitive,x,half,y_B,y_B_exact,y_B_error,y_T,"));
+        // The edge (4, 5)–(58, 12) rises by 7/54 a column, (4, 5)–(53/2, 44) by 26/15.
+        QVERIFY2(lines[2].startsWith(
+                     "4,0,5,1,5.12962962962963,277/54,0,6.733333333333333,101/15,0,6,6,0,6,6,0,1,"),
+                 lines[2].constData());
+    }
+
+    void writesARowForEachPixel()
+    {
+        const auto traced = traceScene(defaultScene());
+
+        const QList<QByteArray> lines
+            = linesOf(exported(defaultScene(), TraceLevel::Pixel, TableFormat::Csv));
+
+        QCOMPARE(std::size_t(lines.size()), traced->trace->sampleCount() + 1);
+        QCOMPARE(
+            lines[0],
+            QByteArray(
+                "step,primitive,x,y,R,R_exact,R_error,R_level,R_byte,G,G_exact,G_error,G_level,"
+                "G_byte,B,B_exact,B_error,B_level,B_byte,clamped,before,after,fate"));
+        QCOMPARE(
+            lines[1],
+            QByteArray(
+                "3,0,4,5,255,255,0,255,255,0,0,0,0,0,0,0,0,0,0,false,#000000,#ff0000,written"));
+    }
+
+    void givesEveryRowAsManyFieldsAsTheHeader_data()
+    {
+        QTest::addColumn<Arithmetic>("arithmetic");
+        QTest::addColumn<TraceLevel>("level");
+        for (const Arithmetic arithmetic : allArithmetics) {
+            QTest::addRow("%s, columns", nameOf(arithmetic).data())
+                << arithmetic << TraceLevel::Column;
+            QTest::addRow("%s, pixels", nameOf(arithmetic).data())
+                << arithmetic << TraceLevel::Pixel;
+        }
+    }
+    void givesEveryRowAsManyFieldsAsTheHeader()
+    {
+        QFETCH(Arithmetic, arithmetic);
+        QFETCH(TraceLevel, level);
+
+        const QList<QByteArray> lines
+            = linesOf(exported(defaultScene(arithmetic), level, TableFormat::Csv));
+
+        QVERIFY(lines.size() > 1);
+        const auto commas = lines[0].count(',');
+        for (const QByteArray &line : lines)
+            QCOMPARE(line.count(','), commas);
+    }
+
+    void holdsNoErrorInExactArithmetic()
+    {
+        const QJsonDocument document = QJsonDocument::fromJson(
+            exported(defaultScene(), TraceLevel::Pixel, TableFormat::Json));
+
+        const QJsonArray rows = document[QStringLiteral("rows")].toArray();
+        QVERIFY(!rows.isEmpty());
+        for (const QJsonValue &row : rows) {
+            QCOMPARE(row[QStringLiteral("R")].toDouble(-1),
+                     valueOf(row[QStringLiteral("R_exact")].toString()));
+            QCOMPARE(row[QStringLiteral("R_error")].toDouble(-1), 0.0);
+        }
+    }
+
+    void tellsTheErrorOfRoundedNumbers()
+    {
+        const QJsonDocument document = QJsonDocument::fromJson(
+            exported(defaultScene(Arithmetic::Float32), TraceLevel::Column, TableFormat::Json));
+
+        const QJsonValue row = document[QStringLiteral("rows")][1];
+        QCOMPARE(row[QStringLiteral("y_B_exact")].toString(), QStringLiteral("277/54"));
+        const float used = 5 + 7 / 54.0F;
+        QCOMPARE(float(row[QStringLiteral("y_B")].toDouble()), used);
+        const double error = double(used) - (5 + 7 / 54.0);
+        QVERIFY(qAbs(row[QStringLiteral("y_B_error")].toDouble() - error) < 1e-14);
+    }
+
+    void saysInJsonHowTheTableWasMade()
+    {
+        const QJsonDocument document = QJsonDocument::fromJson(
+            exported(defaultScene(Arithmetic::Fixed16), TraceLevel::Column, TableFormat::Json));
+
+        QCOMPARE(document[QStringLiteral("pixelplumbTrace")].toInt(), 2);
+        QCOMPARE(document[QStringLiteral("level")].toString(), QStringLiteral("column"));
+        QCOMPARE(document[QStringLiteral("method")].toString(), QStringLiteral("column-scan"));
+        QCOMPARE(document[QStringLiteral("arithmetic")].toString(), QStringLiteral("fixed16.16"));
+        QCOMPARE(document[QStringLiteral("fillRule")].toString(), QStringLiteral("closed"));
+        QCOMPARE(document[QStringLiteral("rounding")].toString(), QStringLiteral("nearest"));
+        QCOMPARE(document[QStringLiteral("cut")].toBool(true), false);
+        QCOMPARE(document[QStringLiteral("columns")].toArray().size(),
+                 qsizetype(methodNamed(u"column-scan")->numbers.span.size()));
+    }
+
+    void givesAColumnOneJsonTypeInAllRows()
+    {
+        const QJsonDocument document = QJsonDocument::fromJson(
+            exported(defaultScene(), TraceLevel::Column, TableFormat::Json));
+
+        const QJsonArray rows = document[QStringLiteral("rows")].toArray();
+        for (const QJsonValue &row : rows) {
+            QVERIFY(row[QStringLiteral("x")].isDouble());
+            QVERIFY(row[QStringLiteral("pixels")].isDouble());
+            QVERIFY(row[QStringLiteral("y_B")].isDouble());
+            QVERIFY(row[QStringLiteral("y_B_exact")].isString());
+            QVERIFY(row[QStringLiteral("y_B_error")].isDouble());
+        }
+    }
+
+    void writesAnEmptySceneAsATableWithoutRows()
+    {
+        Scene scene;
+
+        QCOMPARE(linesOf(exported(scene, TraceLevel::Column, TableFormat::Csv)).size(),
+                 qsizetype(1));
+        const QJsonDocument document
+            = QJsonDocument::fromJson(exported(scene, TraceLevel::Pixel, TableFormat::Json));
+        QVERIFY(document[QStringLiteral("rows")].isArray());
+        QVERIFY(document[QStringLiteral("rows")].toArray().isEmpty());
+    }
+
+    void writesTheSameBytesEachTime()
+    {
+        const Scene scene = defaultScene(Arithmetic::Float64);
+
+        QCOMPARE(exported(scene, TraceLevel::Pixel, TableFormat::Json),
+                 exported(scene, TraceLevel::Pixel, TableFormat::Json));
+    }
+
+    void alignsDecimalsAtThePoint()
+    {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        TraceExportOptions options;
+        options.format = TableFormat::Text;
+        options.textNumbers = TextNumbers::Decimal;
+        options.columns = {QStringLiteral("x"), QStringLiteral("y_T")};
+
+        QVERIFY(exportTrace(*traceScene(defaultScene()), options, buffer));
+
+        const QList<QByteArray> lines = bytes.split('\n');
+        QCOMPARE(lines[0], QByteArray(" x        y_T"));
+        QCOMPARE(lines[1], QByteArray(" 4   5"));
+        QCOMPARE(lines[2], QByteArray(" 5   6.733333"));
+        QCOMPARE(lines[8], QByteArray("11  17.133333"));
+    }
+
+    void saysWhenTheDeviceIsFull()
+    {
+        const auto traced = traceScene(defaultScene());
+        FullDevice device(2000);
+        device.open(QIODevice::WriteOnly);
+
+        QVERIFY(!exportTrace(*traced, {}, device));
+    }
+
+    void endsWhenProgressSaysSo()
+    {
+        const auto traced = traceScene(defaultScene());
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        int calls = 0;
+        TraceExportOptions options;
+        options.progress = [&](const JobProgress &) { return ++calls < 3; };
+
+        QVERIFY(!exportTrace(*traced, options, buffer));
+        QCOMPARE(calls, 3);
+        QCOMPARE(linesOf(bytes).size(), qsizetype(3));
+    }
+};
+
+PIXELPLUMB_TEST(TestTraceExport)
+
+} // namespace tst_traceexport
+
+#include "tst_traceexport.moc"

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/diagnosis.h"
+#include "core/grade/picturediff.h"
+#include "tests/support/probescenes.h"
+#include "tests/support/scanning.h"
+#include "tests/support/studentwalk.h"
+#include "tests/support/testprogram.h"
+
+#include <QElapsedTimer>
+#include <QTest>
+
+#include <algorithm>
+#include <array>
+
+namespace tst_defectpairs {
+
+using namespace pixelplumb;
+
+namespace {
+
+using Mistakes = std::set<WalkMistake>;
+
+QStringList idsOf(const Diagnosis &diagnosis)
+{
+    QStringList ids;
+    for (const DiagnosisCandidate &candidate : diagnosis.candidates)
+        ids += candidate.ids().join(QStringLiteral(" and "));
+    return ids;
+}
+
+std::vector<Defect> redrawingsOf(const Scene &scene)
+{
+    std::vector<Defect> defects = defectsFor(scene);
+    std::erase_if(defects, [](const Defect &defect) { return !defect.redrawing; });
+    return defects;
+}
+
+Defect defectNamed(const Scene &scene, const QString &id)
+{
+    const std::vector<Defect> all = defectsFor(scene);
+    const auto found = std::ranges::find(all, id, &Defect::id);
+    return found != all.end() ? *found : Defect{};
+}
+
+} // namespace
+
+/// Two defects that no kernel draws, in one program.
+class TestDefectPairs : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aProgramWithTwoMistakesIsNamed_data()
+    {
+        QTest::addColumn<WalkLines>("lines");
+        QTest::addColumn<Mistakes>("mistakes");
+        QTest::addColumn<QString>("ids");
+        const auto add = [](WalkLines lines, const Mistakes &mistakes, const char *ids) {
+            QTest::addRow("%s, %s", ids, lines == WalkLines::Rows ? "rows" : "columns")
+                << lines << mistakes << QString::fromLatin1(ids);
+        };
+        using enum WalkMistake;
+        for (const WalkLines lines : {WalkLines::Columns, WalkLines::Rows}) {
+            add(lines, {SpanDivisorPlusOne, LastSpanMissing},
+                lines == WalkLines::Columns
+                    ? "colour-divisor-plus-one and last-span-missing"
+                    : "colour-divisor-plus-one and first-span-missing"); // from above
+            add(lines, {WholeSlopes, SpanDivisorPlusOne},
+                "colour-divisor-plus-one and whole-slopes");
+            add(lines, {WholeEdgeColours, ColoursBetweenSamples},
+                "colours-between-samples and whole-edge-colours");
+            add(lines, {NoEdgeColourPreStep, NoSecondHalf},
+                lines == WalkLines::Columns
+                    ? "colours-without-edge-pre-step and second-half-missing"
+                    : "colours-without-edge-pre-step and first-half-and-middle-missing");
+        }
+    }
+    void aProgramWithTwoMistakesIsNamed()
+    {
+        QFETCH(WalkLines, lines);
+        QFETCH(Mistakes, mistakes);
+        QFETCH(QString, ids);
+        std::vector<Submission> exact, rounded;
+        for (const Scene &scene :
+             probeScenes(lines == WalkLines::Rows ? "row-walk" : "column-scan")) {
+            exact.push_back({scene, studentPicture(scene, lines, mistakes)});
+            rounded.push_back({scene, studentPictureInDouble(scene, lines, mistakes)});
+        }
+        for (const auto &submissions : {exact, rounded}) {
+            const auto diagnosis = diagnose(submissions);
+            QVERIFY2(diagnosis->isExplained(), qPrintable(idsOf(*diagnosis).join(u'\n')));
+            QVERIFY2(idsOf(*diagnosis).contains(ids), qPrintable(idsOf(*diagnosis).join(u'\n')));
+            QVERIFY(
+                partingStepOf(submissions.front().scene, diagnosis->candidates.front().defects));
+        }
+    }
+
+    void theOrderOfEqualVerticesIsNoThirdMistake()
+    {
+        std::vector<Submission> submissions;
+        const Mistakes mistakes = {WalkMistake::EdgeDivisorPlusOne, WalkMistake::SpanDivisorPlusOne,
+                                   WalkMistake::EqualAsGiven};
+        std::vector<Scene> scenes = probeSheet(QStringLiteral("column-scan"));
+        // One whose last two vertices share a column, the upper one given first.
+        scenes.push_back(scenes.front());
+        scenes.back().triangles = {triangleAt(3, 9, 30, 25, 30, 4)};
+        for (const Scene &scene : scenes)
+            submissions.push_back({scene, studentPicture(scene, WalkLines::Columns, mistakes)});
+        const auto diagnosis = diagnose(submissions);
+        QVERIFY2(diagnosis->isExplained(), qPrintable(idsOf(*diagnosis).join(u'\n')));
+        const DiagnosisCandidate &named = diagnosis->candidates.front();
+        QVERIFY(named.ids().contains(QStringLiteral("divisor-plus-one")));
+        QVERIFY(named.ids().contains(QStringLiteral("colour-divisor-plus-one")));
+        QCOMPARE(named.rightAlone(), QStringList{QStringLiteral("equal-as-given")});
+    }
+
+    void twoThatDecideTheSameAreNotTogether_data()
+    {
+        QTest::addColumn<QString>("one");
+        QTest::addColumn<QString>("other");
+        QTest::addColumn<bool>("can");
+        const auto row = [](const char *one, const char *other, bool can) {
+            QTest::addRow("%s, %s", one, other)
+                << QString::fromLatin1(one) << QString::fromLatin1(other) << can;
+        };
+        row("ends-nearest", "ends-upward", false);
+        row("whole-slopes", "floor-slopes", false);
+        row("whole-slopes", "whole-slopes-from-below", false);
+        row("whole-slopes", "whole-edge-colours-from-below", false);
+        row("whole-slopes-from-below", "whole-edge-colours-from-below", true);
+        row("ends-nearest", "whole-slopes-from-below", true);
+        row("divisor-plus-one-from-below", "divisor-minus-one-from-below", false);
+        row("divisor-plus-one-from-below", "unsorted-colours-from-below", true);
+        row("levels-times-254", "whole-slopes", false); // a walk rounds its own levels
+        row("levels-times-254", "levels-times-256", false);
+        row("levels-times-254", "last-sample-missing", true);
+        row("rounding-truncate", "levels-times-256", false);
+        row("rounding-truncate", "levels-times-254", true);
+        row("last-sample-missing", "first-sample-missing", true);
+        row("parity", "ends-nearest", true);
+    }
+    void twoThatDecideTheSameAreNotTogether()
+    {
+        QFETCH(QString, one);
+        QFETCH(QString, other);
+        QFETCH(bool, can);
+        const Scene scene = probeScenes("row-walk").front();
+        const Defect first = defectNamed(scene, one);
+        const Defect second = defectNamed(scene, other);
+        QCOMPARE(first.id, one);
+        QCOMPARE(second.id, other);
+        QCOMPARE(canBeTogether(first, second), can);
+        QCOMPARE(canBeTogether(second, first), can);
+    }
+
+    void theOrderOfTwoDoesNotMatter()
+    {
+        const std::vector<Scene> scenes = probeScenes();
+        const std::vector<Defect> all = redrawingsOf(scenes.front());
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            for (std::size_t j = i + 1; j < all.size(); j += 5) {
+                if (!canBeTogether(all[i], all[j]))
+                    continue;
+                QVERIFY2(pictureWith(scenes.back(), std::array{all[i], all[j]})
+                             == pictureWith(scenes.back(), std::array{all[j], all[i]}),
+                         qPrintable(all[i].id + u' ' + all[j].id));
+            }
+        }
+    }
+
+    void twoRedrawingsTogetherAreNamed_data()
+    {
+        QTest::addColumn<QString>("method");
+        for (const char *method : {"column-scan", "row-walk", "edge-equations"})
+            QTest::newRow(method) << QString::fromLatin1(method);
+    }
+    void twoRedrawingsTogetherAreNamed()
+    {
+        QFETCH(QString, method);
+        const std::vector<Scene> scenes = probeScenes(method.toLatin1().constData());
+        const std::vector<Defect> all = redrawingsOf(scenes.front());
+        DefectPictures pictures(scenes);
+        const std::size_t stride = all.size() / 150 + 1; // ten to fifty pairs
+        int pairs = 0;
+        int explained = 0;
+        int named = 0;
+        QElapsedTimer watch;
+        watch.start();
+        for (std::size_t i = 0; 2 * i + 1 < all.size(); i += stride) {
+            const std::size_t j = 2 * i + 1;
+            if (!canBeTogether(all[i], all[j]))
+                continue;
+            const std::array pair = {all[i], all[j]};
+            std::vector<FoundPicture> found;
+            for (const Scene &scene : scenes)
+                found.push_back({found.size(), pictureWith(scene, pair)});
+            const auto diagnosis = diagnose(pictures, found);
+            if (diagnosis->verdict != DiagnosisVerdict::Wrong)
+                continue;
+            ++pairs;
+            explained += diagnosis->isExplained() ? 1 : 0;
+            // Where one of them, or another single one, draws the same, that is enough.
+            const QStringList ids = idsOf(*diagnosis);
+            const bool isNamed
+                = ids.contains(all[i].id + QStringLiteral(" and ") + all[j].id)
+                || std::ranges::any_of(diagnosis->candidates, [](const auto &candidate) {
+                       return candidate.defects.size() == 1 && candidate.distance == 0;
+                   });
+            named += isNamed ? 1 : 0;
+            if (!isNamed)
+                qInfo("%s and %s: %s", qPrintable(all[i].id), qPrintable(all[j].id),
+                      qPrintable(ids.join(QStringLiteral(", "))));
+        }
+        qInfo("%s: %d redrawings, %d pairs, %d explained, %d named, %lld ms", qPrintable(method),
+              int(all.size()), pairs, explained, named, watch.elapsed());
+        QVERIFY(pairs >= 10);
+        QCOMPARE(explained, pairs);
+        QCOMPARE(named, pairs);
+    }
+
+    void aSecondDefectThatHardlyBringsItNearerIsNotNamed()
+    {
+        const Scene scene = probeScenes().front();
+        const Defect first = defectNamed(scene, QStringLiteral("unsorted-colours"));
+        const Picture alone = pictureWith(scene, std::span(&first, 1));
+        Submission submission{scene, {}};
+        const std::vector<Defect> all = defectsFor(scene);
+        const auto hardlyChanges = [&](const Defect &second) {
+            if (second.standsAlone || second.id == first.id || !canBeTogether(first, second))
+                return false;
+            submission.picture = pictureWith(scene, std::array{first, second});
+            const std::int64_t changed = differingPixels(alone, submission.picture);
+            return changed > 0 && changed < 10;
+        };
+        QVERIFY(std::ranges::any_of(all, hardlyChanges));
+        for (std::size_t i = 0; i < 60; ++i) // pixels that nobody would write
+            submission.picture.colours[i] = {{1, 2, 3}};
+
+        const Diagnosis diagnosis = *diagnose(std::vector{submission});
+
+        QVERIFY(!diagnosis.isExplained());
+        const QStringList ids = idsOf(diagnosis);
+        QVERIFY2(ids.contains(first.id), qPrintable(ids.join(u'\n')));
+        for (const QString &each : ids)
+            QVERIFY2(!each.contains(first.id + QStringLiteral(" and ")), qPrintable(each));
+    }
+};
+
+PIXELPLUMB_TEST(TestDefectPairs)
+
+} // namespace tst_defectpairs
+
+#include "tst_defectpairs.moc"

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/diagnosis.h"
+#include "core/grade/picturediff.h"
+#include "tests/support/mistakenprograms.h"
+#include "tests/support/probescenes.h"
+#include "tests/support/scanning.h"
+#include "tests/support/testprogram.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+namespace tst_diagnosisleeway {
+
+using namespace pixelplumb;
+using Mistakes = std::set<WalkMistake>;
+
+namespace {
+
+Defect defectNamed(const Scene &scene, const char *id)
+{
+    const std::vector<Defect> all = defectsFor(scene);
+    const auto found = std::ranges::find(all, QLatin1String(id), &Defect::id);
+    return found != all.end() ? *found : Defect{};
+}
+
+std::vector<Defect> defectsNamed(const Scene &scene, const QByteArrayList &ids)
+{
+    std::vector<Defect> defects;
+    for (const QByteArray &id : ids)
+        defects.push_back(defectNamed(scene, id));
+    return defects;
+}
+
+Scene computedIn(Scene scene, Arithmetic arithmetic)
+{
+    scene.settings.arithmetic = arithmetic;
+    return scene;
+}
+
+/// What programs draw that compute so.
+std::vector<Submission> submissionsIn(Arithmetic arithmetic, const std::vector<Scene> &scenes,
+                                      const QByteArrayList &ids)
+{
+    std::vector<Submission> submissions;
+    for (const Scene &scene : scenes)
+        submissions.push_back(
+            {scene, pictureWith(computedIn(scene, arithmetic), defectsNamed(scenes.front(), ids))});
+    return submissions;
+}
+
+/// Takes the first sample out of the picture that lies on an edge of the scene and is drawn last of
+/// its column: a right program may do that.
+void dropTie(const Scene &scene, Picture &picture)
+{
+    const auto ties = tiesOf(scene);
+    for (std::size_t place = 0; place < ties.size(); ++place) {
+        if (ties[place] == 0 || picture.covered[place] == 0)
+            continue;
+        picture.covered[place] = 0;
+        picture.colours[place] = scene.frame.background;
+        return;
+    }
+}
+
+Scene triangleWithTies()
+{
+    return sceneWith({coloured({latticePixel(4, 30), latticePixel(29, 35), latticePixel(29, 5)})});
+}
+
+QString idsOf(const DiagnosisCandidate &candidate)
+{
+    return candidate.ids().join(QLatin1String(" and "));
+}
+
+QStringList idsOf(const Diagnosis &diagnosis)
+{
+    QStringList ids;
+    for (const DiagnosisCandidate &candidate : diagnosis.candidates)
+        ids += idsOf(candidate);
+    return ids;
+}
+
+} // namespace
+
+/// A program with a defect rounds and meets samples on edges as right ones do.
+class TestDiagnosisLeeway : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aTieMovesWithThePicture_data()
+    {
+        QTest::addColumn<QByteArray>("id");
+        for (const char *id : {"channels-bgr-in-place-of-rgb", "upside-down",
+                               "shifted-by-1-to-the-right", "encoded-as-srgb-once-too-often"})
+            QTest::newRow(id) << QByteArray(id);
+    }
+    void aTieMovesWithThePicture()
+    {
+        QFETCH(QByteArray, id);
+        const Scene scene = triangleWithTies();
+        Picture drawn = pictureOf(scene);
+        dropTie(scene, drawn);
+        const Defect defect = defectNamed(scene, id);
+        const Picture found = defect.changePicture(drawn, scene.frame.background);
+        const auto diagnosis = diagnose(std::vector{Submission{scene, found}});
+        QCOMPARE(diagnosis->verdict, DiagnosisVerdict::Wrong);
+        QVERIFY(diagnosis->isExplained());
+        const DiagnosisCandidate &first = diagnosis->candidates.front();
+        QCOMPARE(idsOf(first), QString::fromLatin1(id));
+        QCOMPARE(first.distance, std::int64_t(0));
+        QCOMPARE(first.undecidable, std::int64_t(1));
+    }
+
+    void aDefectThatMovesEdgesHasTiesOfItsOwn()
+    {
+        const Scene scene = sceneWith({coloured({LatticePoint{4 * 256 + 128, 30 * 256 + 128},
+                                                 LatticePoint{29 * 256 + 128, 35 * 256 + 128},
+                                                 LatticePoint{29 * 256 + 128, 5 * 256 + 128}})});
+        const Defect moved = defectNamed(scene, "half-pixel-down");
+        const Scene defective = withDefects(scene, std::span(&moved, 1));
+        Submission submission{scene, pictureOf(defective)};
+        dropTie(defective, submission.picture);
+        const auto diagnosis = diagnose(std::vector{submission});
+        // Of vertices between pixels truncating is the same.
+        QVERIFY(idsOf(*diagnosis).contains(QStringLiteral("half-pixel-down")));
+        QCOMPARE(diagnosis->candidates.front().distance, std::int64_t(0));
+        QCOMPARE(diagnosis->candidates.front().undecidable, std::int64_t(1));
+    }
+
+    void whatEqualsThePicturesComesFirstAndAlone()
+    {
+        const auto scenes = probeScenes();
+        const auto diagnosis
+            = diagnose(submissionsIn(Arithmetic::Exact, scenes, {"last-sample-missing"}));
+        QVERIFY(std::ranges::all_of(diagnosis->candidates, [](const DiagnosisCandidate &candidate) {
+            return candidate.undecidable == 0;
+        }));
+        QVERIFY(idsOf(*diagnosis).contains(QStringLiteral("last-sample-missing")));
+    }
+
+    void aStudentsProgramInDoubleIsNamed_data()
+    {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<Mistakes>("mistakes");
+        for (const MistakenProgram &program : mistakenPrograms()) {
+            if (program.method == QStringLiteral("column-scan"))
+                QTest::newRow(qPrintable(program.id)) << program.id << program.mistakes;
+        }
+    }
+    void aStudentsProgramInDoubleIsNamed()
+    {
+        QFETCH(QString, id);
+        QFETCH(Mistakes, mistakes);
+        static DefectPictures pictures(probeSheet(QStringLiteral("column-scan")));
+        std::vector<FoundPicture> found;
+        for (const Scene &scene : pictures.scenes())
+            found.push_back(
+                {found.size(), studentPictureInDouble(scene, WalkLines::Columns, mistakes)});
+        const auto diagnosis = diagnose(pictures, found);
+        if (diagnosis->verdict == DiagnosisVerdict::Undecidable)
+            return; // samples on a vertex alone may be missing of a right program, too
+        // A quotient of colours that is cut jumps where it is whole: no bound holds for it.
+        const QStringList cut
+            = {QStringLiteral("floor-colour-steps"), QStringLiteral("whole-colours"),
+               QStringLiteral("floor-colours"), QStringLiteral("whole-levels")};
+        const bool isCut = id.endsWith(QStringLiteral("-colour-rates")) || cut.contains(id);
+        QVERIFY2(diagnosis->isExplained() || isCut, qPrintable(idsOf(*diagnosis).join(u' ')));
+        QCOMPARE(idsOf(diagnosis->candidates.front()), id);
+    }
+
+    void arithmeticIsBesideTwoDefects_data()
+    {
+        QTest::addColumn<Arithmetic>("arithmetic");
+        QTest::newRow("float64") << Arithmetic::Float64;
+        QTest::newRow("float32") << Arithmetic::Float32;
+    }
+    void arithmeticIsBesideTwoDefects()
+    {
+        QFETCH(Arithmetic, arithmetic);
+        const auto scenes = probeScenes();
+        for (const QByteArrayList &pair :
+             std::vector<QByteArrayList>{{"no-colour-pre-step", "half-pixel-down"},
+                                         {"no-edge-pre-step", "last-sample-missing"},
+                                         {"vertices-truncated", "upside-down"},
+                                         {"ends-nearest", "channels-bgr-in-place-of-rgb"}}) {
+            const auto diagnosis = diagnose(submissionsIn(arithmetic, scenes, pair));
+            const QString told = idsOf(*diagnosis).join(u' ');
+            QVERIFY2(diagnosis->isExplained(), qPrintable(pair.join(' ')));
+            QVERIFY2(idsOf(*diagnosis).contains(QString::fromLatin1(pair.join(" and "))),
+                     qPrintable(told));
+            QVERIFY2(!told.contains(QStringLiteral("arithmetic")), qPrintable(told));
+        }
+    }
+
+    void whatIsNotAllowedForIsTold()
+    {
+        const auto scenes = probeScenes();
+        const QByteArrayList pair{"unsorted-colours", "half-pixel-down"};
+        const auto submissions = submissionsIn(Arithmetic::Float32, scenes, pair);
+        const auto strict = diagnose(submissions, {}, std::nullopt);
+        QVERIFY(strict->isExplained());
+        const DiagnosisCandidate &told = strict->candidates.front();
+        QCOMPARE(idsOf(told), "arithmetic-float32 and unsorted-colours and half-pixel-down");
+        QVERIFY(told.arithmetic == Arithmetic::Float32);
+        QCOMPARE(idsOf(diagnose(submissions)->candidates.front()),
+                 "unsorted-colours and half-pixel-down");
+
+        const auto fixed
+            = diagnose(submissionsIn(Arithmetic::Fixed16, scenes, {"unsorted-colours"}));
+        QVERIFY(fixed->isExplained());
+        QVERIFY(fixed->candidates.front().ids().contains(QStringLiteral("unsorted-colours")));
+    }
+
+    void theStepIsTheDefectsNotTheArithmetics()
+    {
+        const Scene scene = probeScenes().front();
+        const auto plain = partingStepOf(scene, defectsNamed(scene, {"no-colour-pre-step"}));
+        QVERIFY(plain.has_value());
+        for (const char *arithmetic : {"arithmetic-float32", "arithmetic-float64"}) {
+            const auto step
+                = partingStepOf(scene, defectsNamed(scene, {arithmetic, "no-colour-pre-step"}));
+            QVERIFY(step.has_value());
+            QCOMPARE(step->step, plain->step);
+            QCOMPARE(step->heading, plain->heading);
+            QVERIFY2(!step->text.contains(QStringLiteral("off by")), qPrintable(step->text));
+        }
+    }
+
+    void anEmptyCanvasOfAnotherBackgroundHasAllItsNames()
+    {
+        const Scene scene = triangleWithTies();
+        Picture white = pictureOf(scene);
+        std::ranges::fill(white.colours, Colour{{255, 255, 255}});
+        std::ranges::fill(white.covered, std::uint8_t(1));
+        const auto diagnosis = diagnose(std::vector{Submission{scene, white}});
+        const QStringList told = idsOf(*diagnosis);
+        QVERIFY2(told.contains(QStringLiteral("nothing-drawn and drawn-on-white")),
+                 qPrintable(told.join(u',')));
+        QVERIFY(told.contains(QStringLiteral("drawn-in-white-alone and drawn-on-white")));
+        for (const DiagnosisCandidate &candidate : diagnosis->candidates) {
+            QStringList sentences = candidate.sentences(&Defect::forStudent);
+            QCOMPARE(sentences.removeDuplicates(), 0);
+            for (const QString &sentence : candidate.sentences(&Defect::forAssistant))
+                QVERIFY2(!sentence.contains(QStringLiteral("is right")), qPrintable(sentence));
+        }
+    }
+
+    void roundingDoesNotExcuseAPartOfWhichNothingIsSeen()
+    {
+        const Scene scene = triangleWithTies();
+        DefectPictures pictures({scene});
+        const auto placeOf = [&](const char *id) {
+            const std::vector<Defect> &all = pictures.defects();
+            return std::size_t(std::ranges::find(all, QLatin1String(id), &Defect::id)
+                               - all.begin());
+        };
+        const auto pair
+            = std::minmax({placeOf("colour-divisor-samples"), placeOf("open-at-lower-bound")});
+        const DefectSet set{pair.first, pair.second};
+        // The samples on lower bounds are all there.
+        const std::vector<FoundPicture> without
+            = {{0, *pictures.picture(0, {placeOf("colour-divisor-samples")})}};
+        const std::vector<FoundPicture> with = {{0, *pictures.picture(0, set)}};
+
+        PictureMatcher matcher(pictures, without, Arithmetic::Float32);
+        QVERIFY(matcher.distance(set) > 0);
+        QVERIFY(!matcher.allowedMatch(set));
+        QVERIFY(PictureMatcher(pictures, with, Arithmetic::Float32).allowedMatch(set));
+    }
+
+    void wherePixelsAreDrawnNobodyIsToldThatTheyAreNot()
+    {
+        const Scene scene = triangleWithTies();
+        DefectPictures pictures({scene});
+        const std::vector<Defect> &all = pictures.defects();
+        const auto nothing = std::ranges::find(all, QLatin1String("nothing-drawn"), &Defect::id);
+        const DefectSet set{std::size_t(nothing - all.begin())};
+        Picture found = *pictures.picture(0, set);
+        const std::vector<FoundPicture> blank = {{0, found}};
+        QVERIFY(!PictureMatcher(pictures, blank, Arithmetic::Float32).isDrawnAllTheSame(set));
+        const Picture right = pictureOf(scene);
+        const auto drawn = std::size_t(std::ranges::find(right.covered, 1) - right.covered.begin());
+        found.covered[drawn] = 1;
+        found.colours[drawn] = Colour{{1, 2, 3}};
+        const std::vector<FoundPicture> dotted = {{0, found}};
+
+        QVERIFY(PictureMatcher(pictures, dotted, Arithmetic::Float32).isDrawnAllTheSame(set));
+        const auto diagnosis = diagnose(std::vector{Submission{scene, found}});
+        for (const DiagnosisCandidate &candidate : diagnosis->candidates)
+            QVERIFY2(!candidate.ids().contains(QStringLiteral("nothing-drawn")),
+                     qPrintable(idsOf(candidate)));
+    }
+
+    void onePixelIsOne()
+    {
+        QCOMPARE(pixelsText(1), "1 pixel");
+        QCOMPARE(undecidableText(1),
+                 "but for 1 pixel that rounding or a sample on an edge may decide");
+        QCOMPARE(undecidableText(0), "");
+    }
+};
+
+PIXELPLUMB_TEST(TestDiagnosisLeeway)
+
+} // namespace tst_diagnosisleeway
+
+#include "tst_diagnosisleeway.moc"

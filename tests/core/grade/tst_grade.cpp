@@ -1,0 +1,576 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/gradefile.h"
+#include "core/grade/gradefolder.h"
+#include "core/runs/tracedscene.h"
+#include "tests/support/programrun.h"
+#include "tests/support/sanitized.h"
+#include "tests/support/scanning.h"
+#include "tests/support/sourcetree.h"
+#include "tests/support/submissions.h"
+#include "tests/support/testprogram.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tst_grade {
+
+using namespace pixelplumb;
+
+namespace {
+
+// Of the known defects so many are passed over; each takes a diagnosis.
+constexpr std::size_t defectsApart = isSanitized ? 36 : 2;
+
+GradingOrder orderOf(const QTemporaryDir &folder, const char *results, int jobs = 2)
+{
+    return {folder.filePath(QStringLiteral("subs")), folder.filePath(QLatin1String(results)),
+            QStringLiteral("1"), jobs};
+}
+
+const GradedSubmission *submissionNamed(const GradeReport &report, const QString &name)
+{
+    const auto found = std::ranges::find(report.submissions, name, &GradedSubmission::name);
+    return found != report.submissions.end() ? &*found : nullptr;
+}
+
+/// "one unsorted-colours": of a program with one defect. An id may have a slash, a folder not.
+QString nameWith(const char *count, const Defect &defect)
+{
+    return QLatin1String(count) + u' ' + QString(defect.id).replace(u'/', u'-');
+}
+
+bool isAmong(const GradedSubmission &submission, const QStringList &defects)
+{
+    return std::ranges::any_of(submission.candidates, [&](const GradedCandidate &candidate) {
+        return candidate.distance == 0 && candidate.defects == defects;
+    });
+}
+
+} // namespace
+
+/// A folder of submissions is graded.
+class TestGrade : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    Assignment m_assignment = exampleAssignment();
+
+    QString submission(const QString &name) const
+    {
+        return m_folder.filePath(QStringLiteral("subs/") + name);
+    }
+    GradeReport graded(const GradingOrder &order)
+    {
+        const auto report = gradeFolder(order, m_assignment);
+        if (!report)
+            qWarning("%s", qPrintable(report.error().message()));
+        return report && *report ? **report : GradeReport();
+    }
+
+    /// A square of 100 pixels; all that counts is its colours, 1 point.
+    static Assignment pointsOfASquare(Credit credit, Leeway leeway)
+    {
+        Assignment assignment = exampleAssignment();
+        assignment.credit = credit;
+        assignment.leeway = leeway;
+        assignment.scenes.resize(1);
+        AssignedScene &square = assignment.scenes[0];
+        square.name = QStringLiteral("square");
+        square.points = {0, 0, 1};
+        square.scene = Scene();
+        square.scene.frame.width = square.scene.frame.height = 16;
+        square.scene.triangles = {triangleAt(2, 2, 11, 2, 11, 11), triangleAt(2, 2, 11, 11, 2, 11)};
+        return assignment;
+    }
+    static QImage pictureOf(const Assignment &assignment)
+    {
+        FrameBuffer frame(assignment.scenes[0].scene.frame);
+        drawScene(assignment.scenes[0].scene, frame);
+        return frame.copy();
+    }
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(!m_assignment.scenes.empty());
+        QVERIFY(deliver(submission(QStringLiteral("right")), m_assignment));
+        const std::vector<Defect> defects = defectsOf(m_assignment);
+        for (std::size_t i = 0; i < defects.size(); i += defectsApart)
+            QVERIFY(deliver(submission(nameWith("one", defects[i])), m_assignment, {defects[i]}));
+        for (std::size_t i = 0; i + 9 < 12; i += 2)
+            QVERIFY(deliver(submission(nameWith("two", defects[i])), m_assignment,
+                            {defects[i], defects.back()}));
+        QVERIFY(QDir().mkpath(submission(QStringLiteral("empty"))));
+        const QString first = m_assignment.scenes.front().name + QStringLiteral(".png");
+        QVERIFY(writeTo(submission(QStringLiteral("nonsense/") + first), "nonsense"));
+        QVERIFY(writeTo(submission(QStringLiteral("half/") + first),
+                        contentOf(submission(QStringLiteral("right/") + first)).left(60)));
+        QVERIFY(QDir().mkpath(submission(QStringLiteral("small"))));
+        QVERIFY(
+            QImage(3, 2, QImage::Format_RGB32).save(submission(QStringLiteral("small/") + first)));
+    }
+
+    void everyDefectIsNamed()
+    {
+        const GradeReport report = graded(orderOf(m_folder, "first"));
+        const std::vector<Defect> defects = defectsOf(m_assignment);
+        int named = 0;
+        for (std::size_t i = 0; i < defects.size(); i += defectsApart) {
+            const auto *each = submissionNamed(report, nameWith("one", defects[i]));
+            QVERIFY(each);
+            if (each->verdict == GradeVerdict::Right)
+                continue; // arithmetic that is exact enough here
+            if (defects[i].choice == QLatin1String(arithmeticChoice)
+                && each->verdict == GradeVerdict::Undecidable)
+                continue; // which is allowed for
+            ++named;
+            QVERIFY2(isAmong(*each, {defects[i].id}), qPrintable(defects[i].id));
+        }
+        QVERIFY(named >= (isSanitized ? 2 : 15));
+        const auto *right = submissionNamed(report, QStringLiteral("right"));
+        QVERIFY(right);
+        QCOMPARE(right->verdict, GradeVerdict::Right);
+        QCOMPARE(right->points(), m_assignment.points());
+    }
+
+    void whatIsNoPictureIsToldAndHasNoPoints_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("told");
+        QTest::newRow("empty") << "empty"
+                               << "there is no picture";
+        QTest::newRow("nonsense") << "nonsense"
+                                  << "expected";
+        QTest::newRow("half") << "half"
+                              << "";
+        QTest::newRow("small") << "small"
+                               << "3 × 2";
+    }
+    void whatIsNoPictureIsToldAndHasNoPoints()
+    {
+        QFETCH(QString, name);
+        QFETCH(QString, told);
+        const GradeReport report = graded(orderOf(m_folder, "first"));
+        const auto *submission = submissionNamed(report, name);
+        QVERIFY(submission);
+        QCOMPARE(submission->verdict, GradeVerdict::Nothing);
+        QCOMPARE(submission->points(), 0.0);
+        const QString fault = submission->scenes.front().fault;
+        QVERIFY2(!fault.isEmpty() && fault.contains(told), qPrintable(fault));
+    }
+
+    void theSameSubmissionsGiveTheSameBytes()
+    {
+        graded(orderOf(m_folder, "first"));
+        graded(orderOf(m_folder, "again", 1));
+        const auto files = filesIn(m_folder.filePath(QStringLiteral("first")));
+        QVERIFY(files.size() > 40);
+        QVERIFY(filesIn(m_folder.filePath(QStringLiteral("again"))) == files);
+    }
+
+    void whatWasEndedGoesOnWhereItStopped()
+    {
+        const GradingOrder order = orderOf(m_folder, "ended", 1);
+        const auto ended = gradeFolder(order, m_assignment,
+                                       [](const JobProgress &told) { return told.done < 5; });
+        QVERIFY(ended.isOk());
+        QVERIFY(!ended->has_value());
+        const QDir grades(m_folder.filePath(QStringLiteral("ended/grades")));
+        QCOMPARE(grades.entryList(QDir::Files).size(), 5);
+        // A grade that is there is taken as it is; nobody looks at the submission again.
+        const QString kept = grades.filePath(grades.entryList(QDir::Files).front());
+        const QByteArray grade = contentOf(kept);
+        QByteArray touched = grade;
+        QVERIFY(writeTo(kept, touched.replace("\"differing\": ", "\"differing\": 7")));
+        graded(order);
+        QVERIFY(contentOf(kept).contains("\"differing\": 7"));
+        QVERIFY(writeTo(kept, grade));
+        graded(order);
+
+        graded(orderOf(m_folder, "first"));
+        QVERIFY(filesIn(m_folder.filePath(QStringLiteral("ended")))
+                == filesIn(m_folder.filePath(QStringLiteral("first"))));
+    }
+
+    void shardsMergedAreTheWhole()
+    {
+        graded(orderOf(m_folder, "first"));
+        QStringList parts;
+        std::size_t together = 0;
+        for (int number = 1; number <= 3; ++number) {
+            GradingOrder order = orderOf(m_folder, "part");
+            order.results += QString::number(number);
+            order.shard = {number, 3};
+            parts += order.results;
+            const std::size_t share = graded(order).submissions.size();
+            QVERIFY(share > 0);
+            together += share;
+        }
+        QCOMPARE(together, graded(orderOf(m_folder, "first")).submissions.size());
+        const auto merged = mergeGrades(parts, m_folder.filePath(QStringLiteral("merged")));
+        QVERIFY2(merged.isOk(), merged ? "" : qPrintable(merged.error().message()));
+        QVERIFY(filesIn(m_folder.filePath(QStringLiteral("merged")))
+                == filesIn(m_folder.filePath(QStringLiteral("first"))));
+        const auto twice
+            = mergeGrades({parts[0], parts[0]}, m_folder.filePath(QStringLiteral("x")));
+        QVERIFY(!twice);
+        QVERIFY(twice.error().message().contains(QStringLiteral("is in two of the parts")));
+    }
+
+    void whatIsMissingOfAMergeIsTold()
+    {
+        const QTemporaryDir folder;
+        QStringList parts;
+        for (const char *name : {"ann", "bob", "cem", "dea", "eva", "fay"})
+            QVERIFY(deliver(folder.filePath(QStringLiteral("subs/") + QLatin1String(name)),
+                            m_assignment));
+        for (int number = 1; number <= 3; ++number) {
+            GradingOrder order = orderOf(folder, "part");
+            order.results += QString::number(number);
+            order.shard = {number, 3};
+            parts += order.results;
+            graded(order);
+        }
+        const auto first = readGrades(parts.front());
+        QVERIFY(first.isOk() && !first->submissions.empty() && first->submissions.size() < 6);
+        QVERIFY(first->missing.isEmpty()); // the others' are theirs
+        const QStringList words
+            = QStringList{QStringLiteral("grade"), QStringLiteral("--merge"), QStringLiteral("-o"),
+                          folder.filePath(QStringLiteral("all"))}
+            + parts.mid(1);
+
+        const ProgramRun empty = run(words.first(4));
+        QCOMPARE(empty.exitCode, 2);
+        QVERIFY2(empty.messages.contains("PART is missing: a folder with the results of a part"),
+                 empty.messages.constData());
+
+        const ProgramRun refused = run(words);
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.messages.contains("of 3 parts there is no 1"),
+                 refused.messages.constData());
+        const QString ungraded = first->submissions.front().name;
+        QVERIFY2(refused.messages.contains(ungraded.toUtf8()), refused.messages.constData());
+        QVERIFY(!QFile::exists(folder.filePath(QStringLiteral("all"))));
+
+        const ProgramRun partial = run(words + QStringList{QStringLiteral("--partial")});
+        QCOMPARE(partial.exitCode, 0);
+        QVERIFY2(partial.output.contains("\npartial: "), partial.output.constData());
+        for (const char *file : {"all/results.json", "all/index.html"})
+            QVERIFY2(contentOf(folder.filePath(QLatin1String(file))).contains(ungraded.toUtf8()),
+                     file);
+        const auto read = readGrades(folder.filePath(QStringLiteral("all")));
+        QVERIFY(read.isOk() && read->missing.contains(ungraded));
+        const QByteArray junit = contentOf(folder.filePath(QStringLiteral("all/junit.xml")));
+        const QByteArray suite = "<testsuite name=\"" + ungraded.toUtf8() + "\" tests=\"1\"";
+        QVERIFY2(junit.contains(suite), junit.constData());
+        QVERIFY(junit.contains("<skipped message=\"no grade\"/>"));
+
+        // A part of another list of submissions is there, and is not called missing.
+        QVERIFY(deliver(folder.filePath(QStringLiteral("subs/zoe")), m_assignment));
+        GradingOrder again = orderOf(folder, "again");
+        again.shard = {1, 3};
+        graded(again);
+        const auto other = mergeGrades(QStringList{again.results} + parts.mid(1),
+                                       folder.filePath(QStringLiteral("whole")));
+        QVERIFY(!other);
+        QVERIFY2(other.error().message().contains(QStringLiteral("is of another list of "
+                                                                 "submissions than")),
+                 qPrintable(other.error().message()));
+
+        // A part that was ended early lacks a grade, and one of before says nothing.
+        QVERIFY(QFile::remove(submissionFileOf(parts[0], first->submissions.front().id)));
+        const auto ended = mergeGrades(parts, folder.filePath(QStringLiteral("whole")));
+        QVERIFY(!ended);
+        QVERIFY2(ended.error().message().contains(QStringLiteral("a part was ended early")),
+                 qPrintable(ended.error().message()));
+        QVERIFY(QFile::remove(partFileOf(parts[0])));
+        const auto silent = mergeGrades(parts, folder.filePath(QStringLiteral("whole")));
+        QVERIFY(!silent);
+        QVERIFY2(silent.error().message().contains(QStringLiteral("which part it is")),
+                 qPrintable(silent.error().message()));
+    }
+
+    void aShareOfThePixelsGivesAShareOfThePoints()
+    {
+        const QTemporaryDir folder;
+        Assignment assignment = m_assignment;
+        assignment.scenes.resize(1);
+        assignment.scenes[0].points = {1, 10, 10};
+        const QString first = assignment.scenes[0].name + QStringLiteral(".png");
+        const QString own = folder.filePath(QStringLiteral("subs/ann/"));
+        QVERIFY(deliver(own, assignment));
+        QImage image(own + first);
+        const QImage right = image;
+        const QRgb background = image.pixel(0, 0);
+        int covered = 0;
+        for (int line = 0; line < image.height(); ++line) {
+            for (int x = 0; x < image.width(); ++x)
+                covered += image.pixel(x, line) != background ? 1 : 0;
+        }
+        int removed = 0;
+        for (int line = 0; line < image.height() && removed < covered / 4; ++line) {
+            for (int x = 0; x < image.width(); ++x) {
+                if (image.pixel(x, line) != background) {
+                    image.setPixel(x, line, background);
+                    ++removed;
+                }
+            }
+        }
+        QVERIFY(image.save(own + first));
+        const auto pointsFor = [&](Credit credit) {
+            assignment.credit = credit;
+            const auto report = gradeFolder(
+                orderOf(folder, credit == Credit::Share ? "share" : "whole"), assignment);
+            return (*report)->submissions.front().scenes.front().checks[1].points;
+        };
+        QCOMPARE(pointsFor(Credit::Whole), 0.0);
+        const double share = double(covered - removed) / covered;
+        const double points = pointsFor(Credit::Share);
+        // Pixels that are left open count for neither.
+        QVERIFY2(std::abs(points - 10 * share) < 0.5, qPrintable(QString::number(points)));
+        QVERIFY(points < 10);
+    }
+
+    void sharesAreExactHundredths()
+    {
+        const QTemporaryDir folder;
+        const Assignment assignment = pointsOfASquare(Credit::Share, Leeway::None);
+        QImage picture = pictureOf(assignment);
+        QList<QPoint> inside;
+        for (int line = 0; line < picture.height(); ++line) {
+            for (int x = 0; x < picture.width(); ++x) {
+                if (picture.pixel(x, line) != picture.pixel(0, 0))
+                    inside += {x, line};
+            }
+        }
+        QCOMPARE(inside.size(), 100);
+        for (qsizetype right = 99; right >= 50; --right) {
+            picture.setPixelColor(inside[right], Qt::white); // covered, but of another colour
+            const QString name = folder.filePath(QStringLiteral("subs/%1/square.png").arg(right));
+            QVERIFY(QDir().mkpath(QFileInfo(name).path()) && picture.save(name));
+        }
+        const auto report = gradeFolder(orderOf(folder, "results"), assignment);
+        QVERIFY(report && *report);
+        for (const GradedSubmission &each : (*report)->submissions)
+            QCOMPARE(each.points(), each.name.toInt() / 100.0);
+    }
+
+    void whatIsLeftOpenFailsNoCheck_data()
+    {
+        QTest::addColumn<int>("credit");
+        QTest::newRow("whole") << int(Credit::Whole);
+        QTest::newRow("share") << int(Credit::Share);
+    }
+    void whatIsLeftOpenFailsNoCheck()
+    {
+        QFETCH(int, credit);
+        const QTemporaryDir folder;
+        Assignment assignment = pointsOfASquare(Credit(credit), Leeway::Edges);
+        // Three pixels inside, twelve on edges.
+        assignment.scenes[0].scene.triangles = {triangleAt(3, 3, 7, 3, 3, 7)};
+        QImage picture = pictureOf(assignment);
+        int left = 0;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                if (x > 3 && y > 3 && x + y < 10)
+                    ++left;
+                else // as the lines of a picture go
+                    picture.setPixel(x, picture.height() - 1 - y, picture.pixel(15, 0));
+            }
+        }
+        QCOMPARE(left, 3);
+        const QString name = folder.filePath(QStringLiteral("subs/inner/square.png"));
+        QVERIFY(QDir().mkpath(QFileInfo(name).path()) && picture.save(name));
+        const auto report = gradeFolder(orderOf(folder, "results"), assignment);
+        QVERIFY(report && *report);
+        const GradedSubmission &graded = (*report)->submissions.front();
+        QCOMPARE(graded.verdict, GradeVerdict::Undecidable);
+        QVERIFY(graded.scenes.front().checks.front().isPassed);
+        QCOMPARE(graded.points(), 1.0);
+    }
+
+    void whatIsNotReadIsToldToTheStudent()
+    {
+        const QTemporaryDir folder;
+        const QString subs = folder.filePath(QStringLiteral("subs/"));
+        const QString scene = m_assignment.scenes.front().name;
+        QVERIFY(deliver(subs + QStringLiteral("twice"), m_assignment));
+        QVERIFY(QImage(subs + QStringLiteral("twice/%1.png").arg(scene))
+                    .save(subs + QStringLiteral("twice/%1.bmp").arg(scene)));
+        QVERIFY(QDir().mkpath(subs + QStringLiteral("linked")));
+        QVERIFY(QFile::link(subs + QStringLiteral("twice/%1.png").arg(scene),
+                            subs + QStringLiteral("linked/%1.png").arg(scene)));
+        QVERIFY(QDir().mkpath(subs + QStringLiteral("piped")));
+        QCOMPARE(
+            ::mkfifo(QFile::encodeName(subs + QStringLiteral("piped/%1.png").arg(scene)), 0600), 0);
+        QVERIFY(QFile::link(subs + QStringLiteral("twice"), subs + QStringLiteral("whole link")));
+        QVERIFY(QDir().mkpath(subs + QStringLiteral(".git")));
+
+        const ProgramRun told
+            = run({QStringLiteral("grade"), subs, QStringLiteral("--assignment"),
+                   resource(QStringLiteral("/assignments/column-scan.json")), QStringLiteral("-o"),
+                   folder.filePath(QStringLiteral("results"))});
+        QCOMPARE(told.exitCode, 0);
+        QVERIFY2(told.messages.contains("begin with a dot: 1 (.git)"), told.messages.constData());
+        const auto report = readGrades(folder.filePath(QStringLiteral("results")));
+        QVERIFY(report.isOk());
+        const auto sentences = [&](const char *name) {
+            const auto *submission = submissionNamed(*report, QLatin1String(name));
+            return submission ? sentencesFor(*submission, HintLevel::Class).join(u'\n') : QString();
+        };
+        QVERIFY2(sentences("twice").contains(
+                     QStringLiteral("%1.png was taken; %1.bmp is there, too").arg(scene)),
+                 qPrintable(sentences("twice")));
+        QVERIFY2(sentences("linked").contains(QStringLiteral("%1.png is a link").arg(scene)),
+                 qPrintable(sentences("linked")));
+        QVERIFY2(sentences("piped").contains(QStringLiteral("%1.png is a pipe").arg(scene)),
+                 qPrintable(sentences("piped")));
+        QVERIFY2(sentences("whole link").contains(QStringLiteral("whole link is a link")),
+                 qPrintable(sentences("whole link")));
+        const QByteArray table = contentOf(folder.filePath(QStringLiteral("results/grades.csv")));
+        QVERIFY2(table.contains("\npiped,0,") && table.contains(",nothing,,"), table.constData());
+    }
+
+    void anAssignmentWithoutPointsIsWarnedOf()
+    {
+        const QTemporaryDir folder;
+        Assignment assignment = m_assignment;
+        for (AssignedScene &scene : assignment.scenes)
+            scene.points = {0, 0, 0};
+        QVERIFY(writeTo(folder.filePath(QStringLiteral("none.json")), writeAssignment(assignment)));
+        QVERIFY(QDir().mkpath(folder.filePath(QStringLiteral("subs"))));
+        const ProgramRun told
+            = run({QStringLiteral("grade"), folder.filePath(QStringLiteral("subs")),
+                   QStringLiteral("--assignment"), folder.filePath(QStringLiteral("none.json")),
+                   QStringLiteral("-o"), folder.filePath(QStringLiteral("results"))});
+        QCOMPARE(told.exitCode, 0);
+        QVERIFY2(told.messages.contains("all checks have 0 points"), told.messages.constData());
+    }
+
+    void whatIsGoneOrOtherIsGradedAnew()
+    {
+        const QTemporaryDir folder;
+        const QString subs = folder.filePath(QStringLiteral("subs/"));
+        QVERIFY(deliver(subs + QStringLiteral("ann"), m_assignment));
+        QVERIFY(deliver(subs + QStringLiteral("bob"), m_assignment));
+        const GradingOrder order = orderOf(folder, "results");
+        QCOMPARE(graded(order).submissions.size(), 2U);
+        QVERIFY(
+            deliver(subs + QStringLiteral("ann"), m_assignment, {defectsOf(m_assignment).back()}));
+        QVERIFY(QDir(subs + QStringLiteral("bob")).removeRecursively());
+        const GradeReport report = graded(order);
+        QCOMPARE(report.submissions.size(), 1U);
+        QCOMPARE(report.submissions.front().verdict, GradeVerdict::Wrong);
+    }
+
+    void hostileNamesAndLinksHarmNothing()
+    {
+        const QTemporaryDir folder;
+        const QByteArray subs = QFile::encodeName(folder.filePath(QStringLiteral("subs")));
+        const QByteArray first = m_assignment.scenes.front().name.toUtf8() + ".png";
+        QVERIFY(QDir().mkpath(QString::fromUtf8(subs)));
+        const std::vector<QByteArray> names
+            = {"a\nb", "x..\\..\\up", "\xff\xfe", "\x1b]0;title\x07",
+               "=1+1", "<script>",    "%1%2",     "&amp;"};
+        for (const QByteArray &name : names)
+            QCOMPARE(::mkdir((subs + '/' + name).constData(), 0700), 0);
+        QVERIFY(deliver(folder.filePath(QStringLiteral("secret")), m_assignment));
+        const QByteArray secret = QFile::encodeName(folder.filePath(QStringLiteral("secret")));
+        QCOMPARE(
+            ::symlink((secret + '/' + first).constData(), (subs + "/a\nb/" + first).constData()),
+            0);
+        QCOMPARE(::symlink(secret.constData(), (subs + "/link").constData()), 0);
+        QCOMPARE(::mkfifo((subs + "/\xff\xfe/" + first).constData(), 0600), 0);
+
+        const GradeReport report = graded(orderOf(folder, "results"));
+        QCOMPARE(report.submissions.size(), names.size() + 1);
+        for (const GradedSubmission &each : report.submissions) {
+            QCOMPARE(each.verdict, GradeVerdict::Nothing);
+            QVERIFY(!each.name.contains(u'\n') && !each.name.contains(QChar(0x1b)));
+        }
+        const QStringList entries
+            = QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot);
+        QCOMPARE(entries,
+                 QStringList({QStringLiteral("results"), QStringLiteral("secret"),
+                              QStringLiteral("subs")}));
+        const QByteArray page = contentOf(folder.filePath(QStringLiteral("results/index.html")));
+        QVERIFY(page.contains("&lt;script&gt;") && !page.contains("<script"));
+        QVERIFY(
+            contentOf(folder.filePath(QStringLiteral("results/grades.csv"))).contains("\n'=1+1,"));
+        // Qt's names cannot hold these: its own cleaning would leave them.
+        QCOMPARE(::unlink((subs + "/\xff\xfe/" + first).constData()), 0);
+        QCOMPARE(::rmdir((subs + "/\xff\xfe").constData()), 0);
+    }
+
+    void hostileProgramsCostOnlyThemselves()
+    {
+        const QTemporaryDir folder;
+        Assignment assignment = m_assignment;
+        assignment.program
+            = AssignedProgram{QStringLiteral("draw"), ProgramInput::Json, 1, 1024, 1};
+        assignment.scenes.resize(1);
+        QVERIFY(deliver(folder.filePath(QStringLiteral("subs/right")), assignment));
+        const auto addProgram = [&](const char *name, const char *script) {
+            const QString path
+                = folder.filePath(QStringLiteral("subs/%1/draw").arg(QLatin1String(name)));
+            QVERIFY(writeTo(path, QByteArray("#!/bin/sh\n") + script));
+            QVERIFY(QFile::setPermissions(path,
+                                          QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+        };
+        addProgram("crashing", "kill -SEGV $$\n");
+        addProgram("hanging", "trap '' TERM\nsleep 60\n");
+        addProgram("flooding", "while :; do echo 0123456789012345678901234567890123456789; done\n");
+        addProgram("forking", "for i in 1 2 3 4 5 6 7 8; do setsid sleep 60 & done\nexit 0\n");
+        addProgram("nonsense", "echo nonsense\n");
+        const auto result = gradeFolder(orderOf(folder, "results"), assignment);
+        QVERIFY(result.isOk() && result->has_value());
+        const GradeReport &report = **result;
+        QCOMPARE(report.submissions.size(), 6U);
+        for (const GradedSubmission &each : report.submissions) {
+            const bool isRight = each.name == QStringLiteral("right");
+            QCOMPARE(each.verdict, isRight ? GradeVerdict::Right : GradeVerdict::Nothing);
+            QVERIFY(isRight || !each.scenes.front().fault.isEmpty());
+        }
+    }
+
+    void theCommandGradesAndTellsTheCauses()
+    {
+        const QTemporaryDir folder;
+        const auto defects = defectsOf(m_assignment);
+        QVERIFY(
+            deliver(folder.filePath(QStringLiteral("subs/ann")), m_assignment, {defects.back()}));
+        QVERIFY(
+            deliver(folder.filePath(QStringLiteral("subs/bob")), m_assignment, {defects.back()}));
+        const QString subs = folder.filePath(QStringLiteral("subs"));
+        const QStringList words
+            = {QStringLiteral("grade"), subs, QStringLiteral("--assignment"),
+               resource(QStringLiteral("/assignments/column-scan.json")), QStringLiteral("-o")};
+        const ProgramRun told = run(words + QStringList{folder.filePath(QStringLiteral("r"))});
+        QCOMPARE(told.exitCode, 0);
+        QVERIFY2(told.output.startsWith("2 submissions\n    2  " + defects.back().id.toUtf8()),
+                 told.output.constData());
+        const ProgramRun within = run(words + QStringList{subs + QStringLiteral("/results")});
+        QCOMPARE(within.exitCode, 2);
+        QVERIFY(!QFile::exists(subs + QStringLiteral("/results")));
+        const ProgramRun shard
+            = run(words
+                  + QStringList{folder.filePath(QStringLiteral("s")), QStringLiteral("--shard"),
+                                QStringLiteral("3/2")});
+        QCOMPARE(shard.exitCode, 2);
+        QVERIFY(shard.messages.contains("“3/2” is no part"));
+    }
+};
+
+PIXELPLUMB_TEST(TestGrade)
+
+} // namespace tst_grade
+
+#include "tst_grade.moc"

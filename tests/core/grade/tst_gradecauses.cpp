@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/gradefile.h"
+#include "core/grade/gradefolder.h"
+#include "core/grade/gradereports.h"
+#include "tests/support/submissions.h"
+#include "tests/support/testprogram.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+
+namespace tst_gradecauses {
+
+using namespace pixelplumb;
+
+namespace {
+
+GradedCandidate candidate(const QStringList &ids, std::int64_t distance = 0)
+{
+    return {ids, {QStringLiteral("Look.")}, {QStringLiteral("Done.")}, distance};
+}
+
+GradedSubmission wrong(const char *name, std::vector<GradedCandidate> candidates,
+                       const char *pictures = nullptr)
+{
+    GradedSubmission graded;
+    graded.name = graded.id = QString::fromLatin1(name);
+    graded.verdict = GradeVerdict::Wrong;
+    graded.differing = 100;
+    graded.candidates = std::move(candidates);
+    graded.pictures = QString::fromLatin1(pictures ? pictures : name);
+    return graded;
+}
+
+QStringList clusterLines(const GradeReport &report)
+{
+    QStringList told;
+    for (const GradeCluster &cluster : clustersOf(report))
+        told += QStringLiteral("%1: %2").arg(cluster.submissions.size()).arg(cluster.title);
+    return told;
+}
+
+Scene computedIn(Scene scene, Arithmetic arithmetic)
+{
+    scene.settings.arithmetic = arithmetic;
+    return scene;
+}
+
+/// What programs draw that compute so, one defect a scene.
+bool deliverIn(Arithmetic arithmetic, const QString &folder, const Assignment &assignment,
+               const QStringList &defects)
+{
+    bool isWritten = QDir().mkpath(folder);
+    const std::vector<Defect> all = defectsOf(assignment);
+    for (std::size_t i = 0; i < assignment.scenes.size(); ++i) {
+        const QString id = defects[std::min(qsizetype(i), defects.size() - 1)];
+        const auto defect = std::ranges::find(all, id, &Defect::id);
+        if (defect == all.end())
+            return false;
+        const Scene scene = computedIn(assignment.scenes[i].scene, arithmetic);
+        isWritten = isWritten
+            && imageOf(pictureWith(scene, std::span(&*defect, 1)))
+                   .save(QStringLiteral("%1/%2.png").arg(folder, assignment.scenes[i].name));
+    }
+    return isWritten;
+}
+
+} // namespace
+
+/// Which causes a class has, and what is told of them.
+class TestGradeCauses : public QObject {
+    Q_OBJECT
+
+private slots:
+    void oneBugIsOneCauseWhateverItIsComputedIn()
+    {
+        const QTemporaryDir folder;
+        const Assignment assignment = exampleAssignment();
+        const QStringList bug{QStringLiteral("no-edge-pre-step")};
+        for (const auto &[name, arithmetic] :
+             {std::pair("exact", Arithmetic::Exact), std::pair("double", Arithmetic::Float64),
+              std::pair("float", Arithmetic::Float32)})
+            QVERIFY(deliverIn(arithmetic,
+                              folder.filePath(QStringLiteral("subs/") + QLatin1String(name)),
+                              assignment, bug));
+        const QStringList two{QStringLiteral("flat-first"), QStringLiteral("upside-down")};
+        QVERIFY(deliverIn(Arithmetic::Float64, folder.filePath(QStringLiteral("subs/mixed")),
+                          assignment, two));
+        const auto report
+            = gradeFolder({folder.filePath(QStringLiteral("subs")),
+                           folder.filePath(QStringLiteral("results")), QStringLiteral("1"), 1},
+                          assignment);
+        QVERIFY(report.isOk() && report->has_value());
+        const std::vector<GradeCluster> clusters = clustersOf(**report);
+        QCOMPARE(clusters.size(), 2U);
+        QCOMPARE(clusters[0].submissions.size(), 3U);
+        QVERIFY2(clusters[0].title.startsWith(bug.front()), qPrintable(clusters[0].title));
+        QVERIFY2(!clusters[0].title.contains(QStringLiteral("arithmetic")),
+                 qPrintable(clusters[0].title));
+        for (const GradedSubmission &each : (*report)->submissions) {
+            const QString told = sentencesFor(each, HintLevel::Full).join(u'\n');
+            QVERIFY2(!told.contains(QStringLiteral("computed in")), qPrintable(told));
+        }
+
+        const auto mixed
+            = std::ranges::find((*report)->submissions, "mixed", &GradedSubmission::name);
+        QVERIFY(!mixed->isExplained());
+        QVERIFY(mixed->scenes[0].explanations->contains(two[0]));
+        QVERIFY(mixed->scenes[1].explanations->contains(two[1]));
+        const QString told = sentencesFor(*mixed, HintLevel::Full).join(u'\n');
+        QVERIFY2(told.contains(mixed->scenes[1].scene
+                               + QStringLiteral(" alone is explained by upside-down")),
+                 qPrintable(told));
+        const auto read = readGrades(folder.filePath(QStringLiteral("results")));
+        QVERIFY2(read.isOk(), read ? "" : qPrintable(read.error().message()));
+        QVERIFY(read->submissions == (*report)->submissions);
+    }
+
+    void theSetsOfACauseExplainAllOfIt()
+    {
+        const GradedCandidate first = candidate({QStringLiteral("a"), QStringLiteral("b")});
+        const GradedCandidate other = candidate({QStringLiteral("c")});
+        GradeReport report;
+        report.submissions = {wrong("ann", {first, other}), wrong("bob", {first})};
+        QCOMPARE(clusterLines(report), QStringList{QStringLiteral("2: a and b")});
+    }
+
+    void whatNobodyExplainsIsTogetherWhereItIsAlike()
+    {
+        const std::vector<GradedCandidate> nearA{candidate({QStringLiteral("a")}, 20)};
+        const std::vector<GradedCandidate> farA{candidate({QStringLiteral("a")}, 90)};
+        GradeReport report;
+        report.submissions
+            = {wrong("ann", nearA),        wrong("bob", nearA),        wrong("cem", nearA),
+               wrong("dea", {}, "copied"), wrong("eva", {}, "copied"), wrong("fay", farA)};
+        QCOMPARE(clusterLines(report),
+                 QStringList({QStringLiteral("3: no known defect, near to a"),
+                              QStringLiteral("2: no known defect, the same pictures as dea"),
+                              QStringLiteral("1: no known defect")}));
+    }
+
+    void whatExplainsLittleIsNotTold()
+    {
+        const auto told = [](std::int64_t distance) {
+            return sentencesFor(wrong("ann", {candidate({QStringLiteral("a")}, distance)}),
+                                HintLevel::Full)
+                .join(u'\n');
+        };
+        QVERIFY(told(1).contains(QStringLiteral("near to a, 1 pixel left")));
+        QVERIFY(told(50).contains(QStringLiteral("Done.")));
+        QVERIFY(!told(51).contains(QStringLiteral("near to")));
+        QVERIFY(!told(51).contains(QStringLiteral("Done.")));
+    }
+
+    void aRasterIsRightAsFarAsItTells()
+    {
+        GradedSubmission raster = wrong("ann", {});
+        raster.verdict = GradeVerdict::Right;
+        GradedScene scene;
+        scene.checks = {{Check::Coverage, true, 2, 2}, {Check::Colours, false, 0, 2}};
+        raster.scenes = {scene};
+        const QString told
+            = QStringLiteral("right as far as a raster tells: colours are not in it");
+
+        QCOMPARE(verdictText(raster), "right in coverage");
+        QCOMPARE(sentencesFor(raster, HintLevel::Hint), QStringList{told});
+        GradeReport report;
+        report.submissions = {raster};
+        QCOMPARE(clusterLines(report), QStringList{QStringLiteral("1: ") + told});
+        QVERIFY(csvOf(report).contains("right in coverage"));
+    }
+
+    void whoLosesNoPointsIsNotAmongThoseWhoDo()
+    {
+        const std::vector<GradedCandidate> sets{candidate({QStringLiteral("a")})};
+        GradedSubmission open = wrong("ann", {});
+        GradedSubmission openSet = wrong("bob", sets);
+        GradedSubmission raster = wrong("cem", {});
+        raster.scenes = {GradedScene()};
+        raster.scenes[0].checks = {{Check::Colours, false, 0, 2}};
+        open.verdict = openSet.verdict = raster.verdict = GradeVerdict::Undecidable;
+        GradeReport report;
+        report.submissions = {open, openSet, raster, wrong("dea", sets)};
+        QCOMPARE(clusterLines(report),
+                 QStringList({QStringLiteral("1: a"),
+                              QStringLiteral("1: undecidable as far as a raster tells: colours are "
+                                             "not in it"),
+                              QStringLiteral("1: undecidable: full points"),
+                              QStringLiteral("1: undecidable: full points, as with a")}));
+    }
+
+    void whatIsNoMistakeAloneNamesNoCause()
+    {
+        GradedCandidate one = candidate({QStringLiteral("a"), QStringLiteral("choice")});
+        one.rightAlone = QStringList{QStringLiteral("choice")};
+        GradedCandidate other = candidate({QStringLiteral("a"), QStringLiteral("another")});
+        other.rightAlone = QStringList{QStringLiteral("another")};
+        GradeReport report;
+        report.submissions = {wrong("ann", {one, other}), wrong("bob", {one})};
+        QCOMPARE(clusterLines(report), QStringList{QStringLiteral("2: a")});
+        const QString told = sentencesFor(report.submissions[1], HintLevel::Full).join(u'\n');
+        QVERIFY2(told.contains(QStringLiteral("explained by a and choice")), qPrintable(told));
+    }
+
+    void aStudentIsToldOfMistakesAlone()
+    {
+        DiagnosisCandidate pair;
+        pair.defects = {{QStringLiteral("a"), QStringLiteral("Look."), QStringLiteral("Done.")},
+                        {QStringLiteral("b"), QStringLiteral("Why so?"), QStringLiteral("So.")}};
+        pair.defects[1].isRightAlone = true;
+        QCOMPARE(pair.sentences(&Defect::forStudent), QStringList{QStringLiteral("Look.")});
+        QCOMPARE(pair.sentences(&Defect::forAssistant),
+                 QStringList({QStringLiteral("Done."), QStringLiteral("So.")}));
+        QCOMPARE(pair.rightAlone(), QStringList{QStringLiteral("b")});
+    }
+
+    void whatHasNoPictureIsTogetherByTheReason()
+    {
+        const auto lacking = [](const std::optional<PictureLack> &lack, const char *end = nullptr) {
+            GradedScene scene;
+            scene.fault = QStringLiteral("it crashed: Aborted (signal 6)");
+            scene.lack = lack;
+            if (end)
+                scene.run = GradedRun{QString::fromLatin1(end), {}, {}};
+            return scene;
+        };
+        const auto titleOf = [](GradeVerdict verdict, const std::vector<GradedScene> &scenes) {
+            GradeReport report;
+            report.submissions = {wrong("ann", {})};
+            report.submissions[0].verdict = verdict;
+            report.submissions[0].scenes = scenes;
+            report.submissions[0].differing = 0;
+            return clustersOf(report)[0].title;
+        };
+        const GradedScene crashed = lacking(PictureLack::NotDrawn, "crashed");
+        const GradedScene hung = lacking(PictureLack::NotDrawn, "timed out");
+        const GradedScene large = lacking(PictureLack::OtherSize, "finished");
+        const auto nothing = GradeVerdict::Nothing;
+        QCOMPARE(titleOf(nothing, {crashed, crashed}), "no picture: crashed");
+        QCOMPARE(titleOf(nothing, {hung, crashed}), "no picture: crashed, timed out");
+        QCOMPARE(titleOf(nothing, {large}), "no picture: of another size");
+        QCOMPARE(titleOf(nothing, {lacking(PictureLack::Empty)}), "no picture: empty");
+        QCOMPARE(titleOf(nothing, {lacking(PictureLack::NotDrawn)}), "no picture: not drawn");
+        QCOMPARE(titleOf(nothing, {lacking(std::nullopt)}), "no picture");
+        QCOMPARE(titleOf(GradeVerdict::Wrong, {GradedScene(), crashed}),
+                 "not every scene has a picture: crashed");
+    }
+
+    void whatMayBeEitherWayIsTold()
+    {
+        GradedCandidate open = candidate({QStringLiteral("a")});
+        open.undecidable = 1;
+        const QString told = sentencesFor(wrong("ann", {open}), HintLevel::Full).join(u'\n');
+        QVERIFY2(told.contains(QStringLiteral("explained by a, but for 1 pixel that rounding or a "
+                                              "sample on an edge may decide")),
+                 qPrintable(told));
+    }
+};
+
+PIXELPLUMB_TEST(TestGradeCauses)
+
+} // namespace tst_gradecauses
+
+#include "tst_gradecauses.moc"

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/gradefile.h"
+#include "core/grade/submissionfolder.h"
+#include "core/scene/fileaccess.h"
+#include "tests/support/sourcetree.h"
+#include "tests/support/testprogram.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace tst_gradefiles {
+
+using namespace pixelplumb;
+
+namespace {
+
+const QByteArray oneScene = R"({ "pixelplumb": 1, "frame": { "width": 8, "height": 6 },
+    "primitives": [ { "triangle": [[0, 0], [7, 0], [0, 5]], "colors": ["#ff0000", "#00ff00", "#0000ff"] } ] })";
+
+QByteArray assignmentWith(const QByteArray &more, const QByteArray &ofScene = {})
+{
+    return R"({ "pixelplumbAssignment": 1, "name": "Two", )" + more
+        + R"("scenes": [ { "name": "one", )" + ofScene + R"("scene": )" + oneScene + "} ] }";
+}
+
+GradedSubmission submission(const char *name, GradeVerdict verdict,
+                            std::vector<GradedCandidate> candidates = {})
+{
+    GradedSubmission graded;
+    graded.name = QString::fromLatin1(name);
+    graded.id = idOf(name);
+    graded.verdict = verdict;
+    graded.candidates = std::move(candidates);
+    return graded;
+}
+
+GradedCandidate candidate(const char *id, std::int64_t distance = 0)
+{
+    return {{QString::fromLatin1(id)},
+            {QStringLiteral("Look.")},
+            {QStringLiteral("Done.")},
+            distance,
+            {}};
+}
+
+} // namespace
+
+/// Assignments and grades in files.
+class TestGradeFiles : public QObject {
+    Q_OBJECT
+
+private slots:
+    void anAssignmentIsReadBackAsItWasWritten()
+    {
+        const auto assignment = readAssignment(assignmentWith(
+            R"("hint": "full", "leeway": "none", "credit": "share", "points": { "coverage": 2.5 },
+               "program": { "file": "main.py", "input": "lines", "seconds": 3 }, )"));
+        QVERIFY2(assignment.isOk(), assignment ? "" : qPrintable(assignment.error().message()));
+        QCOMPARE(assignment->hint, HintLevel::Full);
+        QCOMPARE(assignment->points(), 1 + 2.5 + 2);
+        QCOMPARE(assignment->program->seconds, 3);
+
+        const auto again = readAssignment(writeAssignment(*assignment));
+        QVERIFY(again.isOk());
+        QVERIFY(*again == *assignment);
+        QCOMPARE(writeAssignment(*again), writeAssignment(*assignment));
+    }
+
+    void whatIsWrongWithAnAssignmentIsToldWithItsPlace_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("told");
+        const auto row = [](const char *name, const QByteArray &text, const char *told) {
+            QTest::newRow(name) << text << QString::fromUtf8(told);
+        };
+        row("no assignment", R"({ "pixelplumb": 1 })", "this is no assignment");
+        row("newer", R"({ "pixelplumbAssignment": 2 })",
+            "pixelplumbAssignment: 2; expected the integer 1");
+        row("unknown key", assignmentWith(R"("grade": 1, )"), "grade: unknown key “grade”");
+        row("unknown hint", assignmentWith(R"("hint": "some", )"),
+            "hint: “some”; expected one of class, hint, pixels, full");
+        row("negative points", assignmentWith({}, R"("points": { "colours": -1 }, )"),
+            "scenes[0].points.colours: -1; expected a number from 0 to 1000000");
+        row("no memory", assignmentWith(R"("program": { "megabytes": 0 }, )"),
+            "program.megabytes: 0: a class' programs may not have all memory; expected 1 to");
+        row("unknown credit", assignmentWith(R"("credit": "half", )"),
+            "credit: “half”; expected one of whole, share");
+        row("no scenes", R"({ "pixelplumbAssignment": 1, "name": "", "scenes": [] })",
+            "scenes: an array of 0; expected one scene at least");
+        row("a scene's name with a folder",
+            R"({ "pixelplumbAssignment": 1, "name": "", "scenes": [ { "name": "../a", "scene": "b" } ] })",
+            "scenes[0].name: “../a”; expected 1 to 64 letters");
+        row("a scene that is not there",
+            R"({ "pixelplumbAssignment": 1, "name": "", "scenes": [ { "name": "a", "scene": "b.json" } ] })",
+            "scenes[0].scene: ");
+        const QByteArray varied = R"({ "pixelplumbAssignment": 1, "name": "", "scenes": [
+            { "name": "a", "scene": { "variants": [ "divisor-minus-one", "divisor-plus-one" ], )"
+            + oneScene.mid(1) + "} ] }";
+        row("variants that cancel each other", varied,
+            "scenes[0].scene: the variants divisor-minus-one and divisor-plus-one cancel each "
+            "other: divided is by Δ again; expected one of them, or none");
+        row("a program in another folder", assignmentWith(R"("program": { "file": "../x" }, )"),
+            "program.file: “../x”; expected a file's name, without folders");
+    }
+    void whatIsWrongWithAnAssignmentIsToldWithItsPlace()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, told);
+        const auto assignment = readAssignment(text);
+        QVERIFY(!assignment);
+        QVERIFY2(assignment.error().message().contains(told),
+                 qPrintable(assignment.error().message()));
+    }
+
+    void theExampleCanBeRead()
+    {
+        const auto assignment
+            = readAssignmentFile(resource(QStringLiteral("/assignments/column-scan.json")));
+        QVERIFY2(assignment.isOk(), assignment ? "" : qPrintable(assignment.error().message()));
+        QCOMPARE(assignment->scenes.size(), 4U);
+    }
+
+    void aGradeIsReadBackAsItWasWritten()
+    {
+        GradedSubmission graded
+            = submission("a\nb", GradeVerdict::Wrong, {candidate("unsorted-colours")});
+        graded.digest = QStringLiteral("12ab");
+        graded.differing = 5'000'000'000;
+        graded.candidates[0].parts
+            = GradedParting{QStringLiteral("one"), 3, QStringLiteral("Column 2"),
+                            QStringLiteral("y_T is 1, should be 2")};
+        GradedScene scene;
+        scene.scene = QStringLiteral("one");
+        scene.counts = {1, 2, 3, 4, 5};
+        scene.firstDifference = FramePixel{7, 0};
+        scene.run = GradedRun{QStringLiteral("crashed"), QStringLiteral("by a signal"), {}};
+        scene.note = QStringLiteral("one.png was taken; one.ppm is there, too");
+        scene.checks = {{Check::Coverage, true, 2.5, 2.5}};
+        graded.scenes = {scene};
+
+        const auto again = readGradedSubmission(writeGradedSubmission(graded));
+        QVERIFY2(again.isOk(), again ? "" : qPrintable(again.error().message()));
+        QVERIFY(*again == graded);
+    }
+
+    void aGradeOfBeforeHasItsPixelInFrameCoordinates_data()
+    {
+        QTest::addColumn<QByteArray>("frame");
+        QTest::addColumn<int>("x");
+        QTest::addColumn<int>("y");
+        QTest::newRow("y upward") << QByteArray(R"("width": 8, "height": 6)") << 2 << 4;
+        QTest::newRow("y downward")
+            << QByteArray(R"("width": 8, "height": 6, "origin": "top-left")") << 2 << 1;
+        QTest::newRow("another first pixel")
+            << QByteArray(R"("width": 8, "height": 6, "firstPixel": [10, 20])") << 12 << 24;
+    }
+    void aGradeOfBeforeHasItsPixelInFrameCoordinates()
+    {
+        QFETCH(QByteArray, frame);
+        QFETCH(int, x);
+        QFETCH(int, y);
+        QByteArray scene = oneScene;
+        scene.replace(R"("width": 8, "height": 6)", frame);
+        const QTemporaryDir folder;
+        QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("grades")));
+        QVERIFY(!writeFile(assignmentFileOf(folder.path()),
+                           R"({ "pixelplumbAssignment": 1, "name": "", "scenes": [
+                                { "name": "one", "scene": )"
+                               + scene + " } ] }"));
+        GradedSubmission graded = submission("ann", GradeVerdict::Wrong);
+        GradedScene one;
+        one.scene = QStringLiteral("one");
+        one.firstDifference = FramePixel{2, 1};
+        graded.scenes = {one};
+        const QByteArray written = writeGradedSubmission(graded);
+        QVERIFY(written.contains("\"y\": 1"));
+        const QString path = submissionFileOf(folder.path(), graded.id);
+        QVERIFY(!writeFile(path, QByteArray(written).replace("\"y\": 1", "\"line\": 1")));
+
+        const auto read = readGrades(folder.path());
+
+        QVERIFY2(read.isOk(), read ? "" : qPrintable(read.error().message()));
+        const FramePixel expected{x, y};
+        QVERIFY(read->submissions[0].scenes[0].firstDifference == expected);
+
+        QVERIFY(!writeFile(path, written)); // of today it is left as it is
+        QVERIFY(readGrades(folder.path())->submissions[0] == graded);
+    }
+
+    void whatTheAssistantSaidIsKeptApart()
+    {
+        const QTemporaryDir folder;
+        GradeReport report;
+        report.submissions
+            = {submission("ann", GradeVerdict::Right), submission("bob", GradeVerdict::Wrong)};
+        report.submissions[1].review = {QStringLiteral("See me."), true};
+        QVERIFY(!writeReviews(folder.path(), report));
+        const QByteArray grade = writeGradedSubmission(report.submissions[1]);
+        QVERIFY(!grade.contains("See me."));
+
+        QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("grades")));
+        QFile assignment(assignmentFileOf(folder.path()));
+        QVERIFY(assignment.open(QIODevice::WriteOnly));
+        assignment.write(assignmentWith({}));
+        assignment.close();
+        QFile file(submissionFileOf(folder.path(), report.submissions[1].id));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(grade);
+        file.close();
+        const auto read = readGrades(folder.path());
+        QVERIFY2(read.isOk(), read ? "" : qPrintable(read.error().message()));
+        QCOMPARE(read->submissions.size(), 1U);
+        QVERIFY(read->submissions[0].review == report.submissions[1].review);
+    }
+
+    void submissionsOfOneCauseAreTogether()
+    {
+        GradeReport report;
+        report.submissions = {submission("a", GradeVerdict::Right),
+                              submission("b", GradeVerdict::Wrong, {candidate("flat-first")}),
+                              submission("c", GradeVerdict::Wrong, {candidate("flat-last", 3)}),
+                              submission("d", GradeVerdict::Wrong, {candidate("flat-first")}),
+                              submission("e", GradeVerdict::Right),
+                              submission("f", GradeVerdict::Right)};
+        QStringList told;
+        for (const GradeCluster &cluster : clustersOf(report))
+            told += QStringLiteral("%1 %2").arg(cluster.title).arg(cluster.submissions.size());
+        QCOMPARE(told,
+                 QStringList({QStringLiteral("flat-first 2"), QStringLiteral("no known defect 1"),
+                              QStringLiteral("right 3")}));
+    }
+
+    void namesAreEscapedAndToldApart_data()
+    {
+        QTest::addColumn<QByteArray>("name");
+        QTest::addColumn<QString>("shown");
+        QTest::newRow("plain") << QByteArray("ann") << QStringLiteral("ann");
+        QTest::newRow("letters") << QByteArray("Žofie Ωmega") << QStringLiteral("Žofie Ωmega");
+        QTest::newRow("line feed") << QByteArray("a\nb") << QStringLiteral("a\\x0ab");
+        QTest::newRow("escape sequence") << QByteArray("\x1b[31m") << QStringLiteral("\\x1b[31m");
+        QTest::newRow("no UTF-8") << QByteArray("a\xff"
+                                                "b")
+                                  << QStringLiteral("a\\xffb");
+        QTest::newRow("cut UTF-8") << QByteArray("\xc5") << QStringLiteral("\\xc5");
+        QTest::newRow("backslash") << QByteArray("a\\x0ab") << QStringLiteral("a\\x5cx0ab");
+        QTest::newRow("right to left")
+            << QByteArray("\xe2\x80\xae") << QStringLiteral("\\xe2\\x80\\xae");
+    }
+    void namesAreEscapedAndToldApart()
+    {
+        QFETCH(QByteArray, name);
+        QFETCH(QString, shown);
+        QCOMPARE(escapedName(name), shown);
+        static const QRegularExpression plain(QStringLiteral("\\A[A-Za-z0-9_-]+\\z"));
+        QVERIFY(plain.match(idOf(name)).hasMatch());
+        QVERIFY(idOf(name) != idOf(name + 'x'));
+        QVERIFY(idOf(name) != idOf(shown.toUtf8()) || shown.toUtf8() == name);
+    }
+};
+
+PIXELPLUMB_TEST(TestGradeFiles)
+
+} // namespace tst_gradefiles
+
+#include "tst_gradefiles.moc"

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/invariants.h"
+#include "core/methods/method.h"
+#include "tests/support/probescenes.h"
+#include "tests/support/programrun.h"
+#include "tests/support/testprogram.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QTest>
+
+#include <algorithm>
+
+namespace tst_invariants {
+
+using namespace pixelplumb;
+
+/// What holds of every right picture, without one at hand.
+class TestInvariants : public QObject {
+    Q_OBJECT
+
+private slots:
+    void invariantsFindMostDefectsAndNothingElse_data()
+    {
+        QTest::addColumn<int>("missed"); // at most
+        QTest::newRow("column-scan") << 16;
+        QTest::newRow("row-walk") << 28;
+        QTest::newRow("edge-equations") << 9;
+        QTest::newRow("barycentric-rectangle") << 9;
+    }
+    void invariantsFindMostDefectsAndNothingElse()
+    {
+        QFETCH(int, missed);
+        const QByteArray name = QTest::currentDataTag();
+        Scene conventions;
+        conventions.method = name.toStdString();
+        const Contender method{methodNamed(QString::fromLatin1(name)), {}};
+        constexpr int pairs = 60;
+        QVERIFY(checkInvariants(sourceOf(method), conventions, 1, pairs).broken.empty());
+        QStringList unseen;
+        for (const Defect &defect : defectsFor(probeScenes(name.constData()).back())) {
+            if (!defect.standsAlone && !defect.isRightAlone
+                && checkInvariants(sourceOf(defect.id, method), conventions, 1, pairs)
+                       .broken.empty())
+                unseen += defect.id;
+        }
+        QVERIFY2(unseen.size() <= missed, qPrintable(unseen.join(u' ')));
+    }
+
+    void theTruthKeepsEveryInvariantUnderEveryRule_data()
+    {
+        QTest::addColumn<FillRule>("rule");
+        QTest::addColumn<FrameOrigin>("origin");
+        for (const FillRule rule : allFillRules) {
+            QTest::addRow("%s, y up", nameOf(rule).data()) << rule << FrameOrigin::BottomLeft;
+            QTest::addRow("%s, y down", nameOf(rule).data()) << rule << FrameOrigin::TopLeft;
+        }
+    }
+    void theTruthKeepsEveryInvariantUnderEveryRule()
+    {
+        QFETCH(FillRule, rule);
+        QFETCH(FrameOrigin, origin);
+        Scene conventions;
+        conventions.frame.origin = origin;
+        conventions.settings.fillRule = rule;
+        const ScanSettings settings{.fillRule = rule};
+        for (const char *method : {"edge-equations", "truth"}) {
+            for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+                const Contender drawer{methodNamed(QString::fromLatin1(method)), settings};
+                const auto report = checkInvariants(sourceOf(drawer), conventions, seed, 60);
+                QVERIFY(report.checked > 0 && report.undrawn == 0);
+                for (const BrokenInvariant &each : report.broken)
+                    QFAIL(qPrintable(QStringLiteral("%1, seed %2: %3")
+                                         .arg(QString::fromLatin1(method))
+                                         .arg(seed)
+                                         .arg(nameOf(each.invariant))));
+            }
+        }
+    }
+
+    void whatRoundingBreaksIsToldApart_data()
+    {
+        QTest::addColumn<QString>("drawer");
+        QTest::addColumn<QString>("tolerance");
+        QTest::addColumn<QString>("invariant");
+        QTest::addColumn<bool>("mayBeRounding");
+        const auto row = [](const char *drawer, const char *tolerance, const char *invariant,
+                            bool mayBeRounding) {
+            QTest::addRow("%s, %s: %s", drawer, tolerance, invariant)
+                << drawer << tolerance << invariant << mayBeRounding;
+        };
+        row("column-scan:float32", "float32", "count", true); // a sample on an edge
+        row("edge-equations:float32", "float32", "order", true);
+        row("edge-equations:float32", "exact", "order", false); // a byte, beside an edge
+        row("unsorted-colours", "float32", "corners", false); // on an edge, but in another colour
+        row("first-half-missing", "float32", "count", false);
+        row("unsorted-colours", "float32", "order", false);
+    }
+    void whatRoundingBreaksIsToldApart()
+    {
+        QFETCH(QString, drawer);
+        QFETCH(QString, tolerance);
+        QFETCH(QString, invariant);
+        QFETCH(bool, mayBeRounding);
+        const QStringList words
+            = {QStringLiteral("invariants"), drawer, QStringLiteral("--tolerance"), tolerance};
+
+        const ProgramRun json = run(words + QStringList{QStringLiteral("--json")});
+        const ProgramRun text = run(words);
+
+        QCOMPARE(json.exitCode, 1);
+        QCOMPARE(text.exitCode, 1);
+        const QJsonArray broken
+            = QJsonDocument::fromJson(json.output)[QStringLiteral("broken")].toArray();
+        const auto found = std::ranges::find_if(broken, [&](const QJsonValue &each) {
+            return each[QStringLiteral("invariant")] == invariant;
+        });
+        QVERIFY2(found != broken.end(), json.output.constData());
+        QCOMPARE((*found)[QStringLiteral("mayBeRounding")].toBool(), mayBeRounding);
+        const QString lines = QString::fromUtf8(text.output)
+                                  .section(QStringLiteral("broken  %1: ").arg(invariant), 1)
+                                  .section(u'\n', 1, 2);
+        QCOMPARE(
+            lines.contains(QStringLiteral("that the rounding of %1 leaves open").arg(tolerance)),
+            mayBeRounding);
+    }
+};
+
+PIXELPLUMB_TEST(TestInvariants)
+
+} // namespace tst_invariants
+
+#include "tst_invariants.moc"

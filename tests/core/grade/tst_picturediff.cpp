@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/frame/framebuffer.h"
+#include "core/geometry/seededrandom.h"
+#include "core/grade/picturediff.h"
+#include "core/grade/undecidable.h"
+#include "core/scene/fileaccess.h"
+#include "tests/support/programrun.h"
+#include "tests/support/testprogram.h"
+
+#include <QDir>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+
+namespace tst_picturediff {
+
+using namespace pixelplumb;
+
+namespace {
+
+const Colour black{{0, 0, 0}};
+const Colour red{{255, 0, 0}};
+const Colour cyan{{0, 255, 255}};
+
+Scene sceneOf(int side, const std::vector<Triangle> &triangles)
+{
+    Scene scene;
+    scene.frame.width = side;
+    scene.frame.height = side;
+    scene.triangles = triangles;
+    return scene;
+}
+
+Triangle triangleOf(std::array<LatticePoint, 3> places, const Colour &colour)
+{
+    return {{{{places[0], colour}, {places[1], colour}, {places[2], colour}}}};
+}
+
+/// As a file has it: bytes, and what is covered is what has another colour than the background.
+Picture readBack(const Scene &scene, Picture picture)
+{
+    coverAllBut(scene.frame.background, picture);
+    return picture;
+}
+
+PictureDiff judged(const Scene &scene, const Picture &found,
+                   Arithmetic tolerance = Arithmetic::Float32)
+{
+    const Picture right = pictureOf(scene);
+    return differenceOf(right, found, undecidablePixels(scene, right, found, tolerance));
+}
+
+} // namespace
+
+/// What is the same, what is wrong, and what is neither.
+class TestPictureDiff : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everySceneIsItsOwnPicture_data()
+    {
+        QTest::addColumn<QString>("method");
+        for (const char *method :
+             {"column-scan", "row-walk", "edge-equations", "barycentric-rectangle"})
+            QTest::newRow(method) << QString::fromLatin1(method);
+    }
+    void everySceneIsItsOwnPicture()
+    {
+        QFETCH(QString, method);
+        SeededRandom random(11);
+        for (int i = 0; i < 300; ++i) {
+            const auto vertex = [&] {
+                return Vertex{latticePixel(random.between(0, 11), random.between(0, 11)),
+                              random.between(0, 2) == 0 ? black : random.colour()};
+            };
+            Scene scene = sceneOf(12,
+                                  {Triangle{{{vertex(), vertex(), vertex()}}},
+                                   Triangle{{{vertex(), vertex(), vertex()}}}});
+            scene.method = method.toStdString();
+            const Picture found = readBack(scene, pictureOf(scene));
+
+            const PictureDiff diff = judged(scene, found);
+
+            QCOMPARE(diff.count(PixelVerdict::Same), std::int64_t(found.size()));
+        }
+    }
+
+    void aTriangleInTheBackgroundsColourHasFullPoints()
+    {
+        QTemporaryDir folder;
+        const auto path
+            = [&](const char *name) { return folder.filePath(QString::fromLatin1(name)); };
+        const char *scene = R"({ "pixelplumb": 1, "frame": { "width": 6, "height": 6 },
+            "primitives": [ { "triangle": [[0, 0], [5, 1], [1, 5]],
+                              "colors": ["#000000", "#000000", "#000000"] } ] })";
+        const char *assignment = R"({ "pixelplumbAssignment": 1, "name": "black",
+            "scenes": [ { "name": "min", "scene": "min.json" } ] })";
+        QVERIFY(!writeFile(path("min.json"), scene));
+        QVERIFY(!writeFile(path("a.json"), assignment));
+        QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("subs/one")));
+        QCOMPARE(run({"render", path("min.json"), "-o", path("subs/one/min.ppm")}).exitCode, 0);
+
+        const ProgramRun told = run({"diff", path("min.json"), path("subs/one/min.ppm")});
+        const ProgramRun graded
+            = run({"grade", path("subs"), "--assignment", path("a.json"), "-o", path("out")});
+
+        QCOMPARE(told.exitCode, 0);
+        QCOMPARE(QString::fromUtf8(told.output), QStringLiteral("6 × 6 pixels: 36 same\n"));
+        QVERIFY2(graded.exitCode == 0, graded.messages.constData());
+        const auto results = QJsonDocument::fromJson(*readFile(path("out/results.json")));
+        QCOMPARE(results[QStringLiteral("submissions")][0][QStringLiteral("score")].toDouble(),
+                 results[QStringLiteral("max_score")].toDouble());
+    }
+
+    void onAnEdgeItIsOpenWhoDrawsAndNotInWhichColour_data()
+    {
+        QTest::addColumn<QByteArray>("repainted");
+        QTest::addColumn<PixelVerdict>("verdict");
+        QTest::addColumn<Arithmetic>("tolerance");
+        for (const Arithmetic tolerance : {Arithmetic::Exact, Arithmetic::Float32}) {
+            const auto row = [&](const char *colour, PixelVerdict verdict) {
+                QTest::addRow("%s, %s", colour, nameOf(tolerance).data())
+                    << QByteArray(colour) << verdict << tolerance;
+            };
+            row("black", PixelVerdict::Undecidable);
+            row("red", PixelVerdict::Same);
+            row("cyan", PixelVerdict::Colour);
+        }
+    }
+    void onAnEdgeItIsOpenWhoDrawsAndNotInWhichColour()
+    {
+        QFETCH(QByteArray, repainted);
+        QFETCH(PixelVerdict, verdict);
+        QFETCH(Arithmetic, tolerance);
+        const Colour colour = repainted == "black" ? black : repainted == "red" ? red : cyan;
+        const Scene scene = sceneOf(
+            12, {triangleOf({latticePixel(1, 1), latticePixel(1, 10), latticePixel(10, 1)}, red)});
+        Picture found = pictureOf(scene);
+        const auto ties = tiesOf(scene);
+        for (std::size_t place = 0; place < ties.size(); ++place) {
+            if (ties[place] != 0)
+                found.colours[place] = colour;
+        }
+
+        const PictureDiff diff = judged(scene, readBack(scene, found), tolerance);
+
+        QCOMPARE(std::ranges::count(ties, 1), std::ptrdiff_t(27));
+        QCOMPARE(diff.count(verdict), std::int64_t(verdict == PixelVerdict::Same ? 144 : 27));
+        QCOMPARE(diff.count(PixelVerdict::Same),
+                 std::int64_t(verdict == PixelVerdict::Same ? 144 : 117));
+    }
+
+    void onASharedEdgeEitherTriangleMayHaveTheSample_data()
+    {
+        QTest::addColumn<bool>("isBlended");
+        QTest::newRow("opaque") << false;
+        QTest::newRow("blended") << true;
+    }
+    void onASharedEdgeEitherTriangleMayHaveTheSample()
+    {
+        QFETCH(bool, isBlended);
+        Scene scene = sceneOf(
+            12,
+            {triangleOf({latticePixel(2, 2), latticePixel(10, 10), latticePixel(10, 2)}, red),
+             triangleOf({latticePixel(2, 2), latticePixel(10, 10), latticePixel(2, 10)}, cyan)});
+        scene.settings.fillRule = FillRule::HalfOpenColumn;
+        for (std::size_t triangle = 0; isBlended && triangle < 2; ++triangle) {
+            TriangleAttributes &attributes = scene.attributes.emplace_back();
+            attributes.triangle = triangle;
+            for (VertexAttributes &vertex : attributes.vertices)
+                vertex.alpha = 128;
+        }
+        const Picture right = pictureOf(scene);
+        const auto place = right.placeOf(5, pictureLine(scene.frame, 5)); // on the diagonal
+        const auto verdictOf = [&](const Colour &colour) {
+            Picture found = right;
+            found.colours[place] = colour;
+            return judged(scene, readBack(scene, found)).verdicts[place];
+        };
+
+        const Colour ofOne = right.colours[right.placeOf(6, pictureLine(scene.frame, 4))];
+        const Colour ofOther = right.colours[right.placeOf(4, pictureLine(scene.frame, 6))];
+
+        QVERIFY(ofOne != ofOther);
+        QVERIFY(verdictOf(ofOne) != PixelVerdict::Colour);
+        QVERIFY(verdictOf(ofOther) != PixelVerdict::Colour);
+        QCOMPARE(verdictOf(black), PixelVerdict::Undecidable);
+        QCOMPARE(verdictOf({{10, 20, 30}}), PixelVerdict::Colour);
+    }
+
+    void whatLiesBelowAnEdgeStaysThere()
+    {
+        // The second triangle's edge lies in the middle of the first one.
+        const Scene scene = sceneOf(
+            12,
+            {triangleOf({latticePixel(0, 0), latticePixel(0, 11), latticePixel(11, 0)}, red),
+             triangleOf({latticePixel(2, 2), latticePixel(2, 5), latticePixel(5, 2)}, cyan)});
+        const Picture right = pictureOf(scene);
+        const auto place = right.placeOf(3, pictureLine(scene.frame, 2));
+        const auto verdictOf = [&](const Colour &colour) {
+            Picture found = right;
+            found.colours[place] = colour;
+            return judged(scene, readBack(scene, found)).verdicts[place];
+        };
+
+        QCOMPARE(verdictOf(cyan), PixelVerdict::Same);
+        QCOMPARE(verdictOf(red), PixelVerdict::Undecidable);
+        QCOMPARE(verdictOf(black), PixelVerdict::Missing);
+    }
+};
+
+PIXELPLUMB_TEST(TestPictureDiff)
+
+} // namespace tst_picturediff
+
+#include "tst_picturediff.moc"

@@ -1,0 +1,624 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/processtime.h"
+#include "core/grade/programclock.h"
+#include "core/grade/showntext.h"
+#include "core/grade/studentoutput.h"
+#include "core/scene/fileaccess.h"
+#include "tests/support/programrun.h"
+#include "tests/support/sourcetree.h"
+#include "tests/support/testprogram.h"
+
+#include <QBuffer>
+#include <QDir>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <unistd.h>
+
+#include <csignal>
+#include <thread>
+
+namespace tst_programrun {
+
+using namespace pixelplumb;
+using namespace std::chrono_literals;
+
+namespace {
+
+StudentRun runShell(const QString &script, const ProgramLimits &limits = {},
+                    const QByteArray &input = {})
+{
+    return runProgram(*studentProgramOf({QStringLiteral("sh"), QStringLiteral("-c"), script}),
+                      input, limits);
+}
+
+StudentRun runPython(const QString &script, const ProgramLimits &limits = {})
+{
+    return runProgram(*studentProgramOf({QStringLiteral("python3"), QStringLiteral("-c"), script}),
+                      {}, limits);
+}
+
+ProgramLimits within(std::chrono::milliseconds time)
+{
+    ProgramLimits limits;
+    limits.time = time;
+    return limits;
+}
+
+/// Processes of the whole system that have a word among their arguments.
+int processesWith(const QByteArray &word)
+{
+    int count = 0;
+    const QDir processes(QStringLiteral("/proc"));
+    for (const QString &process : processes.entryList(QDir::Dirs)) {
+        QFile file(QStringLiteral("/proc/%1/cmdline").arg(process));
+        if (file.open(QIODevice::ReadOnly) && file.readAll().split('\0').contains(word))
+            ++count;
+    }
+    return count;
+}
+
+/// Seconds to sleep that no other process names.
+QByteArray unusualSeconds()
+{
+    static int each = 0;
+    return QByteArray::number(1000 + ++each) + '.' + QByteArray::number(getpid());
+}
+
+/// The first half of a PNG file.
+QByteArray halfPicture()
+{
+    QImage image(4, 3, QImage::Format_RGB32);
+    image.fill(Qt::red);
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    image.save(&buffer, "PNG");
+    return bytes.left(bytes.size() / 2);
+}
+
+Scene smallScene()
+{
+    Scene scene;
+    scene.frame.width = 4;
+    scene.frame.height = 3;
+    return scene;
+}
+
+} // namespace
+
+/// Programs of others, as children: what they may do, and what they cannot.
+class TestProgramRun : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aProgramGetsItsInputAndIsHeard()
+    {
+        const QByteArray input(1 << 20, 'x');
+
+        const StudentRun run = runShell(QStringLiteral("cat; echo said >&2"), {}, input);
+
+        QCOMPARE(run.end, ProgramEnd::Finished);
+        QCOMPARE(run.output, input);
+        QCOMPARE(run.messages, QByteArray("said\n"));
+    }
+
+    void howItEndedIsTold_data()
+    {
+        QTest::addColumn<QString>("script");
+        QTest::addColumn<ProgramEnd>("end");
+        QTest::addColumn<int>("code");
+        const auto row = [](const char *name, const char *script, ProgramEnd end, int code) {
+            QTest::newRow(name) << QString::fromLatin1(script) << end << code;
+        };
+        row("finished", "exit 0", ProgramEnd::Finished, 0);
+        row("failed", "exit 3", ProgramEnd::Failed, 3);
+        row("crashed", "kill -SEGV $$", ProgramEnd::Crashed, SIGSEGV);
+        row("does not read its input", "exec 0<&-; exit 0", ProgramEnd::Finished, 0);
+        row("closes its output and goes on", "exec 1>&- 2>&-; sleep 0.2; exit 4",
+            ProgramEnd::Failed, 4);
+        row("hangs", "sleep 1000", ProgramEnd::TimedOut, 0);
+        row("hangs with closed output", "exec 1>&- 2>&-; sleep 1000", ProgramEnd::TimedOut, 0);
+        row("does not let itself be ended", "trap '' TERM INT HUP; while :; do :; done",
+            ProgramEnd::TimedOut, 0);
+        row("stops itself", "kill -STOP $$", ProgramEnd::TimedOut, 0);
+    }
+    void howItEndedIsTold()
+    {
+        QFETCH(QString, script);
+        QFETCH(ProgramEnd, end);
+        QFETCH(int, code);
+        // Those that hang need not be waited for as long as those that a busy machine delays.
+        const auto time = end == ProgramEnd::TimedOut ? 300ms : 60'000ms;
+
+        const StudentRun run = runShell(script, within(time), QByteArray(1 << 20, 'x'));
+
+        QCOMPARE(nameOf(run.end), nameOf(end));
+        QCOMPARE(run.code, code);
+        QVERIFY(!run.told.isEmpty());
+    }
+
+    void whoComputesTooLongIsToldSo()
+    {
+        ProgramLimits limits = within(1000ms);
+        QCOMPARE(limits.wallTime(), 4000ms);
+
+        QCOMPARE(runShell(QStringLiteral("ulimit -t"), limits).output, QByteArray("1\n"));
+        const StudentRun computing = runPython(QStringLiteral("while True: pass"), limits);
+        QCOMPARE(nameOf(computing.end), QStringLiteral("timed out"));
+        // However busy the machine is.
+        QCOMPARE(computing.told, QStringLiteral("it was ended after 1 s of computing"));
+        QVERIFY(!computing.isByClock);
+        // Who does not heed the kernel's word, and who only looks like one that was ended.
+        const StudentRun deaf
+            = runPython(QStringLiteral("import signal\nsignal.signal(signal.SIGXCPU, "
+                                       "signal.SIG_IGN)\nwhile True: pass"),
+                        limits);
+        QCOMPARE(deaf.told, QStringLiteral("it was ended after 1 s of computing"));
+        QCOMPARE(runShell(QStringLiteral("exit 152"), limits).told,
+                 QStringLiteral("it ended with exit code 152"));
+        QVERIFY(runShell(QStringLiteral("kill -XCPU $$"), limits).told.startsWith("it crashed"));
+        // Who waits for others, as on a busy machine, has not computed.
+        const StudentRun waiting = runShell(QStringLiteral("sleep 1.5; echo done"), limits);
+        QCOMPARE(nameOf(waiting.end), QStringLiteral("finished"));
+        const StudentRun hanging = runShell(QStringLiteral("sleep 1000"), within(100ms));
+        QCOMPARE(hanging.told,
+                 QStringLiteral("it was ended by the clock: it had waited for 0.4 s"));
+        QVERIFY(hanging.isByClock);
+    }
+
+    void whoseProcessesTogetherComputeTooLongIsToldSo()
+    {
+        ProgramLimits limits = within(1000ms);
+        limits.clockTimes = 1;
+        limits.timesInAll = 1;
+        const StudentRun forking = runPython(QStringLiteral("import os\n"
+                                                            "for i in range(3):\n"
+                                                            "    if os.fork() == 0:\n"
+                                                            "        while True: pass\n"
+                                                            "while True: os.wait()"),
+                                             limits);
+        QCOMPARE(forking.told,
+                 QStringLiteral("it was ended after 1 s of computing in all its processes"));
+        QVERIFY(forking.isInAll);
+        QVERIFY(!forking.isByClock);
+    }
+
+    void whoComputesTooLongIsToldSoByAnyCount()
+    {
+        // The kernel's count in ticks may be far ahead of the one told: here by a part of a second.
+        const StudentRun ended = runPython(QStringLiteral("import os, signal, time\n"
+                                                          "while time.process_time() < 1.3: pass\n"
+                                                          "os.kill(os.getpid(), signal.SIGXCPU)"),
+                                           within(2000ms));
+        QCOMPARE(ended.told, QStringLiteral("it was ended after 2 s of computing"));
+    }
+
+    void theClockEndsWhoWaitsAlone()
+    {
+        using Clock = ProgramClock::Clock;
+        const ProgramLimits limits = within(10'000ms);
+        const Clock::time_point start;
+        const auto lookedAt = [&](std::chrono::milliseconds eachWindow, int windows) {
+            ProgramClock clock(limits, start);
+            for (int i = 1; i <= windows; ++i) {
+                if (const auto end = clock.look(i * eachWindow, clock.nextLook()))
+                    return QStringLiteral("%1: %2").arg(i).arg(end->told);
+            }
+            return QStringLiteral("goes on");
+        };
+        QCOMPARE(ProgramClock(limits, start).nextLook(), start + 40s);
+        // 1/64 of 10 s is 156 ms: of a machine that serves 250 others a program has more.
+        QCOMPARE(lookedAt(157ms, 15), QStringLiteral("goes on"));
+        QCOMPARE(lookedAt(156ms, 15),
+                 QStringLiteral("1: it was ended by the clock: it had waited for 40 s"));
+        // What the kernel does not end, for no process computes too long.
+        QCOMPARE(lookedAt(40'000ms, 15),
+                 QStringLiteral("4: it was ended after 160 s of computing in all its processes"));
+        ProgramLimits less = limits;
+        less.timesInAll = 1;
+        QCOMPARE(ProgramClock(less, start).look(10'000ms, start + 40s)->told,
+                 QStringLiteral("it was ended after 10 s of computing in all its processes"));
+        QCOMPARE(lookedAt(157ms, 99), QStringLiteral("16: it was ended after 640 s by the clock"));
+
+        ProgramClock clock(limits, start);
+        QVERIFY(!clock.look(5'000ms, start + 40s));
+        QCOMPARE(clock.nextLook(), start + 80s);
+        const auto end = clock.look(5'000ms, start + 80s); // it computed, then it waited
+        QVERIFY(end && end->isByClock);
+    }
+
+    void whatDescendantsComputeIsCounted()
+    {
+        if (!QFile::exists(QStringLiteral("/proc/thread-self/children")))
+            QSKIP("the kernel does not list children");
+        QProcess shell; // its child computes, and a child of that, which ends
+        shell.start(
+            QStringLiteral("sh"),
+            {QStringLiteral("-c"),
+             QStringLiteral("(python3 -c 'import time\n"
+                            "while time.process_time() < 0.2: pass'; echo; read x); echo")});
+        QVERIFY(shell.waitForReadyRead());
+        const auto computed = computedBy(pid_t(shell.processId()));
+        QVERIFY2(computed >= 150ms && computed < 1000ms,
+                 qPrintable(QString::number(computed.count())));
+        shell.closeWriteChannel();
+        QVERIFY(shell.waitForFinished());
+    }
+
+    void whatIsNoProgramIsNotStarted()
+    {
+        QTemporaryDir folder;
+        const QString text = folder.filePath(QStringLiteral("text"));
+        QVERIFY(!writeFile(text, "no program\n"));
+        QVERIFY(!studentProgramOf({text}).isOk());
+        QVERIFY(!studentProgramOf({QStringLiteral("/nowhere/at-all")}).isOk());
+        QVERIFY(!studentProgramOf({}).isOk());
+
+        QVERIFY(QFile::setPermissions(text, QFile::ReadOwner | QFile::ExeOwner | QFile::ExeOther));
+        const StudentRun run = runProgram(*studentProgramOf({text}), {});
+
+        QCOMPARE(nameOf(run.end), nameOf(ProgramEnd::NotStarted));
+        QVERIFY2(run.told.contains(QStringLiteral("Exec format error")), qPrintable(run.told));
+    }
+
+    void namesMayBeOdd()
+    {
+        QTemporaryDir folder;
+        const QString name = folder.filePath(QStringLiteral("a\nb \x1b[31m'\"$(c)"));
+        QVERIFY(!writeFile(name, "#!/bin/sh\nprintf %s \"$1\"\n"));
+        QVERIFY(QFile::setPermissions(
+            name, QFile::ReadOwner | QFile::ExeOwner | QFile::ReadOther | QFile::ExeOther));
+
+        const StudentRun run
+            = runProgram(*studentProgramOf({name, QStringLiteral("; echo \n../x")}), {});
+
+        QCOMPARE(run.output, QByteArray("; echo \n../x"));
+    }
+
+    void nothingOutlivesIt_data()
+    {
+        QTest::addColumn<QString>("script");
+        QTest::newRow("in the background") << QStringLiteral("sleep %1 & exit 0");
+        QTest::newRow("in a session of its own, with its output open")
+            << QStringLiteral("setsid sleep %1 & sleep 0.1; exit 0");
+        QTest::newRow("an orphan's orphan")
+            << QStringLiteral("(setsid sh -c '(sleep %1 &) ; sleep %1' &) ; sleep 0.1; exit 0");
+        QTest::newRow("of one that hangs") << QStringLiteral("(setsid sleep %1 &); sleep %1");
+    }
+    void nothingOutlivesIt()
+    {
+        QFETCH(QString, script);
+        const QByteArray seconds = unusualSeconds();
+
+        runShell(script.arg(QString::fromLatin1(seconds)), within(1000ms));
+
+        QCOMPARE(processesWith(seconds), 0);
+    }
+
+    void aForkBombIsBounded()
+    {
+        const StudentRun run = runPython(QStringLiteral("import os, time\n"
+                                                        "made = 0\n"
+                                                        "try:\n"
+                                                        "    while made < 2000:\n"
+                                                        "        if os.fork() == 0:\n"
+                                                        "            time.sleep(1000)\n"
+                                                        "        made += 1\n"
+                                                        "except OSError:\n"
+                                                        "    print(made, os.getuid())\n"),
+                                         within(60'000ms));
+
+        QCOMPARE(run.end, ProgramEnd::Finished);
+        const QList<QByteArray> words = run.output.trimmed().split(' ');
+        QVERIFY2(words[0].toInt() > 0, run.output.constData());
+        // Else those of others are counted, too.
+        const bool isCountedAlone = run.isSandboxed && words.last() != "0";
+        QVERIFY2(!isCountedAlone || words[0].toInt() < 64, run.output.constData());
+    }
+
+    void aForkBombThatGoesOnIsEnded()
+    {
+        const QByteArray seconds = unusualSeconds();
+        const StudentRun run = runShell(QStringLiteral("b() { sleep %1 & b | b & }; b; sleep %1")
+                                            .arg(QString::fromLatin1(seconds)),
+                                        within(500ms));
+
+        QVERIFY(run.end != ProgramEnd::Finished);
+        QCOMPARE(processesWith(seconds), 0);
+    }
+
+    void floodsAreCut_data()
+    {
+        QTest::addColumn<QString>("script");
+        QTest::newRow("output") << QStringLiteral("yes");
+        QTest::newRow("messages") << QStringLiteral("yes >&2");
+        QTest::newRow("both at once") << QStringLiteral("yes >&2 & yes");
+        QTest::newRow("four gigabytes") << QStringLiteral("head -c 4294967296 /dev/zero");
+    }
+    void floodsAreCut()
+    {
+        QFETCH(QString, script);
+        ProgramLimits limits = within(60'000ms);
+        limits.output = 1 << 20;
+
+        const StudentRun run = runShell(script, limits);
+
+        QCOMPARE(nameOf(run.end), nameOf(ProgramEnd::Flooded));
+        QVERIFY(run.output.size() <= limits.output);
+        QVERIFY(run.messages.size() <= 1 << 16);
+    }
+
+    void memoryIsBounded()
+    {
+        ProgramLimits limits = within(60'000ms);
+        limits.memory = 256 << 20;
+
+        const StudentRun run
+            = runPython(QStringLiteral("x = bytearray(1 << 30)\nprint(len(x))"), limits);
+
+        QCOMPARE(nameOf(run.end), nameOf(ProgramEnd::Failed));
+        QVERIFY2(run.messages.contains("MemoryError"), run.messages.constData());
+    }
+
+    void filesAreBounded()
+    {
+        ProgramLimits limits = within(60'000ms);
+        limits.files = 1 << 20;
+
+        const StudentRun run = runShell(
+            QStringLiteral("head -c 8388608 /dev/zero > a; for f in a b c; do cat a > $f; done; "
+                           "stat -c %s a"),
+            limits);
+
+        QVERIFY2(run.output.trimmed().toInt() <= 1 << 20, run.output.constData());
+    }
+
+    void itsFolderIsEmptyAndGoesWithIt()
+    {
+        const StudentRun run = runShell(
+            QStringLiteral("ls -A; pwd; mkdir -p a/b; ln -s / a/root; touch a/b/c \"$(printf "
+                           "'x\\ny')\"; chmod 0 a/b a"));
+
+        const QString folder = QString::fromUtf8(run.output.trimmed());
+        QCOMPARE(folder.count(u'\n'), 0);
+        QVERIFY(QDir::isAbsolutePath(folder));
+        QVERIFY(!QFileInfo::exists(folder));
+        QVERIFY(QFileInfo::exists(QStringLiteral("/etc/passwd")));
+    }
+
+    void outsideItsFolderItWritesNothing()
+    {
+        QTemporaryDir folder;
+        QVERIFY(QFile::setPermissions(folder.path(), QFile::Permissions(0x7777)));
+        const QString kept = folder.filePath(QStringLiteral("kept"));
+        QVERIFY(!writeFile(kept, "as it was"));
+        QVERIFY(QFile::setPermissions(kept, QFile::Permissions(0x6666)));
+
+        const StudentRun run = runShell(
+            QStringLiteral("ln -s '%1' out; echo x > out/kept; echo x > '%1/kept'; echo x > "
+                           "'%1/new'; rm -rf out/* '%1/kept'; echo done")
+                .arg(folder.path()));
+
+        QCOMPARE(run.output, QByteArray("done\n"));
+        if (!run.isSandboxed)
+            QSKIP("Without namespaces it may write wherever its user may.");
+        QCOMPARE(*readFile(kept), QByteArray("as it was"));
+        QVERIFY(!QFileInfo::exists(folder.filePath(QStringLiteral("new"))));
+    }
+
+    void itHasNoNetworkAndSeesNoOtherProcess()
+    {
+        const StudentRun run = runShell(
+            QStringLiteral(
+                "grep -c : /proc/net/dev; kill -0 %1 2>/dev/null && echo seen; ls /run; env")
+                .arg(getpid()));
+
+        if (!run.isSandboxed)
+            QSKIP("The system gives no namespaces.");
+        const QList<QByteArray> lines = run.output.split('\n');
+        QCOMPARE(lines.first(), QByteArray("1")); // the loopback device
+        QVERIFY(!lines.contains("seen"));
+        for (const QByteArray &line : lines.sliced(1))
+            QVERIFY2(line.isEmpty() || line.contains('='), line.constData()); // of the environment
+        QVERIFY(!run.output.contains("QT_"));
+    }
+
+    void itCanBeCancelled()
+    {
+        std::stop_source source;
+        const QByteArray seconds = unusualSeconds();
+        std::jthread canceller([&source, &seconds] {
+            while (processesWith(seconds) == 0)
+                std::this_thread::sleep_for(10ms);
+            source.request_stop();
+        });
+
+        const StudentRun run
+            = runProgram(*studentProgramOf({QStringLiteral("sleep"), QString::fromLatin1(seconds)}),
+                         {}, within(60'000ms), source.get_token());
+
+        QCOMPARE(nameOf(run.end), nameOf(ProgramEnd::Cancelled));
+        QCOMPARE(processesWith(seconds), 0);
+    }
+
+    void severalRunAtOnce()
+    {
+        std::array<StudentRun, 8> runs;
+        {
+            std::vector<std::jthread> threads;
+            for (std::size_t i = 0; i < runs.size(); ++i)
+                threads.emplace_back([&runs, i] {
+                    runs[i]
+                        = runShell(QStringLiteral("cat; [ %1 -lt 4 ] || sleep 1000").arg(i),
+                                   within(i < 4 ? 60'000ms : 500ms), QByteArray::number(int(i)));
+                });
+        }
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            QCOMPARE(nameOf(runs[i].end),
+                     nameOf(i < 4 ? ProgramEnd::Finished : ProgramEnd::TimedOut));
+            QCOMPARE(runs[i].output, QByteArray::number(int(i)));
+        }
+    }
+
+    void itsOutputIsNotTrusted_data()
+    {
+        QTest::addColumn<QByteArray>("output");
+        QTest::addColumn<QString>("message");
+        const auto row = [](const char *name, const QByteArray &output, const char *message) {
+            QTest::newRow(name) << output << QString::fromUtf8(message);
+        };
+        row("nothing", "", "it is empty");
+        row("nonsense", "hello \x1b[31mworld\x07", "neither a picture nor lines");
+        row("a gigantic picture", "P6 2000000000 2000000000 255\n",
+            "a broken PPM: line 1: “2000000000” is no width from 1 to 65535");
+        row("a large one", "P6 30000 30000 255\n", "a picture of 30000 × 30000 pixels");
+        row("one of another size", "P3 1 1 255 0 0 0\n", "a picture of 1 × 1 pixels");
+        row("half a picture", halfPicture(), "a PNG that ends early, in");
+        row("no pixels", "P6 4 3 255\n",
+            "a PPM that ends early, 36 of 36 bytes of pixels are missing");
+        row("a header that ends early", "P6 4\n",
+            "a PPM that ends early, in its header: it has no height");
+        row("levels that end early", "P3 4 3 255 1 2 3\n",
+            "a PPM that ends early, 33 of 36 levels are missing");
+        row("a bitmap that ends early", "P1 4 3\n1010 0\n",
+            "a PBM that ends early, 7 of 12 levels are missing");
+        row("another raster", "##\n..\n", "a picture of 2 × 2 pixels");
+        row("a ragged raster", "##\n.\n", "the output");
+        row("a program", "#define x_width 30000\n#define x_height 30000\n",
+            "neither a picture nor lines");
+        row("a raster with a letter", "###d\n....\n", "line 1, column 4: “d”; expected # or .");
+        row("a level that is none", "P3 4 3 255\n0 0 300\n", "line 2: no level from 0 to 255");
+        row("a drawing", "<svg xmlns='http://www.w3.org/2000/svg' width='4' height='3'/>",
+            "neither a picture nor lines");
+        row("a line that is none", "column 1 2 3\ncolumn 1 2\n", "line 2 of the output");
+        row("a long line", "column 1 2 3" + QByteArray(1000, ' ') + "\n", "line 1 of the output");
+        row("too large a coordinate", "pixel 99999999999 0 1 2 3\n", "line 1 of the output");
+    }
+    void itsOutputIsNotTrusted()
+    {
+        QFETCH(QByteArray, output);
+        QFETCH(QString, message);
+
+        const Result<StudentOutput> read = readStudentOutput(output, smallScene());
+
+        QVERIFY(!read.isOk());
+        QVERIFY2(read.error().message().contains(message), qPrintable(read.error().message()));
+        for (const QChar character : read.error().message())
+            QVERIFY(character.category() != QChar::Other_Control);
+    }
+
+    void whatIsShownHoldsNoEscapes()
+    {
+        const QString shown = shownText("a\x1b[2Jb\r\n\xff\xe2\x80\xae"
+                                        "c\t"
+                                            + QByteArray(500, 'd'),
+                                        20);
+
+        QCOMPARE(shown, QStringLiteral("a\uFFFD[2Jb\uFFFD\n\uFFFD\uFFFDc\tdddddddd …"));
+    }
+
+    void theCommandTellsHowItEndedWhatDiffersAndWhy()
+    {
+        QTemporaryDir folder;
+        const QString drawn = folder.filePath(QStringLiteral("drawn.ppm"));
+        QCOMPARE(run({"render", defaultScene(), "--rounding", "truncate", "-o", drawn}).exitCode,
+                 0);
+
+        const ProgramRun tried = run({"try", "--scene", defaultScene(), "--", "cat", drawn});
+
+        QCOMPARE(tried.exitCode, 1);
+        QVERIFY2(tried.output.contains(": it finished\n    64 × 48 pixels: 2214 same, 833 colour, "
+                                       "25 undecidable"),
+                 tried.output.constData());
+        QVERIFY2(tried.output.contains("\nrounding-truncate\n"), tried.output.constData());
+
+        // No program of ours: built with a sanitizer it wants more memory than it is given.
+        const QString truth = folder.filePath(QStringLiteral("truth.ppm"));
+        QCOMPARE(run({"render", defaultScene(), "-o", truth}).exitCode, 0);
+        const ProgramRun right
+            = run({"try", "--scene", defaultScene(), "--json", "--", "cat", truth});
+        QCOMPARE(right.exitCode, 0);
+        const QJsonObject report = QJsonDocument::fromJson(right.output).object();
+        QVERIFY(report[QStringLiteral("right")].toBool());
+
+        const ProgramRun crashed
+            = run({"try", "--scene", defaultScene(), "--", "sh", "-c", "kill -ABRT $$"});
+        QCOMPARE(crashed.exitCode, 1);
+        QVERIFY2(crashed.output.contains("it crashed"), crashed.output.constData());
+        QCOMPARE(run({"try", "true"}).exitCode, 2);
+        QCOMPARE(run({"try", "/nowhere/at-all", "--scene", defaultScene()}).exitCode, 2);
+        QCOMPARE(run({"try", "true", "--scene", defaultScene(), "--input", "xml"}).exitCode, 2);
+    }
+
+    void withoutASandboxTheLimitsHoldAndItIsSaid()
+    {
+        if (geteuid() != 0)
+            QSKIP("Only root can give away the right to make namespaces.");
+        const QByteArray seconds = unusualSeconds();
+        QProcess process;
+        process.start(QStringLiteral("setpriv"),
+                      {QStringLiteral("--bounding-set=-sys_admin"), program(),
+                       QStringLiteral("try"), QStringLiteral("--time"), QStringLiteral("1"),
+                       QStringLiteral("--scene"), defaultScene(), QStringLiteral("--"),
+                       QStringLiteral("sh"), QStringLiteral("-c"),
+                       QStringLiteral("(setsid sh -c '(sleep %1 &) ; sleep %1' &) ; sleep %1")
+                           .arg(QString::fromLatin1(seconds))});
+        QVERIFY(process.waitForFinished(120'000));
+
+        QCOMPARE(process.exitCode(), 1);
+        QVERIFY(process.readAllStandardOutput().contains("it had waited for 4 s"));
+        QVERIFY(process.readAllStandardError().contains("no sandbox"));
+        QCOMPARE(processesWith(seconds), 0);
+    }
+
+    void theAdaptersDrawWhatTheirScanConverterDraws_data()
+    {
+        QTest::addColumn<QStringList>("make");
+        QTest::addColumn<QStringList>("start");
+        QTest::newRow("Python") << QStringList() << QStringList{"python3", "adapter.py"};
+        QTest::newRow("C++") << QStringList{"c++",         "-std=c++17", "-Wall",  "-Werror",
+                                            "adapter.cpp", "-o",         "student"}
+                             << QStringList{"./student"};
+    }
+    void theAdaptersDrawWhatTheirScanConverterDraws()
+    {
+        QFETCH(QStringList, make);
+        QFETCH(QStringList, start);
+        QTemporaryDir folder;
+        for (const QString &path :
+             {resource(QStringLiteral("/adapters/adapter.py")),
+              resource(QStringLiteral("/adapters/adapter.cpp")),
+              testData("student/scanconverter.py"), testData("student/scanconverter.h")}) {
+            QVERIFY(QFile::copy(path, folder.filePath(QFileInfo(path).fileName())));
+        }
+        if (!make.isEmpty()) {
+            QProcess compiler;
+            compiler.setWorkingDirectory(folder.path());
+            compiler.start(make.front(), make.sliced(1));
+            QVERIFY(compiler.waitForFinished(300'000));
+            QVERIFY2(compiler.exitCode() == 0, compiler.readAllStandardError().constData());
+        }
+        for (QString &word : start) {
+            if (QFileInfo::exists(folder.filePath(word)))
+                word = folder.filePath(word);
+        }
+
+        const ProgramRun tried
+            = run(QStringList{"try", "--input", "lines", "--scene", defaultScene(), "--scene",
+                              sceneFile(QStringLiteral("sliver.json")), "--"}
+                  + start);
+
+        QVERIFY2(tried.exitCode == 0, tried.output + tried.messages);
+    }
+};
+
+PIXELPLUMB_TEST(TestProgramRun)
+
+} // namespace tst_programrun
+
+#include "tst_programrun.moc"

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/seededrandom.h"
+#include "core/grade/defectivescene.h"
+#include "core/grade/programwalk.h"
+#include "core/methods/method.h"
+#include "tests/support/testprogram.h"
+
+#include <QTest>
+
+namespace tst_programwalk {
+
+using namespace pixelplumb;
+
+namespace {
+
+Scene randomScene(SeededRandom &random, const QString &method, FillRule rule)
+{
+    Scene scene;
+    scene.frame.width = 40;
+    scene.frame.height = 40;
+    scene.method = method.toStdString();
+    scene.settings.fillRule = rule;
+    constexpr std::array<Lattice, 3> units = {1, 64, 256};
+    const Lattice unit = units[std::size_t(random.between(0, 2))];
+    Triangle triangle;
+    for (Vertex &vertex : triangle.vertices)
+        vertex = {{random.between(-2, 42) * 256 / unit * unit + random.between(0, 3) * unit,
+                   random.between(-2, 42) * 256 / unit * unit + random.between(0, 3) * unit},
+                  random.colour()};
+    scene.triangles = {triangle};
+    return scene;
+}
+
+} // namespace
+
+/// The walk that programs' mistakes are put into is the kernels', where nothing is put into it.
+class TestProgramWalk : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aWalkWithoutMistakesDrawsWhatTheKernelsDraw_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<ScanSettings>("settings");
+        for (const Method *method : {methodNamed(u"column-scan"), methodNamed(u"row-walk")}) {
+            std::vector<VariantSet> variants = {{}};
+            for (const Variant variant : method->variants)
+                variants.push_back(VariantSet().with(variant));
+            for (const FillRule rule : method->fillRules) {
+                for (const Arithmetic arithmetic : method->arithmetics) {
+                    for (const VariantSet &set : variants)
+                        QTest::addRow("%s, %s, %s, %s", qPrintable(method->id), nameOf(rule).data(),
+                                      nameOf(arithmetic).data(),
+                                      set.isEmpty() ? "right"
+                                                    : nameOf(variantsIn(set).front()).data())
+                            << method->id
+                            << ScanSettings{arithmetic, rule, ByteRounding::Nearest, set};
+                }
+            }
+        }
+    }
+    void aWalkWithoutMistakesDrawsWhatTheKernelsDraw()
+    {
+        QFETCH(QString, method);
+        QFETCH(ScanSettings, settings);
+        SeededRandom random(7);
+        for (int i = 0; i < 20; ++i) {
+            Scene scene = randomScene(random, method, settings.fillRule);
+            scene.settings = settings;
+            if (doubledArea(scene.triangles.front()) == 0)
+                continue;
+            QCOMPARE(redrawn(scene, {walking({})}), pictureOf(scene));
+        }
+    }
+
+    void fromTheOtherEndItIsTheSame()
+    {
+        SeededRandom random(8);
+        for (const char *method : {"column-scan", "row-walk"}) {
+            for (int i = 0; i < 60; ++i) {
+                const Scene scene
+                    = randomScene(random, QString::fromLatin1(method), FillRule::Closed);
+                const Picture right = pictureOf(scene);
+                for (const WalkOrder order : {WalkOrder::Ascending, WalkOrder::Descending})
+                    QCOMPARE(redrawn(scene, {walking({.order = order})}), right);
+            }
+        }
+    }
+
+    void aChannelOfTheVerticesIsOneOfThePicture()
+    {
+        SeededRandom random(9);
+        const Scene scene = randomScene(random, QStringLiteral("column-scan"), FillRule::Closed);
+        const Picture right = pictureOf(scene);
+        const std::array<QString, 3> names
+            = {QStringLiteral("red"), QStringLiteral("green"), QStringLiteral("blue")};
+        const std::vector<Defect> defects = defectsFor(scene);
+        const auto channelWith = [&](const QString &id, std::size_t place, std::size_t channel) {
+            const auto defect = std::ranges::find(defects, id, &Defect::id);
+            return pictureWith(scene, std::span(&*defect, 1)).colours[place].channels[channel];
+        };
+        const auto place = std::size_t(std::ranges::find(right.covered, std::uint8_t(1))
+                                       - right.covered.begin());
+        for (std::size_t to = 0; to < 3; ++to) {
+            QCOMPARE(channelWith(names[to] + QStringLiteral("-not-set"), place, to), 0);
+            for (std::size_t from = 0; from < 3; ++from) {
+                const QString id = names[to] + QStringLiteral("-from-") + names[from];
+                if (from != to)
+                    QCOMPARE(channelWith(id, place, to), right.colours[place].channels[from]);
+            }
+        }
+    }
+};
+
+PIXELPLUMB_TEST(TestProgramWalk)
+
+} // namespace tst_programwalk
+
+#include "tst_programwalk.moc"

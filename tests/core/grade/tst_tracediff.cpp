@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/tracediff.h"
+#include "core/runs/tracedscene.h"
+#include "core/scene/scenefile.h"
+#include "tests/support/programrun.h"
+#include "tests/support/testprogram.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <random>
+
+namespace tst_tracediff {
+
+using namespace pixelplumb;
+
+/// A program's own trace beside the exact run: where the first number differs.
+class TestTraceDiff : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        const Result<SceneReading> reading = readSceneFile(defaultScene());
+        QVERIFY(reading.isOk());
+        m_scene = reading->scene;
+    }
+
+    void aRightProgramIsRight_data()
+    {
+        QTest::addColumn<QStringList>("lines");
+        QTest::newRow("decimals") << columns(Arithmetic::Exact);
+        QTest::newRow("floats") << columns(Arithmetic::Float32);
+        QTest::newRow("floats, drawn columns") << spans(m_scene, Arithmetic::Float32, Spans::Drawn);
+        QTest::newRow("fractions") << fractions();
+        QTest::newRow("nothing") << QStringList();
+        QTest::newRow("columns beyond the frame")
+            << columns(Arithmetic::Exact) + QStringList{"column 99 1 2", "column -3 1 2"};
+        QTest::newRow("levels") << pixels(m_scene, Arithmetic::Exact, Form::Levels);
+        QTest::newRow("bytes") << pixels(m_scene, Arithmetic::Exact, Form::Bytes);
+        QTest::newRow("both") << columns(Arithmetic::Exact)
+                + pixels(m_scene, Arithmetic::Exact, Form::Bytes);
+    }
+    void aRightProgramIsRight()
+    {
+        QFETCH(QStringList, lines);
+        QCOMPARE(differenceOf(lines), QString());
+    }
+
+    void rowsMayBeginAtEitherEnd()
+    {
+        Scene scene = m_scene;
+        scene.method = "row-walk";
+        const auto told = [&scene](const QStringList &lines) {
+            const auto difference
+                = traceDifferenceOf(scene, *parseWrittenTrace(lines.join(u'\n').toUtf8()));
+            return difference && *difference ? (*difference)->text : QString();
+        };
+        QStringList lines = spans(scene, Arithmetic::Exact);
+        QCOMPARE(told(lines), QString());
+        std::ranges::reverse(lines);
+        QCOMPARE(told(lines), QString());
+        lines.swapItemsAt(10, 11);
+        QVERIFY2(told(lines).contains(QStringLiteral("the order is another")),
+                 qPrintable(told(lines)));
+    }
+
+    void floatsAreNeverWrong_data()
+    {
+        QTest::addColumn<unsigned>("seed");
+        for (unsigned seed = 0; seed < 60; ++seed)
+            QTest::addRow("seed %u", seed) << seed;
+    }
+    void floatsAreNeverWrong()
+    {
+        QFETCH(unsigned, seed);
+        std::mt19937 random(seed);
+        std::uniform_int_distribution<int> coordinate(-20 * 256, 80 * 256);
+        std::uniform_int_distribution<int> level(0, 255);
+        Scene scene = m_scene;
+        scene.method = seed % 2 == 0 ? "column-scan" : "row-walk";
+        for (Vertex &vertex : scene.triangles[0].vertices) {
+            vertex.position = {coordinate(random), coordinate(random)};
+            if (seed % 4 < 2) // ties
+                vertex.position
+                    = latticePixel(floorPixel(vertex.position.x), floorPixel(vertex.position.y));
+            for (std::uint8_t &channel : vertex.colour.channels)
+                channel = std::uint8_t(level(random));
+        }
+        // Who prints a column where it draws may draw none of it by rounding.
+        const QStringList lines
+            = spans(scene, Arithmetic::Float32, seed % 5 < 3 ? Spans::Drawn : Spans::All)
+            + pixels(scene, Arithmetic::Float32, seed % 3 == 0 ? Form::Bytes : Form::Levels);
+
+        const auto difference
+            = traceDifferenceOf(scene, *parseWrittenTrace(lines.join(u'\n').toUtf8()));
+
+        QVERIFY(difference.isOk());
+        QCOMPARE(*difference ? (*difference)->text : QString(), QString());
+    }
+
+    void floatsThatComeFromFarOutsideAreNeverWrong_data()
+    {
+        QTest::addColumn<unsigned>("seed");
+        for (unsigned seed = 0; seed < 60; ++seed)
+            QTest::addRow("seed %u", seed) << seed;
+    }
+    void floatsThatComeFromFarOutsideAreNeverWrong()
+    {
+        QFETCH(unsigned, seed);
+        std::mt19937 random(seed);
+        std::uniform_int_distribution<int> far(-60'000 * 256, -64 * 256);
+        std::uniform_int_distribution<int> near(-10 * 256, 70 * 256);
+        std::uniform_int_distribution<int> level(0, 255);
+        Scene scene = m_scene;
+        for (Vertex &vertex : scene.triangles[0].vertices) {
+            vertex.position = {near(random), near(random)};
+            for (std::uint8_t &channel : vertex.colour.channels)
+                channel = std::uint8_t(level(random));
+        }
+        scene.triangles[0].vertices[0].position = seed % 2 == 0
+            ? LatticePoint{far(random), near(random)}
+            : LatticePoint{far(random), far(random)};
+        const QStringList lines
+            = steppedInFloats(scene, seed % 3 == 0 ? Form::Bytes : Form::Levels);
+
+        const auto difference
+            = traceDifferenceOf(scene, *parseWrittenTrace(lines.join(u'\n').toUtf8()));
+
+        QVERIFY(difference.isOk());
+        QCOMPARE(*difference ? (*difference)->text : QString(), QString());
+    }
+
+    void floatsFromFarOutsideAreWrongForThoseWhoComputeInDoubles()
+    {
+        Scene scene = m_scene;
+        scene.triangles[0].vertices[0].position = latticePixel(-40'001, -39'000);
+        const QStringList lines = steppedInFloats(scene, Form::Bytes);
+        const auto written = parseWrittenTrace(lines.join(u'\n').toUtf8());
+
+        QVERIFY(!traceDifferenceOf(scene, *written, Arithmetic::Float32).value());
+        QVERIFY(traceDifferenceOf(scene, *written, Arithmetic::Float64).value());
+    }
+
+    void pixelsThatFloatsMayAddOrMissAreMatchedByTheirNumbers()
+    {
+        Scene scene = m_scene; // two triangles that share a diagonal with ties
+        scene.triangles.push_back(scene.triangles.front());
+        const std::array<LatticePoint, 4> corners
+            = {latticePixel(4, 4), latticePixel(12, 12), latticePixel(12, 4), latticePixel(4, 12)};
+        for (std::size_t i = 0; i < 2; ++i) {
+            for (Vertex &vertex : scene.triangles[i].vertices)
+                vertex.colour = i == 0 ? Colour{{255, 0, 0}} : Colour{{0, 0, 255}};
+            scene.triangles[i].vertices[0].position = corners[0];
+            scene.triangles[i].vertices[1].position = corners[1];
+            scene.triangles[i].vertices[2].position = corners[2 + i];
+        }
+        QStringList lines = pixels(scene, Arithmetic::Exact, Form::Bytes);
+        // The first triangle does without a pixel of the diagonal; who draws it is not said.
+        QCOMPARE(lines.removeAll(QStringLiteral("pixel 8 8 255 0 0")), 1);
+
+        const auto difference
+            = traceDifferenceOf(scene, *parseWrittenTrace(lines.join(u'\n').toUtf8()));
+
+        QVERIFY(difference.isOk());
+        QCOMPARE(*difference ? (*difference)->text : QString(), QString());
+    }
+
+    void theFirstQuantityThatDiffersIsTold_data()
+    {
+        QTest::addColumn<QStringList>("lines");
+        QTest::addColumn<QString>("difference");
+        const QStringList right = columns(Arithmetic::Exact);
+        const auto row = [](const char *name, const QStringList &lines, const char *difference) {
+            QTest::newRow(name) << lines << QString::fromUtf8(difference);
+        };
+        const auto with = [&right](int place, const char *line) {
+            QStringList lines = right;
+            lines[place] = QString::fromLatin1(line);
+            return lines;
+        };
+        // Column 12: y_T = 5 + 8 · 39/22.5 = 18 13/15, y_B = 5 + 8 · 7/54 = 6 1/27.
+        row("a number", with(8, "column 12 6.037 18.5"),
+            "column 12, y_T: 18.5, should be 18 13/15");
+        row("the first of several", with(8, "column 12 6.5 18.5"),
+            "column 12, y_B: 6.5, should be 6 1/27");
+        row("an integer division", with(8, "column 12 6 18"),
+            "column 12, y_B: 6, should be 6 1/27");
+        row("a fraction", with(8, "column 12 163/27 284/15"),
+            "column 12, y_T: 284/15, should be 18 13/15");
+        row("a fraction that is nearly right", with(8, "column 12 163/27 18866667/1000000"),
+            "column 12, y_T: 18866667/1000000, should be 18 13/15");
+        row("no number", with(8, "column 12 nan 18.867"), "column 12, y_B: nan, should be 6 1/27");
+        row("infinity", with(8, "column 12 6.037 inf"), "column 12, y_T: inf, should be 18 13/15");
+        row("another column", with(8, "column 1 6.037 18.867"), "column 1 is there, should not be");
+        QStringList missing = right;
+        missing.removeAt(8);
+        row("a column too few", missing, "column 12 is missing");
+        row("an early end", right.first(8), "column 12 is missing");
+        QStringList doubled = right;
+        doubled.insert(9, right[8]);
+        row("a column twice", doubled, "column 12 comes twice, should come once");
+        QStringList extra = right;
+        extra.prepend(QStringLiteral("column 3 5 5"));
+        row("a column of none", extra, "column 3 is there, should not be");
+        QStringList other = right;
+        other.swapItemsAt(8, 9);
+        row("another order", other,
+            "the numbers are right, the order is another: column 12 comes after column 13, should "
+            "come before it");
+        row("a byte", {"pixel 5 6 247 2 7"}, "pixel (5, 6), B: 7, should be 6");
+        row("a level", {"pixel 4 5 255 0 0", "pixel 5 6 246.7 2.2 6.5"},
+            "pixel (5, 6), B: 6.5, should be 6 196/1299");
+        row("a row, of the method that has rows", {"row 43 25.5 27.484"},
+            "row 43, x_L: 25.5, should be 25 12/13");
+    }
+    void theFirstQuantityThatDiffersIsTold()
+    {
+        QFETCH(QStringList, lines);
+        QFETCH(QString, difference);
+        QCOMPARE(differenceOf(lines), difference);
+    }
+
+    void theStepIsThatOfTheNumber()
+    {
+        QStringList lines = columns(Arithmetic::Exact);
+        lines[8] = QStringLiteral("column 12 6.037 18.5");
+        const auto written = parseWrittenTrace(lines.join(u'\n').toUtf8());
+        const auto difference = traceDifferenceOf(m_scene, *written);
+        QVERIFY(difference.isOk() && *difference);
+        const auto run = traceScene((*difference)->scene);
+        const TraceStep step = run->trace->stepAt((*difference)->step);
+
+        QCOMPARE(int(step.kind), int(StepKind::Span));
+        QCOMPARE(run->trace->placeOf(step.span).coordinate, 12);
+    }
+
+    void exactToleranceTakesTheDigitsAlone()
+    {
+        const QStringList lines = {"column 4 5.00001 5"};
+
+        QVERIFY(differenceOf(lines).startsWith(QStringLiteral("column 5")));
+        QCOMPARE(differenceOf(lines, Arithmetic::Exact),
+                 QStringLiteral("column 4, y_B: 5.00001, should be 5"));
+    }
+
+    void trianglesAreKeptApart()
+    {
+        Scene scene = m_scene;
+        scene.triangles.push_back(scene.triangles.front());
+        scene.triangles[1].vertices[0].position = latticePixel(4, 6);
+        const auto first = [&](const char *text) {
+            const auto difference = traceDifferenceOf(scene, *parseWrittenTrace(text));
+            return difference.isOk() && *difference ? (*difference)->text : QString();
+        };
+
+        QCOMPARE(first("triangle 1\ncolumn 4 5 5\n"),
+                 QStringLiteral("triangle 1, column 4, y_B: 5, should be 6"));
+        // A tip may be left out, but not the next column.
+        QCOMPARE(first("triangle 1\ncolumn 4 6 6\n"),
+                 QStringLiteral("triangle 0, column 5 is missing"));
+        QCOMPARE(first("triangle 0\ncolumn 4 6 6\n"),
+                 QStringLiteral("triangle 0, column 4, y_B: 6, should be 5"));
+        QCOMPARE(first("triangle 1\ncolumn 63 1 2\n"),
+                 QStringLiteral("triangle 1, column 63 is there, should not be"));
+    }
+
+    void whatNoMethodHasIsAnError()
+    {
+        QVERIFY(
+            !traceDifferenceOf(m_scene, *parseWrittenTrace("row 5 1 2\ncolumn 5 1 2\n")).isOk());
+        Scene lines = m_scene;
+        lines.triangles.clear();
+        lines.method = "line-bresenham";
+        QVERIFY(!traceDifferenceOf(lines, *parseWrittenTrace("column 5 1 2\n")).isOk());
+    }
+
+private:
+    enum class Form { Levels, Bytes };
+
+    QString differenceOf(const QStringList &lines, Arithmetic tolerance = Arithmetic::Float32) const
+    {
+        const auto written = parseWrittenTrace(lines.join(u'\n').toUtf8());
+        if (!written)
+            return written.error().message();
+        const auto difference = traceDifferenceOf(m_scene, *written, tolerance);
+        if (!difference)
+            return difference.error().message();
+        return *difference ? (*difference)->text : QString();
+    }
+
+    QStringList columns(Arithmetic arithmetic) const { return spans(m_scene, arithmetic); }
+
+    /// The method's own numbers, as a program prints them.
+    enum class Spans { All, Drawn };
+    static QStringList spans(Scene scene, Arithmetic arithmetic, Spans which = Spans::All)
+    {
+        scene.settings.arithmetic = arithmetic;
+        const auto run = traceScene(scene);
+        QStringList lines;
+        for (std::size_t i = 0; i < run->trace->spanCount(); ++i) {
+            const SpanRecord span = run->trace->span(i);
+            if (which == Spans::Drawn && span.drawnSamples() == 0)
+                continue;
+            lines += QStringLiteral("%1 %2 %3 %4")
+                         .arg(span.place.axis == SpanAxis::Column ? QStringLiteral("column")
+                                                                  : QStringLiteral("row"))
+                         .arg(span.place.coordinate)
+                         .arg(span.lower.toDouble(), 0, 'g', 6)
+                         .arg(span.upper.toDouble(), 0, 'g', 9);
+        }
+        return lines;
+    }
+
+    QStringList fractions() const
+    {
+        const auto run = traceScene(m_scene);
+        QStringList lines;
+        const auto text = [](const Quantity &quantity) {
+            return toText(quantity.numerator()) + u'/' + toText(quantity.denominator());
+        };
+        for (std::size_t i = 0; i < run->trace->spanCount(); ++i) {
+            const SpanRecord span = run->trace->span(i);
+            lines += QStringLiteral("column %1 %2 %3")
+                         .arg(span.place.coordinate)
+                         .arg(text(span.lower), text(span.upper));
+        }
+        return lines;
+    }
+
+    /// A value on an edge and what a column adds to it, from the edge's first column on.
+    struct FloatWalk {
+        FloatWalk(const std::array<float, 2> &from, const std::array<float, 2> &to)
+            : step((to[1] - from[1]) / (to[0] - from[0]))
+            , value(from[1] + (std::ceil(from[0]) - from[0]) * step)
+        {
+        }
+
+        float step;
+        float value;
+    };
+
+    /// What an edge carries: y and three levels.
+    static std::array<FloatWalk, 4> walksOf(const Vertex &from, const Vertex &to)
+    {
+        const auto walk = [&](const auto &of) {
+            const auto x = [](const Vertex &vertex) { return float(vertex.position.x) / 256; };
+            return FloatWalk({x(from), of(from)}, {x(to), of(to)});
+        };
+        const auto level = [&](std::size_t channel) {
+            return walk(
+                [channel](const Vertex &vertex) { return float(vertex.colour.channels[channel]); });
+        };
+        return {walk([](const Vertex &vertex) { return float(vertex.position.y) / 256; }), level(0),
+                level(1), level(2)};
+    }
+
+    /// A program that is not ours: it walks in float32 from the triangle's first column, wherever
+    /// the frame begins, and prints what lies in it.
+    static QStringList steppedInFloats(const Scene &scene, Form form)
+    {
+        auto vertices = scene.triangles[0].vertices;
+        std::ranges::sort(vertices, {}, [](const Vertex &vertex) { return vertex.position.x; });
+        const auto first = [](const Vertex &vertex) {
+            return std::int64_t(std::ceil(double(vertex.position.x) / 256));
+        };
+        auto across = walksOf(vertices[0], vertices[2]);
+        auto along = walksOf(vertices[0], vertices[1]);
+        QStringList lines;
+        for (std::int64_t x = first(vertices[0]); x * 256 <= vertices[2].position.x; ++x) {
+            if (x == first(vertices[1]))
+                along = walksOf(vertices[1], vertices[2]);
+            if (x >= 0 && x < scene.frame.width)
+                lines += column(scene, x, across, along, form);
+            for (auto *walks : {&across, &along}) {
+                for (FloatWalk &walk : *walks)
+                    walk.value += walk.step;
+            }
+        }
+        return lines;
+    }
+
+    static QStringList column(const Scene &scene, std::int64_t x,
+                              const std::array<FloatWalk, 4> &across,
+                              const std::array<FloatWalk, 4> &along, Form form)
+    {
+        const bool isAcrossBelow = across[0].value < along[0].value;
+        const auto &below = isAcrossBelow ? across : along;
+        const auto &above = isAcrossBelow ? along : across;
+        const float height = above[0].value - below[0].value;
+        QStringList lines = {QStringLiteral("column %1 %2 %3")
+                                 .arg(x)
+                                 .arg(double(below[0].value), 0, 'g', 9)
+                                 .arg(double(above[0].value), 0, 'g', 9)};
+        const float start = std::ceil(below[0].value);
+        std::array<float, 3> levels = {};
+        std::array<float, 3> steps = {};
+        for (std::size_t i = 0; i < 3; ++i) {
+            steps[i] = height > 0 ? (above[i + 1].value - below[i + 1].value) / height : 0;
+            levels[i] = below[i + 1].value + (start - below[0].value) * steps[i];
+        }
+        for (float y = start; y <= above[0].value; ++y) {
+            QString line = QStringLiteral("pixel %1 %2").arg(x).arg(std::int64_t(y));
+            for (std::size_t i = 0; i < 3; ++i) {
+                line += u' '
+                    + (form == Form::Bytes ? QString::number(
+                           std::clamp(int(std::floor(double(levels[i]) + 0.5)), 0, 255))
+                                           : QString::number(double(levels[i]), 'f', 3));
+                levels[i] += steps[i];
+            }
+            if (y >= 0 && y < float(scene.frame.height))
+                lines += line;
+        }
+        return lines;
+    }
+
+    static QStringList pixels(Scene scene, Arithmetic arithmetic, Form form)
+    {
+        scene.settings.arithmetic = arithmetic;
+        const auto run = traceScene(scene);
+        QStringList lines;
+        for (std::size_t i = 0; i < run->trace->spanCount(); ++i) {
+            for (const SampleRecord &sample : run->trace->samples(i)) {
+                QString line = QStringLiteral("pixel %1 %2").arg(sample.x).arg(sample.y);
+                for (std::size_t channel = 0; channel < 3; ++channel)
+                    line += u' '
+                        + (form == Form::Bytes
+                               ? QString::number(
+                                   std::clamp<std::int64_t>(sample.level[channel], 0, 255))
+                               : QString::number(sample.colour[channel].toDouble(), 'f', 3));
+                lines += line;
+            }
+        }
+        return lines;
+    }
+
+    Scene m_scene;
+};
+
+PIXELPLUMB_TEST(TestTraceDiff)
+
+} // namespace tst_tracediff
+
+#include "tst_tracediff.moc"

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/counterexample.h"
+#include "core/grade/invariants.h"
+#include "core/methods/method.h"
+#include "tests/support/programrun.h"
+#include "tests/support/testprogram.h"
+
+#include <QTest>
+
+namespace tst_undrawnscenes {
+
+using namespace pixelplumb;
+
+namespace {
+
+PictureSource rightSource()
+{
+    return sourceOf(Contender{methodNamed(QStringLiteral("column-scan")), {}});
+}
+
+/// Draws right, but not where two triangles share an edge.
+PictureSource failingOnTwo()
+{
+    return {QStringLiteral("careless"), [right = rightSource()](const Scene &scene) {
+                if (scene.triangles.size() > 1)
+                    return Result<Picture>(InputError{{}, QStringLiteral("gave up"), {}});
+                return right.draw(scene);
+            }};
+}
+
+} // namespace
+
+/// A program that draws some scenes and fails on others is told where, and why.
+class TestUndrawnScenes : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theFirstSceneThatCannotBeDrawnIsKept()
+    {
+        const CounterSearch search = findCounterExample(failingOnTwo(), rightSource(), {}, 1);
+
+        QVERIFY(!search.found);
+        QVERIFY(search.compared > 0);
+        QVERIFY(search.undrawn > 0);
+        QCOMPARE(search.firstUndrawn->scene.triangles.size(), std::size_t(2));
+        QCOMPARE(search.firstUndrawn->source, QStringLiteral("careless"));
+        QCOMPARE(search.firstUndrawn->why.message(), QStringLiteral("gave up"));
+    }
+
+    void whoDrawsNothingIsNotCalledRight()
+    {
+        const PictureSource nobody{
+            QStringLiteral("nobody"), [](const Scene &) {
+                return Result<Picture>(InputError{{}, QStringLiteral("is away"), {}});
+            }};
+        const Contender right{methodNamed(QStringLiteral("column-scan")), {}};
+        const Scene conventions;
+
+        const CounterSearch search = findCounterExample(nobody, sourceOf(right), conventions, 1);
+        const InvariantReport report = checkInvariants(nobody, conventions, 1, 60);
+
+        QVERIFY(!search.found);
+        QCOMPARE(search.compared, 0);
+        QCOMPARE(search.undrawn, 100); // and then it is enough
+        QCOMPARE(search.firstUndrawn->source, QStringLiteral("nobody"));
+        QCOMPARE(report.firstUndrawn->why.message(), QStringLiteral("is away"));
+        QCOMPARE(report.checked, 0);
+        QVERIFY(report.undrawn > 10);
+    }
+
+    void ofTwoThatDrawAllThereIsNone()
+    {
+        const CounterSearch search = findCounterExample(rightSource(), rightSource(), {}, 1);
+        QCOMPARE(search.undrawn, 0);
+        QVERIFY(!search.firstUndrawn);
+    }
+
+    void aPairOfWhichOneCannotBeDrawnIsNotChecked()
+    {
+        const InvariantReport report = checkInvariants(failingOnTwo(), {}, 1, 20);
+
+        QCOMPARE(report.checked, 0);
+        QVERIFY(report.undrawn > 0);
+        QCOMPARE(report.firstUndrawn->scene.triangles.size(), std::size_t(2));
+    }
+
+    void aDefectThatASceneCannotHaveIsDrawnRight()
+    {
+        Scene scene; // its only triangle turns counter-clockwise
+        const auto vertex = [](std::int64_t x, std::int64_t y) {
+            return Vertex{latticePixel(x, y), {{255, 0, 0}}};
+        };
+        scene.triangles = {{{vertex(1, 1), vertex(9, 1), vertex(4, 8)}}};
+        const Contender method{methodNamed(QStringLiteral("column-scan")), {}};
+        const auto drawn = sourceOf(QStringLiteral("culls-clockwise"), method).draw(scene);
+        QVERIFY(drawn);
+        QCOMPARE(*drawn, *rightSource().draw(scene));
+        QVERIFY(*sourceOf(QStringLiteral("culls-counter-clockwise"), method).draw(scene) != *drawn);
+    }
+
+    void whatAProgramSaidLastIsTheReason_data()
+    {
+        QTest::addColumn<QString>("command");
+        QTest::newRow("counterexample") << QStringLiteral("counterexample truth");
+        QTest::newRow("invariants") << QStringLiteral("invariants");
+    }
+    void whatAProgramSaidLastIsTheReason()
+    {
+        QFETCH(QString, command);
+        const QString student
+            = QStringLiteral("program:sh -c \"echo first >&2; echo division by zero >&2; exit 3\"");
+        const ProgramRun result = run(command.split(u' ') + QStringList{student});
+
+        QCOMPARE(result.exitCode, 1);
+        QVERIFY2(result.messages.contains("triangle ("), result.messages.constData());
+        QVERIFY2(result.messages.contains("3: division by zero"), result.messages.constData());
+    }
+
+    void linesWithoutPixelsAreNoPicture()
+    {
+        const ProgramRun result
+            = run({QStringLiteral("invariants"), QStringLiteral("program:echo column 3 4 5")});
+        QCOMPARE(result.exitCode, 1);
+        QVERIFY2(result.messages.contains("a trace without lines of pixels; expected a picture, or "
+                                          "a line a pixel"),
+                 result.messages.constData());
+    }
+};
+
+PIXELPLUMB_TEST(TestUndrawnScenes)
+
+} // namespace tst_undrawnscenes
+
+#include "tst_undrawnscenes.moc"

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/testprogram.h"
+#include "tests/support/trianglemeshes.h"
+#include "tests/support/trianglepictures.h"
+
+#include <QTest>
+
+namespace tst_meshes {
+
+using namespace pixelplumb;
+
+namespace {
+
+/// Samples of a mesh's rectangle that are not covered once.
+struct MeshFaults {
+    int holes = 0;
+    int doubles = 0;
+
+    MeshFaults &operator+=(const MeshFaults &other)
+    {
+        holes += other.holes;
+        doubles += other.doubles;
+        return *this;
+    }
+    friend bool operator==(const MeshFaults &, const MeshFaults &) = default;
+};
+
+/// How often each sample of a window around the mesh is covered, by drawing triangle by triangle.
+MeshFaults faultsOf(const TriangleMesh &mesh, const Method &method, const ScanSettings &settings)
+{
+    const auto first = [](Lattice coordinate) { return std::int32_t(floorPixel(coordinate)) - 1; };
+    const std::int32_t left = first(mesh.lowest.x), low = first(mesh.lowest.y);
+    const auto side = std::int32_t(ceilPixel(mesh.highest.x)) + 2 - left;
+    WindowPicture picture(side, side, left, low);
+    std::vector<int> counts(picture.pixels().size(), 0);
+    for (const Triangle &triangle : mesh.triangles) {
+        picture.clear();
+        picture.draw(method, triangle, settings);
+        for (std::size_t i = 0; i < counts.size(); ++i)
+            counts[i] += int(picture.pixels()[i] != 0);
+    }
+    MeshFaults faults;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const LatticePoint sample
+            = latticePixel(left + std::int64_t(i) % side, low + std::int64_t(i) / side);
+        const bool isInside = sample.x > mesh.lowest.x && sample.x < mesh.highest.x
+            && sample.y > mesh.lowest.y && sample.y < mesh.highest.y;
+        faults.holes += int(isInside && counts[i] == 0);
+        faults.doubles += int(counts[i] > 1);
+    }
+    return faults;
+}
+
+/// In float32, 16384 px from the origin on the finest lattice: products of coordinates are rounded.
+MeshFaults faultsFarFromTheOrigin(const Method &method)
+{
+    MeshFaults faults;
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        const MeshPlace place{{16384 * unitsPerPixel + 5, 16384 * unitsPerPixel + 15}, 1};
+        for (const TriangleMesh &mesh : MeshMaker(place, seed).all())
+            faults += faultsOf(mesh, method,
+                               {Arithmetic::Float32, FillRule::TopLeft, ByteRounding::Nearest});
+    }
+    return faults;
+}
+
+/// Whether an edge's line passes through the off-screen point: there its rule promises nothing.
+bool meetsOffScreenPoint(const TriangleMesh &mesh)
+{
+    const LatticePoint point = latticePixel(-1, -1);
+    return std::ranges::any_of(mesh.triangles, [&](const Triangle &triangle) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (doubledArea(triangle.vertices[i].position, triangle.vertices[(i + 1) % 3].position,
+                            point)
+                == 0)
+                return true;
+        }
+        return false;
+    });
+}
+
+std::vector<MeshPlace> places()
+{
+    std::vector<MeshPlace> found;
+    for (const Lattice step : {256, 16, 1}) {
+        for (const Lattice origin : {0, 16384, -16384, 1 << 20, -(1 << 20)}) {
+            // Between samples on the finer lattices.
+            const Lattice shift = step == 256 ? 0 : 5 * step;
+            found.push_back({{origin * unitsPerPixel + shift, -origin * unitsPerPixel + 3 * shift},
+                             step,
+                             24 * unitsPerPixel});
+        }
+    }
+    return found;
+}
+
+constexpr std::array watertightRules
+    = {FillRule::HalfOpenColumn, FillRule::TopLeft, FillRule::OffScreenPoint};
+
+} // namespace
+
+/// A mesh of triangles is one surface: under a watertight rule no sample of it is missed or drawn
+/// twice.
+class TestMeshes : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyStableMethodCoversEachInteriorSampleOnce_data()
+    {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<ScanSettings>("settings");
+        for (const Method *method : triangleMethods()) {
+            for (const Arithmetic arithmetic : method->stableArithmetics) {
+                for (const FillRule rule : watertightRules) {
+                    const ScanSettings settings{arithmetic, rule, ByteRounding::Nearest};
+                    if (method->supports(rule))
+                        QTest::newRow(rowName(*method, settings).c_str()) << method->id << settings;
+                }
+            }
+        }
+    }
+    void everyStableMethodCoversEachInteriorSampleOnce()
+    {
+        QFETCH(QString, id);
+        QFETCH(ScanSettings, settings);
+        const Method &method = *methodNamed(id);
+        int meshes = 0;
+        for (const MeshPlace &place : places()) {
+            constexpr std::uint64_t seed = 3;
+            for (const TriangleMesh &mesh : MeshMaker(place, seed).all()) {
+                if (settings.fillRule == FillRule::OffScreenPoint && meetsOffScreenPoint(mesh))
+                    continue;
+                const MeshFaults faults = faultsOf(mesh, method, settings);
+                QVERIFY2(faults == MeshFaults(),
+                         qPrintable(QStringLiteral("%1 holes, %2 doubles; seed %3, %4 triangles "
+                                                   "from (%5, %6) in steps of %7/256 px")
+                                        .arg(faults.holes)
+                                        .arg(faults.doubles)
+                                        .arg(seed)
+                                        .arg(mesh.triangles.size())
+                                        .arg(place.origin.x)
+                                        .arg(place.origin.y)
+                                        .arg(place.step)));
+                ++meshes;
+            }
+        }
+        QVERIFY(meshes >= 40);
+    }
+
+    void theClosedRuleDrawsSharedEdgesTwice()
+    {
+        const TriangleMesh mesh = MeshMaker({{0, 0}}, 3).junctions();
+        const MeshFaults faults = faultsOf(mesh, *methodNamed(u"edge-equations"), {});
+        QCOMPARE(faults.holes, 0);
+        QVERIFY(faults.doubles >= 23);
+    }
+
+    void literalFloatFormsTearMeshesFarFromTheOrigin_data()
+    {
+        QTest::addColumn<QString>("id");
+        for (const char *id : {"edge-equations", "edge-equations-incremental",
+                               "edge-equations-solved", "barycentric-rectangle"})
+            QTest::newRow(id) << QString::fromLatin1(id);
+    }
+    void literalFloatFormsTearMeshesFarFromTheOrigin()
+    {
+        QFETCH(QString, id);
+        const MeshFaults faults = faultsFarFromTheOrigin(*methodNamed(id));
+        qInfo("%d holes, %d doubles", faults.holes, faults.doubles);
+        QVERIFY(faults.holes + faults.doubles > 0);
+    }
+
+    void theStableFormsHoldInFloat32WhereTheLiteralOnesTear_data()
+    {
+        QTest::addColumn<QString>("id");
+        for (const char *id : {"edge-equations-canonical", "barycentric-relative"})
+            QTest::newRow(id) << QString::fromLatin1(id);
+    }
+    void theStableFormsHoldInFloat32WhereTheLiteralOnesTear()
+    {
+        QFETCH(QString, id);
+        const MeshFaults faults = faultsFarFromTheOrigin(*methodNamed(id));
+        QCOMPARE(faults, MeshFaults());
+    }
+
+    void theOffScreenRuleTearsAnEdgeThatPassesThroughItsPoint()
+    {
+        // The diagonal of the square passes through (−1, −1): both triangles refuse it.
+        TriangleMesh mesh{{}, latticePixel(0, 0), latticePixel(64, 64)};
+        mesh.add(latticePixel(0, 0), latticePixel(64, 0), latticePixel(64, 64));
+        mesh.add(latticePixel(0, 0), latticePixel(64, 64), latticePixel(0, 64));
+        QVERIFY(meetsOffScreenPoint(mesh));
+        const MeshFaults faults
+            = faultsOf(mesh, *methodNamed(u"barycentric-off-screen"),
+                       {Arithmetic::Exact, FillRule::OffScreenPoint, ByteRounding::Nearest});
+        QCOMPARE(faults, (MeshFaults{63, 0}));
+    }
+};
+
+PIXELPLUMB_TEST(TestMeshes)
+
+} // namespace tst_meshes
+
+#include "tst_meshes.moc"

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/sceneplan.h"
+#include "core/runs/stepmoment.h"
+#include "core/scene/scenefile.h"
+#include "tests/support/scenesformethods.h"
+#include "tests/support/shapes.h"
+#include "tests/support/sourcetree.h"
+#include "tests/support/testprogram.h"
+
+#include <QDir>
+#include <QtTest>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace tst_pseudocode {
+
+using namespace pixelplumb;
+
+namespace {
+
+void addMethods()
+{
+    QTest::addColumn<const Method *>("method");
+    for (const Method &method : methods())
+        QTest::newRow(qPrintable(method.id)) << &method;
+}
+
+std::vector<NamedScene> scenesWithEffects()
+{
+    std::vector<NamedScene> scenes;
+    const QDir folder(resource(QStringLiteral("/scenes")));
+    for (const QString &name : folder.entryList({QStringLiteral("*.json")})) {
+        Scene scene = readSceneFile(folder.filePath(name))->scene;
+        if (planOf(scene).isPlain())
+            continue;
+        scene.frame.width = std::min(scene.frame.width, 60);
+        scene.frame.height = std::min(scene.frame.height, 60);
+        scenes.push_back({name, scene});
+    }
+    return scenes;
+}
+
+bool isOn(const PseudocodeLine &line, Moment moment)
+{
+    return std::ranges::find(line.moments, moment) != line.moments.end();
+}
+
+/// Which lines, by their texts, are done in a run. A step that no line lists is reported.
+void collectLines(const TracedScene &traced, const QString &scene, std::set<QString> &done)
+{
+    const ScanTrace &trace = *traced.trace;
+    std::map<std::size_t, Pseudocode> codes;
+    for (std::size_t index = 0; index < trace.stepCount(); ++index) {
+        const std::size_t primitive = trace.stepAt(index).primitive;
+        const Pseudocode &code
+            = codes.try_emplace(primitive, pseudocodeOf(traced, primitive)).first->second;
+        const Moment moment = momentOf(trace, index);
+        bool isListed = false;
+        for (const PseudocodeLine &line : code) {
+            if (isOn(line, moment)) {
+                isListed = true;
+                done.insert(line.text);
+            }
+        }
+        QVERIFY2(isListed,
+                 qPrintable(QStringLiteral("%1: moment %2 of step %3 in %4")
+                                .arg(traced.method->id)
+                                .arg(int(moment))
+                                .arg(index)
+                                .arg(scene)));
+    }
+}
+
+QStringList linesNotIn(const Pseudocode &code, const std::set<QString> &done)
+{
+    QStringList missing;
+    for (const PseudocodeLine &line : code) {
+        if (!done.contains(line.text))
+            missing += line.text;
+    }
+    return missing;
+}
+
+/// The formulas of a span's bounds.
+QStringList boundFormulas(const StepWords &words)
+{
+    QStringList formulas;
+    for (const NumberDescription &number : words.numbers) {
+        const bool isBound = number.subject == NumberSubject::LowerEdge
+            || number.subject == NumberSubject::UpperEdge
+            || number.subject == NumberSubject::LeftEdge
+            || number.subject == NumberSubject::RightEdge;
+        if (isBound && number.formula.contains(u'←'))
+            formulas += number.formula;
+    }
+    return formulas;
+}
+
+} // namespace
+
+/// The pseudocode of every method is what its kernel does.
+class TestPseudocode : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyStepDoesALineAndEveryLineIsDone_data() { addMethods(); }
+    void everyStepDoesALineAndEveryLineIsDone()
+    {
+        QFETCH(const Method *, method);
+        std::set<QString> done;
+        for (const auto &[name, scene] : scenesForEveryMethod()) {
+            collectLines(*tracedBy(*method, method->arithmetics.front(), scene), name, done);
+            if (QTest::currentTestFailed())
+                return;
+        }
+        QCOMPARE(linesNotIn(method->pseudocode, done), QStringList());
+    }
+
+    void everyEffectThatRunsHasItsLines_data()
+    {
+        QTest::addColumn<const Method *>("method");
+        for (const Method &method : methods()) {
+            QCOMPARE(method.shadedPseudocode.empty(), !method.supports(Effect::Depth));
+            if (method.supports(Effect::Depth))
+                QTest::newRow(qPrintable(method.id)) << &method;
+        }
+    }
+    void everyEffectThatRunsHasItsLines()
+    {
+        QFETCH(const Method *, method);
+        std::set<QString> done;
+        for (const auto &[name, scene] : scenesWithEffects()) {
+            const auto traced = tracedBy(*method, Arithmetic::Exact, scene);
+            collectLines(*traced, name, done);
+            if (QTest::currentTestFailed())
+                return;
+            for (const PseudocodeLine &line : pseudocodeOf(*traced, 0))
+                QVERIFY2(!line.effect || traced->plan->runs(*line.effect), qPrintable(line.text));
+        }
+        QStringList missing = linesNotIn(method->shadedPseudocode, done);
+        missing.removeAll(QStringLiteral("if no sample is to be drawn: done"));
+        QCOMPARE(missing, QStringList());
+    }
+
+    /// The line "else: y_B ← y_B + m" is marked where the formula says so, too.
+    void edgesBeginAndGoOnWhereTheFormulasSaySo_data()
+    {
+        QTest::addColumn<QString>("id");
+        for (const char *id : {"column-scan", "row-walk", "column-scan-constant-rate"})
+            QTest::newRow(id) << QString::fromLatin1(id);
+    }
+    void edgesBeginAndGoOnWhereTheFormulasSaySo()
+    {
+        QFETCH(QString, id);
+        int begun = 0;
+        int added = 0;
+        for (const auto &[name, scene] : scenesForEveryMethod()) {
+            const auto traced = tracedBy(*methodNamed(id), Arithmetic::Exact, scene);
+            for (std::size_t span = 0; span < traced->trace->spanCount(); ++span) {
+                const QStringList formulas = boundFormulas(traced->trace->spanWords(span));
+                if (formulas.isEmpty())
+                    continue;
+                const bool isAdded = std::ranges::all_of(
+                    formulas, [](const QString &formula) { return formula.contains(u'′'); });
+                const Moment moment = momentOf(*traced->trace, traced->trace->indexOfSpan(span));
+                QVERIFY2((moment == Moment::Span) == isAdded,
+                         qPrintable(name + u' ' + formulas.join(u' ')));
+                (isAdded ? added : begun) += 1;
+            }
+        }
+        QVERIFY(begun > 10);
+        QVERIFY(added > 100);
+    }
+
+    /// Of two pixels that follow each other, a step that crosses changes both coordinates, one that
+    /// stays one of them.
+    void decisionsGoWhereTheirLineSays_data()
+    {
+        QTest::addColumn<QString>("id");
+        for (const char *id : {"line-bresenham", "line-bresenham-symmetric", "circle-midpoint"})
+            QTest::newRow(id) << QString::fromLatin1(id);
+    }
+    void decisionsGoWhereTheirLineSays()
+    {
+        QFETCH(QString, id);
+        std::map<Moment, int> seen;
+        Scene lines;
+        lines.frame.width = lines.frame.height = 40;
+        lines.shapes = {lineAt(1, 1, 30, 12),  lineAt(2, 30, 35, 8), lineAt(5, 2, 12, 38),
+                        lineAt(38, 39, 20, 1), circleAt(20, 20, 17), circleAt(20, 20, 11)};
+        const auto traced = tracedBy(*methodNamed(id), Arithmetic::Exact, lines);
+        const ScanTrace &trace = *traced->trace;
+        for (std::size_t span = 1; span < trace.spanCount(); ++span) {
+            const Moment moment = momentOf(trace, trace.indexOfSpan(span));
+            if (moment != Moment::Stay && moment != Moment::Cross)
+                continue;
+            const PixelChange &now = trace.changes()[trace.firstSampleOf(span)];
+            const PixelChange &before = trace.changes()[trace.firstSampleOf(span - 1)];
+            const int changed = int(now.x != before.x) + int(now.y != before.y);
+            QCOMPARE(changed, moment == Moment::Cross ? 2 : 1);
+            ++seen[moment];
+        }
+        QVERIFY(seen[Moment::Stay] > 5);
+        QVERIFY(seen[Moment::Cross] > 5);
+    }
+};
+
+PIXELPLUMB_TEST(TestPseudocode)
+
+} // namespace tst_pseudocode
+
+#include "tst_pseudocode.moc"

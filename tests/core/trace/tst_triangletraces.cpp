@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/tracedscene.h"
+#include "core/trace/tracecursor.h"
+#include "tests/support/testprogram.h"
+#include "tests/support/trianglepictures.h"
+
+#include <QTest>
+
+namespace tst_triangletraces {
+
+using namespace pixelplumb;
+
+namespace {
+
+/// A row for each method, arithmetic and fill rule.
+void addAllRows()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<ScanSettings>("settings");
+    for (const Method *method : triangleMethods()) {
+        for (const Arithmetic arithmetic : method->arithmetics) {
+            for (const FillRule rule : method->fillRules) {
+                const ScanSettings settings{arithmetic, rule, ByteRounding::Truncate};
+                QTest::newRow(rowName(*method, settings).c_str()) << method->id << settings;
+            }
+        }
+    }
+}
+
+Scene tracedSceneOf(const QString &id, const ScanSettings &settings)
+{
+    Scene scene;
+    scene.frame.width = 20;
+    scene.frame.height = 16;
+    scene.frame.firstColumn = -3;
+    scene.frame.firstRow = 2;
+    scene.method = id.toStdString();
+    scene.settings = settings;
+    scene.triangles
+        = {triangleOf({{{0, 1000}, {4100, 700}, {1500, 4000}}}),
+           triangleOf({{latticePixel(-9, 3), latticePixel(30, 8), latticePixel(4, 40)}}),
+           triangleOf({{latticePixel(2, 2), latticePixel(6, 6), latticePixel(4, 4)}}),
+           triangleOf({{latticePixel(90, 2), latticePixel(96, 6), latticePixel(94, 9)}}),
+           triangleOf({{latticePixel(5, 3), latticePixel(11, 3), latticePixel(8, 9)}})};
+    return scene;
+}
+
+} // namespace
+
+/// The triangle methods' traces: drawing and explaining are the same code.
+class TestTriangleTraces : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theSamplesOfAnEdgePixelStandInItsColumn_data()
+    {
+        QTest::addColumn<QString>("id");
+        for (const Method *method : triangleMethods()) {
+            if (method->supports(Effect::Antialiasing))
+                QTest::newRow(qPrintable(method->id)) << method->id;
+        }
+    }
+    void theSamplesOfAnEdgePixelStandInItsColumn()
+    {
+        QFETCH(QString, id);
+        Scene scene = tracedSceneOf(id, {});
+        scene.appearance.antialiasing = Antialiasing::Samples4;
+        // Its left edge passes between the centre and the outermost sample of a column.
+        scene.triangles = {triangleOf({{{90, 600}, {90, 3000}, {1500, 1800}}})};
+        const auto traced = traceScene(scene);
+        const ScanTrace &trace = *traced->trace;
+        std::size_t unbounded = 0;
+        for (std::size_t span = 0; span < trace.spanCount(); ++span) {
+            const std::int64_t x = trace.placeOf(span).coordinate;
+            for (const SampleRecord &sample : trace.samples(span))
+                QCOMPARE(sample.x, x);
+            if (span > 0 && trace.primitiveOf(span - 1) == trace.primitiveOf(span))
+                QVERIFY(trace.placeOf(span - 1).coordinate <= x);
+            // Only samples beside the centres reach the column: no edge meets it.
+            if (trace.span(span).lower.isNone()) {
+                ++unbounded;
+                QVERIFY(trace.spanWords(span).sentence.startsWith(QStringLiteral("Only samples")));
+            }
+        }
+        QVERIFY(unbounded > 0);
+    }
+
+    void tracingDoesNotChangeTheFrame_data() { addAllRows(); }
+    void tracingDoesNotChangeTheFrame()
+    {
+        QFETCH(QString, id);
+        QFETCH(ScanSettings, settings);
+        const Scene scene = tracedSceneOf(id, settings);
+        FrameBuffer drawn(scene.frame), recorded(scene.frame);
+        drawScene(scene, drawn);
+        const auto trace
+            = methodNamed(id)->trace(primitivesOnSamples(scene), settings, recorded.view(), {});
+        QCOMPARE(recorded.copy(), drawn.copy());
+        TraceCursor cursor(*trace, scene.frame);
+        cursor.seek(trace->stepCount());
+        QCOMPARE(cursor.frame().copy(), drawn.copy());
+        const QImage blank = FrameBuffer(scene.frame).copy();
+        cursor.seek(0);
+        QCOMPARE(cursor.frame().copy(), blank);
+    }
+
+    void keepsEverySampleAndANumberForEveryColumn_data() { addAllRows(); }
+    void keepsEverySampleAndANumberForEveryColumn()
+    {
+        QFETCH(QString, id);
+        QFETCH(ScanSettings, settings);
+        const Method &method = *methodNamed(id);
+        const auto traced = traceScene(tracedSceneOf(id, settings));
+        const ScanTrace &trace = *traced->trace;
+        QCOMPARE(trace.primitiveCount(), traced->primitives.size());
+        QVERIFY(trace.writtenCount() > 100);
+        for (std::size_t primitive = 0; primitive < trace.primitiveCount(); ++primitive) {
+            QCOMPARE(trace.setUp(primitive).cells.size(), method.numbers.setUp.size());
+        }
+        for (std::size_t span = 0; span < trace.spanCount(); ++span) {
+            const SpanRecord record = trace.span(span);
+            QCOMPARE(record.cells.size(), method.numbers.span.size());
+            const std::vector<SampleRecord> samples = trace.samples(span);
+            QCOMPARE(samples.size(), std::size_t(record.drawnSamples()));
+            for (std::size_t i = 0; i < samples.size(); ++i) {
+                const PixelChange &change = trace.changes()[trace.firstSampleOf(span) + i];
+                const bool isRow = record.place.axis == SpanAxis::Row;
+                QCOMPARE(samples[i].x, std::int64_t(change.x));
+                QCOMPARE(samples[i].y, std::int64_t(change.y));
+                QCOMPARE(samples[i].fate == SampleFate::Written, change.isWritten());
+                // What shows which samples are still to come counts on their ascending order.
+                QCOMPARE(isRow ? samples[i].x : samples[i].y, record.firstDrawn + std::int64_t(i));
+                QCOMPARE(isRow ? samples[i].y : samples[i].x, record.place.coordinate);
+                QVERIFY(samples[i].cells.empty()
+                        || samples[i].cells.size() == method.numbers.sample.size());
+            }
+        }
+    }
+
+    void barycentricOverAllPixelsVisitsThemAll()
+    {
+        const Scene scene = tracedSceneOf(QStringLiteral("barycentric-all"), {});
+        const auto traced = traceScene(scene);
+        QCOMPARE(traced->trace->sampleCount(), std::size_t(5 * 20 * 16));
+    }
+
+    void rowWalkSwitchesInTheThirdEdgeAtTheMiddleVertex()
+    {
+        Scene scene;
+        scene.method = "row-walk";
+        scene.triangles
+            = {triangleOf({{latticePixel(2, 1), latticePixel(20, 11), latticePixel(9, 31)}})};
+        const auto traced = traceScene(scene);
+        const SetUpRecord setUp = traced->trace->setUp(0);
+        QCOMPARE(setUp.order, (std::array<int, 3>{2, 1, 0}));
+        QCOMPARE(setUp.longEdge, LongEdge::Below);
+        QCOMPARE(traced->trace->spanCount(), std::size_t(31));
+        for (std::size_t span = 0; span < 31; ++span) {
+            const SpanPlace &place = traced->trace->placeOf(span);
+            QCOMPARE(place.axis, SpanAxis::Row);
+            QCOMPARE(place.coordinate, 31 - std::int64_t(span));
+            QCOMPARE(place.part, place.coordinate > 11 ? 0 : 1);
+        }
+    }
+
+    void rowWalkEntersNoRowsOutsideItsFrameAndRefusesInFixed16WhatDoesNotFit()
+    {
+        Scene scene;
+        scene.method = "row-walk";
+        scene.frame.width = 8;
+        scene.frame.height = 8;
+        scene.triangles = {triangleOf(
+            {{latticePixel(-40000, -40000), latticePixel(40000, -7), latticePixel(0, 40000)}})};
+        QCOMPARE(traceScene(scene)->trace->spanCount(), std::size_t(8));
+        scene.settings.arithmetic = Arithmetic::Fixed16;
+        QCOMPARE(traceScene(scene)->trace->setUp(0).rejection,
+                 PrimitiveRejection::NotRepresentable);
+    }
+
+    void constantRateScanKeepsSliversColoursWithinTheirRange()
+    {
+        // A sliver on which the assignment's ΔR blows up in float32.
+        Scene scene;
+        scene.frame.width = 256;
+        scene.frame.height = 224;
+        scene.settings.arithmetic = Arithmetic::Float32;
+        scene.triangles = {
+            triangleOf({{latticePixel(0, 138), latticePixel(181, 198), latticePixel(255, 223)}})};
+        scene.method = "column-scan";
+        const auto literal = traceScene(scene);
+        scene.method = "column-scan-constant-rate";
+        const auto stable = traceScene(scene);
+        QVERIFY(literal->trace->spanCount() == stable->trace->spanCount());
+        const auto rateOf = [](const TracedScene &traced, std::size_t span) {
+            const auto &columns = traced.method->numbers.span;
+            for (std::size_t i = 0; i < columns.size(); ++i) {
+                if (columns[i].title == QStringLiteral("ΔR"))
+                    return traced.trace->span(span).cells[i].toDouble();
+            }
+            return 0.0;
+        };
+        const double exact
+            = oracle::columnAt(scene.triangles[0], FillRule::Closed, 100)->colourRate[0].toDouble();
+        double literalError = 0, stableError = 0;
+        for (std::size_t span = 0; span < stable->trace->spanCount(); ++span) {
+            literalError = std::max(literalError, std::abs(rateOf(*literal, span) - exact));
+            stableError = std::max(stableError, std::abs(rateOf(*stable, span) - exact));
+        }
+        QVERIFY2(stableError < 1e-6 * std::abs(exact), qPrintable(QString::number(stableError)));
+        QVERIFY2(literalError > 0.1 * std::abs(exact), qPrintable(QString::number(literalError)));
+    }
+};
+
+PIXELPLUMB_TEST(TestTriangleTraces)
+
+} // namespace tst_triangletraces
+
+#include "tst_triangletraces.moc"

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/layer.h"
+#include "tests/support/sourcetree.h"
+#include "tests/support/testprogram.h"
+
+#include <QDirIterator>
+#include <QFile>
+#include <QRegularExpression>
+#include <QTest>
+
+#include <algorithm>
+
+namespace tst_documents {
+
+using namespace pixelplumb;
+
+namespace {
+
+const QString tree = resource(QStringLiteral("/../"));
+
+QString textOf(const QString &path)
+{
+    QFile file(tree + path);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+/// Sources, scripts and documents of the tree, relative to it.
+QStringList filesOfTheTree()
+{
+    QStringList paths = {QStringLiteral("README.md")};
+    for (const char *folder : {"app", "core", "resources", "tests", "widgets"}) {
+        QDirIterator files(tree + QLatin1String(folder), QDir::Files, QDirIterator::Subdirectories);
+        while (files.hasNext()) {
+            const QFileInfo file(files.next());
+            static const QRegularExpression kinds(QStringLiteral("^(h|cpp|md|py|sh|txt|1|)$"));
+            if (kinds.match(file.suffix()).hasMatch())
+                paths.append(QDir(tree).relativeFilePath(file.filePath()));
+        }
+    }
+    return paths;
+}
+
+/// As a person reads it: comments and adjacent literals without their line breaks.
+QString runningText(const QString &path)
+{
+    QString text = textOf(path);
+    text.replace(QRegularExpression(QStringLiteral("\"\\s*\\n\\s*\"")), QString());
+    text.replace(QRegularExpression(QStringLiteral("\\s*\\n\\s*(///?<?|[*-])?\\s*")),
+                 QStringLiteral(" "));
+    return text;
+}
+
+QStringList captures(const QString &pattern, const QString &text)
+{
+    QStringList found;
+    const QRegularExpression expression(pattern, QRegularExpression::MultilineOption);
+    for (auto match = expression.globalMatch(text); match.hasNext();)
+        found.append(match.next().captured(1));
+    return found;
+}
+
+/// What stands under a heading of sources.md, by heading.
+QMap<QString, QString> sectionsOfTheSources()
+{
+    QMap<QString, QString> sections;
+    for (const QString &section : textOf("resources/sources.md").split(QStringLiteral("\n## ")))
+        sections.insert(section.section(u'\n', 0, 0), section.section(u'\n', 1));
+    return sections;
+}
+
+/// A slide's title without quotation marks and without "(2/4)".
+QStringList titlesIn(const QString &text)
+{
+    QStringList titles = captures(QStringLiteral("[\"“]([^\"“”]+)[\"”]"), text);
+    for (QString &title : titles)
+        title.remove(QRegularExpression(QStringLiteral(" ?\\(\\d/\\d\\)$")));
+    titles.removeAll(QString());
+    return titles;
+}
+
+} // namespace
+
+/// A reader finds what is cited: course texts, slides, sections, files, tests.
+class TestDocuments : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyCitedCourseTextAndSlideStandsInTheSources()
+    {
+        const QMap<QString, QString> sections = sectionsOfTheSources();
+        const QString titles = QStringLiteral("(?:,? (?:and |to )?[\"“][^\"“”]+[\"”])*");
+        const QRegularExpression citation(
+            QStringLiteral("((?:[A-Z]\\w+ )+slides|[A-Z]\\w+ \\(Borst\\))(") + titles + u')');
+        int cited = 0;
+        for (const QString &path : filesOfTheTree()) {
+            const QString text = runningText(path);
+            for (auto match = citation.globalMatch(text); match.hasNext();) {
+                const QRegularExpressionMatch found = match.next();
+                QString name = found.captured(1);
+                name.remove(QRegularExpression(QStringLiteral("^The ")));
+                if (name == QLatin1String("slides"))
+                    continue;
+                const QString where = path + QStringLiteral(": ") + found.captured();
+                QVERIFY2(sections.contains(name), qPrintable(where));
+                const QStringList known = titlesIn(sections[name]);
+                for (const QString &title : titlesIn(found.captured(2)))
+                    QVERIFY2(known.contains(title), qPrintable(where));
+                ++cited;
+            }
+            QVERIFY2(!text.contains(QRegularExpression(QStringLiteral("[Ss]eeds? 00\\d"))),
+                     qPrintable(path));
+        }
+        QVERIFY(cited > 100);
+    }
+
+    void everyMethodAndLayerCitesACourseTextAndStandsInTheSources()
+    {
+        const QMap<QString, QString> sections = sectionsOfTheSources();
+        const QString text = textOf("resources/sources.md");
+        const auto verify = [&](const QString &id, const QString &source) {
+            const bool cites = std::ranges::any_of(
+                sections.keys(), [&](const QString &name) { return source.contains(name); });
+            QVERIFY2(cites, qPrintable(source));
+            QVERIFY2(text.contains(u'`' + id + u'`'),
+                     qPrintable(id + QStringLiteral(" is not in resources/sources.md")));
+        };
+        for (const Method &method : methods())
+            verify(method.id, method.source);
+        for (const Layer &layer : layers())
+            verify(layer.id, layer.source);
+        QStringList names = captures(QStringLiteral("`([a-z][a-z-]+)`"), text);
+        names.removeOne(QStringLiteral("closed"));
+        names.removeOne(QStringLiteral("off-screen-point"));
+        for (const QString &name : names)
+            QVERIFY2(methodNamed(name) || layerNamed(name), qPrintable(name));
+    }
+
+    void everyCitedSectionOfTheNumericsIsThere()
+    {
+        const QStringList sections
+            = captures(QStringLiteral("^###? (\\d(?:\\.\\d)?) "), textOf("resources/numerics.md"));
+        int cited = 0;
+        for (const QString &path : filesOfTheTree()) {
+            const QString place
+                = QStringLiteral("numerics\\.md`?,((?:(?:,| and| to)? \\d\\.\\d)+)");
+            for (const QString &list : captures(place, runningText(path))) {
+                for (const QString &section : captures(QStringLiteral("(\\d\\.\\d)"), list))
+                    QVERIFY2(sections.contains(section), qPrintable(path + u' ' + section));
+                ++cited;
+            }
+        }
+        QVERIFY(cited >= 15);
+    }
+
+    void everyFileAndTestThatADocumentNamesIsThere()
+    {
+        QString code;
+        const QStringList files = filesOfTheTree();
+        for (const QString &path : files) {
+            if (path.endsWith(QLatin1String(".cpp")) || path.endsWith(QLatin1String(".h")))
+                code += textOf(path);
+        }
+        for (const QString &path : files.filter(QRegularExpression("\\.md$"))) {
+            const QString text = textOf(path);
+            const QString place
+                = QStringLiteral("(?<![\\w/.])((?:app|core|resources|tests|widgets)/[\\w./-]*\\w)");
+            for (const QString &named : captures(place, text))
+                QVERIFY2(QFileInfo::exists(tree + named), qPrintable(path + u' ' + named));
+            for (const QString &test : captures(QStringLiteral("`(tst_\\w+)`"), text)) {
+                const QString source = u'/' + test + QStringLiteral(".cpp");
+                const bool exists = std::ranges::any_of(
+                    files, [&source](const QString &path) { return path.endsWith(source); });
+                QVERIFY2(exists, qPrintable(test));
+            }
+        }
+        const QString numerics = textOf("resources/numerics.md");
+        for (const QString &name : captures(QStringLiteral("`([a-z]+[A-Z0-9]\\w+)[`…]"), numerics))
+            QVERIFY2(code.contains(name), qPrintable(name));
+    }
+
+    void theEveningsReadingHasAtMost2500Lines()
+    {
+        const QStringList files
+            = captures(QStringLiteral("^\\| `([\\w/]+\\.(?:h|cpp))` \\|"), textOf("README.md"));
+        QVERIFY(files.size() > 10);
+        qsizetype lines = 0;
+        for (const QString &file : files) {
+            const QString text = textOf(file);
+            QVERIFY2(!text.isEmpty(), qPrintable(file));
+            lines += text.count(u'\n');
+        }
+        QVERIFY2(lines <= 2500, qPrintable(QString::number(lines)));
+    }
+};
+
+PIXELPLUMB_TEST(TestDocuments)
+
+} // namespace tst_documents
+
+#include "tst_documents.moc"

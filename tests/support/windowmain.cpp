@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/testprogram.h"
+#include "widgets/look/numberformat.h"
+#include "widgets/look/translation.h"
+
+#include <QApplication>
+
+/// Of the programs that test the window. They see it as a person does whose language is English,
+/// with plural forms, on a screen of 96 dots an inch, whatever the machine has.
+int main(int argc, char **argv)
+{
+    const QApplication application(argc, argv);
+    QCoreApplication::setAttribute(Qt::AA_Use96Dpi);
+    const pixelplumb::Translation english(QStringList(QStringLiteral("en")));
+    pixelplumb::keepDecimalPoint();
+    return pixelplumb::runTests(QCoreApplication::arguments());
+}

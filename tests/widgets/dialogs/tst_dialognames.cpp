@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/scenefile.h"
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/promisednames.h"
+#include "tests/support/testprogram.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/files/autosave.h"
+#include "widgets/files/scenefiles.h"
+#include "widgets/lab/labfiles.h"
+#include "widgets/model/scenedocument.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QClipboard>
+#include <QDialog>
+#include <QDir>
+#include <QMap>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include <functional>
+
+namespace tst_dialognames {
+
+using namespace pixelplumb;
+
+using Way = std::function<void(MainWindow &window)>;
+namespace {
+
+Way byAction(const char *name)
+{
+    return [name](MainWindow &window) { action(window, name)->trigger(); };
+}
+
+void modify(const MainWindow &window)
+{
+    ScanSettings settings = window.parts().document->scene().settings;
+    settings.arithmetic = Arithmetic::Float64;
+    window.parts().document->setSettings(settings);
+}
+
+/// A scene that takes so long to write that something else may be asked for meanwhile.
+Scene largeScene()
+{
+    Scene scene;
+    scene.triangles.assign(
+        20'000, {{{{latticePixel(1, 1), {}}, {latticePixel(9, 2), {}}, {latticePixel(5, 9), {}}}}});
+    return scene;
+}
+
+/// How each of them is opened.
+QMap<QString, Way> ways()
+{
+    return {
+        {"frameDialog", byAction("editFrame")},
+        {"triangleDialog", byAction("addTriangle")},
+        {"vertexDialog",
+         [](MainWindow &window) {
+             window.parts().canvas->editCoordinates(window.parts().document->vertices().front());
+         }},
+        {"goToDialog", byAction("goTo")},
+        {"studentPictureDialog", byAction("openStudentPicture")},
+        {"gradeDialog",
+         [](MainWindow &window) {
+             window.findChild<QAbstractButton *>(QStringLiteral("gradingGrade"))->click();
+         }},
+        {"gradingOpenDialog",
+         [](MainWindow &window) {
+             window.findChild<QAbstractButton *>(QStringLiteral("gradingOpen"))->click();
+         }},
+        {"keySheet", byAction("showKeys")},
+        {"keysDialog", byAction("changeKeys")},
+        {"about", byAction("showAbout")},
+        {"unsavedChanges",
+         [](MainWindow &window) {
+             modify(window);
+             window.parts().files->newScene();
+         }},
+        {"savingDialog",
+         [](MainWindow &window) {
+             const QTemporaryDir folder;
+             window.parts().document->reset(largeScene());
+             window.parts().files->saveTo(folder.filePath(QStringLiteral("large.json")));
+             window.parts().files->newScene();
+         }},
+        {"saveDialog", byAction("saveSceneAs")},
+        {"examplesDialog", byAction("showExamples")},
+        {"exportDialog", byAction("exportPicture")},
+        {"recoveryDialog",
+         [](MainWindow &window) {
+             const QString path = Autosave::defaultFolder() + QStringLiteral("/dialogname.json");
+             QDir().mkpath(Autosave::defaultFolder());
+             QVERIFY(!writeSceneFile(path, Scene()));
+             window.offerRecovery();
+             QFile::remove(path);
+         }},
+        {"labOpenDialog", byAction("labOpen")},
+        {"labSaveDialog",
+         [](MainWindow &window) {
+             LabFiles(&window).askForOutput({}, {}, QStringLiteral("json"));
+         }},
+    };
+}
+
+/// Notes the names of the dialogs that come, and closes each of them.
+class DialogWatch : public QObject {
+public:
+    DialogWatch() { qApp->installEventFilter(this); }
+
+    const QStringList &names() const { return m_names; }
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override
+    {
+        auto *dialog = qobject_cast<QDialog *>(watched);
+        if (dialog && event->type() == QEvent::Show) {
+            m_names += dialog->objectName();
+            QTimer::singleShot(0, dialog, &QDialog::reject);
+        }
+        return false;
+    }
+
+private:
+    QStringList m_names;
+};
+
+} // namespace
+
+/// The dialogs that are promised to programs come under their names.
+class TestDialogNames : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyPromisedDialogIsOpened()
+    {
+        QStringList promised = promisedDialogs;
+        promised.sort();
+        QCOMPARE(QStringList(ways().keys()), promised);
+    }
+
+    void everyDialogComesUnderItsName_data()
+    {
+        QTest::addColumn<Way>("way");
+        const QMap<QString, Way> all = ways();
+        for (auto way = all.begin(); way != all.end(); ++way)
+            QTest::newRow(qPrintable(way.key())) << way.value();
+    }
+    void everyDialogComesUnderItsName()
+    {
+        QFETCH(const Way, way);
+        IsolatedSettings settings;
+        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+        const auto window = openedWindow();
+        const DialogWatch watch;
+
+        way(*window);
+
+        QTRY_COMPARE(watch.names(), QStringList{QString::fromLatin1(QTest::currentDataTag())});
+    }
+};
+
+PIXELPLUMB_TEST(TestDialogNames)
+
+} // namespace tst_dialognames
+
+#include "tst_dialognames.moc"

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/tracedscene.h"
+#include "tests/support/colours.h"
+#include "tests/support/shapes.h"
+#include "tests/support/testprogram.h"
+#include "widgets/dialogs/gotodialog.h"
+#include "widgets/model/playhead.h"
+
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+
+namespace tst_gotodialog {
+
+using namespace pixelplumb;
+
+namespace {
+
+Scene triangleScene(const char *method)
+{
+    Scene scene;
+    scene.frame = frameOf(40, 40);
+    scene.method = method;
+    scene.triangles = {Triangle{
+        {{{latticePixel(2, 3), red}, {latticePixel(30, 5), green}, {latticePixel(12, 33), blue}}}}};
+    return scene;
+}
+
+} // namespace
+
+/// "Go to 27" goes where the method's steps are counted.
+class TestGoToDialog : public QObject {
+    Q_OBJECT
+
+private slots:
+    void oneNumberIsWhatTheMethodWalks_data()
+    {
+        QTest::addColumn<Scene>("scene");
+        QTest::addColumn<SpanAxis>("axis");
+        QTest::addColumn<QString>("verdict");
+        QTest::newRow("columns") << triangleScene("column-scan") << SpanAxis::Column
+                                 << QStringLiteral("Goes to column 9.");
+        QTest::newRow("rows") << triangleScene("row-walk") << SpanAxis::Row
+                              << QStringLiteral("Goes to row 9.");
+        QTest::newRow("steps") << sceneOf(circleAt(20, 20, 18), "circle-midpoint", frameOf(40, 40))
+                               << SpanAxis::Free << QStringLiteral("Goes to the shape's step 9.");
+        // A steep line, with which the run begins, and a flat one: both have a place 9.
+        Scene lines = sceneOf(lineAt(2, 2, 9, 36), "line-bresenham", frameOf(40, 40));
+        lines.shapes.push_back(lineAt(8, 2, 20, 5));
+        QTest::newRow("columns and rows")
+            << lines << SpanAxis::Row << QStringLiteral("Goes to row 9.");
+    }
+    void oneNumberIsWhatTheMethodWalks()
+    {
+        QFETCH(Scene, scene);
+        QFETCH(SpanAxis, axis);
+        QFETCH(QString, verdict);
+        Playhead playhead;
+        playhead.setTraced(traceScene(scene));
+        GoToDialog dialog(&playhead);
+        auto *line = dialog.findChild<QLineEdit *>(QStringLiteral("goToLine"));
+        const auto *label = dialog.findChild<QLabel *>(QStringLiteral("goToLabel"));
+        const auto *said = dialog.findChild<QLabel *>(QStringLiteral("goToVerdict"));
+
+        QTest::keyClicks(line, QStringLiteral("9"));
+
+        QCOMPARE(said->text(), verdict);
+        for (const auto &[each, noun] :
+             {std::pair(SpanAxis::Column, "column"), std::pair(SpanAxis::Row, "row"),
+              std::pair(SpanAxis::Free, "step of the shape")}) {
+            QCOMPARE(label->text().contains(QLatin1String(noun)), each == axis);
+            QCOMPARE(line->accessibleName().contains(QLatin1String(noun)), each == axis);
+        }
+        dialog.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok)->click();
+        const std::optional<SpanPlace> place = playhead.placeInHand();
+        QVERIFY(place);
+        QCOMPARE(place->axis, axis);
+        QCOMPARE(place->coordinate, std::int64_t(9));
+    }
+
+    void whatNothingHasIsObjectedTo()
+    {
+        Playhead playhead;
+        playhead.setTraced(traceScene(triangleScene("row-walk")));
+        GoToDialog dialog(&playhead);
+        QTest::keyClicks(dialog.findChild<QLineEdit *>(QStringLiteral("goToLine")),
+                         QStringLiteral("39"));
+
+        QCOMPARE(dialog.findChild<QLabel *>(QStringLiteral("goToVerdict"))->text(),
+                 QStringLiteral("Nothing has a row 39."));
+        QVERIFY(!dialog.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok)->isEnabled());
+    }
+};
+
+PIXELPLUMB_TEST(TestGoToDialog)
+
+} // namespace tst_gotodialog
+
+#include "tst_gotodialog.moc"

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/testprogram.h"
+#include "widgets/dialogs/triangledialog.h"
+#include "widgets/model/primitivelistmodel.h"
+#include "widgets/model/scenedocument.h"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTreeView>
+
+namespace tst_typednumbers {
+
+using namespace pixelplumb;
+
+/// What becomes of a typed number is told where it is not taken as it stands.
+class TestTypedNumbers : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aNumberThatIsMovedToItsLatticeIsToldInTheDialog()
+    {
+        const auto window = openedWindow();
+        SceneDocument &document = *window->parts().document;
+        TriangleDialog dialog({document.scene().triangles.front(), document.attributesOf(0)});
+        const auto *verdict = named<QLabel>(dialog, "triangleVerdict");
+        QCOMPARE(verdict->text(), QString());
+
+        named<QLineEdit>(dialog, "vertex1u")->setText(QStringLiteral("1/3"));
+        QVERIFY2(verdict->text().contains(
+                     QStringLiteral("vertex 1, u: 1/3 is read as 5592405/16777216, displaced by")),
+                 qPrintable(verdict->text()));
+        named<QLineEdit>(dialog, "vertex0x")->setText(QStringLiteral("4.1"));
+        QVERIFY(verdict->text().contains(QStringLiteral("vertex 0, x: 4.1 is drawn at")));
+        named<QLineEdit>(dialog, "vertex0x")->setText(QStringLiteral("4"));
+        named<QLineEdit>(dialog, "vertex1u")->setText(QStringLiteral("0.5"));
+        QCOMPARE(verdict->text(), QString());
+    }
+
+    void whatIsNoCoordinateIsRefusedWithAWord()
+    {
+        const auto window = openedWindow();
+        SceneDocument &document = *window->parts().document;
+        QSignalSpy refused(&document, &SceneDocument::refused);
+        QSignalSpy notice(&document, &SceneDocument::notice);
+        action(*window, "primitivesDockToggle")->trigger();
+        auto *tree = named<QTreeView>(*window, "primitivesTree");
+        auto *model = qobject_cast<PrimitiveListModel *>(tree->model());
+        const QModelIndex x = model->index(2, PrimitiveListModel::X, model->indexOfPrimitive(0));
+        tree->expand(model->indexOfPrimitive(0));
+        tree->setCurrentIndex(x);
+        tree->edit(x);
+        auto *field = named<QLineEdit>(*tree, "coordinateField");
+        field->selectAll();
+        QTest::keyClicks(field, QStringLiteral("abc"));
+        QCOMPARE(refused.count(), 0); // it may become one
+        QTest::keyClick(field, Qt::Key_Return);
+        QVERIFY(refused.count() > 0);
+        QVERIFY2(refused.last()[0].toString().contains(QStringLiteral("53/2")),
+                 qPrintable(refused.last()[0].toString()));
+        QVERIFY(!document.isModified());
+
+        field->selectAll();
+        QTest::keyClicks(field, QStringLiteral("1/3"));
+        QTest::keyClick(field, Qt::Key_Return);
+        QTRY_COMPARE(notice.count(), 1);
+        const QString told = notice.last()[0].toString();
+        QVERIFY2(told.startsWith(QStringLiteral("vertex 2, x: 1/3 is drawn")), qPrintable(told));
+    }
+
+private:
+    IsolatedSettings m_settings;
+};
+
+PIXELPLUMB_TEST(TestTypedNumbers)
+
+} // namespace tst_typednumbers
+
+#include "tst_typednumbers.moc"

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/fileaccess.h"
+#include "core/scene/motion.h"
+#include "core/scene/scene.h"
+#include "tests/support/defaultscene.h"
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/sourcetree.h"
+#include "tests/support/testprogram.h"
+#include "widgets/files/sceneexports.h"
+#include "widgets/files/scenefiles.h"
+#include "widgets/files/svgexport.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
+
+#include <QAbstractButton>
+#include <QBuffer>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QMenu>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QThreadPool>
+#include <QTimer>
+
+#include <unistd.h>
+
+namespace tst_windowexports {
+
+using namespace pixelplumb;
+
+/// What leaves the window as a file: of which moment, where to, and when it is cancelled.
+class TestWindowExports : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_settings.clear(); }
+
+    void theMenuNamesWhatTheMethodWalks_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<QString>("csv");
+        QTest::addColumn<QString>("json");
+        const auto add = [](const char *method, const char *csv, const char *json) {
+            QTest::newRow(method) << method << QString::fromUtf8(csv) << QString::fromUtf8(json);
+        };
+        add("column-scan", "&Columns (CSV)…", "Columns (&JSON)…");
+        add("row-walk", "Ro&ws (CSV)…", "Rows (&JSON)…");
+    }
+    void theMenuNamesWhatTheMethodWalks()
+    {
+        QFETCH(QString, method);
+        for (const bool isEmpty : {false, true}) {
+            Scene scene = defaultSceneIn(Arithmetic::Exact);
+            scene.method = method.toStdString();
+            if (isEmpty)
+                scene.triangles.clear();
+            const auto window = openedWindow(scene);
+            QMetaObject::invokeMethod(window->findChild<QMenu *>(QStringLiteral("exportMenu")),
+                                      "aboutToShow");
+
+            QTEST(action(*window, "exportColumnsCsv")->text(), "csv");
+            QTEST(action(*window, "exportColumnsJson")->text(), "json");
+        }
+    }
+
+    void noExportReplacesTheOpenedScene_data()
+    {
+        QTest::addColumn<QString>("target");
+        for (const char *target : {"own.json", "symlink", "hardlink"})
+            QTest::newRow(target) << QString::fromLatin1(target);
+    }
+    void noExportReplacesTheOpenedScene()
+    {
+        QFETCH(QString, target);
+        const QTemporaryDir folder;
+        const QString scene = folder.filePath(QStringLiteral("own.json"));
+        QVERIFY(QFile::copy(resource(QStringLiteral("/scenes/sliver.json")), scene));
+        QVERIFY(QFile::link(scene, folder.filePath(QStringLiteral("symlink"))));
+        QVERIFY(::link(QFile::encodeName(scene).constData(),
+                       QFile::encodeName(folder.filePath(QStringLiteral("hardlink"))).constData())
+                == 0);
+        const QByteArray before = *readFile(scene);
+        const auto window = openedWindow();
+        QVERIFY(window->openScene(scene));
+        SceneExports *exports = window->parts().exports;
+        QSignalSpy complaints(exports, &SceneExports::complaint);
+        const QString path = folder.filePath(target);
+
+        QVERIFY(!exports->writePicture(path));
+        QVERIFY(!exports->writeAnnotatedGrid(path));
+        QVERIFY(!exports->writeTrace(path, TraceLevel::Column, TableFormat::Csv));
+        QVERIFY(!exports->writeTrace(path, TraceLevel::Pixel, TableFormat::Json));
+        QVERIFY(!exports->writeRaster(path));
+
+        QCOMPARE(complaints.size(), 5);
+        QVERIFY(complaints[0][0].toString().contains(QStringLiteral("it is the scene itself")));
+        QCOMPARE(*readFile(scene), before);
+        QVERIFY(exports->writeRaster(folder.filePath(QStringLiteral("raster.txt"))));
+    }
+
+    void exportsTellOfTheFinishedRunUnlessAskedOtherwise()
+    {
+        const QTemporaryDir folder;
+        const auto path = [&folder](const char *name) { return folder.filePath(name); };
+        const auto window = openedWindow(); // half drawn
+        const Playhead &playhead = *window->parts().playhead;
+        SceneExports *exports = window->parts().exports;
+        const TracedScene &traced = *playhead.traced();
+        constexpr auto asDrawn = ExportMoment::AsDrawn;
+        FrameBuffer finished(traced.scene.frame);
+        drawScene(traced.scene, finished);
+
+        QVERIFY(exports->writePicture(path("finished.png")));
+        QVERIFY(exports->writePicture(path("drawn.png"), asDrawn));
+        QCOMPARE(QImage(path("finished.png")).convertToFormat(QImage::Format_RGB32),
+                 finished.copy());
+        QCOMPARE(QImage(path("drawn.png")).convertToFormat(QImage::Format_RGB32),
+                 playhead.frame()->copy());
+        QVERIFY(finished.copy() != playhead.frame()->copy());
+
+        QVERIFY(exports->writeRaster(path("finished.txt")));
+        QVERIFY(exports->writeRaster(path("drawn.txt"), asDrawn));
+        const auto covered = [&path](const char *name) { return readFile(path(name))->count('#'); };
+        QCOMPARE(covered("finished.txt"), qsizetype(traced.trace->writtenCount()));
+        QCOMPARE(covered("drawn.txt"), qsizetype(traced.trace->samplesDoneAt(playhead.position())));
+
+        QVERIFY(exports->writeAnnotatedGrid(path("finished.svg")));
+        QVERIFY(exports->writeAnnotatedGrid(path("drawn.svg"), asDrawn));
+        QCOMPARE(*readFile(path("drawn.svg")), svgFigure(playhead, *window->parts().options));
+        QVERIFY(*readFile(path("finished.svg")) != *readFile(path("drawn.svg")));
+
+        const auto rows = [&](const char *name, TraceLevel level, ExportMoment moment) {
+            const bool starts = exports->writeTrace(path(name), level, TableFormat::Csv, moment);
+            return starts && QTest::qWaitFor([&] { return !exports->writing().isRunning(); })
+                ? readFile(path(name))->count('\n') - 1
+                : -1;
+        };
+        QCOMPARE(rows("all.csv", TraceLevel::Pixel, ExportMoment::Finished),
+                 qsizetype(traced.trace->sampleCount()));
+        QCOMPARE(rows("drawn.csv", TraceLevel::Pixel, asDrawn),
+                 qsizetype(traced.trace->samplesDoneAt(playhead.position())));
+        QCOMPARE(rows("columns.csv", TraceLevel::Column, asDrawn),
+                 qsizetype(*playhead.spanInHand() + 1));
+    }
+
+    void exportsOfAMovingSceneNameTheFrameThatTheyAreOf()
+    {
+        const QTemporaryDir folder;
+        const auto path = [&folder](const char *name) { return folder.filePath(name); };
+        const auto window = openedWindow(QStringLiteral("moving-sliver.json"));
+        SceneDocument &document = *window->parts().document;
+        document.setFrameInHand(8);
+        QTRY_COMPARE(window->parts().playhead->traced()->scene.triangles,
+                     sceneAtFrame(document.scene(), 8).triangles);
+        SceneExports *exports = window->parts().exports;
+        QSignalSpy notices(exports, &SceneExports::notice);
+        const QString frame = QStringLiteral("frame 8 of 24 of the motion");
+
+        QVERIFY(exports->writePicture(path("at8.png")));
+        QCOMPARE(QImage(path("at8.png")).text(QStringLiteral("Description")), frame);
+        QVERIFY(exports->writeAnnotatedGrid(path("at8.svg")));
+        QCOMPARE(readFile(path("at8.svg"))->count(frame.toLatin1()), 2); // described, and written
+        QVERIFY(exports->writeRaster(path("at8.txt")));
+        for (const auto &[name, format] :
+             {std::pair("at8.csv", TableFormat::Csv), std::pair("at8.json", TableFormat::Json)}) {
+            QVERIFY(exports->writeTrace(path(name), TraceLevel::Column, format));
+            QTRY_VERIFY(!exports->writing().isRunning());
+        }
+        const QList<QByteArray> lines = readFile(path("at8.csv"))->split('\n');
+        QVERIFY(lines[0].startsWith("frame,step,primitive,"));
+        QVERIFY(lines[1].startsWith("8,"));
+        QVERIFY(readFile(path("at8.json"))
+                    ->startsWith("{\n  \"pixelplumbTrace\": 2,\n  \"frame\": 8,"));
+        QTRY_COMPARE(notices.size(), 5);
+        for (const QList<QVariant> &notice : notices)
+            QVERIFY2(notice[0].toString().endsWith(frame + u'.'), qPrintable(notice[0].toString()));
+    }
+
+    void theExportDialogOffersTheMomentInHand()
+    {
+        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+        const auto window = openedWindow();
+        const QString path = m_settings.folder() + "/drawn.png";
+        QStringList filters;
+        QTimer::singleShot(0, window.get(), [&] {
+            auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
+            filters = dialog->nameFilters();
+            dialog->selectNameFilter(filters.constLast());
+            dialog->selectFile(path);
+            dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Save)->click();
+        });
+        action(*window, "exportPicture")->trigger();
+
+        QCOMPARE(filters.size(), 2);
+        QVERIFY2(filters.constLast().contains("as drawn so far"), qPrintable(filters.constLast()));
+        QCOMPARE(QImage(path).convertToFormat(QImage::Format_RGB32),
+                 window->parts().playhead->frame()->copy());
+    }
+
+    void aTraceIsWrittenBesideTheWindow()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("pixels.csv"));
+        const auto window = openedWindow();
+        SceneExports *exports = window->parts().exports;
+        QSignalSpy notices(exports, &SceneExports::notice);
+
+        QVERIFY(exports->writeTrace(path, TraceLevel::Pixel, TableFormat::Csv));
+
+        // The call is over, the file is not there yet, and a second one would cancel the first.
+        QVERIFY(exports->writing().isRunning());
+        QVERIFY(!QFile::exists(path));
+        QVERIFY(!exports->writeTrace(folder.filePath(QStringLiteral("other.csv")),
+                                     TraceLevel::Pixel, TableFormat::Csv));
+        QTRY_COMPARE(notices.size(), 1);
+        QCOMPARE(notices[0][0].toString(), QStringLiteral("pixels.csv is written."));
+        QBuffer direct;
+        direct.open(QIODevice::WriteOnly);
+        QVERIFY(exportTrace(*window->parts().playhead->traced(),
+                            {TraceLevel::Pixel, TableFormat::Csv}, direct));
+        QCOMPARE(*readFile(path), direct.data());
+    }
+
+    void aCancelledTraceLeavesNoFile()
+    {
+        const QTemporaryDir folder;
+        const auto window = openedWindow();
+        SceneExports *exports = window->parts().exports;
+        QSignalSpy notices(exports, &SceneExports::notice);
+        QVERIFY(exports->writeTrace(folder.filePath(QStringLiteral("pixels.json")),
+                                    TraceLevel::Pixel, TableFormat::Json));
+
+        named<QAbstractButton>(*window, "cancelExport")->click();
+
+        QVERIFY(!exports->writing().isRunning());
+        QCOMPARE(notices[0][0].toString(), QStringLiteral("pixels.json was not written."));
+        QVERIFY(QThreadPool::globalInstance()->waitForDone());
+        QCoreApplication::processEvents();
+        QVERIFY(QDir(folder.path()).isEmpty());
+        QCOMPARE(notices.size(), 1);
+    }
+
+private:
+    IsolatedSettings m_settings;
+};
+
+PIXELPLUMB_TEST(TestWindowExports)
+
+} // namespace tst_windowexports
+
+#include "tst_windowexports.moc"

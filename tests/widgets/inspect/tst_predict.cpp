@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/tracedscene.h"
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/testprogram.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/inspect/methodpanel.h"
+#include "widgets/inspect/pixelhistorypanel.h"
+#include "widgets/inspect/predictpanel.h"
+#include "widgets/inspect/predictwords.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTest>
+#include <QTextBrowser>
+
+namespace tst_predict {
+
+using namespace pixelplumb;
+
+namespace {
+
+Prediction predictionOf(const Quantity &value, const Quantity &earlier = {})
+{
+    return {QStringLiteral("Column 3"),
+            QStringLiteral("y_B"),
+            QStringLiteral("y_B"),
+            value,
+            earlier,
+            QStringLiteral("y_B ← y_B′ + m"),
+            QStringLiteral("y_B ← y_B′ + m = 8 + 1/2")};
+}
+
+} // namespace
+
+/// The panels from which one learns by foretelling and by reading along.
+class TestPredict : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        m_settings.clear();
+        m_window = openedWindow();
+        m_playhead = m_window->parts().playhead;
+    }
+    void cleanup() { m_window.reset(); }
+
+    void answersAreJudgedByTheirValue_data()
+    {
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<int>("guess");
+        const auto add = [](const char *typed, Guess guess) {
+            QTest::newRow(typed) << QString::fromUtf8(typed) << int(guess);
+        };
+        add("8 10/27", Guess::Right);
+        add("226/27", Guess::Right);
+        add("8.37", Guess::Right); // 8.370370…
+        add("8.3704", Guess::Right);
+        add("8,37", Guess::Right);
+        add("8,3", Guess::Near);
+        add("8,370,4", Guess::Unread);
+        add("8.4", Guess::Near); // too few places to tell
+        add("8.3", Guess::Near);
+        add("8.38", Guess::Wrong);
+        add("−8 10/27", Guess::OtherSign);
+        add("8 13/54", Guess::Earlier);
+        add("eight", Guess::Unread);
+        add("", Guess::Unread);
+        add("9", Guess::RoundedUp); // no whole number is asked for
+        add("8", Guess::RoundedDown);
+        add("10", Guess::Wrong);
+    }
+    void answersAreJudgedByTheirValue()
+    {
+        QFETCH(QString, typed);
+        QFETCH(int, guess);
+        QCOMPARE(int(judge(predictionOf(Quantity::rational(226, 27), Quantity::rational(445, 54)),
+                           typed)),
+                 guess);
+    }
+
+    void aFractionIsRightBesideARoundedNumber_data()
+    {
+        QTest::addColumn<Quantity>("value");
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<bool>("isRight");
+        const Quantity nearest = Quantity::of(97.0F / 18);
+        QTest::newRow("the float nearest to it") << nearest << "5 7/18" << true;
+        const Quantity drifted = Quantity::of(5.3889F);
+        QTest::newRow("a float that has drifted") << drifted << "5 7/18" << true;
+        const Quantity fixed = Quantity::rational(353166, 65536);
+        QTest::newRow("a fixed-point number") << fixed << "5 7/18" << true;
+        QTest::newRow("not of a whole one") << nearest << "5" << false;
+        QTest::newRow("another fraction") << nearest << "5 6/18" << false;
+        QTest::newRow("a fraction near it") << nearest << "5 388/1000" << false;
+    }
+    void aFractionIsRightBesideARoundedNumber()
+    {
+        QFETCH(Quantity, value);
+        QFETCH(QString, typed);
+        QFETCH(bool, isRight);
+        Prediction bound = predictionOf(value);
+        bound.exact = Quantity::rational(97, 18);
+        QCOMPARE(judge(bound, typed) == Guess::Right, isRight);
+    }
+
+    /// Where the answer is near, a form is asked for, and the first try is not lost.
+    void aTryIsNotLostByTooFewPlaces()
+    {
+        openPanel();
+        auto *choice = named<QComboBox>(*m_window, "predictChoice");
+        const auto all = predictionsAfter(*m_playhead->traced(), m_playhead->position());
+        const auto isLong = [](const Prediction &each) {
+            const double tenths = each.value.toDouble() * 10;
+            return judge(each, QString::number(std::round(tenths) / 10, 'f', 1)) == Guess::Near;
+        };
+        const auto asked = std::ranges::find_if(all, isLong);
+        QVERIFY(asked != all.end());
+        choice->setCurrentIndex(choice->findText(asked->title));
+
+        answer(QString::number(std::round(asked->value.toDouble() * 10) / 10, 'f', 1));
+        QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Near")));
+        answer(toText(asked->value));
+        QCOMPARE(label("predictScore"), QStringLiteral("Right at the first try: 1 of 1"));
+    }
+
+    void aWholeNumberBesideTheRightOneIsOneOff()
+    {
+        const Prediction row = predictionOf(Quantity::integer(9));
+        QCOMPARE(judge(row, QStringLiteral("8")), Guess::OneOff);
+        QCOMPARE(judge(row, QStringLiteral("10")), Guess::OneOff);
+        QCOMPARE(judge(row, QStringLiteral("9")), Guess::Right);
+        QCOMPARE(judge(row, QStringLiteral("7")), Guess::Wrong);
+    }
+
+    void aWrongAnswerIsToldByWhatIsWrongWithIt()
+    {
+        const Prediction bound = predictionOf(Quantity::rational(16, 3));
+        const auto told = [](const Prediction &of, const char *typed) {
+            return verdictText(of, judge(of, QString::fromLatin1(typed)));
+        };
+        QVERIFY(told(bound, "6").startsWith(QStringLiteral("That is ⌈y_B⌉")));
+        QVERIFY(told(bound, "5").startsWith(QStringLiteral("That is ⌊y_B⌋")));
+        QVERIFY(told(bound, "5.3").contains(QStringLiteral("rounded to 2 places or more")));
+        Prediction row = predictionOf(Quantity::integer(6));
+        row.rule = QStringLiteral("first row = ⌈y_B⌉");
+        row.words = QStringLiteral("the first row, ⌈y_B⌉");
+        QVERIFY(
+            told(row, "5.33").contains(QStringLiteral("a whole number is asked for: the first")));
+    }
+
+    /// What the brackets mean, but not the number in them: it is a question of its own.
+    void aWrongRoundingIsToldWhatItsBracketsMean_data()
+    {
+        QTest::addColumn<QString>("rule");
+        QTest::addColumn<QString>("told");
+        QTest::newRow("closed below") << "first row = ⌈y_B⌉"
+                                      << "⌈y_B⌉ is the first whole number not below y_B";
+        QTest::newRow("closed above") << "last row = ⌊y_T⌋"
+                                      << "⌊y_T⌋ is the last whole number not above y_T";
+        QTest::newRow("open above") << "last row = ⌈y_T⌉ − 1"
+                                    << "⌈y_T⌉ − 1 is the last whole number below y_T";
+        QTest::newRow("open below") << "first row = ⌊y_B⌋ + 1"
+                                    << "⌊y_B⌋ + 1 is the first whole number above y_B";
+        QTest::newRow("nearest") << "v_r = ⌊v + ½⌋"
+                                 << "⌊v + ½⌋ is the whole number nearest to v";
+    }
+    void aWrongRoundingIsToldWhatItsBracketsMean()
+    {
+        QFETCH(QString, rule);
+        QFETCH(QString, told);
+        Prediction row = predictionOf(Quantity::integer(42), Quantity::integer(38));
+        row.rule = rule;
+        const auto verdict = [&row](const char *typed) {
+            return verdictText(row, judge(row, QString::fromLatin1(typed)));
+        };
+        QCOMPARE(verdict("41"), QStringLiteral("One off: %1.").arg(told));
+        QVERIFY(verdict("38").endsWith(QStringLiteral("of the span before: %1.").arg(told)));
+        QVERIFY(verdict("7").startsWith(QStringLiteral("Not yet: %1.").arg(told)));
+    }
+
+    /// What is computed anew in every span is no sum of steps.
+    void anEarlierNumberIsToldWhatMakesTheNextOne()
+    {
+        Prediction number = predictionOf(Quantity::integer(-12), Quantity::integer(-14));
+        const auto told
+            = [&number] { return verdictText(number, judge(number, QStringLiteral("-14"))); };
+        QCOMPARE(told(),
+                 QStringLiteral("That is y_B of the span before: what does one step add "
+                                "to it?"));
+        number.title = QStringLiteral("Δp");
+        number.rule = QStringLiteral("Δp = 2Δy");
+        QCOMPARE(told(), QStringLiteral("That is Δp of the span before: Δp = 2Δy."));
+    }
+
+    /// What is asked for is what the table says once the step is done.
+    void everyQuestionIsANumberOfTheNextSpan()
+    {
+        const TracedScene &traced = *m_playhead->traced();
+        const std::size_t span = *m_playhead->spanInHand() + 1;
+        const auto cells = traced.trace->span(span).cells;
+        const auto all = predictionsAfter(traced, m_playhead->position());
+        QVERIFY(all.size() >= 10);
+        for (const Prediction &prediction : all)
+            QVERIFY2(std::ranges::find(cells, prediction.value) != cells.end(),
+                     qPrintable(prediction.title));
+        QCOMPARE(all.front().title, QStringLiteral("y_B"));
+    }
+
+    void theAnswerIsCheckedAndItsReasonTold()
+    {
+        openPanel();
+        const Prediction asked
+            = predictionsAfter(*m_playhead->traced(), m_playhead->position()).front();
+        QVERIFY(label("predictQuestion").contains(QStringLiteral("Column")));
+
+        answer(QStringLiteral("1000"));
+        QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Not")));
+        answer(toText(asked.earlier));
+        QVERIFY(label("predictVerdict").contains(QStringLiteral("span before")));
+        answer(toText(asked.value));
+        QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Right")));
+        QVERIFY(label("predictVerdict").contains(QStringLiteral("m")));
+        // The first answer alone counts.
+        QCOMPARE(label("predictScore"), QStringLiteral("Right at the first try: 0 of 1"));
+
+        const std::size_t before = *m_playhead->spanInHand();
+        QTest::keyClick(line(), Qt::Key_Return);
+        QCOMPARE(*m_playhead->spanInHand(), before + 1);
+        answer(
+            toText(predictionsAfter(*m_playhead->traced(), m_playhead->position()).front().value));
+        QCOMPARE(label("predictScore"), QStringLiteral("Right at the first try: 1 of 2"));
+    }
+
+    void whatIsShownCountsAsNotKnown()
+    {
+        openPanel();
+        QTest::mouseClick(named<QPushButton>(*m_window, "predictShow"), Qt::LeftButton);
+        QVERIFY(label("predictVerdict").contains(QStringLiteral("y")));
+        QCOMPARE(label("predictScore"), QStringLiteral("Right at the first try: 0 of 1"));
+        QVERIFY(!named<QPushButton>(*m_window, "predictShow")->isEnabled());
+        QVERIFY(named<QPushButton>(*m_window, "predictNext")->isEnabled());
+    }
+
+    void nothingAheadIsToldWhileThePanelIsSeen()
+    {
+        const auto *table = named<QTableView>(*m_window, "columnTable");
+        const int inHand = int(*m_playhead->spanInHand());
+        const int bound = columnOf(*table, QStringLiteral("y_B"));
+        const QString next = table->model()->index(inHand + 1, bound).data().toString();
+        QVERIFY(next != QStringLiteral("?"));
+
+        openPanel();
+        QCOMPARE(table->model()->index(inHand + 1, bound).data().toString(), QStringLiteral("?"));
+        QVERIFY(!table->model()->index(inHand + 1, bound).data(Qt::ToolTipRole).isValid());
+        QVERIFY(table->model()->index(inHand, bound).data().toString() != QStringLiteral("?"));
+        const auto ahead = nextPixelAfter(*m_playhead->traced(), m_playhead->position());
+        m_playhead->pick(ahead->pixel);
+        QVERIFY(label("pixelHistoryHeading").contains(QStringLiteral("predict it")));
+
+        m_playhead->step(StepUnit::Span, StepDirection::Forward);
+        QCOMPARE(table->model()->index(inHand + 1, bound).data().toString(), next);
+
+        QTest::keyClick(m_window.get(), Qt::Key_Escape);
+        action(*m_window, "predictDockToggle")->trigger();
+        QCOMPARE(table->model()->index(inHand + 2, bound).data().toString() != QStringLiteral("?"),
+                 true);
+    }
+
+    void theNextPixelIsPickedOnTheCanvas()
+    {
+        openPanel();
+        auto *choice = named<QComboBox>(*m_window, "predictChoice");
+        choice->setCurrentIndex(choice->count() - 1);
+        const NextPixel next = *nextPixelAfter(*m_playhead->traced(), m_playhead->position());
+
+        m_playhead->pick(next.pixel + QPoint(1, 1));
+        QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Not")));
+        QVERIFY(label("predictVerdict").contains(QStringLiteral("comes later: Column")));
+        m_playhead->pick(next.pixel + QPoint(0, 1));
+        QVERIFY(label("predictVerdict").contains(QStringLiteral("later in the same span")));
+        m_playhead->pick(next.pixel - QPoint(1, 0));
+        QVERIFY(label("predictVerdict").contains(QStringLiteral("drawn already, in step")));
+        m_playhead->pick(QPoint(0, 0));
+        QVERIFY(label("predictVerdict").contains(QStringLiteral("Refused by")));
+        answer(QStringLiteral("64, 12"));
+        QVERIFY(label("predictVerdict")
+                    .contains(QStringLiteral("off the frame, columns 0 to 63 and rows 0 to 47")));
+        m_playhead->pick(next.pixel);
+        QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Right")));
+        QTest::mouseClick(named<QPushButton>(*m_window, "predictNext"), Qt::LeftButton);
+        QCOMPARE(m_playhead->pixelInHand(), std::optional(next.pixel));
+    }
+
+    void whatIsTypedOverAFieldThatIsNotAskedIsNoKeyOfTheCanvas()
+    {
+        openPanel();
+        const std::string method = m_window->parts().document->scene().method;
+        m_playhead->seek(m_playhead->end());
+        QVERIFY(!line()->isEnabled());
+        m_window->parts().canvas->setFocus();
+
+        QTest::mouseClick(m_window->windowHandle(), Qt::LeftButton, Qt::NoModifier,
+                          line()->mapTo(m_window.get(), line()->rect().center()));
+        QVERIFY(!m_window->parts().canvas->hasFocus());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_2);
+        QCOMPARE(m_window->parts().document->scene().method, method);
+    }
+
+    void theFocusStaysInThePanelAsItsPartsAreUsedUp()
+    {
+        openPanel();
+        auto *panel = named<PredictPanel>(*m_window, "predict");
+        auto *show = named<QPushButton>(*m_window, "predictShow");
+        show->setFocus();
+        show->click();
+        QVERIFY(line()->hasFocus()); // Enter goes on
+        m_playhead->seek(m_playhead->end());
+        QVERIFY(panel->hasFocus());
+    }
+
+    void theScoreEndsWithTheScene()
+    {
+        openPanel();
+        answer(QStringLiteral("1000"));
+        QVERIFY(!label("predictScore").isEmpty());
+        action(*m_window, "newScene")->trigger();
+        QCOMPARE(label("predictScore"), QString());
+        QVERIFY(label("predictQuestion").contains(QStringLiteral("Nothing is drawn yet")));
+    }
+
+    void aClosedPanelEndsTheScoreAndItsOpenQuestion()
+    {
+        openPanel();
+        answer(QStringLiteral("1000"));
+        QSignalSpy told(m_playhead, &Playhead::message);
+        action(*m_window, "predictDockToggle")->trigger();
+        QCOMPARE(told.size(), 1);
+        QCOMPARE(told[0][0].toString(),
+                 QStringLiteral("Predict is closed. Right at the first try: 0 of 1."));
+
+        openPanel();
+
+        QCOMPARE(label("predictScore"), QString());
+        QVERIFY(label("predictVerdict")
+                    .startsWith(QStringLiteral("The panel was closed with this question open.")));
+        QVERIFY(!named<QPushButton>(*m_window, "predictCheck")->isEnabled());
+        QTest::mouseClick(named<QPushButton>(*m_window, "predictNext"), Qt::LeftButton);
+        QVERIFY(named<QPushButton>(*m_window, "predictCheck")->isEnabled());
+    }
+
+    void theLinesThatAStepDoesAreMarked()
+    {
+        action(*m_window, "methodDockToggle")->trigger();
+        const auto *text = named<QTextBrowser>(*m_window, "methodText");
+        m_playhead->seekToSpan(*m_playhead->spanInHand() + 1);
+        QVERIFY(text->toPlainText().contains(QStringLiteral("▶")));
+        const QString atSpan
+            = named<MethodPanel>(*m_window, "methodPanel")->accessibleDescription();
+        QVERIFY(atSpan.contains(QStringLiteral("else: y_B ← y_B + m_B")));
+        m_playhead->step(StepUnit::Sample, StepDirection::Forward);
+        const QString atFirst
+            = named<MethodPanel>(*m_window, "methodPanel")->accessibleDescription();
+        QVERIFY(atFirst.contains(QStringLiteral("the first: R, G, B")));
+        m_playhead->step(StepUnit::Sample, StepDirection::Forward);
+        QVERIFY(named<MethodPanel>(*m_window, "methodPanel")
+                    ->accessibleDescription()
+                    .contains(QStringLiteral("else: R ← R + ΔR")));
+    }
+
+private:
+    void openPanel()
+    {
+        action(*m_window, "predictDockToggle")->trigger();
+        QTRY_VERIFY(named<PredictPanel>(*m_window, "predict")->isVisible());
+    }
+    QLineEdit *line() { return named<QLineEdit>(*m_window, "predictAnswer"); }
+    void answer(const QString &text)
+    {
+        line()->clear();
+        QTest::keyClicks(line(), text);
+        QTest::keyClick(line(), Qt::Key_Return);
+    }
+    /// A label's words without their markup.
+    QString label(const char *name)
+    {
+        QTextDocument document;
+        document.setHtml(named<QLabel>(*m_window, name)->text());
+        return document.toPlainText();
+    }
+    static int columnOf(const QTableView &table, const QString &title)
+    {
+        for (int column = 0; column < table.model()->columnCount(); ++column) {
+            if (table.model()->headerData(column, Qt::Horizontal).toString() == title)
+                return column;
+        }
+        return -1;
+    }
+
+    IsolatedSettings m_settings;
+    std::unique_ptr<MainWindow> m_window;
+    Playhead *m_playhead = nullptr;
+};
+
+PIXELPLUMB_TEST(TestPredict)
+
+} // namespace tst_predict
+
+#include "tst_predict.moc"

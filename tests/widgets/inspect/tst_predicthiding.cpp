@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/nextpixel.h"
+#include "core/runs/prediction.h"
+#include "core/runs/tracedscene.h"
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/testprogram.h"
+#include "tests/support/windowsteps.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/inspect/columntable.h"
+#include "widgets/inspect/pixelgrid.h"
+#include "widgets/inspect/pixelhistorypanel.h"
+#include "widgets/inspect/predictpanel.h"
+#include "widgets/model/columntablemodel.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
+#include "widgets/stepping/scrubber.h"
+
+#include <QClipboard>
+#include <QHelpEvent>
+#include <QLabel>
+#include <QTest>
+#include <QTextDocument>
+#include <QToolTip>
+#include <QTreeView>
+
+namespace tst_predicthiding {
+
+using namespace pixelplumb;
+
+/// Nothing in the window tells what a student is asked to foretell.
+class TestPredictHiding : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_settings.clear(); }
+    void cleanup() { m_window.reset(); }
+
+    void rowsAheadTellNothingButWhatCountsThem_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<QStringList>("told");
+        QTest::newRow("columns") << "default.json"
+                                 << "column-scan" << QStringList{"x", "half"};
+        QTest::newRow("rows") << "default.json"
+                              << "row-walk" << QStringList{"y", "trapezoid"};
+        QTest::newRow("Bresenham") << "lines.json"
+                                   << "line-bresenham" << QStringList{"k"};
+        QTest::newRow("DDA") << "lines.json"
+                             << "line-dda" << QStringList{"u"};
+        QTest::newRow("points of a line") << "lines.json"
+                                          << "line-parametric" << QStringList{"i"};
+        QTest::newRow("midpoint circle") << "circles.json"
+                                         << "circle-midpoint" << QStringList{"arc", "x_k"};
+    }
+    void rowsAheadTellNothingButWhatCountsThem()
+    {
+        QFETCH(QString, file);
+        QFETCH(QString, method);
+        QFETCH(QStringList, told);
+        open(file, method);
+        const QAbstractItemModel &model = *table()->model();
+        const int ahead = int(*playhead().spanInHand()) + 1;
+
+        for (int column = 0; column < model.columnCount(); ++column) {
+            if (table()->isColumnHidden(column))
+                continue;
+            const QString title = model.headerData(column, Qt::Horizontal).toString();
+            const QModelIndex cell = model.index(ahead, column);
+            QVERIFY2((cell.data().toString() == QStringLiteral("?")) != told.contains(title),
+                     qPrintable(title));
+            if (!told.contains(title))
+                QVERIFY(!cell.data(Qt::ToolTipRole).isValid());
+        }
+    }
+
+    /// It could be copied from the step before.
+    void whatNeverChangesIsAskedForOnceATriangle_data()
+    {
+        QTest::addColumn<Arithmetic>("arithmetic");
+        QTest::newRow("exact") << Arithmetic::Exact;
+        QTest::newRow("but for rounding") << Arithmetic::Float32;
+    }
+    void whatNeverChangesIsAskedForOnceATriangle()
+    {
+        QFETCH(Arithmetic, arithmetic);
+        Scene scene = defaultScene();
+        scene.settings.arithmetic = arithmetic;
+        const auto traced = traceScene(scene);
+        QHash<QString, int> times;
+        for (std::size_t span = 0; span < traced->trace->spanCount(); ++span) {
+            for (const Prediction &asked :
+                 predictionsAfter(*traced, traced->trace->indexOfSpan(span)))
+                ++times[asked.title];
+        }
+        for (const char *rate : {"ΔR", "ΔG", "ΔB"})
+            QCOMPARE(times[QString::fromUtf8(rate)], 1);
+        for (const char *bound : {"y_B", "y_T", "⌈y_B⌉"})
+            QCOMPARE(times[QString::fromUtf8(bound)], int(traced->trace->spanCount()));
+    }
+
+    /// Nor under another name: p_k of a line is p_k₊₁ of the step before. That a number may be the
+    /// same as before is for the student to find.
+    void noAnswerStandsInTheStepInHandUnderAnotherName_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("method");
+        QTest::newRow("columns") << "default.json"
+                                 << "column-scan";
+        QTest::newRow("rows") << "default.json"
+                              << "row-walk";
+        for (const char *method : {"line-bresenham", "line-bresenham-symmetric", "line-dda",
+                                   "line-slope-intercept", "line-parametric"})
+            QTest::newRow(method) << "lines.json" << QString::fromLatin1(method);
+        QTest::newRow("midpoint circle") << "circles.json"
+                                         << "circle-midpoint";
+        QTest::newRow("outline") << "polygon-outline.json"
+                                 << "polygon-outline";
+    }
+    void noAnswerStandsInTheStepInHandUnderAnotherName()
+    {
+        QFETCH(QString, file);
+        QFETCH(QString, method);
+        open(file, method);
+        const TracedScene &traced = *playhead().traced();
+        const ScanTrace &trace = *traced.trace;
+        QHash<QString, QSet<QString>>
+            mayBeCopied; // the question's title; what it always was so far
+        for (std::size_t span = 0; span + 1 < trace.spanCount(); ++span) {
+            if (trace.beginsPart(span + 1))
+                continue;
+            const std::vector<Quantity> cells = trace.span(span).cells;
+            for (const Prediction &asked : predictionsAfter(traced, trace.indexOfSpan(span) + 1)) {
+                QSet<QString> same;
+                for (std::size_t i = 0; i < cells.size(); ++i) {
+                    const NumberDescription &number = trace.numbers().span[i];
+                    const bool isCount = number.group == NumberGroup::Position;
+                    if (cells[i] == asked.value && !isCount && number.title != asked.title)
+                        same.insert(number.title);
+                }
+                const auto known = mayBeCopied.find(asked.title);
+                if (known == mayBeCopied.end())
+                    mayBeCopied.insert(asked.title, same);
+                else
+                    known->intersect(same);
+            }
+        }
+        QVERIFY(!mayBeCopied.isEmpty());
+        for (auto question = mayBeCopied.begin(); question != mayBeCopied.end(); ++question)
+            QVERIFY2(question->isEmpty(),
+                     qPrintable(question.key() + QStringLiteral(" is ")
+                                + QStringList(question->begin(), question->end()).join(u' ')));
+    }
+
+    /// Not what is shown of them by the question mark.
+    void columnsKeepTheWidthOfTheNumbersThatAreHidden()
+    {
+        m_window = openedWindow();
+        playhead().seekToSpan(0);
+        const QList<int> before = widths();
+
+        showPanel();
+        QCOMPARE(widths(), before);
+        playhead().step(StepUnit::Span, StepDirection::Forward);
+        QCOMPARE(widths(), before);
+    }
+
+    void everyNumberOfTheRunFitsItsColumn()
+    {
+        open(QStringLiteral("default.json"), QStringLiteral("column-scan"));
+        const QAbstractItemModel &model = *table()->model();
+        const QFontMetricsF metrics(table()->font());
+        for (int column = 0; column < model.columnCount(); ++column) {
+            if (table()->isColumnHidden(column))
+                continue;
+            for (int row = 0; row < model.rowCount(); ++row) {
+                const QString text
+                    = model.index(row, column).data(ColumnTableModel::MeasuredTextRole).toString();
+                QVERIFY2(metrics.horizontalAdvance(text) * 0.85 < table()->columnWidth(column),
+                         qPrintable(text));
+            }
+        }
+    }
+
+    void theCopyOfTheTableHasNoNumberThatIsAhead()
+    {
+        open(QStringLiteral("lines.json"), QStringLiteral("line-bresenham"));
+        table()->copyAll();
+        const QStringList lines = QGuiApplication::clipboard()->text().split(u'\n');
+        const int ahead = int(*playhead().spanInHand()) + 1;
+        const QStringList names = lines.front().split(u'\t');
+        const QStringList cells = lines[ahead + 1].split(u'\t');
+        QCOMPARE(cells[names.indexOf(QStringLiteral("y"))], QString());
+        QVERIFY(!cells[names.indexOf(QStringLiteral("k"))].isEmpty());
+    }
+
+    void tipsOfTheScrubberTellNoPixelAhead()
+    {
+        open(QStringLiteral("lines.json"), QStringLiteral("line-bresenham"));
+        auto *scrubber = named<Scrubber>(*m_window, "scrubber");
+        const auto tipAt = [&](std::size_t position) {
+            const QPoint place(int(scrubber->scale().xOf(position)), scrubber->height() - 4);
+            QHelpEvent help(QEvent::ToolTip, place, scrubber->mapToGlobal(place));
+            QApplication::sendEvent(scrubber, &help);
+            return QToolTip::text();
+        };
+        QVERIFY(tipAt(playhead().end()).contains(QStringLiteral("predict it")));
+        QVERIFY(!tipAt(1).contains(QStringLiteral("predict it")));
+    }
+
+    void thePixelGridTellsNoTruth()
+    {
+        open(QStringLiteral("default.json"), QStringLiteral("column-scan"));
+        const auto *grid = named<PixelGrid>(*m_window, "pixelGrid");
+        const NextPixel next = *nextPixelAfter(*playhead().traced(), playhead().position());
+        playhead().pick(next.pixel);
+        QVERIFY(!grid->accessibleDescription().contains(QStringLiteral("truth")));
+        QVERIFY(!grid->accessibleDescription().contains(QStringLiteral("R =")));
+        hidePanel();
+        QVERIFY(grid->accessibleDescription().contains(QStringLiteral("truth")));
+    }
+
+    void theTruthIsNotShown()
+    {
+        open(QStringLiteral("default.json"), QStringLiteral("column-scan"));
+        const Canvas *canvas = m_window->parts().canvas;
+        action(*m_window, "showTruth")->trigger();
+        QVERIFY(!canvas->isTruthVisible());
+        hidePanel();
+        QVERIFY(canvas->isTruthVisible());
+    }
+
+    /// Nothing lies ahead there.
+    void atTheEndAllIsShownAndBehindItHiddenAgain()
+    {
+        open(QStringLiteral("default.json"), QStringLiteral("column-scan"));
+        const Canvas *canvas = m_window->parts().canvas;
+        action(*m_window, "showTruth")->trigger();
+        const QAbstractItemModel &model = *table()->model();
+        const auto lastCell = [&model] {
+            return model.index(model.rowCount() - 1, model.columnCount() - 1).data().toString();
+        };
+        const QList<int> before = widths();
+
+        QVERIFY(!canvas->isTruthVisible());
+        QCOMPARE(lastCell(), QStringLiteral("?"));
+        action(*m_window, "runToEnd")->trigger();
+        QVERIFY(canvas->isTruthVisible());
+        QVERIFY(lastCell() != QStringLiteral("?"));
+        for (int i = 0; i < 2; ++i)
+            playhead().step(StepUnit::Span, StepDirection::Backward);
+        QVERIFY(!canvas->isTruthVisible());
+        QCOMPARE(lastCell(), QStringLiteral("?"));
+        QCOMPARE(widths(), before);
+    }
+
+    /// The first triangle has written the pixel; the second is still to refuse it or to write it.
+    void aPixelsHistoryEndsAtTheStepInHand()
+    {
+        Scene scene = defaultScene();
+        scene.triangles.push_back(scene.triangles.front());
+        m_window = openedWindow(scene);
+        playhead().pick({27, 19});
+        playhead().seek(playhead().traced()->trace->indexOfSetUp(1) + 1);
+        playhead().pick({27, 19});
+        const auto *tree = named<QTreeView>(*m_window, "pixelHistoryTree");
+        QCOMPARE(tree->model()->rowCount(), 2);
+
+        showPanel();
+        QCOMPARE(tree->model()->rowCount(), 1);
+        QTextDocument heading;
+        heading.setHtml(named<QLabel>(*m_window, "pixelHistoryHeading")->text());
+        QVERIFY(heading.toPlainText().contains(QStringLiteral("still ahead")));
+        QVERIFY(!heading.toPlainText().contains(QStringLiteral("truth")));
+    }
+
+    /// The numbers of a line's step name its pixel.
+    void theNextPixelIsNotTheOneThatTheStepInHandTells()
+    {
+        open(QStringLiteral("lines.json"), QStringLiteral("line-bresenham"));
+        const ScanTrace &trace = *playhead().traced()->trace;
+        playhead().seekToSpan(6);
+        const NextPixel next = *nextPixelAfter(*playhead().traced(), playhead().position());
+        QCOMPARE(trace.spanOf(trace.stepAt(next.step).sample), std::size_t(7));
+        const PixelChange &inHand = trace.changes()[trace.firstSampleOf(6)];
+        QVERIFY(wrongPixelText(*playhead().traced(), playhead().position(),
+                               {int(inHand.x), int(inHand.y)})
+                    .contains(QStringLiteral("step in hand")));
+    }
+
+private:
+    Playhead &playhead() { return *m_window->parts().playhead; }
+    ColumnTable *table() { return named<ColumnTable>(*m_window, "columnTable"); }
+    static Scene defaultScene() { return openedWindow()->parts().document->scene(); }
+
+    /// In the middle of the run, the panel in sight.
+    void open(const QString &file, const QString &method)
+    {
+        m_window = openedWindow(file);
+        m_window->parts().document->setMethod(method.toStdString());
+        QVERIFY(waitForRun(*m_window));
+        playhead().seekToSpan(playhead().traced()->trace->spanCount() / 4);
+        showPanel();
+    }
+    void showPanel()
+    {
+        toggle();
+        QTRY_VERIFY(named<PredictPanel>(*m_window, "predict")->isVisible());
+    }
+    void hidePanel() { toggle(); }
+    void toggle() { action(*m_window, "predictDockToggle")->trigger(); }
+    QList<int> widths()
+    {
+        QList<int> widths;
+        for (int column = 0; column < table()->model()->columnCount(); ++column)
+            widths += table()->columnWidth(column);
+        return widths;
+    }
+
+    IsolatedSettings m_settings;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+PIXELPLUMB_TEST(TestPredictHiding)
+
+} // namespace tst_predicthiding
+
+#include "tst_predicthiding.moc"

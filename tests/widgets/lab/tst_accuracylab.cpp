@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/labfile.h"
+#include "core/scene/fileaccess.h"
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/labrequest.h"
+#include "tests/support/madestudy.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/testprogram.h"
+#include "widgets/files/scenefiles.h"
+#include "widgets/lab/accuracylab.h"
+#include "widgets/lab/labfiles.h"
+#include "widgets/lab/labtable.h"
+#include "widgets/lab/paretoplot.h"
+#include "widgets/model/playhead.h"
+#include "widgets/studies/comparepanel.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTabWidget>
+#include <QTest>
+
+namespace tst_accuracylab {
+
+using namespace pixelplumb;
+
+namespace {
+
+constexpr int longest = 60'000; // ms
+
+} // namespace
+
+/// The lab in the window, driven by clicks.
+class TestAccuracyLab : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        m_settings.clear();
+        m_window = openedWindow(QStringLiteral("ties-at-tenths.json"));
+        action(*m_window, "accuracyLabDockToggle")->trigger();
+        m_lab = named<AccuracyLab>(*m_window, "accuracyLab");
+        m_lab->setRequest(smallRequest());
+        QCoreApplication::processEvents();
+    }
+    void cleanup() { m_window.reset(); }
+
+    void saysAtFirstWhatTheButtonDoes()
+    {
+        QVERIFY(m_lab->isVisible());
+        QVERIFY(!m_lab->results());
+        const auto *invitation = named<QLabel>(*m_lab, "labInvitation");
+        QVERIFY(invitation->isVisible());
+        QVERIFY(invitation->text().contains(QStringLiteral("and about ")));
+        QVERIFY(invitation->text().endsWith(QStringLiteral(" s.")));
+        QVERIFY(!named<QTabWidget>(*m_lab, "labTabs")->isVisible());
+
+        named<QComboBox>(*m_lab, "labExtent")->setCurrentIndex(1);
+        QVERIFY(invitation->text().contains(QStringLiteral("every method in every arithmetic")));
+    }
+
+    void aRunFillsTheChartsAndCanBeDoneAgain()
+    {
+        for (int run = 0; run < 2; ++run) {
+            click("labRun");
+            QVERIFY(m_lab->isRunning());
+            QVERIFY(!button("labRun")->isEnabled());
+            QVERIFY(named<QProgressBar>(*m_lab, "labProgress")->isVisible());
+            QTRY_VERIFY_WITH_TIMEOUT(!m_lab->isRunning(), longest);
+
+            const Study &results = *m_lab->results();
+            QVERIFY(results.isComplete);
+            QCOMPARE(results.rows.size(), std::size_t(2));
+            QVERIFY(!results.growth.empty() && !results.drift.empty());
+            QVERIFY(!named<QProgressBar>(*m_lab, "labProgress")->isVisible());
+            QVERIFY(button("labRun")->isEnabled());
+            QCOMPARE(named<LabTable>(*m_lab, "labTable")->model()->rowCount(), 2);
+            QVERIFY(named<ParetoPlot>(*m_lab, "labPareto")
+                        ->positionOf(QStringLiteral("column-scan:float32")));
+            QVERIFY(named<QLabel>(*m_lab, "labConditions")
+                        ->text()
+                        .contains(QStringLiteral("pixelplumb-cli lab")));
+        }
+    }
+
+    void aClickOnADotOpensCompareAtItsFirstWrongPixel()
+    {
+        runToItsEnd();
+        auto *pareto = named<ParetoPlot>(*m_lab, "labPareto");
+        auto *plot = pareto->findChild<QWidget *>();
+        const LabMiss miss
+            = *m_lab->results()
+                   ->row(QStringLiteral("column-scan:float32"), QStringLiteral("own-scene"))
+                   ->firstMiss;
+
+        const QPointF dot = *pareto->positionOf(QStringLiteral("column-scan:float32"));
+        QTest::mouseClick(plot, Qt::LeftButton, {}, plot->mapFrom(pareto, dot.toPoint()));
+
+        const auto *compare = named<ComparePanel>(*m_window, "compare");
+        const Playhead *playhead = m_window->parts().playhead;
+        QTRY_VERIFY_WITH_TIMEOUT(compare->contest() && !compare->isRunning()
+                                     && compare->contest()->scene == miss.scene,
+                                 longest);
+        QVERIFY(compare->isVisible());
+        QCOMPARE(playhead->pickedPixel(), std::optional(QPoint(int(miss.x), int(miss.y))));
+        QCOMPARE(compare->contenders().front().settings.arithmetic, Arithmetic::Float32);
+        QVERIFY(compare->contenders().back().isTruth());
+        const PixelComparison pixel = comparePixel(*compare->contest(), miss.x, miss.y);
+        QVERIFY(pixel.agreeing < 2);
+    }
+
+    void aRowOfTheTableIsTheDotOfTheChart()
+    {
+        runToItsEnd();
+        auto *table = named<LabTable>(*m_lab, "labTable");
+        named<QTabWidget>(*m_lab, "labTabs")->setCurrentIndex(1);
+        QCoreApplication::processEvents();
+
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
+                          table->visualRect(table->model()->index(1, 0)).center());
+
+        const QString chosen = table->selected();
+        QVERIFY(!chosen.isEmpty());
+        QCOMPARE(table->model()->index(1, 0).data(LabTableModel::ContenderRole).toString(), chosen);
+        QCOMPARE(named<QComboBox>(*m_lab, "labMissContender")->currentData().toString(), chosen);
+        auto *pareto = named<ParetoPlot>(*m_lab, "labPareto");
+        QCOMPARE(pareto->selected(), chosen);
+
+        named<QTabWidget>(*m_lab, "labTabs")->setCurrentIndex(0);
+        pareto->setFocus();
+        QTest::keyClick(pareto, Qt::Key_Left);
+        QTest::keyClick(pareto, Qt::Key_Left);
+        const QString cheapest = pareto->selected();
+        QCOMPARE(table->selected(), cheapest);
+        QTest::keyClick(pareto, Qt::Key_Right);
+        QVERIFY(table->selected() != cheapest);
+        QCOMPARE(table->selected(), pareto->selected());
+        QVERIFY(pareto->accessibleDescription().contains(QStringLiteral("ns a pixel")));
+    }
+
+    void progressMovesNoTab_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("low panel") << QSize(1016, 600);
+        QTest::newRow("high panel") << QSize(1440, 1100);
+    }
+    void progressMovesNoTab()
+    {
+        QFETCH(QSize, size);
+        m_window->resize(size);
+        runToItsEnd();
+        QTest::qWait(50); // the docks take their places by events
+        const auto *tabs = named<QTabWidget>(*m_lab, "labTabs");
+        const QRect place = tabs->geometry();
+        StudySettings request = smallRequest();
+        request.rounds = 100'000;
+        m_lab->setRequest(request);
+
+        click("labRun");
+        QTest::qWait(50);
+        QVERIFY(named<QProgressBar>(*m_lab, "labProgress")->isVisible());
+        QCOMPARE(tabs->geometry(), place);
+
+        click("labCancel");
+        QTRY_VERIFY(!m_lab->isRunning());
+        QTest::qWait(50);
+        QCOMPARE(tabs->geometry(), place);
+    }
+
+    void resultsGoToAFileAndComeBack()
+    {
+        runToItsEnd();
+        const Study study = *m_lab->results();
+        const QString path = m_folder.filePath(QStringLiteral("lab.json"));
+        QVERIFY(m_lab->files()->writeResults(path, study));
+        QVERIFY(m_lab->files()->writeTable(m_folder.filePath(QStringLiteral("lab.csv")), study));
+
+        QVERIFY(m_lab->openResults(path));
+
+        QCOMPARE(writeStudy(*m_lab->results()), writeStudy(study));
+        QSignalSpy complaints(m_lab, &AccuracyLab::complaint);
+        QVERIFY(!m_lab->files()->writeTable(path, study)); // it was read
+        QVERIFY(complaints.takeFirst().constFirst().toString().contains("not written"));
+        QVERIFY(m_lab->compareWith(path));
+        QVERIFY(named<QWidget>(*m_lab, "labChanges")->isVisible());
+        QVERIFY(!m_lab->openResults(m_folder.filePath(QStringLiteral("lab.csv"))));
+        QVERIFY(complaints.takeFirst().constFirst().toString().contains("not opened"));
+    }
+
+    void chartsAreFiguresWithTheirOrigin_data() { addPalettes(); }
+    void chartsAreFiguresWithTheirOrigin()
+    {
+        QFETCH(QPalette, palette);
+        qApp->setPalette(palette);
+        const auto results
+            = madeResults({{"column-scan:float32", 2, 5000}, {"proved", 3, 0, true}});
+        ParetoPlot plot;
+        plot.resize(300, 200);
+        plot.show(results, QStringLiteral("f"), *errorAxisNamed(QStringLiteral("wrong-pixels")));
+        const QString svg = m_folder.filePath(QStringLiteral("chart.svg"));
+        const QString png = m_folder.filePath(QStringLiteral("chart.png"));
+
+        QVERIFY(m_lab->files()->writeChart(svg, plot, *results));
+        QVERIFY(m_lab->files()->writeChart(png, plot, *results));
+
+        const QString text = QString::fromUtf8(*readFile(svg));
+        for (const char *part :
+             {"Cost against error: Family f", "pixelplumb-cli lab --quick --seed 1", "a processor",
+              "cost, ns a pixel", "0, proved"})
+            QVERIFY2(text.contains(QLatin1String(part)), part);
+        const QImage picture(png);
+        QCOMPARE(picture.size(), QSize(1920, 1280));
+        QCOMPARE(picture.pixelColor(2, 2), QColor(Qt::white)); // paper, whatever the window
+        QCOMPARE(plot.palette(), palette);
+    }
+
+    void fitsIntoASmallWindow()
+    {
+        m_window->resize(1016, 600);
+        action(*m_window, "resetLayout")->trigger();
+        action(*m_window, "accuracyLabDockToggle")->trigger();
+        runToItsEnd();
+        QTest::qWait(50); // the docks take their places by events
+
+        QCOMPARE(m_window->size(), QSize(1016, 600));
+        for (const char *name : {"labRun", "labTabs", "labConditions"})
+            QVERIFY2(!named<QWidget>(*m_lab, name)->visibleRegion().isEmpty(), name);
+        QVERIFY(named<ParetoPlot>(*m_lab, "labPareto")->height() >= 60);
+    }
+
+    void looksRightInBothPalettes_data() { addPalettes(); }
+    void looksRightInBothPalettes()
+    {
+        QFETCH(QPalette, palette);
+        qApp->setPalette(palette);
+        runToItsEnd();
+
+        QVERIFY(!grabbed(*m_window, QStringLiteral("lab")).isNull());
+    }
+
+private:
+    QPushButton *button(const char *name) { return named<QPushButton>(*m_lab, name); }
+    void click(const char *name) { QTest::mouseClick(button(name), Qt::LeftButton); }
+    void runToItsEnd()
+    {
+        click("labRun");
+        QTRY_VERIFY_WITH_TIMEOUT(m_lab->results() && !m_lab->isRunning(), longest);
+        QCoreApplication::processEvents();
+    }
+
+    IsolatedSettings m_settings;
+    QTemporaryDir m_folder;
+    std::unique_ptr<MainWindow> m_window;
+    AccuracyLab *m_lab = nullptr;
+};
+
+PIXELPLUMB_TEST(TestAccuracyLab)
+
+} // namespace tst_accuracylab
+
+#include "tst_accuracylab.moc"

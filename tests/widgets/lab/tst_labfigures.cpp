@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/madestudy.h"
+#include "tests/support/testprogram.h"
+#include "widgets/lab/coststack.h"
+#include "widgets/lab/driftplot.h"
+#include "widgets/lab/labfilter.h"
+#include "widgets/lab/labmarks.h"
+#include "widgets/lab/labtext.h"
+#include "widgets/lab/missplot.h"
+#include "widgets/lab/paretoplot.h"
+#include "widgets/lab/scalingplot.h"
+#include "widgets/lab/wrappedlines.h"
+
+#include <QApplication>
+#include <QFontMetricsF>
+#include <QScrollArea>
+#include <QTest>
+
+namespace tst_labfigures {
+
+using namespace pixelplumb;
+
+namespace {
+
+const ErrorAxis &wrongPixels() { return *errorAxisNamed(QStringLiteral("wrong-pixels")); }
+
+/// Two plain kernels and their SIMD twins, with what grows and drifts; measured on a loaded machine
+/// by a command that has no spaces to break it at.
+std::shared_ptr<Study> twins()
+{
+    auto results = madeResults({{"column-scan:float32", 2.0, 5221},
+                                {"column-scan:exact", 4.0, 0, true},
+                                {"column-scan:float32:fast", 0.4, 5221},
+                                {"column-scan:exact:fast", 0.5, 0, true}});
+    results->command += QStringLiteral(" --contender ") + QString(400, u'x');
+    results->conditions.load = 7;
+    results->conditions.flags = QStringLiteral("-O0");
+    results->conditions.buildType = QStringLiteral("Release");
+    for (const char *id : {"column-scan:float32", "row-walk:float32"})
+        results->growth.push_back({QLatin1String(id),
+                                   SizeAxis::Width,
+                                   {{10, {90, 100, 110}}, {100, {900, 1000, 1100}}},
+                                   1.0});
+    results->drift.push_back({Arithmetic::Float32, {{1, 1e-7, 1e-6}, {10, 1e-6, 1e-5}}});
+    return results;
+}
+
+template <class Plot>
+std::unique_ptr<Plot> shownPlot(const QSize &size = {800, 420})
+{
+    auto plot = std::make_unique<Plot>();
+    plot->resize(size);
+    plot->setVisible(true);
+    return plot;
+}
+
+std::unique_ptr<ParetoPlot> paretoOfTwins(const QSize &size = {800, 420})
+{
+    auto plot = shownPlot<ParetoPlot>(size);
+    plot->show(twins(), QStringLiteral("f"), wrongPixels());
+    return plot;
+}
+
+/// All texts of a drawing, one after the other.
+QString textsOf(LabPlot &plot) { return QString::fromUtf8(plot.svg({})); }
+
+enum class Chart { Pareto, Misses, Parts, Growth, Drift };
+
+std::unique_ptr<LabPlot> chartOf(Chart chart)
+{
+    const auto results = twins();
+    const QString family = QStringLiteral("f");
+    switch (chart) {
+    case Chart::Pareto:
+        return paretoOfTwins();
+    case Chart::Misses: {
+        auto plot = shownPlot<MissPlot>();
+        plot->show(results, family, QStringLiteral("column-scan:float32"));
+        return plot;
+    }
+    case Chart::Parts: {
+        auto plot = shownPlot<CostStack>();
+        plot->show(results, family);
+        return plot;
+    }
+    case Chart::Growth: {
+        auto plot = shownPlot<ScalingPlot>();
+        plot->show(results, SizeAxis::Width);
+        return plot;
+    }
+    case Chart::Drift: {
+        auto plot = shownPlot<DriftPlot>();
+        plot->show(results);
+        return plot;
+    }
+    }
+    return nullptr;
+}
+
+} // namespace
+
+/// What the lab's charts tell apart, and what they carry on paper.
+class TestLabFigures : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theLegendTellsPlainFromSimd()
+    {
+        const QString texts = textsOf(*paretoOfTwins());
+
+        for (const char *key : {"best plain kernels", "best SIMD kernels", "SIMD kernel"})
+            QVERIFY2(texts.contains(QLatin1String(key)), key);
+        auto plain = shownPlot<ParetoPlot>();
+        plain->show(madeResults({{"column-scan:float32", 2.0, 5221}}), QStringLiteral("f"),
+                    wrongPixels());
+        QVERIFY(!textsOf(*plain).contains(QStringLiteral("SIMD")));
+    }
+
+    void eachMarkMeansOneThing()
+    {
+        const QPalette palette = qApp->palette();
+        for (const Arithmetic arithmetic : allArithmetics) {
+            const QCPScatterStyle plain = kernelDot(arithmetic, LabKernel::Plain, palette);
+            const QCPScatterStyle loop = straightLoopDot(arithmetic, palette);
+            QVERIFY(plain.brush() != loop.brush()); // the hollow one is a straight loop
+            QCOMPARE(plain.shape(), loop.shape());
+            QCOMPARE(kernelDot(arithmetic, LabKernel::Fast, palette).shape(),
+                     QCPScatterStyle::ssCustom);
+            for (std::size_t method : {0, 1, 2}) {
+                const QCPScatterStyle cross = otherMethodDot(arithmetic, method, palette);
+                QVERIFY(cross.shape() != plain.shape());
+                QVERIFY(cross.shape() != otherMethodDot(arithmetic, method + 1, palette).shape());
+            }
+        }
+    }
+
+    void aZeroSaysWhatIsProvedAndWhatIsTested()
+    {
+        const auto plot = paretoOfTwins();
+        const auto textOf = [&plot](const char *id) {
+            return plot->textAt(*plot->positionOf(QLatin1String(id)));
+        };
+
+        QVERIFY(textOf("column-scan:exact").contains(QStringLiteral("by proof: all triangles")));
+        QVERIFY(textOf("column-scan:exact:fast").contains(QStringLiteral("tested, not proved")));
+        const double plainRow = plot->positionOf(QStringLiteral("column-scan:exact"))->y();
+        const double simdRow = plot->positionOf(QStringLiteral("column-scan:exact:fast"))->y();
+        QVERIFY(plainRow > simdRow);
+        QCOMPARE(plot->textAt({20, plainRow}), errorClassText(ErrorClass::ZeroProved));
+        QCOMPARE(plot->textAt({20, simdRow}), errorClassText(ErrorClass::ZeroTested));
+        QVERIFY(textsOf(*plot).contains(QStringLiteral("0, tested")));
+    }
+
+    void theErrorScaleHasARowForWhatIsTested()
+    {
+        const ErrorScale scale(paretoOf(*twins(), QStringLiteral("f"), wrongPixels()));
+
+        QCOMPARE(scale.ticks(3)[2].label, QStringLiteral("0, tested"));
+        double before = ErrorScale::bottom;
+        for (const ErrorClass zero :
+             {ErrorClass::ZeroProved, ErrorClass::ZeroTested, ErrorClass::ZeroObserved}) {
+            const double axis = scale.toAxis(zero, 0);
+            QVERIFY(axis > before);
+            QVERIFY(scale.classAt(axis) == zero);
+            before = axis;
+        }
+        QVERIFY(scale.classAt(scale.separator() + 0.1) == ErrorClass::Positive);
+    }
+
+    void whatIsJudgedWaitsForItsTimeAtTheLeft()
+    {
+        const auto results = twins();
+        results->isComplete = false;
+        results->rows[0].cost.reset();
+        results->rows[1].cost.reset();
+        const auto plot = shownPlot<ParetoPlot>();
+        plot->show(results, QStringLiteral("f"), wrongPixels());
+        const auto at = [&plot](const char *id) { return *plot->positionOf(QLatin1String(id)); };
+
+        QVERIFY(at("column-scan:float32").x() < at("column-scan:float32:fast").x());
+        QCOMPARE(at("column-scan:float32").y(), at("column-scan:float32:fast").y());
+        QVERIFY(
+            plot->textAt(at("column-scan:float32")).contains(QStringLiteral("5221 of 1000000")));
+        QVERIFY(plot->textAt(at("column-scan:exact"))
+                    .contains(QStringLiteral("its time comes when all of this family are judged")));
+        QVERIFY(textsOf(*plot).contains(QStringLiteral("not timed (yet)")));
+    }
+
+    void waitingDotsOfOneErrorStandSideBySide()
+    {
+        const auto plot = shownPlot<ParetoPlot>();
+        plot->show(madeResults({{"a", 1, 7}, {"b", 1, 7}, {"c", 1, 7}}), QStringLiteral("g"),
+                   wrongPixels());
+        const auto at = [&plot](const char *id) { return *plot->positionOf(QLatin1String(id)); };
+
+        QVERIFY(at("a").x() + 10 < at("b").x());
+        QVERIFY(at("b").x() + 10 < at("c").x());
+        QCOMPARE(at("a").y(), at("c").y());
+    }
+
+    void aLowChartKeepsItsHeightForTheDots()
+    {
+        const auto plot = paretoOfTwins({560, 120});
+        const double decades = plot->positionOf(QStringLiteral("column-scan:exact"))->y()
+            - plot->positionOf(QStringLiteral("column-scan:float32"))->y();
+
+        QVERIFY2(decades > 55, qPrintable(QString::number(decades)));
+    }
+
+    void whoIsLeftOutIsInNoChart_data()
+    {
+        QTest::addColumn<int>("part");
+        QTest::addColumn<QStringList>("left");
+        QTest::newRow("nobody") << 0
+                                << QStringList{"column-scan:float32", "column-scan:exact",
+                                               "column-scan:float32:fast",
+                                               "column-scan:exact:fast"};
+        QTest::newRow("an arithmetic")
+            << 1 << QStringList{"column-scan:exact", "column-scan:exact:fast"};
+        QTest::newRow("a kernel") << 2 << QStringList{"column-scan:float32", "column-scan:exact"};
+        QTest::newRow("a method") << 3 << QStringList{};
+    }
+    void whoIsLeftOutIsInNoChart()
+    {
+        QFETCH(int, part);
+        QFETCH(QStringList, left);
+        LabFilter filter;
+        if (part == 1)
+            filter.arithmetics = {Arithmetic::Float32};
+        if (part == 2)
+            filter.kernels = {LabKernel::Fast};
+        if (part == 3)
+            filter.methods = {QStringLiteral("column-scan")};
+
+        const auto results = filtered(twins(), filter);
+
+        QStringList contenders;
+        for (const StudyContender &contender : results->contenders)
+            contenders.append(contender.id);
+        QCOMPARE(contenders, left);
+        QCOMPARE(results->rows.size(), std::size_t(2 * left.size()));
+        QCOMPARE(results->drift.size(), std::size_t(part == 1 ? 0 : 1));
+        QCOMPARE(results->growth.size(), std::size_t(part == 1 ? 0 : part == 3 ? 1 : 2));
+    }
+
+    void everyBarOfThePartsHasItsHeight()
+    {
+        std::vector<MadeContender> many(40, {"one", 2.0, 0});
+        QScrollArea area;
+        auto *parts = new CostStack;
+        area.setWidget(parts);
+        area.setWidgetResizable(true);
+        area.resize(500, 150);
+        area.show();
+        parts->show(madeResults(many), QStringLiteral("f"));
+        QCoreApplication::processEvents();
+
+        QVERIFY(parts->height() >= 40 * parts->fontMetrics().height());
+        QCOMPARE(textsOf(*parts).count(QStringLiteral(">one<")), 40);
+    }
+
+    void longWordsAreBrokenAndNoneIsLost()
+    {
+        const QFont font = qApp->font();
+        const QString text = QStringLiteral("a few words and ") + QString(300, u'w');
+
+        const QStringList lines = wrappedLines(text, font, 200);
+
+        for (const QString &line : lines)
+            QVERIFY(QFontMetricsF(font).horizontalAdvance(line) <= 200);
+        QCOMPARE(lines.join(QString()).remove(u' '), QString(text).remove(u' '));
+        QVERIFY(lines.first().endsWith(QStringLiteral("and")));
+    }
+
+    void everyChartCarriesItsConditionsOnPaper_data()
+    {
+        QTest::addColumn<Chart>("chart");
+        QTest::addColumn<QString>("title");
+        QTest::addColumn<QByteArray>("line");
+        QTest::newRow("pareto") << Chart::Pareto << QStringLiteral("Cost against error: Family f")
+                                << QByteArray(
+                                       "column-scan:exact:fast,SIMD,0,ppm,tested,1000000,0.45,"
+                                       "0.5,0.55,,1\r\n");
+        QTest::newRow("misses")
+            << Chart::Misses
+            << QStringLiteral("Distances of missed samples from the boundary: Family f; "
+                              "column-scan:float32")
+            << QByteArray("column-scan:float32,\"ties, missing: exactly on the boundary\",0\r\n");
+        QTest::newRow("parts") << Chart::Parts
+                               << QStringLiteral("Cost of set-up, columns and pixels: Family f")
+                               << QByteArray("column-scan:exact,0.2,0.6,0.5,3.6,4,4.4\r\n");
+        QTest::newRow("growth")
+            << Chart::Growth
+            << QStringLiteral("Times over sizes: width of one triangle of constant height, px")
+            << QByteArray("row-walk:float32,width,100,900,1000,1100,1\r\n");
+        QTest::newRow("drift") << Chart::Drift
+                               << QStringLiteral("Drift of increments over the columns")
+                               << QByteArray("float32,10,1e-06,1e-05\r\n");
+    }
+    void everyChartCarriesItsConditionsOnPaper()
+    {
+        QFETCH(Chart, chart);
+        QFETCH(QString, title);
+        QFETCH(QByteArray, line);
+        const auto plot = chartOf(chart);
+        const Study study = *twins();
+
+        const QString svg = QString::fromUtf8(plot->svg(figureOrigin(study)));
+        const QByteArray csv = plot->csv(figureOrigin(study));
+        const QImage png = QImage::fromData(plot->png(figureOrigin(study)));
+
+        // As drawn: after the description, and in lines of their own.
+        const QString drawn = svg.mid(svg.indexOf(QStringLiteral("</desc>")));
+        for (const QString &part :
+             {title, QStringLiteral("a processor, 0 processors"),
+              QStringLiteral("pixelplumb-cli lab --quick --seed 1 --contender"),
+              QStringLiteral("⚠ Other programs were running when this began (load average 7.00)."),
+              QStringLiteral("⚠ This build is hardly optimised (-O0): its times say little.")})
+            QVERIFY2(drawn.contains(part.toHtmlEscaped()), qPrintable(part));
+        QVERIFY(warningsOf(study).size() >= 2);
+        QVERIFY2(csv.contains(line), csv.constData());
+        QVERIFY(csv.startsWith("# " + title.toUtf8() + "\r\n# a processor"));
+        for (const QString &warning : warningsOf(study))
+            QVERIFY(csv.contains("# ⚠ " + warning.toUtf8() + "\r\n"));
+        QVERIFY(png.width() == 1920 && png.height() >= 1280);
+    }
+};
+
+PIXELPLUMB_TEST(TestLabFigures)
+
+} // namespace tst_labfigures
+
+#include "tst_labfigures.moc"

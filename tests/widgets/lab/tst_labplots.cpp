@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/madestudy.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/testprogram.h"
+#include "widgets/lab/costparts.h"
+#include "widgets/lab/coststack.h"
+#include "widgets/lab/driftplot.h"
+#include "widgets/lab/labanswers.h"
+#include "widgets/lab/labelplaces.h"
+#include "widgets/lab/labtable.h"
+#include "widgets/lab/labtext.h"
+#include "widgets/lab/missplot.h"
+#include "widgets/lab/paretoplot.h"
+#include "widgets/lab/scalingplot.h"
+
+#include <QAbstractItemModelTester>
+#include <QHeaderView>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <cmath>
+
+namespace tst_labplots {
+
+using namespace pixelplumb;
+
+namespace {
+
+std::vector<MadeContender> five()
+{
+    return {{"column-scan:float32", 2.0, 5221},
+            {"cheap", 0.9, 7670},
+            {"lucky", 1.6, 0},
+            {"proved", 2.1, 0, true},
+            {"dear", 8.8, 20}};
+}
+
+ParetoPoint positive(double error)
+{
+    ParetoPoint point;
+    point.error = error;
+    return point;
+}
+
+ParetoChart chartOf(const std::vector<ParetoPoint> &points)
+{
+    ParetoChart chart;
+    chart.points = points;
+    return chart;
+}
+
+const ErrorAxis &wrongPixels() { return *errorAxisNamed(QStringLiteral("wrong-pixels")); }
+
+} // namespace
+
+/// The charts and the table of the lab, by made-up studies.
+class TestLabPlots : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whatAccuracyCostsIsSaidInWords()
+    {
+        auto results = madeResults({{"column-scan:float32", 2.0, 5221},
+                                    {"column-scan:exact", 2.5, 0},
+                                    {"column-scan:fixed32.32", 1.0, 52},
+                                    {"row-walk:exact", 3.0, 0}});
+
+        QCOMPARE(priceText(*results, QStringLiteral("f")),
+                 QStringLiteral("Column scan beside float32 (5221 wrong of a million): exact "
+                                "×1.25, 0; fixed32.32 ×0.50, 52.0."));
+        results->rows[0].cost.reset();
+        QCOMPARE(priceText(*results, QStringLiteral("f")), QString());
+    }
+
+    void theErrorScaleGoesThereAndBack()
+    {
+        const ErrorScale scale(chartOf({positive(0.02), positive(700)}));
+
+        QCOMPARE(scale.leastExponent(), -2);
+        QCOMPARE(scale.largestExponent(), 3);
+        QVERIFY(scale.toAxis(ErrorClass::ZeroProved, 0)
+                < scale.toAxis(ErrorClass::ZeroObserved, 0));
+        QVERIFY(scale.toAxis(ErrorClass::ZeroObserved, 0) < scale.separator());
+        double before = scale.separator();
+        for (const double error : {0.01, 0.02, 1.0, 35.0, 700.0}) {
+            const double axis = scale.toAxis(ErrorClass::Positive, error);
+            QVERIFY(axis > before);
+            QVERIFY(std::abs(scale.errorAt(axis) - error) <= 1e-9 * error);
+            QVERIFY(scale.classAt(axis) == ErrorClass::Positive);
+            before = axis;
+        }
+        for (const ErrorClass zero : {ErrorClass::ZeroObserved, ErrorClass::ZeroProved}) {
+            QVERIFY(scale.classAt(scale.toAxis(zero, 0)) == zero);
+            QCOMPARE(scale.errorAt(scale.toAxis(zero, 0)), 0.0);
+        }
+        QVERIFY(before < scale.top());
+    }
+
+    void theErrorScaleHasBothZerosAndNeverTooManyDecades_data()
+    {
+        QTest::addColumn<double>("largest");
+        QTest::newRow("nothing but zeros") << 0.0;
+        QTest::newRow("one error") << 1.0;
+        QTest::newRow("five decades") << 1e5;
+        QTest::newRow("no number") << qInf();
+    }
+    void theErrorScaleHasBothZerosAndNeverTooManyDecades()
+    {
+        QFETCH(double, largest);
+        const ErrorScale scale(largest > 0 ? chartOf({positive(1), positive(largest)})
+                                           : ParetoChart());
+        const auto ticks = scale.ticks(3);
+
+        QVERIFY(ticks.size() >= 3 && ticks.size() <= 6);
+        QCOMPARE(ticks[0].label, QStringLiteral("0, proved"));
+        QCOMPARE(ticks[1].label, QStringLiteral("0, observed"));
+        for (const ErrorScale::Tick &tick : ticks)
+            QVERIFY(tick.axis >= ErrorScale::bottom && tick.axis <= scale.top());
+        QVERIFY(scale.toAxis(ErrorClass::Positive, qInf()) <= scale.top());
+    }
+
+    void dotsStandByTheirCostAndTheirError()
+    {
+        ParetoPlot plot;
+        plot.resize(700, 400);
+        plot.setVisible(true);
+        plot.show(madeResults(five()), QStringLiteral("f"), wrongPixels());
+
+        const auto at = [&plot](const char *id) { return *plot.positionOf(QLatin1String(id)); };
+        QVERIFY(at("cheap").x() < at("lucky").x());
+        QVERIFY(at("lucky").x() < at("column-scan:float32").x());
+        QVERIFY(at("proved").x() < at("dear").x());
+        // A logarithmic axis: 0.9 to 1.8 is as far as 2 to 4.
+        const double perOctave = (at("dear").x() - at("cheap").x()) / std::log2(8.8 / 0.9);
+        QVERIFY(std::abs(at("column-scan:float32").x() - at("cheap").x()
+                         - perOctave * std::log2(2 / 0.9))
+                < 1.5);
+        QVERIFY(at("cheap").y() < at("dear").y()); // downward is more exact
+        QVERIFY(at("dear").y() < at("lucky").y());
+        QVERIFY(at("lucky").y() < at("proved").y());
+        QVERIFY(!plot.positionOf(QStringLiteral("nobody")));
+    }
+
+    void aClickOnADotNamesItsContender()
+    {
+        ParetoPlot plot;
+        plot.resize(700, 400);
+        plot.setVisible(true);
+        plot.show(madeResults(five()), QStringLiteral("f"), wrongPixels());
+        QSignalSpy spy(&plot, &ParetoPlot::contenderClicked);
+        auto *inner = plot.findChild<QWidget *>();
+
+        const QPointF dot = *plot.positionOf(QStringLiteral("dear"));
+        QTest::mouseClick(inner, Qt::LeftButton, {}, inner->mapFrom(&plot, dot.toPoint()));
+        QCOMPARE(spy.takeFirst().constFirst().toString(), QStringLiteral("dear"));
+        QTest::mouseClick(inner, Qt::LeftButton, {}, QPoint(2, 2));
+        QVERIFY(spy.isEmpty());
+    }
+
+    void theTextOfADotSaysWhatIsKnown()
+    {
+        ParetoPlot plot;
+        plot.resize(700, 400);
+        plot.setVisible(true);
+        plot.show(madeResults(five()), QStringLiteral("f"), wrongPixels());
+
+        const auto textOf
+            = [&plot](const char *id) { return plot.textAt(*plot.positionOf(QLatin1String(id))); };
+        QVERIFY2(textOf("dear").contains(QStringLiteral("20 of 1000000 pixels wrong")),
+                 qPrintable(textOf("dear")));
+        QVERIFY(textOf("dear").contains(QStringLiteral("8.80 (7.92 … 9.68) ns a pixel, ×4.40")));
+        QVERIFY(textOf("proved").contains(QStringLiteral("by proof: all triangles")));
+        QVERIFY(textOf("lucky").contains(QStringLiteral("observed over 1000000 pixels")));
+        QVERIFY(plot.textAt({1, 1}).isEmpty());
+    }
+
+    void nothingAndOneContenderAreDrawn()
+    {
+        for (const char *family : {"f", "g", "no such"}) {
+            for (const auto &contenders :
+                 {std::vector<MadeContender>(), {{"only", 2.0, 0}}, {{"only", 2.0, 3}}}) {
+                const auto results = madeResults(contenders);
+                const QString id = QLatin1String(family);
+                ParetoPlot pareto;
+                pareto.show(results, id, wrongPixels());
+                QVERIFY(!pareto.grab().isNull());
+                QCOMPARE(pareto.positionOf(QStringLiteral("only")).has_value(),
+                         !contenders.empty() && id != QStringLiteral("no such"));
+                MissPlot misses;
+                misses.show(results, id, QStringLiteral("only"));
+                QVERIFY(!misses.grab().isNull());
+                CostStack costs;
+                costs.show(results, id);
+                QVERIFY(!costs.grab().isNull());
+                ScalingPlot scaling;
+                scaling.show(results, SizeAxis::Area);
+                QVERIFY(!scaling.grab().isNull());
+                DriftPlot drift;
+                drift.show(results);
+                QVERIFY(!drift.grab().isNull());
+            }
+        }
+    }
+
+    void labelsCoverNeitherEachOtherNorDots()
+    {
+        std::vector<LabelledDot> dots;
+        for (int i = 0; i < 30; ++i)
+            dots.push_back({{40.0 + i * 37 % 290, 30.0 + i * 53 % 140}, {80, 14}});
+        const QRectF area(0, 0, 400, 200);
+
+        const auto places = placeLabels(dots, {area, {coveredBy({200, 100})}, {}});
+
+        std::vector<QRectF> there;
+        for (const auto &place : places) {
+            if (!place)
+                continue;
+            QVERIFY(area.contains(*place));
+            for (const QRectF &other : there)
+                QVERIFY(!other.intersects(*place));
+            for (const LabelledDot &dot : dots)
+                QVERIFY(!place->contains(dot.centre));
+            QVERIFY(!place->contains({200, 100}));
+            there.push_back(*place);
+        }
+        QVERIFY(places.front());
+        QVERIFY(there.size() >= 8);
+    }
+
+    void aLabelKeepsOffALineWhereItCan()
+    {
+        const std::vector<LabelledDot> dots = {{{50, 100}, {80, 14}}};
+        const QRectF area(0, 0, 200, 200);
+        const QRectF right(60, 99, 140, 2); // a line through the first choice
+
+        const auto free = placeLabels(dots, {area, {}, {}});
+        const auto lined = placeLabels(dots, {area, {}, {right}});
+        const auto beside = placeLabels(dots, {area, {}, {right}, LabelArea::Sides::Beside});
+
+        QVERIFY(free[0] && free[0]->intersects(right));
+        QVERIFY(lined[0] && !lined[0]->intersects(right));
+        QVERIFY(beside[0] && beside[0]->intersects(right)); // there is no other place
+    }
+
+    void missesStandOnTheirSides()
+    {
+        QVERIFY(MissPlot::placeOf(MissPlot::Side::Missing, 3)
+                == -MissPlot::placeOf(MissPlot::Side::Extra, 3));
+        QVERIFY(MissPlot::placeOf(MissPlot::Side::Extra, 0)
+                < MissPlot::placeOf(MissPlot::Side::Extra, 1));
+        const auto results = madeResults({{"one", 1, 0}});
+        AccuracyFigures &figures = *results->rows.front().accuracy;
+        figures.misses.extra[4] = 17;
+        figures.tiesMissing = 5;
+        MissPlot plot;
+        plot.resize(700, 300);
+        plot.setVisible(true);
+        plot.show(results, QStringLiteral("f"), QStringLiteral("one"));
+        QStringList found;
+        for (int x = 0; x < plot.width(); ++x) {
+            const QString text = plot.textAt(QPointF(x, 100));
+            if (!text.isEmpty() && !found.contains(text))
+                found.append(text);
+        }
+        QCOMPARE(found,
+                 (QStringList{"ties, missing: exactly on the boundary: 5",
+                              "extra, 10⁻⁴ to 10⁻³ px outside: 17"}));
+    }
+
+    void costPartsAreTheFitsOverThePixels()
+    {
+        const auto results = madeResults({{"scan", 2, 0}, {"row-walk:exact", 2, 0}});
+        const Study &study = *results;
+
+        // 20·10/1000, 3·200/1000 (300 rows for a row walk), 0.5
+        QVERIFY(*costPartsOf(study, study.rows[0]) == (CostParts{0.2, 0.6, 0.5}));
+        QVERIFY(*costPartsOf(study, study.rows[1]) == (CostParts{0.2, 0.9, 0.5}));
+    }
+
+    void theTableSortsByFiguresAndKeepsItsRow()
+    {
+        LabTable table;
+        const QAbstractItemModelTester tester(table.model());
+        table.show(madeResults(five()), QStringLiteral("f"));
+        QCOMPARE(table.model()->rowCount(), 5);
+        table.select(QStringLiteral("lucky"));
+        const int costs = 2;
+        QCOMPARE(table.model()->headerData(costs, Qt::Horizontal).toString(),
+                 QStringLiteral("ns a pixel"));
+
+        QTest::mouseClick(table.horizontalHeader()->viewport(), Qt::LeftButton, {},
+                          {table.horizontalHeader()->sectionViewportPosition(costs) + 12, 8});
+        table.sortByColumn(costs, Qt::AscendingOrder);
+
+        QStringList order;
+        for (int row = 0; row < 5; ++row)
+            order.append(table.model()->index(row, 0).data().toString());
+        QCOMPARE(order, (QStringList{"cheap", "lucky", "column-scan:float32", "proved", "dear"}));
+        QCOMPARE(table.selected(), QStringLiteral("lucky"));
+    }
+};
+
+PIXELPLUMB_TEST(TestLabPlots)
+
+} // namespace tst_labplots
+
+#include "tst_labplots.moc"

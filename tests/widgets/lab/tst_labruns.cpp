@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/labrequest.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/testprogram.h"
+#include "widgets/lab/accuracylab.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+namespace tst_labruns {
+
+using namespace pixelplumb;
+
+namespace {
+
+constexpr int longest = 60'000; // ms
+
+} // namespace
+
+/// Runs of the lab in the window that are cancelled, done again or made to wait.
+class TestLabRuns : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        m_settings.clear();
+        m_window = openedWindow(QStringLiteral("ties-at-tenths.json"));
+        action(*m_window, "accuracyLabDockToggle")->trigger();
+        m_lab = named<AccuracyLab>(*m_window, "accuracyLab");
+        m_lab->setRequest(smallRequest());
+        QCoreApplication::processEvents();
+    }
+    void cleanup() { m_window.reset(); }
+
+    void aCancelledRunKeepsWhatItHas()
+    {
+        StudySettings request = smallRequest();
+        request.rounds = 100'000;
+        m_lab->setRequest(request);
+        QSignalSpy spy(m_lab, &AccuracyLab::resultsChanged);
+        click("labRun");
+        QTRY_VERIFY_WITH_TIMEOUT(m_lab->results() && m_lab->results()->rounds > 0, longest);
+        const int shown = m_lab->results()->rounds;
+
+        click("labCancel");
+
+        QTRY_VERIFY(!m_lab->isRunning());
+        const Study &study = *m_lab->results();
+        QVERIFY(study.rounds >= shown);
+        for (const LabRow &row : study.rows) {
+            if (row.family == QStringLiteral("own-scene"))
+                QVERIFY(row.cost && row.cost->rounds >= shown);
+        }
+        QVERIFY(!m_lab->results()->isComplete);
+        QVERIFY(m_lab->results()->rows.front().accuracy);
+        QVERIFY(m_lab->results()->rows.front().cost);
+        QVERIFY(button("labRun")->isEnabled());
+        const auto kept = spy.size();
+        QTest::qWait(300);
+        QCOMPARE(spy.size(), kept); // the ended run says nothing more
+    }
+
+    void aRunThatIsCancelledBeforeItsFirstTimesLeavesTheResultsBefore()
+    {
+        runToItsEnd();
+        const SharedResults before = m_lab->results();
+        StudySettings request = smallRequest();
+        request.families.clear(); // all: judging them takes a while
+        m_lab->setRequest(request);
+        QSignalSpy notices(m_lab, &AccuracyLab::notice);
+
+        click("labRun");
+        QVERIFY(m_lab->isRunning());
+        QVERIFY(named<QLabel>(*m_lab, "labWarnings")->isVisible());
+        QVERIFY(named<QLabel>(*m_lab, "labWarnings")->text().contains("Results before this run"));
+        click("labCancel");
+
+        QTRY_VERIFY_WITH_TIMEOUT(!m_lab->isRunning(), longest);
+        QCOMPARE(m_lab->results(), before);
+        QVERIFY(!m_lab->earlierResults());
+        QCOMPARE(notices.size(), 1);
+        QVERIFY(notices.front().front().toString().contains("the results before it stay"));
+    }
+
+    void theResultsBeforeARunComeBack()
+    {
+        runToItsEnd();
+        const SharedResults first = m_lab->results();
+        QAction *earlier = named<QAction>(*m_lab, "labEarlier");
+        QVERIFY(!earlier->isEnabled());
+        StudySettings request = smallRequest();
+        request.rounds = 100'000;
+        m_lab->setRequest(request);
+        click("labRun");
+        QTRY_VERIFY_WITH_TIMEOUT(m_lab->results() != first, longest);
+        QVERIFY(!earlier->isEnabled());
+        click("labCancel");
+        QTRY_VERIFY_WITH_TIMEOUT(!m_lab->isRunning(), longest);
+        const SharedResults second = m_lab->results();
+        QVERIFY(!second->isComplete);
+
+        earlier->trigger();
+        QCOMPARE(m_lab->results(), first);
+        earlier->trigger();
+        QCOMPARE(m_lab->results(), second);
+    }
+
+    void progressIsToldOfTheWholeRun()
+    {
+        StudySettings request = smallRequest();
+        request.rounds = 100'000;
+        m_lab->setRequest(request);
+        click("labRun");
+        auto *progress = named<QProgressBar>(*m_lab, "labProgress");
+        QTRY_VERIFY_WITH_TIMEOUT(progress->format().startsWith("measuring: "), longest);
+
+        QVERIFY2(progress->format().endsWith(" left"), qPrintable(progress->format()));
+        QVERIFY(progress->maximum() > 0);
+        click("labCancel");
+        QTRY_VERIFY_WITH_TIMEOUT(!m_lab->isRunning(), longest);
+    }
+
+    void theStatusBarMeasuresWhenTheLabIsDone()
+    {
+        StudySettings request = smallRequest();
+        request.rounds = 100'000;
+        m_lab->setRequest(request);
+        const auto *figures = named<QLabel>(*m_window, "statusFigures");
+        QTRY_VERIFY_WITH_TIMEOUT(figures->text().contains("ns a pixel"), longest);
+        click("labRun");
+        QTRY_VERIFY_WITH_TIMEOUT(m_lab->results(), longest);
+
+        auto *arithmetic = named<QComboBox>(*m_window, "arithmeticBox");
+        arithmetic->setCurrentIndex(arithmetic->findText("float64"));
+        emit arithmetic->activated(arithmetic->currentIndex());
+        QTRY_COMPARE_WITH_TIMEOUT(figures->text(),
+                                  QStringLiteral("Waiting for another measurement …"), longest);
+        QTest::qWait(300);
+        QCOMPARE(figures->text(), QStringLiteral("Waiting for another measurement …"));
+
+        click("labCancel");
+        QTRY_VERIFY_WITH_TIMEOUT(figures->text().contains("ns a pixel"), longest);
+        QVERIFY(figures->toolTip().contains("plain kernel"));
+        QVERIFY(figures->toolTip().contains("median of "));
+        QVERIFY(figures->toolTip().contains("middle half"));
+    }
+
+    void aSceneThatIsNotAsItsFileSaysHasNoCommand()
+    {
+        runToItsEnd();
+        const auto *conditions = named<QLabel>(*m_lab, "labConditions");
+        QVERIFY2(conditions->text().contains("ties-at-tenths.json"),
+                 qPrintable(conditions->text()));
+        QVERIFY(conditions->text().contains("pixelplumb-cli lab "));
+        ScanSettings settings = m_window->parts().document->scene().settings;
+        settings.fillRule = FillRule::HalfOpenColumn;
+        m_window->parts().document->setSettings(settings);
+        QSignalSpy complaints(m_lab, &AccuracyLab::complaint);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->parts().playhead->traced(), longest);
+
+        runToItsEnd();
+
+        QVERIFY(conditions->text().contains("(save the scene to get its command)"));
+        named<QAction>(*m_lab, "labCopyCommand")->trigger();
+        QCOMPARE(complaints.size(), 1);
+    }
+
+private:
+    QPushButton *button(const char *name) { return named<QPushButton>(*m_lab, name); }
+    void click(const char *name) { QTest::mouseClick(button(name), Qt::LeftButton); }
+    void runToItsEnd()
+    {
+        const SharedResults before = m_lab->results();
+        click("labRun");
+        QTRY_VERIFY_WITH_TIMEOUT(m_lab->results() != before && !m_lab->isRunning(), longest);
+        QCoreApplication::processEvents();
+    }
+
+    IsolatedSettings m_settings;
+    std::unique_ptr<MainWindow> m_window;
+    AccuracyLab *m_lab = nullptr;
+};
+
+PIXELPLUMB_TEST(TestLabRuns)
+
+} // namespace tst_labruns
+
+#include "tst_labruns.moc"

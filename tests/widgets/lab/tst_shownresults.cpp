@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/madestudy.h"
+#include "tests/support/testprogram.h"
+#include "widgets/lab/shownresults.h"
+
+#include <QTest>
+
+namespace tst_shownresults {
+
+using namespace pixelplumb;
+
+namespace {
+
+enum class Times { None, OfFirstFamily };
+
+/// Of two families, "f" and "g".
+SharedResults madeWith(Times times)
+{
+    auto results = madeResults({{"column-scan:float32", 2, 5000}});
+    for (LabRow &row : results->rows) {
+        if (times == Times::None)
+            row.cost.reset();
+    }
+    return results;
+}
+
+} // namespace
+
+/// What the lab shows while runs come and go.
+class TestShownResults : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theFirstNewsAreShownAtOnce()
+    {
+        const SharedResults news = madeWith(Times::None);
+        ShownResults shown;
+        shown.beginRun();
+
+        QVERIFY(shown.takeNews(news, {}));
+        QCOMPARE(shown.results(), news);
+        QVERIFY(shown.areOfRun());
+        QVERIFY(!shown.earlier());
+    }
+
+    void newsTakeThePlaceOfOthersWhenTheyHaveTimes()
+    {
+        const SharedResults before = madeWith(Times::OfFirstFamily);
+        const SharedResults timed = madeWith(Times::OfFirstFamily);
+        ShownResults shown;
+        shown.replaceBy(before);
+        shown.beginRun();
+
+        QVERIFY(!shown.takeNews(madeWith(Times::None), QStringLiteral("f")));
+        QVERIFY(!shown.takeNews(timed, QStringLiteral("g"))); // of which it has none yet
+        QCOMPARE(shown.results(), before);
+        QVERIFY(!shown.areOfRun());
+        QVERIFY(shown.takeNews(timed, QStringLiteral("f")));
+        QCOMPARE(shown.results(), timed);
+        QCOMPARE(shown.earlier(), before);
+
+        const SharedResults further = madeWith(Times::None);
+        QVERIFY(shown.takeNews(further, QStringLiteral("g")));
+        QCOMPARE(shown.results(), further);
+        QCOMPARE(shown.earlier(), before); // not an earlier state of the same run
+    }
+
+    void aFamilyThatTheNewStudyLeavesOutIsNotWaitedFor()
+    {
+        ShownResults shown;
+        shown.replaceBy(madeWith(Times::OfFirstFamily));
+        shown.beginRun();
+
+        QVERIFY(shown.takeNews(madeWith(Times::OfFirstFamily), QStringLiteral("mesh")));
+    }
+
+    void theEndShowsWhatHasTimes()
+    {
+        const SharedResults before = madeWith(Times::OfFirstFamily);
+        const SharedResults timed = madeWith(Times::OfFirstFamily);
+        ShownResults shown;
+        shown.replaceBy(before);
+        shown.beginRun();
+        shown.takeNews(madeWith(Times::None), QStringLiteral("g"));
+        QVERIFY(!shown.endRun());
+        QCOMPARE(shown.results(), before);
+
+        shown.beginRun();
+        shown.takeNews(timed, QStringLiteral("g"));
+        QVERIFY(shown.endRun());
+        QCOMPARE(shown.results(), timed);
+        QCOMPARE(shown.earlier(), before);
+    }
+
+    void theEarlierComeBackAndForth()
+    {
+        const SharedResults first = madeWith(Times::OfFirstFamily);
+        const SharedResults second = madeWith(Times::OfFirstFamily);
+        ShownResults shown;
+        shown.replaceBy(first);
+        shown.replaceBy(second);
+
+        shown.replaceBy(shown.earlier());
+        QCOMPARE(shown.results(), first);
+        shown.replaceBy(shown.earlier());
+        QCOMPARE(shown.results(), second);
+    }
+};
+
+PIXELPLUMB_TEST(TestShownResults)
+
+} // namespace tst_shownresults
+
+#include "tst_shownresults.moc"

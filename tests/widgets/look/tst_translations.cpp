@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compare/agreement.h"
+#include "core/grade/gradereport.h"
+#include "core/grade/picturediff.h"
+#include "core/lab/operation.h"
+#include "core/lab/pareto.h"
+#include "core/lab/sizestudy.h"
+#include "core/layers/layer.h"
+#include "core/methods/method.h"
+#include "core/scan/choicenames.h"
+#include "core/scene/appearancenames.h"
+#include "core/space/surfaces.h"
+#include "tests/support/sourcetree.h"
+#include "tests/support/testprogram.h"
+#include "tests/support/translationfile.h"
+#include "widgets/look/corewords.h"
+#include "widgets/look/methodsummary.h"
+#include "widgets/look/methodtitle.h"
+#include "widgets/look/translation.h"
+
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QProcess>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace tst_translations {
+
+using namespace pixelplumb;
+
+namespace {
+
+const QString sources = resource(QStringLiteral("/.."));
+const QString english = QStringLiteral("pixelplumb_en.ts");
+
+/// The command that brings the files into step with the sources.
+const QString mending = QStringLiteral("cmake --build build/release --target translations");
+
+/// What lupdate finds in the sources, as a file without translations has it; with all texts or, as
+/// English has them, with those alone that count.
+QList<TranslatedText> textsInTheSources(const QStringList &options = {})
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("found.ts"));
+    QProcess lupdate;
+    lupdate.setWorkingDirectory(sources);
+    lupdate.start(QStringLiteral(PIXELPLUMB_LUPDATE),
+                  QStringList{"-silent", "-I", ".", "-no-obsolete", "-locations", "none", "widgets",
+                              "app", "-target-language", "de"}
+                      + options + QStringList{"-ts", file});
+    if (!lupdate.waitForFinished(120000))
+        return {};
+    if (const QByteArray told = lupdate.readAllStandardError(); !told.isEmpty())
+        qWarning("%s", told.constData()); // a class without Q_OBJECT: its texts are not found
+    return textsOf(file);
+}
+
+QStringList namesOf(const QList<TranslatedText> &texts)
+{
+    QStringList names;
+    for (const TranslatedText &text : texts)
+        names += text.name();
+    names.sort();
+    return names;
+}
+
+QString firstNotIn(const QStringList &some, const QStringList &others)
+{
+    const QSet<QString> known(others.begin(), others.end());
+    for (const QString &each : some) {
+        if (!known.contains(each))
+            return each;
+    }
+    return {};
+}
+
+QStringList matchesIn(const QString &text, const QString &pattern)
+{
+    QStringList found;
+    const QRegularExpression expression(pattern);
+    for (auto match = expression.globalMatch(text); match.hasNext();)
+        found += match.next().captured();
+    found.sort();
+    return found;
+}
+
+/// What is put in later; %n may be a word in the singular: "once".
+QStringList placeholdersIn(const QString &text)
+{
+    return matchesIn(text, QStringLiteral("%(L?[1-9]|[vm])"));
+}
+
+QStringList tagsIn(const QString &text)
+{
+    return matchesIn(text, QStringLiteral("</?[a-z][^>]*>"));
+}
+
+bool hasMnemonic(const QString &text) { return !matchesIn(text, "&\\w").isEmpty(); }
+
+/// A dialog follows, a value follows, a sentence ends, a number goes before.
+QString edgesOf(const QString &text)
+{
+    QString edges;
+    for (const char *end : {"…", ":", ".", "?", "!", " "}) {
+        if (text.endsWith(QString::fromUtf8(end)))
+            edges += QString::fromUtf8(end);
+    }
+    return text.startsWith(u' ') ? u' ' + edges : edges;
+}
+
+/// What is wrong with a form; empty where nothing is.
+QString faultOf(const TranslatedText &text, const QString &form)
+{
+    if (form.isEmpty())
+        return QStringLiteral("is empty");
+    if (placeholdersIn(form) != placeholdersIn(text.source))
+        return QStringLiteral("has other placeholders");
+    if (tagsIn(form) != tagsIn(text.source))
+        return QStringLiteral("has other tags");
+    if (edgesOf(form) != edgesOf(text.source))
+        return QStringLiteral("begins or ends otherwise");
+    if (form.count(u'\n') != text.source.count(u'\n'))
+        return QStringLiteral("has other lines");
+    if (hasMnemonic(form) != hasMnemonic(text.source))
+        return QStringLiteral("has a mnemonic alone, or none");
+    return {};
+}
+
+QString text(const QString &name) { return name; }
+QString text(std::string_view name) { return nameText(name); }
+
+/// What core's lists name, but for what stands in English everywhere: methods, rules, arithmetics.
+QStringList namesOfCore()
+{
+    QStringList names;
+    const auto append = [&names](const auto &choices) {
+        for (const auto choice : choices)
+            names += text(nameOf(choice));
+    };
+    append(std::array{PrimitiveKind::Triangle, PrimitiveKind::Point, PrimitiveKind::Line,
+                      PrimitiveKind::Circle, PrimitiveKind::Ellipse, PrimitiveKind::Bezier,
+                      PrimitiveKind::Polygon, PrimitiveKind::Text});
+    append(allSolidKinds);
+    append(allSurfaces);
+    append(allEffects);
+    append(allPixelVerdicts);
+    append(allGradeVerdicts);
+    append(allDisagreements);
+    append(allOperations);
+    append(allSizeAxes);
+    for (const Method &method : methods())
+        names += titleOf(method.family);
+    for (const Layer &layer : layers())
+        names += layer.title;
+    for (const ErrorAxis &axis : errorAxes())
+        names += QString::fromUtf8(axis.title);
+    return names;
+}
+
+} // namespace
+
+/// The files of the window's languages, and which of them is taken.
+class TestTranslations : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyTextIsTranslated_data() { addFiles(); }
+    void everyTextIsTranslated()
+    {
+        QFETCH(QString, file);
+        const QList<TranslatedText> texts = textsOf(file);
+
+        QVERIFY(!texts.empty());
+        for (const TranslatedText &text : texts) {
+            QVERIFY2(text.state.isEmpty(), qPrintable(text.name() + " is " + text.state));
+            for (const QString &form : text.forms) {
+                const QString fault = faultOf(text, form);
+                QVERIFY2(fault.isEmpty(), qPrintable(text.name() + "\n“" + form + "” " + fault));
+            }
+        }
+    }
+
+    void whatCountsSaysTheNumberOfManyThings_data() { addFiles(); }
+    void whatCountsSaysTheNumberOfManyThings()
+    {
+        QFETCH(QString, file);
+
+        for (const TranslatedText &text : textsOf(file)) {
+            if (!text.counts)
+                continue;
+            QVERIFY2(text.forms.size() >= 2, qPrintable(text.name()));
+            QVERIFY2(text.forms.back().contains("%n") == text.source.contains("%n"),
+                     qPrintable(text.name()));
+        }
+    }
+
+    void theFilesAreInStepWithTheSources_data() { addFiles(); }
+    void theFilesAreInStepWithTheSources()
+    {
+        QFETCH(QString, file);
+        const bool isEnglish = QFileInfo(file).fileName() == english;
+        const QStringList found
+            = namesOf(textsInTheSources(isEnglish ? QStringList("-pluralonly") : QStringList()));
+        const QStringList held = namesOf(textsOf(file));
+        QVERIFY(!found.empty());
+
+        const QString missing = firstNotIn(found, held);
+        QVERIFY2(missing.isEmpty(),
+                 qPrintable("not in the file: " + missing + "\nThen: " + mending));
+        const QString left = firstNotIn(held, found);
+        QVERIFY2(left.isEmpty(),
+                 qPrintable("no longer in the sources: " + left + "\nThen: " + mending));
+    }
+
+    void theManualNamesTheCommandThatMendsThem()
+    {
+        QFile manual(sources + "/resources/extending.md");
+        QVERIFY(manual.open(QIODevice::ReadOnly));
+
+        QVERIFY(QString::fromUtf8(manual.readAll()).simplified().contains(mending));
+    }
+
+    void theFirstLanguageThatThereAreWordsInIsTaken_data()
+    {
+        QTest::addColumn<QStringList>("wanted");
+        QTest::addColumn<QString>("taken");
+        QTest::newRow("German of Austria") << QStringList{"de-AT"} << "de";
+        QTest::newRow("as a locale is written") << QStringList{"de_DE"} << "de";
+        QTest::newRow("the second, where the first has no file") << QStringList{"xx", "de"} << "de";
+        QTest::newRow("English before German") << QStringList{"en-GB", "de"} << "en";
+        QTest::newRow("the computer's language") << QStringList{"C"} << "en";
+        QTest::newRow("none") << QStringList{} << "en";
+    }
+    void theFirstLanguageThatThereAreWordsInIsTaken()
+    {
+        QFETCH(QStringList, wanted);
+
+        const Translation translation(wanted);
+
+        QTEST(translation.language(), "taken");
+    }
+
+    void qtsOwnWordsAreInTheSameLanguage()
+    {
+        const auto cancel = [] {
+            const QDialogButtonBox box(QDialogButtonBox::Cancel);
+            return box.button(QDialogButtonBox::Cancel)->text().remove(u'&');
+        };
+        QCOMPARE(cancel(), "Cancel");
+        {
+            const Translation german({"de"});
+            QCOMPARE(cancel(), "Abbrechen");
+        }
+        QCOMPARE(cancel(), "Cancel");
+    }
+
+    void namesOfCoreAreTranslatedAndKeepTheirNumbers()
+    {
+        const Translation german({"de"});
+
+        QCOMPARE(coreWord(QStringLiteral("triangle")), "Dreieck");
+        QCOMPARE(coreWord(QStringLiteral("Column -3, second half")), "Spalte -3, zweite Hälfte");
+        QCOMPARE(coreWords("0 wrong, proved · plain kernel 3.02 ns a pixel", " · "),
+                 "0 falsch, bewiesen · einfach 3.02 ns je Pixel");
+        QCOMPARE(coreWord(QStringLiteral("of no 12 translation")), "of no 12 translation");
+    }
+
+    void everyNameOfCoreThatTheWindowShowsIsInTheFiles_data() { addFiles(); }
+    void everyNameOfCoreThatTheWindowShowsIsInTheFiles()
+    {
+        QFETCH(QString, file);
+        if (QFileInfo(file).fileName() == english)
+            return;
+        QSet<QString> known;
+        for (const TranslatedText &text : textsOf(file)) {
+            if (text.context == QStringLiteral("pixelplumb::CoreWords"))
+                known += text.source;
+        }
+
+        const QString missing = firstNotIn(namesOfCore(), {known.begin(), known.end()});
+        QVERIFY2(missing.isEmpty(), qPrintable("add it to widgets/look/corewords.cpp: " + missing));
+    }
+
+    void everyMethodsTitleAndSummaryAreInTheFiles_data() { addFiles(); }
+    void everyMethodsTitleAndSummaryAreInTheFiles()
+    {
+        QFETCH(QString, file);
+        if (QFileInfo(file).fileName() == english)
+            return;
+        QStringList titles, summaries;
+        for (const Method &method : methods()) {
+            titles += method.title;
+            summaries += method.summary;
+        }
+        compareWithContext(file, QStringLiteral("pixelplumb::MethodTitle"), titles);
+        compareWithContext(file, QStringLiteral("pixelplumb::MethodSummary"), summaries);
+
+        const Translation translation({QFileInfo(file).baseName().section(u'_', 1)});
+        for (const Method &method : methods())
+            QVERIFY2(methodSummary(method) != method.summary, qPrintable(method.id));
+        QVERIFY(methodTitle(methods().front()) != methods().front().title);
+    }
+
+private:
+    /// What methods say stands once more in a list of widgets/look, which has a context of its own.
+    static void compareWithContext(const QString &file, const QString &context,
+                                   const QStringList &said)
+    {
+        QStringList known;
+        for (const TranslatedText &text : textsOf(file)) {
+            if (text.context == context)
+                known += text.source;
+        }
+        const QString missing = firstNotIn(said, known);
+        QVERIFY2(missing.isEmpty(),
+                 qPrintable("add it to the list of " + context + ": " + missing));
+        const QString left = firstNotIn(known, said);
+        QVERIFY2(left.isEmpty(), qPrintable("no method says any more: " + left));
+    }
+
+    void addFiles()
+    {
+        QTest::addColumn<QString>("file");
+        for (const QString &path : translationFiles())
+            QTest::newRow(qPrintable(QFileInfo(path).baseName())) << path;
+    }
+};
+
+PIXELPLUMB_TEST(TestTranslations)
+
+} // namespace tst_translations
+
+#include "tst_translations.moc"

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/pseudolanguage.h"
+#include "tests/support/showntexts.h"
+#include "tests/support/sourcetree.h"
+#include "tests/support/testprogram.h"
+#include "tests/support/translationfile.h"
+#include "widgets/look/elidedlabel.h"
+#include "widgets/look/translation.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QTabBar>
+#include <QTest>
+#include <QTimer>
+#include <QToolBar>
+#include <QToolButton>
+
+#include <algorithm>
+#include <optional>
+
+namespace tst_windowlanguages {
+
+using namespace pixelplumb;
+
+namespace {
+
+/// Lets the panels take the room that they ask for: asking and taking are events.
+void settle()
+{
+    for (int round = 0; round < 4; ++round)
+        QCoreApplication::processEvents();
+}
+
+std::unique_ptr<MainWindow> windowOf(const QSize &size)
+{
+    auto window = std::make_unique<MainWindow>();
+    window->resize(size);
+    action(*window, "resetLayout")->trigger();
+    window->openDefaultScene();
+    window->show();
+    window->activateWindow();
+    if (!QTest::qWaitForWindowActive(window.get()))
+        QTest::qFail("the window does not become active", __FILE__, __LINE__);
+    settle();
+    return window;
+}
+
+void showPanel(const MainWindow &window, const QDockWidget &dock)
+{
+    QAction *toggle = named<QAction>(window, qPrintable(dock.objectName() + "Toggle"));
+    if (!dock.isVisible() || dock.visibleRegion().isEmpty())
+        toggle->trigger();
+    settle();
+}
+
+/// What stands there in every language.
+bool isOfNoLanguage(const ShownText &shown)
+{
+    static const QRegularExpression word(QStringLiteral("[A-Za-zÄÖÜäöüß]{2}"));
+    if (!word.match(shown.text).hasMatch())
+        return true; // a sign or a number
+    // Core names methods, rules, arithmetics and cases as course texts, files and the command line
+    // do, and explains them in English, as those texts are. A button has its colour's name.
+    static const QRegularExpression places(QStringLiteral(
+        "^((method|variant|arithmeticMenu|fillRuleMenu|roundingMenu)-.*|layer-.* tip|precision_.*"
+        "|(method|arithmetic|fillRule|rounding)Box|compare(Method|Arithmetic|FillRule)[1-4]"
+        "|(columnTable|hardCaseVerdicts) header|predictChoice|hardCaseTitle|formulaSentence"
+        "|pixelHistoryReason|nextColourButton|vertex[0-2]Colour)$"));
+    return places.match(shown.place).hasMatch();
+}
+
+/// Line by line; empty where all are translated.
+QString untranslatedOf(const QList<ShownText> &texts)
+{
+    QStringList untranslated;
+    for (const ShownText &shown : texts) {
+        if (!isOfNoLanguage(shown) && !shown.text.contains(u'['))
+            untranslated += shown.place + QStringLiteral(": ") + shown.text;
+    }
+    untranslated.removeDuplicates();
+    return untranslated.join(u'\n');
+}
+
+/// "&Datei" → "d"
+QChar mnemonicOf(const QString &text)
+{
+    const qsizetype place
+        = QString(text).replace(QStringLiteral("&&"), QStringLiteral("  ")).indexOf(u'&');
+    return place < 0 || place + 1 == text.size() ? QChar() : text[place + 1].toLower();
+}
+
+/// The entries of a menu, or of one in it, that share a letter; empty where none do.
+QString sharedLetterIn(const QList<QAction *> &entries)
+{
+    QMap<QChar, QString> taken;
+    for (const QAction *entry : entries) {
+        const QChar letter = mnemonicOf(entry->text());
+        if (!letter.isNull() && entry->isVisible()) {
+            if (taken.contains(letter))
+                return taken[letter] + QStringLiteral(", ") + entry->text();
+            taken[letter] = entry->text();
+        }
+        if (const QString shared
+            = entry->menu() ? sharedLetterIn(entry->menu()->actions()) : QString();
+            !shared.isEmpty())
+            return shared;
+    }
+    return {};
+}
+
+/// Buttons and labels of a part of the window that have less room than their text takes.
+QStringList narrowIn(const QWidget &whole)
+{
+    QStringList narrow;
+    const auto judge = [&narrow](const QWidget &part, const QString &text) {
+        // A push button is by its style wider than a short text, which is read in less.
+        const int wanted = qobject_cast<const QPushButton *>(&part)
+            ? std::min(part.sizeHint().width(), part.fontMetrics().horizontalAdvance(text) + 8)
+            : part.sizeHint().width();
+        if (part.isVisible() && !text.isEmpty() && part.width() < wanted)
+            narrow += QStringLiteral("%1 “%2”: %3 of %4")
+                          .arg(part.objectName(), text)
+                          .arg(part.width())
+                          .arg(wanted);
+    };
+    for (const auto *button : whole.findChildren<QPushButton *>())
+        judge(*button, button->text());
+    for (const auto *button : whole.findChildren<QToolButton *>())
+        judge(*button, button->text());
+    for (const auto *label : whole.findChildren<QLabel *>()) {
+        // One that elides has its whole text in the tool tip; one with a least width of 1 is cut by
+        // its panel, which is made wider.
+        if (!label->wordWrap() && !qobject_cast<const ElidedLabel *>(label)
+            && label->minimumWidth() != 1)
+            judge(*label, label->text());
+    }
+    return narrow;
+}
+
+} // namespace
+
+/// The window in other languages than the sources'.
+class TestWindowLanguages : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_settings.clear(); }
+
+    void everyTextComesThroughTheTranslator()
+    {
+        PseudoLanguage pseudo;
+        QCoreApplication::installTranslator(&pseudo);
+        const auto window = windowOf(QSize(1440, 960));
+        for (const QDockWidget *dock : window->findChildren<QDockWidget *>())
+            showPanel(*window, *dock);
+
+        QList<ShownText> texts = shownTexts(*window);
+        for (const QAction *menu : window->menuBar()->actions())
+            appendTexts(texts, *menu->menu());
+
+        const QString untranslated = untranslatedOf(texts);
+        QVERIFY2(untranslated.isEmpty(), qPrintable(untranslated));
+    }
+
+    void everyTextOfADialogComesThroughTheTranslator_data()
+    {
+        QTest::addColumn<QString>("opener");
+        for (const char *opener : {"editFrame", "addTriangle", "goTo", "showKeys", "changeKeys",
+                                   "showAbout", "showExamples"})
+            QTest::newRow(opener) << opener;
+    }
+    void everyTextOfADialogComesThroughTheTranslator()
+    {
+        QFETCH(QString, opener);
+        PseudoLanguage pseudo;
+        QCoreApplication::installTranslator(&pseudo);
+        const auto window = windowOf(QSize(1440, 960));
+        std::optional<QString> untranslated;
+        QTimer::singleShot(200, window.get(), [&] {
+            for (QWidget *each : QApplication::topLevelWidgets()) {
+                if (auto *dialog = qobject_cast<QDialog *>(each); dialog && dialog->isVisible()) {
+                    untranslated = untranslatedOf(shownTexts(*dialog));
+                    dialog->reject();
+                }
+            }
+        });
+
+        action(*window, qPrintable(opener))->trigger();
+
+        QTRY_VERIFY(untranslated);
+        QVERIFY2(untranslated->isEmpty(), qPrintable(*untranslated));
+    }
+
+    void everyTextThatIsAskedForIsInTheFiles()
+    {
+        PseudoLanguage pseudo;
+        QCoreApplication::installTranslator(&pseudo);
+        const auto window = windowOf(QSize(1440, 960));
+        for (const QDockWidget *dock : window->findChildren<QDockWidget *>())
+            showPanel(*window, *dock);
+        for (const char *key : {"runToEnd", "runToStart", "nextColumn", "nextPixel"})
+            action(*window, key)->trigger();
+
+        QSet<QString> unknown = pseudo.asked();
+        QVERIFY(unknown.size() > 500);
+        for (const TranslatedText &text :
+             textsOf(resource(QStringLiteral("/translations/pixelplumb_de.ts"))))
+            unknown.remove(text.name());
+        for (const QString &name : unknown) {
+            if (!name.startsWith(QLatin1String("pixelplumb::CoreWords"))) // which asks for all
+                QFAIL(qPrintable(name));
+        }
+    }
+
+    void lettersOfAMenuAreUniqueInGerman()
+    {
+        const Translation german({"de"});
+        const auto window = windowOf(QSize(1440, 960));
+
+        QCOMPARE(sharedLetterIn(window->menuBar()->actions()), QString());
+        window->openScene(resource(QStringLiteral("/scenes/lines.json")));
+        settle(); // the steps have other names
+        QCOMPARE(sharedLetterIn(window->menuBar()->actions()), QString());
+    }
+
+    void nothingIsCutInGerman_data()
+    {
+        QTest::addColumn<QSize>("size");
+        // What a frame and a title bar leave of the usual screens.
+        QTest::newRow("1024 × 640") << QSize(1016, 600);
+        QTest::newRow("1366 × 768") << QSize(1358, 728);
+    }
+    void nothingIsCutInGerman()
+    {
+        QFETCH(QSize, size);
+        const Translation german({"de"});
+        const auto window = windowOf(size);
+        QCOMPARE(window->size(), size);
+
+        QStringList cut = narrowIn(*window);
+        for (const QToolBar *bar : window->findChildren<QToolBar *>()) {
+            if (const auto *more = named<QToolButton>(*bar, "qt_toolbar_ext_button");
+                more && more->isVisible())
+                cut += bar->windowTitle() + " does not fit";
+        }
+        for (const QDockWidget *dock : window->findChildren<QDockWidget *>()) {
+            showPanel(*window, *dock);
+            cut += narrowIn(*dock);
+        }
+
+        cut.removeDuplicates();
+        QVERIFY2(cut.empty(), qPrintable(cut.join(u'\n')));
+    }
+
+private:
+    IsolatedSettings m_settings;
+};
+
+PIXELPLUMB_TEST(TestWindowLanguages)
+
+} // namespace tst_windowlanguages
+
+#include "tst_windowlanguages.moc"

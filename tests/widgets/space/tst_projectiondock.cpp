@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/openwindow.h"
+#include "tests/support/scanning.h"
+#include "tests/support/spacescenes.h"
+#include "tests/support/testprogram.h"
+#include "tests/support/windowsteps.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
+#include "widgets/space/projectionpanel.h"
+#include "widgets/space/sideview.h"
+#include "widgets/space/stagetree.h"
+#include "widgets/space/surfacespanel.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTabWidget>
+#include <QTableWidget>
+#include <QTest>
+#include <QTextBrowser>
+
+namespace tst_projectiondock {
+
+using namespace pixelplumb;
+
+namespace {
+
+constexpr int longest = 60'000; // ms; the study of segments takes some 100 ms
+
+/// A plain triangle, a triangle that the near plane cuts, and a sphere.
+Scene spaceScene()
+{
+    Scene scene = sceneOf(
+        {triangle3({-1, -0.5, 2}, {1, -0.5, 2}, {0, 1, 5.5}), solidOf(SolidKind::Sphere)});
+    scene.triangles = {triangleAt(3, 4, 50, 10, 20, 40)};
+    return scene;
+}
+
+/// Waits until the panel has projected the scene.
+void open(ProjectionPanel &panel, Playhead &playhead, const Scene &scene)
+{
+    panel.show();
+    QSignalSpy spy(&panel, &ProjectionPanel::projected);
+    playhead.setTraced(traceScene(scene));
+    QVERIFY(spy.count() > 0 || spy.wait(longest));
+}
+
+/// The step at which a primitive's first sample is written, or its set-up.
+std::size_t positionIn(const Playhead &playhead, std::size_t primitive)
+{
+    const ScanTrace &trace = *playhead.traced()->trace;
+    for (std::size_t step = trace.indexOfSetUp(primitive); step < trace.stepCount(); ++step) {
+        if (trace.stepAt(step).kind == StepKind::Sample)
+            return step + 1;
+    }
+    return trace.indexOfSetUp(primitive) + 1;
+}
+
+QTreeWidgetItem *stageItem(const StageTree &tree, const QString &title)
+{
+    for (int i = 0; i < tree.topLevelItemCount(); ++i) {
+        if (tree.topLevelItem(i)->text(0) == title)
+            return tree.topLevelItem(i);
+    }
+    return nullptr;
+}
+
+/// The text of a number of a stage's point.
+QString cell(const StageTree &tree, const QString &title, int point, int number, int column)
+{
+    // The first row below a stage is its formula.
+    return stageItem(tree, title)->child(point + 1)->child(number)->text(column);
+}
+
+QStringList notesOf(const StageTree &tree, const QString &title)
+{
+    QStringList notes;
+    const QTreeWidgetItem *item = stageItem(tree, title);
+    for (int i = 1; i < item->childCount(); ++i)
+        notes += item->child(i)->text(0);
+    return notes;
+}
+
+} // namespace
+
+/// The dock that shows how a triangle came from three dimensions to the frame.
+class TestProjectionDock : public QObject {
+    Q_OBJECT
+
+private slots:
+    void followsTheStepThroughTheSolidsTriangles()
+    {
+        Playhead playhead;
+        SceneDocument document;
+        ProjectionPanel panel(&document, &playhead);
+        open(panel, playhead, spaceScene());
+        const auto *sentence = named<QLabel>(panel, "projectionSentence");
+        const auto *tree = named<StageTree>(panel, "stageTree");
+
+        playhead.seek(positionIn(playhead, 0));
+        QVERIFY2(sentence->text().startsWith(QStringLiteral("The scene's solids become")),
+                 qPrintable(sentence->text()));
+        QCOMPARE(tree->topLevelItemCount(), 0);
+
+        playhead.seek(positionIn(playhead, 1));
+        QVERIFY2(sentence->text().contains(QStringLiteral("C₀ C₁ C₂ of face 0 of solid 0")),
+                 qPrintable(sentence->text()));
+        QCOMPARE(tree->topLevelItemCount(), 7);
+
+        playhead.seek(positionIn(playhead, 2));
+        QVERIFY2(sentence->text().contains(QStringLiteral("C₀ C₂ C₃ of face 0 of solid 0")),
+                 qPrintable(sentence->text()));
+
+        playhead.seek(positionIn(playhead, 20));
+        QVERIFY2(sentence->text().contains(QStringLiteral("of solid 1, a sphere")),
+                 qPrintable(sentence->text()));
+    }
+
+    void showsTheEdgesThatTheNearPlaneCutsAndTheSnapsDisplacement()
+    {
+        Playhead playhead;
+        SceneDocument document;
+        ProjectionPanel panel(&document, &playhead);
+        open(panel, playhead, spaceScene());
+        playhead.seek(positionIn(playhead, 1));
+        const auto *tree = named<StageTree>(panel, "stageTree");
+
+        QCOMPARE(notesOf(*tree, QStringLiteral("Clipped polygon")),
+                 (QStringList{QStringLiteral("C₀: V₀, kept"), QStringLiteral("C₁: V₁, kept"),
+                              QStringLiteral("C₂: the near plane cuts V₁V₂"),
+                              QStringLiteral("C₃: the near plane cuts V₀V₂")}));
+        // Depths 3 and −0.5: t = 2/3.5.
+        QVERIFY(cell(*tree, QStringLiteral("Clipped polygon"), 2, 0, StageTree::ExactColumn)
+                    .startsWith(QStringLiteral("0.57142857142857142857")));
+        const Triangle &drawn = playhead.traced()->primitives.triangles[1];
+        const double x = double(drawn.vertices[0].position.x) / 256;
+        QCOMPARE(cell(*tree, QStringLiteral("Lattice"), 0, 0, StageTree::UsedColumn)
+                     .replace(QChar(0x2212), u'-')
+                     .toDouble(),
+                 x);
+        const double displacement
+            = cell(*tree, QStringLiteral("Lattice"), 0, 0, StageTree::ErrorColumn)
+                  .replace(QChar(0x2212), u'-')
+                  .toDouble();
+        QVERIFY(displacement != 0 && std::abs(displacement) <= 1.0 / 512);
+    }
+
+    void whatIsFoldedStaysFolded()
+    {
+        Playhead playhead;
+        SceneDocument document;
+        ProjectionPanel panel(&document, &playhead);
+        open(panel, playhead, spaceScene());
+        playhead.seek(positionIn(playhead, 1));
+        const auto *tree = named<StageTree>(panel, "stageTree");
+        stageItem(*tree, QStringLiteral("Camera"))->setExpanded(false);
+
+        playhead.seek(positionIn(playhead, 20));
+
+        QVERIFY(!stageItem(*tree, QStringLiteral("Camera"))->isExpanded());
+        QVERIFY(stageItem(*tree, QStringLiteral("Division"))->isExpanded());
+    }
+
+    void saysWhatItWouldShowWhereThereAreNoSolids()
+    {
+        Playhead playhead;
+        SceneDocument document;
+        ProjectionPanel panel(&document, &playhead);
+        Scene scene;
+        scene.triangles = {triangleAt(3, 4, 50, 10, 20, 40)};
+        open(panel, playhead, scene);
+
+        QVERIFY(named<QLabel>(panel, "projectionSentence")
+                    ->text()
+                    .startsWith(QStringLiteral("This scene has no solids.")));
+        QVERIFY(!named<SideView>(panel, "sideView")->isVisible());
+    }
+
+    void tellsWhyFacesAreNotDrawn()
+    {
+        Playhead playhead;
+        SceneDocument document;
+        ProjectionPanel panel(&document, &playhead);
+        Scene scene = spaceScene();
+        scene.solids.push_back(triangle3({0, 0, 6}, {1, 0, 7}, {0, 1, 8}));
+        open(panel, playhead, scene);
+
+        const QString text = named<QLabel>(panel, "projectionSentence")->text();
+        QVERIFY2(text.contains(QStringLiteral("1: each lies wholly before the near plane")),
+                 qPrintable(text));
+    }
+
+    void aDragTurnsTheSideViewAndADoubleClickPutsItBack()
+    {
+        SideView view;
+        view.resize(400, 300);
+        view.setScene(sideSceneOf(spaceScene()));
+        view.show();
+        const SpaceVector<double> eye;
+        const QPointF before = view.positionOf(eye);
+
+        QTest::mousePress(&view, Qt::LeftButton, {}, {100, 100});
+        QTest::mouseMove(&view, {180, 120});
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, {180, 120});
+
+        QCOMPARE(view.orbit().turn(), OrbitView::firstTurn + 40);
+        QCOMPARE(view.orbit().tilt(), OrbitView::firstTilt + 10);
+        QVERIFY(view.positionOf(eye) != before);
+        QTest::mouseDClick(&view, Qt::LeftButton);
+        QCOMPARE(view.positionOf(eye), before);
+        QTest::keyClick(&view, Qt::Key_Left);
+        QCOMPARE(view.orbit().turn(), OrbitView::firstTurn - 5);
+    }
+
+    void untouchedTheEyeLooksToTheRightAndEverythingFits()
+    {
+        OrbitView view;
+        view.turnBy(-OrbitView::firstTurn, -OrbitView::firstTilt);
+        const QRectF rect(10, 20, 300, 200);
+        const std::vector<SpaceVector<double>> points
+            = {{0, 0, 0}, {-1, -1, -3}, {1, 2, -6}, {0.5, 1, -4}};
+        view.fit(points, rect);
+
+        const QPointF eye = view.positionOf({0, 0, 0});
+        const QPointF target = view.positionOf({0, 0, -3});
+        const QPointF above = view.positionOf({0, 1, 0});
+        QVERIFY(target.x() > eye.x());
+        QCOMPARE(target.y(), eye.y());
+        QCOMPARE(above.x(), eye.x());
+        QVERIFY(above.y() < eye.y());
+        for (const auto &point : points)
+            QVERIFY(rect.adjusted(-1, -1, 1, 1).contains(view.positionOf(point)));
+    }
+
+    void theRaysMeetThePicturePlaneWhereTheFrameSaysSo()
+    {
+        const Scene scene = spaceScene();
+        const ProjectedSolids projected = projectedSolids(scene);
+        const SideScene side = sideSceneOf(scene);
+        const FaceStages stages = stagesOf(scene, projected, 3);
+
+        const SideFace face = sideFaceOf(scene, side, stages, projected.sources[3], {});
+
+        const SpaceVector<double> corner = side.picturePlane[2];
+        for (std::size_t i = 0; i < face.picture.size(); ++i) {
+            QVERIFY(std::abs(face.picture[i].x / corner.x - stages.face.devices[i].x) < 1e-12);
+            QVERIFY(std::abs(face.picture[i].y / corner.y - stages.face.devices[i].y) < 1e-12);
+        }
+        // The ray of a sample inside the triangle meets its plane within the sphere's depths.
+        const auto &place = stages.face.places;
+        const QPoint pixel(qRound((place[0][0] + place[1][0] + place[2][0]) / 3),
+                           qRound((place[0][1] + place[1][1] + place[2][1]) / 3));
+        const SideFace sampled = sideFaceOf(scene, side, stages, projected.sources[3], pixel);
+        QVERIFY(sampled.sample.has_value());
+        QVERIFY(std::abs(sampled.sample->face.z + 5) <= 1.1);
+    }
+
+    void theFormsFollowTheirParametersAndTheSegmentsAreStudied()
+    {
+        Playhead playhead;
+        SceneDocument document;
+        SurfacesPanel panel(&document, &playhead);
+        QSignalSpy spy(&panel, &SurfacesPanel::figuresChanged);
+        playhead.setTraced(traceScene(spaceScene()));
+        panel.show();
+        QVERIFY(spy.count() > 0 || spy.wait(longest));
+
+        const auto *forms = named<QTextBrowser>(panel, "surfaceForms");
+        const QString before = forms->toPlainText();
+        named<QSlider>(panel, "surfaceS")->setValue(100);
+        const QString after = forms->toPlainText();
+        QVERIFY(after != before);
+        // Halfway from (1, 2) to (7, 5).
+        QVERIFY2(after.contains(QStringLiteral("x = 4 (exact)")), qPrintable(after));
+        QVERIFY2(after.contains(QStringLiteral("y = 3.5 (exact)")), qPrintable(after));
+
+        // The scene's own 13 × 7 among those of the study.
+        QCOMPARE(panel.figures().size(), 7U);
+        for (std::size_t i = 1; i < panel.figures().size(); ++i)
+            QVERIFY(panel.figures()[i].distance < panel.figures()[i - 1].distance);
+        const auto *segments = named<QTableWidget>(panel, "segmentTable");
+        QCOMPARE(segments->item(2, 0)->text(), QStringLiteral("13 × 7 ◂"));
+    }
+
+    void opensByItsKeyInBothPalettes_data() { addPalettes(); }
+    void opensByItsKeyInBothPalettes()
+    {
+        QFETCH(QPalette, palette);
+        const auto window = openedWindow(spaceScene());
+        qApp->setPalette(palette);
+        QVERIFY(waitForRun(*window));
+        QAction *toggle = action(*window, "projectionDockToggle");
+        QCOMPARE(toggle->shortcut(), QKeySequence(QStringLiteral("Alt+Shift+1")));
+        auto *playhead = window->findChild<Playhead *>();
+        playhead->seek(positionIn(*playhead, 1));
+
+        toggle->trigger();
+
+        QTRY_VERIFY(named<ProjectionPanel>(*window, "projectionPanel")->isVisible());
+        QTRY_VERIFY(named<SideView>(*window, "sideView")->height() > 150);
+        QVERIFY(!grabbed(*window, QStringLiteral("projection")).isNull());
+        named<QTabWidget>(*window, "projectionTabs")->setCurrentIndex(1);
+        QTRY_VERIFY(!named<SurfacesPanel>(*window, "surfacesPanel")->figures().empty());
+        QVERIFY(!grabbed(*window, QStringLiteral("surfaces")).isNull());
+    }
+};
+
+PIXELPLUMB_TEST(TestProjectionDock)
+
+} // namespace tst_projectiondock
+
+#include "tst_projectiondock.moc"

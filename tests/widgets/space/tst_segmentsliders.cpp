@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/openwindow.h"
+#include "tests/support/spacescenes.h"
+#include "tests/support/testprogram.h"
+#include "widgets/model/scenedocument.h"
+#include "widgets/space/segmentsliders.h"
+
+#include <QSlider>
+#include <QTest>
+
+#include <algorithm>
+
+namespace tst_segmentsliders {
+
+using namespace pixelplumb;
+
+namespace {
+
+Scene sphereScene()
+{
+    Scene scene;
+    scene.camera = Camera();
+    scene.solids = {solidOf(SolidKind::Sphere)};
+    return scene;
+}
+
+std::array<int, 2> segmentsIn(const SceneDocument &document)
+{
+    const std::vector<Solid> &solids = document.scene().solids;
+    return std::ranges::find(solids, SolidKind::Sphere, &Solid::kind)->segments;
+}
+
+} // namespace
+
+/// The segments of a sphere, dragged.
+class TestSegmentSliders : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aSliderChangesTheSphereAndCanBeUndone()
+    {
+        SceneDocument document;
+        document.reset(sphereScene());
+        SegmentSliders sliders(&document);
+        auto *around = named<QSlider>(sliders, "segmentsAround");
+        const std::array<int, 2> before = segmentsIn(document);
+        QCOMPARE(around->value(), before[0]);
+
+        around->setValue(before[0] + 5);
+        QCOMPARE(segmentsIn(document), (std::array{before[0] + 5, before[1]}));
+
+        document.undoStack()->undo();
+        QCOMPARE(segmentsIn(document), before);
+        QCOMPARE(around->value(), before[0]);
+    }
+
+    void theMovesOfOneDragAreOneEdit()
+    {
+        SceneDocument document;
+        document.reset(sphereScene());
+        SegmentSliders sliders(&document);
+        auto *along = named<QSlider>(sliders, "segmentsAlong");
+
+        along->setSliderDown(true);
+        for (const int value : {9, 10, 11, 12})
+            along->setSliderPosition(value);
+        along->setSliderDown(false);
+
+        QCOMPARE(segmentsIn(document)[1], 12);
+        QCOMPARE(document.undoStack()->count(), 1);
+    }
+
+    void aSceneWithoutSphereOrPatchHasNoSliders()
+    {
+        SceneDocument document;
+        SegmentSliders sliders(&document);
+        QVERIFY(sliders.isHidden());
+
+        document.reset(sphereScene());
+        QVERIFY(!sliders.isHidden());
+    }
+};
+
+PIXELPLUMB_TEST(TestSegmentSliders)
+
+} // namespace tst_segmentsliders
+
+#include "tst_segmentsliders.moc"

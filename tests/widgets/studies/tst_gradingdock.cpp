@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/gradefile.h"
+#include "core/grade/gradefolder.h"
+#include "tests/support/gradedclass.h"
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/testprogram.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/look/elidedlabel.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
+#include "widgets/model/studentpicture.h"
+#include "widgets/studies/gradebook.h"
+#include "widgets/studies/gradedialog.h"
+#include "widgets/studies/gradefilter.h"
+#include "widgets/studies/gradetablemodel.h"
+#include "widgets/studies/gradingpanel.h"
+
+#include <QAbstractItemModelTester>
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QScrollBar>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QToolButton>
+
+#include <array>
+
+namespace tst_gradingdock {
+
+using namespace pixelplumb;
+
+namespace {
+
+void drop(MainWindow &window, const QString &path)
+{
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    const QPoint place = window.rect().center();
+    QDragEnterEvent enter(place, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&window, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent dropped(place, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&window, &dropped);
+}
+
+} // namespace
+
+/// The assistant's bench, by the hands of an assistant.
+class TestGradingDock : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aFolderIsGradedBesideTheWindow()
+    {
+        const Classroom classroom;
+        const auto window = windowWithDock();
+        QTimer::singleShot(0, window.get(), [&classroom, &window] {
+            auto *dialog = named<GradeDialog>(*window, "gradeDialog");
+            QVERIFY(dialog);
+            named<QLineEdit>(*dialog, "gradeSubmissions")->setText(classroom.submissions());
+            named<QLineEdit>(*dialog, "gradeAssignment")->setText(classroom.assignmentFile());
+            named<QLineEdit>(*dialog, "gradeResults")->setText(classroom.results());
+            QTest::keyClick(dialog, Qt::Key_Return);
+        });
+
+        QTest::mouseClick(named<QToolButton>(*window, "gradingGrade"), Qt::LeftButton);
+
+        QVERIFY(book(*window).job().isRunning());
+        QTRY_COMPARE_WITH_TIMEOUT(table(*window)->model()->rowCount(), 3, longestWait);
+        QCOMPARE(cell(*window, 0, GradeTableModel::Name), "ada");
+        QCOMPARE(cell(*window, 0, GradeTableModel::Verdict), "right");
+        QCOMPARE(cell(*window, 1, GradeTableModel::Name), "bob");
+        QCOMPARE(cell(*window, 1, GradeTableModel::Verdict), "wrong");
+        QVERIFY2(cell(*window, 1, GradeTableModel::Cause).contains("rounding-truncate"),
+                 qPrintable(cell(*window, 1, GradeTableModel::Cause)));
+        QCOMPARE(cell(*window, 1, GradeTableModel::Points), "3 / 5");
+        QVERIFY(QFile::exists(classroom.results() + "/results.json"));
+    }
+
+    void aFolderOfResultsOpensInGradingHoweverItComes_data()
+    {
+        QTest::addColumn<bool>("isDropped");
+        QTest::newRow("on the command line, before the window is shown") << false;
+        QTest::newRow("dropped on the window") << true;
+    }
+    void aFolderOfResultsOpensInGradingHoweverItComes()
+    {
+        QFETCH(bool, isDropped);
+        const Classroom classroom;
+        bringResults(classroom);
+        const auto window = std::make_unique<MainWindow>();
+        window->openDefaultScene();
+        if (!isDropped)
+            window->openResults(classroom.results());
+        window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window.get()));
+
+        if (isDropped)
+            drop(*window, classroom.results());
+
+        QTRY_COMPARE_WITH_TIMEOUT(table(*window)->model()->rowCount(), 3, longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !named<QDockWidget>(*window, "gradingDock")->visibleRegion().isEmpty(), longestWait);
+        QVERIFY(!named<QWidget>(*window, "messageBar")->isVisible());
+        QTRY_COMPARE_WITH_TIMEOUT(window->focusWidget(), table(*window), longestWait);
+        QTest::keyClick(window->focusWidget(), Qt::Key_J);
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "ada · small", longestWait);
+    }
+
+    void transparencyIsIgnoredAndThatIsSaid()
+    {
+        const Classroom classroom;
+        QImage clear = drawn(smallScene()).convertToFormat(QImage::Format_ARGB32);
+        clear.setPixel(0, 0, 0); // the background, but transparent
+        QVERIFY(clear.save(classroom.submissions() + "/ada/small.png"));
+        const auto assignment = readAssignmentFile(classroom.assignmentFile());
+        QVERIFY(gradeFolder({classroom.submissions(), classroom.results(), "1"}, *assignment));
+        const auto window = windowWithDock();
+        book(*window).open(classroom.results());
+        QTRY_COMPARE_WITH_TIMEOUT(table(*window)->model()->rowCount(), 3, longestWait);
+        table(*window)->setFocus();
+
+        for (const bool isTransparent : {true, false}) {
+            press(*window, Qt::Key_J);
+            const QString told = named<QLabel>(*window, "gradingSentences")->text();
+            QCOMPARE(told.contains("the picture has transparent pixels"), isTransparent);
+        }
+    }
+
+    void whatHoldsNoGradesIsToldAsSuch()
+    {
+        const auto window = openedWindow();
+        const QTemporaryDir empty;
+        window->openResults(empty.path());
+        QTRY_VERIFY_WITH_TIMEOUT(named<QWidget>(*window, "messageBar")->isVisible(), longestWait);
+        const QString told = named<QLabel>(*window, "messageText")->text();
+        for (const QString &part : {QStringLiteral("No grades: "), empty.path(),
+                                    QStringLiteral("holds no results"), QStringLiteral("expected")})
+            QVERIFY2(told.contains(part), qPrintable(told));
+    }
+
+    void keysGoFromPictureToPicture_data() { addPalettes(); }
+    void keysGoFromPictureToPicture()
+    {
+        QFETCH(QPalette, palette);
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        QApplication::setPalette(palette);
+
+        press(*window, Qt::Key_J);
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "ada · small", longestWait);
+        press(*window, Qt::Key_J);
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "bob · small", longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
+
+        QCOMPARE(window->parts().document->scene().triangles, smallScene().triangles);
+        QVERIFY(named<QDockWidget>(*window, "submissionDock")->isVisible());
+        QCOMPARE(window->parts().playhead->pickedPixel(),
+                 window->parts().student->judgement()->firstDifference());
+        QVERIFY2(named<QLabel>(*window, "gradingSentences")->text().contains("byte"),
+                 qPrintable(named<QLabel>(*window, "gradingSentences")->text()));
+        QTest::qWait(50);
+        grabbed(*window, "grading");
+        press(*window, Qt::Key_K);
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "ada · small", longestWait);
+        QCOMPARE(table(*window)->currentIndex().row(), 0);
+    }
+
+    void theBenchIsUsableOnASmallScreen_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("1024 × 640") << QSize(1016, 600);
+        QTest::newRow("1366 × 768") << QSize(1358, 728);
+    }
+    void theBenchIsUsableOnASmallScreen()
+    {
+        QFETCH(QSize, size);
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        window->resize(size);
+        action(*window, "resetLayout")->trigger();
+        action(*window, "gradingDockToggle")->trigger();
+        book(*window).setComment(std::array{std::size_t(0), std::size_t(1)},
+                                 "Round where you cut: half a level is lost on every channel.");
+        press(*window, Qt::Key_J);
+        QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
+        press(*window, Qt::Key_J);
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "bob · small", longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
+        QTest::qWait(100); // the docks take their places
+
+        grabbed(*window, "bench");
+        QCOMPARE(window->size(), size);
+        const auto seen = [&](const char *name) {
+            return named<QWidget>(*window, name)->visibleRegion().boundingRect();
+        };
+        const int line = window->fontMetrics().lineSpacing();
+        QVERIFY(seen("gradingTable").height() >= 4 * line);
+        QVERIFY(seen("gradingTable").width() >= 20 * line);
+        QCOMPARE(seen("gradingSentences"), named<QWidget>(*window, "gradingSentences")->rect());
+        const auto *causes = named<ElidedLabel>(*window, "gradingCauses");
+        QCOMPARE(seen("gradingCauses").height(), causes->height());
+        QVERIFY2(causes->shownText().startsWith(QStringLiteral("rounding-truncate")),
+                 qPrintable(causes->shownText()));
+        QVERIFY(named<QLabel>(*window, "gradingDone")->text().startsWith("Levels are cut"));
+        QCOMPARE(seen("gradingDone").height() >= line, size.height() > 700);
+        const auto *view = qobject_cast<QTableView *>(table(*window));
+        QCOMPARE(view->horizontalScrollBar()->maximum(), 0);
+        for (int column = 0; column < view->model()->columnCount(); ++column) {
+            if (!view->isColumnHidden(column))
+                QVERIFY2(view->columnWidth(column)
+                             >= view->horizontalHeader()->sectionSizeHint(column),
+                         qPrintable(QString::number(column)));
+        }
+        QVERIFY(view->columnWidth(GradeTableModel::Verdict) > 0);
+        QVERIFY(seen("gradingComment").height() >= 3 * line);
+        QCOMPARE(seen("gradingComment"), named<QWidget>(*window, "gradingComment")->rect());
+        QVERIFY(seen("submissionPicture").height() >= 6 * line);
+    }
+
+    void aClickOpensThePicture()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        const QModelIndex row = table(*window)->model()->index(2, 0);
+
+        QTest::mouseClick(table(*window)->viewport(), Qt::LeftButton, {},
+                          table(*window)->visualRect(row).center());
+
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "cyd · small", longestWait);
+    }
+
+    void acceptedStaysAccepted()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        press(*window, Qt::Key_Down);
+        press(*window, Qt::Key_A);
+
+        QCOMPARE(cell(*window, 0, GradeTableModel::State), "✓");
+        const auto *model = table(*window)->model();
+        QCOMPARE(model->index(0, GradeTableModel::State).data(Qt::AccessibleTextRole), "accepted");
+        named<QLineEdit>(*window, "gradingFilter")->setText("accepted");
+        QCOMPARE(model->rowCount(), 1);
+        named<QLineEdit>(*window, "gradingFilter")->clear();
+        QTRY_VERIFY_WITH_TIMEOUT(keptReview(classroom, 0).isAccepted, longestWait);
+        press(*window, Qt::Key_A);
+        QCOMPARE(cell(*window, 0, GradeTableModel::State), QString());
+    }
+
+    void aCommentIsKeptWhenTheRowIsLeft()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        auto *comment = named<QPlainTextEdit>(*window, "gradingComment");
+        press(*window, Qt::Key_J);
+        press(*window, Qt::Key_C);
+        QTRY_VERIFY_WITH_TIMEOUT(comment->hasFocus(), longestWait);
+        QTest::keyClicks(comment, "well done");
+        QTest::keyClick(comment, Qt::Key_Escape);
+        QVERIFY(table(*window)->hasFocus());
+        press(*window, Qt::Key_J);
+
+        QCOMPARE(comment->toPlainText(), QString());
+        QCOMPARE(cell(*window, 0, GradeTableModel::Comment), "well done");
+        QTRY_COMPARE_WITH_TIMEOUT(keptReview(classroom, 0).comment, "well done", longestWait);
+    }
+
+    void aCommentThatIsBeingTypedOutlivesGradingAnewAndTheWindow()
+    {
+        const Classroom classroom;
+        {
+            const auto window = windowWithGrades(classroom);
+            auto *comment = named<QPlainTextEdit>(*window, "gradingComment");
+            press(*window, Qt::Key_J);
+            comment->setPlainText("first");
+            book(*window).grade(classroom.submissions(), classroom.assignmentFile(),
+                                classroom.results());
+            comment->setPlainText("second");
+            QTRY_VERIFY_WITH_TIMEOUT(!book(*window).job().isRunning(), longestWait);
+            QTRY_COMPARE_WITH_TIMEOUT(cell(*window, 0, GradeTableModel::Comment), "second",
+                                      longestWait);
+            press(*window, Qt::Key_J);
+            comment->setPlainText("third");
+        }
+        QCOMPARE(keptReview(classroom, 0).comment, "third");
+    }
+
+    void whatIsSaidLastIsWrittenLastEvenAtTheEnd()
+    {
+        const Classroom classroom;
+        bringResults(classroom);
+        {
+            Gradebook gradebook;
+            gradebook.open(classroom.results());
+            QTRY_VERIFY_WITH_TIMEOUT(!gradebook.results().isEmpty(), longestWait);
+            for (int i = 1; i <= 20; ++i)
+                gradebook.setComment(std::array{std::size_t(0)}, QString::number(i));
+        }
+        QCOMPARE(keptReview(classroom, 0).comment, "20");
+    }
+
+    void whyThereIsNoPictureStandsInItsPlaceAtOnce()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        press(*window, Qt::Key_J);
+        QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
+
+        emit named<GradingPanel>(*window, "grading")
+            ->openRequested({smallScene(), {}, "bob · small", "it is 20 × 20 pixels"});
+
+        QVERIFY(!window->parts().student->judgement());
+        QCOMPARE(named<QLabel>(*window, "submissionVerdict")->text(),
+                 "No picture: it is 20 × 20 pixels.");
+        press(*window, Qt::Key_J);
+        QCOMPARE(window->parts().student->name(), "bob · small");
+        QVERIFY(!window->parts().student->judgement());
+        QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
+    }
+
+    void aCommentOfAStudentWhoIsNotThereNowStays()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        GradeReport report = book(*window).report();
+        report.submissions[2].review.comment = "see me";
+        QVERIFY(!writeReviews(classroom.results(), report));
+        report.submissions.pop_back();
+        report.submissions[0].review.comment = "fine";
+        QVERIFY(!writeReviews(classroom.results(), report));
+
+        const auto kept = readGrades(classroom.results());
+        QVERIFY(kept.isOk());
+        QCOMPARE(kept->submissions[0].review.comment, "fine");
+        QCOMPARE(kept->submissions[2].review.comment, "see me");
+    }
+
+    void oneCommentIsForTheWholeCause()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        press(*window, Qt::Key_J);
+        press(*window, Qt::Key_J);
+        named<QPlainTextEdit>(*window, "gradingComment")->setPlainText("round, do not cut");
+
+        QTest::mouseClick(named<QToolButton>(*window, "gradingCommentCluster"), Qt::LeftButton);
+
+        QTRY_COMPARE_WITH_TIMEOUT(keptReview(classroom, 1).comment, "round, do not cut",
+                                  longestWait);
+        QCOMPARE(keptReview(classroom, 2).comment, "round, do not cut");
+        QCOMPARE(keptReview(classroom, 0).comment, QString());
+    }
+
+    void reportsAreWrittenWithTheComments()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        press(*window, Qt::Key_J);
+        named<QPlainTextEdit>(*window, "gradingComment")->setPlainText("well done");
+
+        QTest::mouseClick(named<QToolButton>(*window, "gradingReports"), Qt::LeftButton);
+
+        QTRY_VERIFY_WITH_TIMEOUT(!book(*window).job().isRunning(), longestWait);
+        QFile results(classroom.results() + "/results.json");
+        QVERIFY(results.open(QIODevice::ReadOnly));
+        QVERIFY(results.readAll().contains("well done"));
+    }
+
+    void theTableIsFiltered()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        QTest::keyClicks(named<QLineEdit>(*window, "gradingFilter"), "truncate cyd");
+        QCOMPARE(table(*window)->model()->rowCount(), 1);
+        named<QLineEdit>(*window, "gradingFilter")->clear();
+        named<QComboBox>(*window, "gradingClusters")->setCurrentIndex(1);
+        QCOMPARE(table(*window)->model()->rowCount(), 2);
+    }
+
+    void theModelKeepsItsPromises()
+    {
+        const Classroom classroom;
+        bringResults(classroom);
+        Gradebook gradebook;
+        GradeTableModel model(&gradebook);
+        const QAbstractItemModelTester tester(&model);
+        GradeFilter filter;
+        filter.setSourceModel(&model);
+        const QAbstractItemModelTester filterTester(&filter);
+        gradebook.open(classroom.results());
+        QTRY_COMPARE_WITH_TIMEOUT(filter.rowCount(), 3, longestWait);
+        gradebook.setAccepted(0, true);
+    }
+
+private:
+    IsolatedSettings m_settings;
+};
+
+PIXELPLUMB_TEST(TestGradingDock)
+
+} // namespace tst_gradingdock
+
+#include "tst_gradingdock.moc"

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/gradedclass.h"
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/testprogram.h"
+#include "widgets/model/studentpicture.h"
+#include "widgets/studies/gradebook.h"
+
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTest>
+#include <QToolButton>
+
+namespace tst_gradinginhand {
+
+using namespace pixelplumb;
+
+/// The row that is selected, what is told and said, and the picture on show are one student's.
+class TestGradingInHand : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whoIsFilteredAwayIsNotInHandAndNotOnShow_data()
+    {
+        QTest::addColumn<bool>("isByCause");
+        QTest::newRow("by words") << false;
+        QTest::newRow("by cause") << true;
+    }
+    void whoIsFilteredAwayIsNotInHandAndNotOnShow()
+    {
+        QFETCH(bool, isByCause);
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        press(*window, Qt::Key_J);
+        QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
+
+        if (isByCause)
+            named<QComboBox>(*window, "gradingClusters")->setCurrentIndex(1);
+        else
+            QTest::keyClicks(named<QLineEdit>(*window, "gradingFilter"), "bob");
+
+        QVERIFY(!table(*window)->selectionModel()->hasSelection());
+        QTRY_VERIFY_WITH_TIMEOUT(!window->parts().student->isThere(), longestWait);
+        QCOMPARE(window->parts().student->name(), QString());
+        QCOMPARE(named<QLabel>(*window, "gradingSentences")->text(), QString());
+        press(*window, Qt::Key_A);
+        QVERIFY(!book(*window).report().submissions[0].review.isAccepted);
+        QVERIFY(!book(*window).report().submissions[1].review.isAccepted);
+        press(*window, Qt::Key_J);
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "bob · small", longestWait);
+    }
+
+    void whoStaysInTheFilteredTableStaysInHand()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        press(*window, Qt::Key_J);
+        press(*window, Qt::Key_J);
+        QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
+        const auto judged = window->parts().student->judgement();
+
+        QTest::keyClicks(named<QLineEdit>(*window, "gradingFilter"), "bob");
+        QCoreApplication::processEvents();
+
+        QCOMPARE(table(*window)->selectionModel()->selectedRows().size(), 1);
+        QCOMPARE(window->parts().student->judgement(), judged);
+    }
+
+    void everyWayToAnotherRowOpensItsPicture()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        QTest::keyClick(table(*window), Qt::Key_End, Qt::ControlModifier);
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "cyd · small", longestWait);
+        QTest::keyClick(table(*window), Qt::Key_Home, Qt::ControlModifier);
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "ada · small", longestWait);
+        press(*window, Qt::Key_B); // the table looks for a name
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "bob · small", longestWait);
+    }
+
+    void theKeysStayInTheTableAsEachSubmissionBringsItsScene()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        table(*window)->setFocus();
+        for (const char *shown : {"ada · small", "bob · small", "cyd · small"}) {
+            QTest::keyClick(window->focusWidget(), Qt::Key_J);
+            QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), QString::fromUtf8(shown),
+                                      longestWait);
+            QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
+            QCOMPARE(window->focusWidget(), table(*window));
+        }
+    }
+
+    void nobodyIsInHandWhileAnotherPictureIsOnShow()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        press(*window, Qt::Key_J);
+        QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
+
+        window->parts().student->paste(drawn(smallScene()), "pasted");
+
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "pasted", longestWait);
+        QVERIFY(!table(*window)->selectionModel()->hasSelection());
+        QCoreApplication::processEvents();
+        QCOMPARE(window->parts().student->name(), "pasted");
+        QVERIFY(!named<QToolButton>(*window, "gradingAccept")->isEnabled());
+    }
+
+private:
+    IsolatedSettings m_settings;
+};
+
+PIXELPLUMB_TEST(TestGradingInHand)
+
+} // namespace tst_gradinginhand
+
+#include "tst_gradinginhand.moc"

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compare/bounderrors.h"
+#include "core/scene/fileaccess.h"
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/sourcetree.h"
+#include "tests/support/testprogram.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
+#include "widgets/studies/comparepanel.h"
+#include "widgets/studies/hardcasesdetails.h"
+#include "widgets/studies/hardcasespanel.h"
+#include "widgets/studies/precisionpanel.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+
+namespace tst_hardcasesdock {
+
+using namespace pixelplumb;
+
+class TestHardCasesDock : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        m_settings.clear();
+        m_window = openedWindow();
+        m_panel = named<HardCasesPanel>(*m_window, "hardCases");
+        m_details = named<HardCasesDetails>(*m_window, "hardCasesDetails");
+        m_playhead = m_window->parts().playhead;
+    }
+    void cleanup() { m_window.reset(); }
+
+    void isHiddenAtFirstAndNeverHidesTheCanvas()
+    {
+        QVERIFY(!m_panel->isVisible());
+        QVERIFY(m_panel->cases().empty()); // nothing is read before it is looked at
+
+        open();
+
+        QVERIFY(m_panel->isVisible());
+        QVERIFY(m_window->parts().canvas->isVisible());
+        QVERIFY(m_window->parts().canvas->width() >= 240);
+    }
+
+    void holdsEveryCaseThatHasAPicture()
+    {
+        open();
+
+        // Of each file, the cases with coordinates that are refused apart.
+        for (const char *name :
+             {"hard_cases.json", "more_cases.json", "shape_cases.json", "effect_cases.json"}) {
+            const QString path = testData(name);
+            const auto cases = readHardCases(*readFile(path));
+            QVERIFY(cases.isOk() && cases->size() >= 26);
+            for (const HardCase &each : *cases)
+                QVERIFY2(m_panel->choose(each.id) || each.kind == HardCaseKind::Invalid,
+                         qPrintable(each.id));
+        }
+        for (const GalleryCase &each : m_panel->cases()) {
+            QVERIFY2(!each.family.isEmpty() && !each.hardCase.stresses.isEmpty(),
+                     qPrintable(each.hardCase.id));
+            // Two sentences, at least.
+            QVERIFY2(each.why.count(u'.') >= 2, qPrintable(each.hardCase.id));
+        }
+    }
+
+    void everyFamilyHasItsOwnWords()
+    {
+        open();
+        const QString fallback = whyOf(QStringLiteral("no such family"));
+        for (const GalleryCase &each : m_panel->cases())
+            QVERIFY2(each.why != fallback, qPrintable(each.family));
+    }
+
+    void drawsTheChosenCaseByTheMethodInHandAndByTheTruth()
+    {
+        setArithmetic(Arithmetic::Float32);
+        open();
+
+        QVERIFY(m_panel->choose(QStringLiteral("tie_tenths")));
+
+        auto *caption = named<QLabel>(*m_window, "hardCaseCaption");
+        QTRY_VERIFY2_WITH_TIMEOUT(caption->text().contains(QStringLiteral("64 missing")),
+                                  qPrintable(caption->text()), 20000);
+        QVERIFY(caption->text().contains(QStringLiteral("column-scan float32 closed")));
+        const auto words = named<QLabel>(*m_window, "hardCaseWords")->text();
+        QVERIFY2(words.contains(QStringLiteral("the sign of the error decides, not its size")),
+                 qPrintable(words));
+    }
+
+    void opensACaseAtTheFirstPixelThatDiffers()
+    {
+        setArithmetic(Arithmetic::Float32);
+        open();
+        m_panel->choose(QStringLiteral("tie_tenths"));
+
+        QTest::mouseClick(named<QPushButton>(*m_window, "hardCaseOpen"), Qt::LeftButton);
+
+        QTRY_VERIFY_WITH_TIMEOUT(
+            m_playhead->traced() && m_playhead->traced()->scene.frame.width == 1001, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(m_playhead->pickedPixel(), std::optional(QPoint(10, 1)), 5000);
+        QCOMPARE(m_playhead->traced()->differences.at(10, 1), Difference::Missing);
+        QCOMPARE(m_playhead->columnXInHand(), std::optional<std::int64_t>(10));
+    }
+
+    void tellsWithinThreeClicksWhyFloat64LosesMoreAtTenthsThanFloat32()
+    {
+        open();
+        m_panel->choose(QStringLiteral("tie_tenths")); // the first click
+        auto *compare = named<ComparePanel>(*m_window, "compare");
+
+        QTest::mouseClick(named<QPushButton>(*m_window, "hardCaseCompare"),
+                          Qt::LeftButton); // the second
+
+        QTRY_VERIFY_WITH_TIMEOUT(compare->contest() && !compare->isRunning()
+                                     && compare->contest()->scene.frame.width == 1001,
+                                 30000);
+        const auto missing = [&](std::size_t run) {
+            return compare->contest()
+                ->runs[run]
+                .tally.againstTruth[std::size_t(Difference::Missing)];
+        };
+        QCOMPARE(compare->contenders()[1].settings.arithmetic, Arithmetic::Float32);
+        QCOMPARE(missing(1), 64);
+        QCOMPARE(missing(2), 127);
+        m_playhead->pick({20, 2}); // the third, on a pixel that both lose
+        const QString reason = named<QLabel>(*compare, "compareReason")->text();
+        QVERIFY2(reason.contains(QStringLiteral("y_B = 2.0000000000000004 instead of 2")),
+                 qPrintable(reason));
+    }
+
+    void putsEveryMethodToTheTestOneByOne()
+    {
+        open();
+        m_panel->choose(QStringLiteral("tip_left_0_0"));
+
+        QTRY_VERIFY_WITH_TIMEOUT(!m_details->verdicts().empty() && !m_details->isChecking(), 60000);
+
+        for (const ContenderVerdict &verdict : m_details->verdicts()) {
+            if (verdict.contender.method->isStableIn(verdict.contender.settings.arithmetic))
+                QVERIFY2(verdict.outcome != CaseOutcome::FellShort,
+                         qPrintable(verdict.contender.name()));
+        }
+    }
+
+    void saysTheDriftedNumberOfLostTiesIsAsTold()
+    {
+        // The words on tie_tenths: at 64 and 127 ties the error is on the losing side.
+        Scene scene;
+        for (const GalleryCase &each : galleryOf(QStringLiteral(":/cases/more_cases.json")))
+            scene = each.hardCase.id == "tie_tenths" ? sceneOf(each.hardCase, methods().front(), {})
+                                                     : scene;
+        for (const GalleryCase &each : galleryOf(QStringLiteral(":/cases/hard_cases.json"))) {
+            if (each.hardCase.id == "tie_tenths")
+                scene = sceneOf(each.hardCase, methods().front(), {});
+        }
+        const auto all = boundErrorsOf(scene, 0);
+        QVERIFY(all);
+        for (const auto &[arithmetic, expected] :
+             {std::pair(Arithmetic::Float32, 64), std::pair(Arithmetic::Float64, 127)}) {
+            const auto errors = std::ranges::find(*all, arithmetic, &BoundErrors::arithmetic);
+            int losing = 0;
+            for (const BoundError &error : errors->spans) {
+                if (error.place.coordinate % 10 == 0)
+                    losing += int(error.lower > 0) + int(error.upper < 0);
+            }
+            QCOMPARE(losing, expected);
+        }
+    }
+
+    void looksRightInBothPalettes_data() { addPalettes(); }
+    void looksRightInBothPalettes()
+    {
+        QFETCH(QPalette, palette);
+        qApp->setPalette(palette);
+        setArithmetic(Arithmetic::Float32);
+        open();
+        m_panel->choose(QStringLiteral("overshoot_sliver"));
+        QTRY_VERIFY_WITH_TIMEOUT(m_panel->picturesLeft() < int(m_panel->cases().size()) - 12,
+                                 30000);
+
+        const QImage picture = grabbed(*m_window, QStringLiteral("hardcases"));
+
+        QVERIFY(!picture.isNull());
+    }
+
+private:
+    void open()
+    {
+        action(*m_window, "hardCasesDockToggle")->trigger();
+        QCoreApplication::processEvents();
+    }
+    void setArithmetic(Arithmetic arithmetic)
+    {
+        ScanSettings settings = m_window->parts().document->scene().settings;
+        settings.arithmetic = arithmetic;
+        m_window->parts().document->setSettings(settings);
+        QTRY_COMPARE(m_playhead->traced()->scene.settings.arithmetic, arithmetic);
+        m_window->parts().document->undoStack()->setClean(); // nothing to be asked about
+    }
+    static std::vector<GalleryCase> galleryOf(const QString &path)
+    {
+        QFile file(path);
+        if (!file.open(QIODevice::ReadOnly))
+            return {};
+        const auto gallery = readGallery(file.readAll());
+        return gallery ? *gallery : std::vector<GalleryCase>();
+    }
+
+    IsolatedSettings m_settings;
+    std::unique_ptr<MainWindow> m_window;
+    HardCasesPanel *m_panel = nullptr;
+    HardCasesDetails *m_details = nullptr;
+    Playhead *m_playhead = nullptr;
+};
+
+PIXELPLUMB_TEST(TestHardCasesDock)
+
+} // namespace tst_hardcasesdock
+
+#include "tst_hardcasesdock.moc"

@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compare/casegallery.h"
+#include "core/compare/motionstudy.h"
+#include "core/methods/method.h"
+#include "core/scene/scenefile.h"
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/programrun.h"
+#include "tests/support/sourcetree.h"
+#include "tests/support/testprogram.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
+#include "widgets/studies/motionpanel.h"
+#include "widgets/studies/motionview.h"
+
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QSlider>
+#include <QTableWidget>
+#include <QTest>
+#include <QToolButton>
+
+namespace tst_motion {
+
+using namespace pixelplumb;
+
+namespace {
+
+Scene movingScene()
+{
+    return readSceneFile(resource(QStringLiteral("/scenes/moving-sliver.json")))->scene;
+}
+
+Scene exactly(Scene scene)
+{
+    scene.settings.arithmetic = Arithmetic::Exact;
+    return scene;
+}
+
+} // namespace
+
+/// Scenes that move, and what flickers in them.
+class TestMotion : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aFrameIsAPartOfTheWay()
+    {
+        Scene scene = movingScene();
+        scene.motion = Motion{{1000, -7}, 4};
+        const LatticePoint from = scene.triangles.front().vertices[0].position;
+        const auto at = [&](int frame) {
+            const LatticePoint point
+                = sceneAtFrame(scene, frame).triangles.front().vertices[0].position;
+            return std::pair(point.x - from.x, point.y - from.y);
+        };
+        QCOMPARE(at(0), std::pair(Lattice(0), Lattice(0)));
+        QCOMPARE(at(1), std::pair(Lattice(333), Lattice(-2))); // 333 1/3, −2 1/3
+        QCOMPARE(at(2), std::pair(Lattice(667), Lattice(-5))); // 666 2/3, −4 2/3
+        QCOMPARE(at(3), std::pair(Lattice(1000), Lattice(-7)));
+    }
+
+    void theSequencesOfTheHardCasesCountAsTheirFactsSay()
+    {
+        int sequences = 0;
+        for (const GalleryCase &entry : gallery()) {
+            if (entry.hardCase.kind != HardCaseKind::Sequence)
+                continue;
+            for (const auto &[rule, facts] : entry.hardCase.facts) {
+                const Method &method
+                    = *methodNamed(rule == FillRule::TopLeft ? QStringLiteral("edge-equations")
+                                                             : QStringLiteral("column-scan"));
+                if (!method.supports(rule) || !facts.toggles)
+                    continue;
+                ScanSettings settings;
+                settings.fillRule = rule;
+                const auto study = studyMotion(sceneOf(entry.hardCase, method, settings));
+                std::vector<std::int64_t> counts;
+                for (const MotionFrame &frame : study->frames) {
+                    counts.push_back(frame.drawn);
+                    QCOMPARE(frame.drawn, frame.truth);
+                    QCOMPARE(frame.toggled, frame.truthToggled);
+                }
+                QCOMPARE(counts, facts.frameCounts);
+                QCOMPARE(study->toggled(), *facts.toggles);
+                ++sequences;
+            }
+        }
+        QVERIFY(sequences >= 5);
+    }
+
+    void whatAPixelTogglesAddsUpToWhatFramesToggle()
+    {
+        const Scene scene = movingScene();
+        const MotionStudy study = *studyMotion(scene);
+        std::int64_t drawn = 0;
+        std::int64_t truth = 0;
+        for (int y = 0; y < scene.frame.height; ++y) {
+            for (int x = 0; x < scene.frame.width; ++x) {
+                drawn += study.toggles.at(x, y).drawn;
+                truth += study.toggles.at(x, y).truth;
+            }
+        }
+        QCOMPARE(drawn, study.toggled());
+        QCOMPARE(truth, study.truthToggled());
+        QVERIFY(truth > 0);
+        QCOMPARE(studyMotion(exactly(scene))->toggled(), truth);
+    }
+
+    void aStudyCanBeEnded()
+    {
+        int heard = 0;
+        QVERIFY(!studyMotion(movingScene(), [&heard](const JobProgress &) { return ++heard < 4; }));
+        QCOMPARE(heard, 4);
+    }
+
+    void theFileKeepsTheMotion()
+    {
+        const Scene scene = movingScene();
+        QCOMPARE(readScene(writeScene(scene, {}))->scene, scene);
+        for (const char *wrong :
+             {"{ \"by\": [1, 2] }", "{ \"by\": [1, 2], \"frames\": 1 }",
+              "{ \"by\": 3, \"frames\": 5 }", "{ \"by\": [1, 2], \"frames\": 2.5 }",
+              "{ \"by\": [1, 2], \"frames\": 5, \"speed\": 1 }"}) {
+            const auto reading
+                = readScene(QByteArray("{ \"pixelplumb\": 1, \"frame\": { \"width\": 8, "
+                                       "\"height\": 8 }, \"motion\": ")
+                            + wrong + ", \"primitives\": [] }");
+            QVERIFY2(!reading, wrong);
+            QVERIFY2(reading.error().place.startsWith(QStringLiteral("motion"))
+                         || reading.error().place.contains(QStringLiteral("motion")),
+                     qPrintable(reading.error().place));
+        }
+    }
+
+    void theCommandTellsEveryFrame()
+    {
+        const QString file = sceneFile(QStringLiteral("moving-sliver.json"));
+        const MotionStudy study = *studyMotion(movingScene());
+        const ProgramRun result = run({QStringLiteral("motion"), file});
+        QCOMPARE(result.exitCode, study.toggled() == study.truthToggled() ? 0 : 1);
+        QCOMPARE(result.output.count('\n'), qsizetype(study.frames.size()) + 2);
+        const ProgramRun json = run({QStringLiteral("motion"), file, QStringLiteral("--json"),
+                                     QStringLiteral("--arithmetic"), QStringLiteral("exact")});
+        QCOMPARE(json.exitCode, 0);
+        QCOMPARE(QJsonDocument::fromJson(json.output)[QStringLiteral("toggled")].toInteger(),
+                 study.truthToggled());
+    }
+
+    void oneFrameIsDrawnAndNoOther()
+    {
+        const QString file = sceneFile(QStringLiteral("moving-sliver.json"));
+        const QStringList draw = {QStringLiteral("render"), file, QStringLiteral("--ascii"),
+                                  QStringLiteral("--frame")};
+        const MotionStudy study = *studyMotion(movingScene());
+        for (const int frame : {0, 7, 24}) {
+            const ProgramRun result = run(draw + QStringList{QString::number(frame)});
+            QCOMPARE(result.exitCode, 0);
+            QCOMPARE(result.output.count('#'), study.frames[std::size_t(frame)].drawn);
+        }
+        QCOMPARE(run(draw + QStringList{QStringLiteral("25")}).exitCode, 2);
+        const ProgramRun still
+            = run({QStringLiteral("render"), sceneFile(QStringLiteral("default.json")),
+                   QStringLiteral("--ascii"), QStringLiteral("--frame"), QStringLiteral("1")});
+        QCOMPARE(still.exitCode, 2);
+        QVERIFY2(still.messages.contains("does not move"), still.messages.constData());
+    }
+
+    void theWindowCountsAndShowsTheFrames()
+    {
+        const IsolatedSettings settings;
+        const auto window = openedWindow(movingScene());
+        action(*window, "motionDockToggle")->trigger();
+        auto *panel = named<MotionPanel>(*window, "motion");
+        QTRY_VERIFY(panel->study().has_value());
+        const MotionStudy study = *studyMotion(movingScene());
+        const auto *table = named<QTableWidget>(*window, "motionTable");
+        QCOMPARE(table->rowCount(), int(study.frames.size()));
+        QCOMPARE(table->item(5, 2)->text(), QString::number(study.frames[5].toggled));
+        auto *slider = named<QSlider>(*window, "motionSlider");
+        for (const int frame : {5, 9}) {
+            slider->setValue(frame);
+            QTRY_COMPARE(
+                std::int64_t(named<MotionView>(*window, "motionView")->picture().toggled.size()),
+                study.frames[std::size_t(frame)].toggled);
+        }
+        QVERIFY(named<QLabel>(*window, "motionSummary")
+                    ->text()
+                    .contains(QString::number(study.toggled())));
+    }
+
+    void theFrameOfTheSliderIsWhatIsSeenAndStepped()
+    {
+        const IsolatedSettings settings;
+        const auto window = openedWindow(movingScene());
+        window->resize(1366, 768);
+        SceneDocument &document = *window->parts().document;
+        const Playhead &playhead = *window->parts().playhead;
+        Canvas &canvas = *window->parts().canvas;
+        action(*window, "motionDockToggle")->trigger();
+        auto *slider = named<QSlider>(*window, "motionSlider");
+        const auto isAt = [&](int frame) {
+            Scene moved = sceneAtFrame(movingScene(), frame);
+            moved.motion = playhead.traced()->scene.motion; // that of frame 0 moves on
+            return playhead.traced()->scene == moved;
+        };
+        slider->setFocus();
+        for (int i = 0; i < 8; ++i)
+            QTest::keyClick(slider, Qt::Key_Right);
+        QTRY_VERIFY(isAt(8));
+        QVERIFY(!document.isModified());
+        QCOMPARE(document.undoStack()->count(), 0);
+        QCOMPARE(document.scene(), movingScene());
+
+        // 8 of 24 frames: by 4/3 and 1 px; a handle is where it is seen, and moves the scene's
+        // vertex.
+        const LatticePoint start = movingScene().triangles.front().vertices[0].position;
+        const LatticePoint seen = sceneAtFrame(movingScene(), 8).triangles[0].vertices[0].position;
+        canvas.setTool(CanvasTool::Draw);
+        QCOMPARE(canvas.vertexAt(canvas.positionOf(seen)), std::optional(VertexRef{0, 0}));
+        QVERIFY(!canvas.vertexAt(canvas.positionOf(start)));
+        QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.positionOf(QPoint(20, 3)).toPoint());
+        QCOMPARE(document.atFrameInHand(document.pendingVertices().front().position),
+                 latticePixel(20, 3));
+        QTest::keyClick(&canvas, Qt::Key_Escape);
+
+        auto *table = named<QTableWidget>(*window, "motionTable");
+        QTRY_COMPARE(table->rowCount(), 25);
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
+                          table->visualItemRect(table->item(11, 1)).center());
+        QTRY_VERIFY(isAt(11));
+        QCOMPARE(slider->value(), 11);
+        QTest::mouseClick(named<QToolButton>(*window, "motionPlay"), Qt::LeftButton);
+        QTRY_VERIFY(isAt(13));
+        QTest::mouseClick(named<QToolButton>(*window, "motionPlay"), Qt::LeftButton);
+
+        // Its steps are this frame's, also when another panel stands in front.
+        const int frame = slider->value();
+        action(*window, "columnsDockToggle")->trigger();
+        action(*window, "runToEnd")->trigger();
+        QVERIFY(isAt(frame));
+        const Scene moved = sceneAtFrame(movingScene(), frame);
+        const FrameBuffer drawn(moved.frame);
+        drawScene(moved, drawn);
+        QCOMPARE(playhead.frame()->copy(), drawn.copy());
+    }
+
+    void aDraggedVertexSnapsWhereItIsSeen()
+    {
+        const IsolatedSettings settings;
+        const auto window = openedWindow(movingScene());
+        window->resize(1366, 768);
+        SceneDocument &document = *window->parts().document;
+        Canvas &canvas = *window->parts().canvas;
+        document.setFrameInHand(8); // by 4/3 and 1 px
+        QTRY_COMPARE(window->parts().playhead->traced()->scene.triangles,
+                     sceneAtFrame(movingScene(), 8).triangles);
+        canvas.setTool(CanvasTool::Draw);
+        const LatticePoint seen = sceneAtFrame(movingScene(), 8).triangles[0].vertices[0].position;
+        const QPoint press = canvas.positionOf(seen).toPoint();
+        const QPoint target = canvas.positionOf(QPoint(12, 14)).toPoint();
+        QTest::mousePress(&canvas, Qt::LeftButton, {}, press);
+        QTest::mouseMove(&canvas, target);
+        QTest::mouseRelease(&canvas, Qt::LeftButton, {}, target);
+
+        QCOMPARE(document.atFrameInHand(document.vertexAt({0, 0})->position), latticePixel(12, 14));
+        QCOMPARE(canvas.spokenState(),
+                 QStringLiteral("vertex 0 of triangle 0 at (12, 14), frame 8 of 24 of the motion"));
+    }
+
+    void aSceneThatIsOpenedBeginsAtItsFirstFrame()
+    {
+        const IsolatedSettings settings;
+        const auto window = openedWindow(movingScene());
+        action(*window, "motionDockToggle")->trigger();
+        auto *slider = named<QSlider>(*window, "motionSlider");
+        slider->setValue(20);
+        QTRY_COMPARE(window->parts().document->frameInHand(), 20);
+        Scene other = movingScene();
+        other.motion = Motion{{256, 0}, 11};
+        window->parts().document->reset(other);
+        QCOMPARE(window->parts().document->frameInHand(), 0);
+        QCOMPARE(slider->value(), 0);
+        QCOMPARE(window->parts().playhead->traced()->scene.triangles, other.triangles);
+    }
+
+    void theThumbnailShowsTheOutlineAndWhatTheTruthHasBeside()
+    {
+        const MotionStudy study = *studyMotion(movingScene());
+        int frames = 0;
+        for (int frame = 0; frame < int(study.frames.size()); ++frame) {
+            const MotionPicture picture = motionPicture(movingScene(), frame);
+            const MotionFrame &counted = study.frames[std::size_t(frame)];
+            QVERIFY(std::int64_t(picture.missing.size()) >= counted.truth - counted.drawn);
+            QVERIFY(std::int64_t(picture.missing.size()) <= counted.truth);
+            frames += int(!picture.missing.empty());
+            QCOMPARE(picture.outlines.size(), std::size_t(1));
+            // y upward: the vertex (6, 6) moves 1/6 and 1/8 px a frame; sample (6, 6) is line 17.
+            const LatticePoint at
+                = sceneAtFrame(movingScene(), frame).triangles[0].vertices[0].position;
+            const QPointF corner = picture.outlines.front().front();
+            QCOMPARE(corner.x(), double(at.x) / unitsPerPixel + 0.5);
+            QCOMPARE(corner.y(), 23 - double(at.y) / unitsPerPixel + 0.5);
+        }
+        QVERIFY(frames > 0); // float32 loses pixels of this sliver
+    }
+
+    void allColumnsOfTheTableAreInView()
+    {
+        const IsolatedSettings settings;
+        const auto window = openedWindow(movingScene());
+        window->resize(1366, 768);
+        action(*window, "motionDockToggle")->trigger();
+        auto *table = named<QTableWidget>(*window, "motionTable");
+        QTRY_COMPARE(table->rowCount(), 25);
+        QTRY_VERIFY(table->columnViewportPosition(3) + table->columnWidth(3)
+                    <= table->viewport()->width());
+        QVERIFY(!table->horizontalScrollBar()->isVisible());
+    }
+
+    void aStillSceneTakesNoRoomForWhatIsNotThere()
+    {
+        const IsolatedSettings settings;
+        const auto window = openedWindow();
+        action(*window, "motionDockToggle")->trigger();
+        QTest::qWait(50);
+        const auto *panel = named<MotionPanel>(*window, "motion");
+        const int still = panel->sizeHint().height();
+        QVERIFY(!named<QWidget>(*window, "motionTable")->isVisible());
+        QVERIFY(still < 200);
+
+        QTest::mouseClick(named<QPushButton>(*window, "motionSet"), Qt::LeftButton);
+
+        auto *table = named<QTableWidget>(*window, "motionTable");
+        QVERIFY(table->isVisible());
+        QTRY_VERIFY(panel->height() > still);
+        for (int column = 0; column < table->columnCount(); ++column)
+            QVERIFY(table->columnWidth(column)
+                    >= table->horizontalHeader()->sectionSizeHint(column));
+    }
+
+    void aStillSceneIsSetMovingAndStopped()
+    {
+        const IsolatedSettings settings;
+        const auto window = openedWindow();
+        SceneDocument &document = *window->parts().document;
+        action(*window, "motionDockToggle")->trigger();
+        auto *x = named<QLineEdit>(*window, "motionX");
+        x->setText(QStringLiteral("much"));
+        QTest::mouseClick(named<QPushButton>(*window, "motionSet"), Qt::LeftButton);
+        QVERIFY(!document.scene().motion);
+        QVERIFY(named<QLabel>(*window, "motionSummary")->text().contains(QStringLiteral("much")));
+        x->setText(QStringLiteral("1/2"));
+        QTest::mouseClick(named<QPushButton>(*window, "motionSet"), Qt::LeftButton);
+        QCOMPARE(document.scene().motion, std::optional(Motion{{128, 512}, 33}));
+        QVERIFY(document.isModified());
+        QTRY_VERIFY(named<MotionPanel>(*window, "motion")->study().has_value());
+        document.undoStack()->undo();
+        QVERIFY(!document.scene().motion);
+        document.undoStack()->redo();
+        QTest::mouseClick(named<QPushButton>(*window, "motionEnd"), Qt::LeftButton);
+        QVERIFY(!document.scene().motion);
+    }
+
+private:
+    static std::vector<GalleryCase> gallery()
+    {
+        std::vector<GalleryCase> all;
+        for (const char *name : {"hard_cases.json", "more_cases.json"}) {
+            QFile file(testData(QString::fromLatin1(name)));
+            if (!file.open(QIODevice::ReadOnly))
+                continue;
+            const auto read = readGallery(file.readAll());
+            if (read)
+                all.insert(all.end(), read->begin(), read->end());
+        }
+        return all;
+    }
+};
+
+PIXELPLUMB_TEST(TestMotion)
+
+} // namespace tst_motion
+
+#include "tst_motion.moc"

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/measure/scenetiming.h"
+#include "core/runs/tracedscene.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/scanning.h"
+#include "tests/support/testprogram.h"
+#include "widgets/model/playhead.h"
+#include "widgets/studies/performancecachelines.h"
+#include "widgets/studies/performancepanel.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+namespace tst_performancedock {
+
+using namespace pixelplumb;
+
+namespace {
+
+constexpr int longest = 30'000; // ms; a measurement takes some tenths of a second
+
+Scene sceneOf(const std::vector<Triangle> &triangles)
+{
+    Scene scene;
+    scene.frame.width = 200;
+    scene.frame.height = 120;
+    scene.triangles = triangles;
+    return scene;
+}
+
+Scene twoTriangles()
+{
+    return sceneOf({triangleAt(3, 4, 150, 20, 60, 110), triangleAt(20, 90, 190, 100, 100, 5)});
+}
+
+} // namespace
+
+/// The dock that measures, and its picture of the cache.
+class TestPerformanceDock : public QObject {
+    Q_OBJECT
+
+private slots:
+    void promisesItsNames()
+    {
+        Playhead playhead;
+        PerformancePanel panel(&playhead);
+        QCOMPARE(panel.objectName(), QStringLiteral("performance"));
+        for (const char *name : {"performanceMeasure", "performanceCancel", "performanceProgress",
+                                 "performanceSummary", "performanceTimes", "performanceRoutes",
+                                 "performanceStride", "performanceCacheLines"})
+            QVERIFY2(named<QWidget>(panel, name), name);
+    }
+
+    void measuresWhenAskedTo()
+    {
+        Playhead playhead;
+        PerformancePanel panel(&playhead);
+        panel.show();
+        auto *measure = named<QPushButton>(panel, "performanceMeasure");
+        QVERIFY(!measure->isEnabled()); // there is no scene yet
+        playhead.setTraced(traceScene(twoTriangles()));
+        QVERIFY(measure->isEnabled());
+        QVERIFY(!panel.timing());
+
+        QSignalSpy spy(&panel, &PerformancePanel::measured);
+        QTest::mouseClick(measure, Qt::LeftButton);
+        QVERIFY(panel.isRunning());
+        QVERIFY(spy.wait(longest));
+
+        QVERIFY(panel.timing());
+        QVERIFY(panel.timing()->sameBytes);
+        QVERIFY(panel.timing()->rounds > 0);
+        const QString routes = named<QLabel>(panel, "performanceRoutes")->text();
+        QVERIFY2(routes.contains(QStringLiteral("strips of ")), qPrintable(routes));
+    }
+
+    void forgetsTheMeasurementOfAnotherScene()
+    {
+        Playhead playhead;
+        playhead.setTraced(traceScene(twoTriangles()));
+        PerformancePanel panel(&playhead);
+        QSignalSpy spy(&panel, &PerformancePanel::measured);
+        panel.measure();
+        QVERIFY(spy.wait(longest));
+        playhead.setTraced(traceScene(sceneOf({triangleAt(3, 4, 50, 20, 6, 110)})));
+        QVERIFY(!panel.timing());
+    }
+
+    void stopsWhenCancelled()
+    {
+        Playhead playhead;
+        playhead.setTraced(traceScene(twoTriangles()));
+        PerformancePanel panel(&playhead);
+        panel.show();
+        QSignalSpy spy(&panel, &PerformancePanel::measured);
+        panel.measure();
+        auto *cancel = named<QPushButton>(panel, "performanceCancel");
+        QVERIFY(cancel->isVisible());
+        QTest::mouseClick(cancel, Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(!panel.isRunning(), longest);
+        QVERIFY(!panel.timing());
+        QCOMPARE(spy.size(), 0);
+        QVERIFY(!cancel->isVisible());
+        QVERIFY(named<QPushButton>(panel, "performanceMeasure")->isEnabled());
+    }
+
+    void endsWhereItsProgressSaysSo()
+    {
+        TimingOptions options;
+        int calls = 0;
+        options.progress = [&calls](const JobProgress &) { return ++calls < 5; };
+        QVERIFY(!timeScene(twoTriangles(), options));
+        QCOMPARE(calls, 5);
+    }
+
+    void countsThePixelsOfTheTrace_data()
+    {
+        QTest::addColumn<FillRule>("rule");
+        QTest::newRow("closed") << FillRule::Closed;
+        QTest::newRow("half-open column") << FillRule::HalfOpenColumn;
+    }
+    void countsThePixelsOfTheTrace()
+    {
+        QFETCH(FillRule, rule);
+        Scene scene = twoTriangles();
+        scene.triangles.push_back(triangleAt(-50, -20, 30, 400, 10, 7)); // crosses the border
+        scene.triangles.push_back(triangleAt(7, 7, 7, 9, 7, 30)); // a segment
+        scene.settings.fillRule = rule;
+        TimingOptions options;
+        options.rounds = 1;
+        options.sampleNanoseconds = 1;
+        const std::optional<SceneTiming> timing = timeScene(scene, options);
+        QVERIFY(timing);
+        QCOMPARE(timing->triangles, scene.triangles.size());
+        QCOMPARE(timing->pixels, std::uint64_t(traceScene(scene)->trace->writtenCount()));
+        QVERIFY(timing->sameBytes);
+    }
+
+    void timesNothingWithoutPixels()
+    {
+        const std::optional<SceneTiming> empty = timeScene(sceneOf({}), {});
+        QVERIFY(empty);
+        QCOMPARE(empty->rounds, 0);
+        const std::optional<SceneTiming> outside
+            = timeScene(sceneOf({triangleAt(-9, -9, -5, -9, -5, -4)}), {});
+        QVERIFY(outside);
+        QCOMPARE(outside->pixels, std::uint64_t(0));
+        QCOMPARE(outside->rounds, 0);
+    }
+
+    void takesTheMedianAndTheQuartiles()
+    {
+        QCOMPARE(spreadOf({5, 1, 4, 2, 3}), (Spread{2, 3, 4}));
+        QCOMPARE(spreadOf({7}), (Spread{7, 7, 7}));
+        QCOMPARE(spreadOf({1, 2}), (Spread{1.25, 1.5, 1.75}));
+    }
+
+    /// Four rows of 16 pixels, a cache line each, three lines apart, in a cache of 8 sets of 2.
+    void countsTheLinesOfASmallFrame()
+    {
+        const DataCache cache{64, 8, 2};
+        const PixelPlaces places(0, 3 * 64);
+        const PixelBlock block{0, 0, 16, 4};
+        const CacheWalk up = walk(places, block, WalkOrder::UpColumns, cache);
+        QCOMPARE(up.lines, std::int64_t(4));
+        QCOMPARE(up.changes, std::int64_t(4 * 16)); // another line a pixel
+        QCOMPARE(up.misses, std::int64_t(4)); // and each is still there
+        QCOMPARE(up.linesOfSet, (std::vector<int>{1, 1, 0, 1, 0, 0, 1, 0})); // lines 0, 3, 6, 9
+        QCOMPARE(up.usedSets(), 4);
+        const CacheWalk along = walk(places, block, WalkOrder::AlongRows, cache);
+        QCOMPARE(along.lines, std::int64_t(4));
+        QCOMPARE(along.changes, std::int64_t(4)); // a line a row
+        QCOMPARE(along.misses, std::int64_t(4));
+        QCOMPARE(along.linesOfSet, up.linesOfSet);
+    }
+
+    /// The same rows eight lines apart: all four lines want the two places of one set.
+    void seesRowsThatFallOnOneSet()
+    {
+        const DataCache cache{64, 8, 2};
+        const PixelPlaces places(5 * 64, -8 * 64); // in memory the rows go downward
+        const CacheWalk up = walk(places, {0, 0, 16, 4}, WalkOrder::UpColumns, cache);
+        QCOMPARE(up.usedSets(), 1);
+        QCOMPARE(up.linesOfSet[5], 4);
+        QCOMPARE(up.misses, std::int64_t(4 * 16)); // every line is gone when its turn comes again
+        const CacheWalk along = walk(places, {0, 0, 16, 4}, WalkOrder::AlongRows, cache);
+        QCOMPARE(along.misses, std::int64_t(4));
+    }
+
+    void countsBothLinesOfAStripThatLiesAcrossThem()
+    {
+        const PixelPlaces places(0, 3 * 64);
+        const CacheWalk along = walk(places, {8, 0, 16, 4}, WalkOrder::AlongRows, {64, 8, 2});
+        QCOMPARE(along.lines, std::int64_t(8));
+        QCOMPARE(along.changes, std::int64_t(8));
+    }
+
+    void showsTheStripThroughThePickedPixel()
+    {
+        Playhead playhead;
+        playhead.setTraced(traceScene(twoTriangles()));
+        PerformancePanel panel(&playhead);
+        panel.show();
+        playhead.pick({100, 50});
+        QCOMPARE(panel.cacheLines()->stripWalk().lines, std::int64_t(120)); // one a row
+        QCOMPARE(panel.cacheLines()->columnWalk().changes, std::int64_t(120 * 16));
+    }
+};
+
+PIXELPLUMB_TEST(TestPerformanceDock)
+
+} // namespace tst_performancedock
+
+#include "tst_performancedock.moc"

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compare/bounderrors.h"
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/testprogram.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/model/playhead.h"
+#include "widgets/studies/precisionpanel.h"
+#include "widgets/studies/precisionplot.h"
+
+#include <QLabel>
+#include <QTest>
+#include <QToolButton>
+
+#include <cmath>
+#include <set>
+
+namespace tst_precisiondock {
+
+using namespace pixelplumb;
+
+class TestPrecisionDock : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        m_settings.clear();
+        m_window = openedWindow(QStringLiteral("ties-at-tenths.json"));
+        m_panel = named<PrecisionPanel>(*m_window, "precision");
+        m_playhead = m_window->parts().playhead;
+    }
+    void cleanup() { m_window.reset(); }
+
+    void scalesErrorsByDecadesWithATrueZero()
+    {
+        const PrecisionScale scale(3e-7, 0.5);
+
+        QCOMPARE(scale.leastExponent(), -8);
+        QCOMPARE(scale.largestExponent(), 0);
+        QCOMPARE(scale.toAxis(0), 0.0);
+        QCOMPARE(scale.toAxis(1e-8), 1.0);
+        QCOMPARE(scale.toAxis(-1e-3), -6.0);
+        QCOMPARE(scale.toAxis(1), scale.extent());
+        for (const double error : {0.0, 3e-9, -1e-8, 4e-5, -0.5, 1.0})
+            QVERIFY(std::abs(scale.toError(scale.toAxis(error)) - error)
+                    <= 1e-12 * std::abs(error));
+        double before = scale.toAxis(-2);
+        for (const double error : {-0.5, -1e-8, -1e-9, 0.0, 1e-9, 1e-8, 1e-7, 2.0}) {
+            QVERIFY(scale.toAxis(error) > before);
+            before = scale.toAxis(error);
+        }
+        bool hasZero = false;
+        for (const PrecisionScale::Tick &tick : scale.ticks(4))
+            hasZero = hasZero || (tick.axis == 0 && tick.label == QStringLiteral("0"));
+        QVERIFY(hasZero);
+    }
+
+    void staysWithinTheBoundOfFixedPoint()
+    {
+        const auto all = boundErrorsOf(m_playhead->traced()->scene, 0);
+
+        QCOMPARE(all->size(), std::size_t(4));
+        for (const BoundErrors &errors : *all) {
+            if (errors.arithmetic != Arithmetic::Fixed16
+                && errors.arithmetic != Arithmetic::Fixed32)
+                continue;
+            for (const BoundError &error : errors.spans) {
+                QVERIFY(std::abs(error.lower) <= error.limit);
+                QVERIFY(std::abs(error.upper) <= error.limit);
+            }
+        }
+        QCOMPARE(errorLimit(Arithmetic::Fixed16, 10, 1, 1), 11 * std::ldexp(1.0, -17));
+        QCOMPARE(errorLimit(Arithmetic::Fixed32, 10, 1, 1), 11 * std::ldexp(1.0, -33));
+        QCOMPARE(errorLimit(Arithmetic::Float32, 2, 1024.0, 0), std::ldexp(1.0, -13));
+        QCOMPARE(errorLimit(Arithmetic::Float64, 2, 1024.0, 0), std::ldexp(1.0, -42));
+    }
+
+    void findsTheFirstColumnThatLosesAPixel()
+    {
+        const TracedScene &traced = *m_playhead->traced();
+        const auto all = boundErrorsOf(traced.scene, 0);
+        const auto errors
+            = std::ranges::find(*all, traced.scene.settings.arithmetic, &BoundErrors::arithmetic);
+
+        const auto wrong = std::ranges::find_if(errors->spans, [](const BoundError &error) {
+            return error.isLowerWrong || error.isUpperWrong;
+        });
+        QVERIFY(wrong != errors->spans.end());
+        const std::int64_t first = wrong->place.coordinate;
+        std::int64_t expected = -1;
+        for (int x = 0; x < traced.scene.frame.width && expected < 0; ++x) {
+            for (int y = 0; y < traced.scene.frame.height; ++y) {
+                const Difference kind = traced.differences.at(x, y);
+                if (kind == Difference::Missing || kind == Difference::Extra)
+                    expected = x;
+            }
+        }
+        QCOMPARE(first, expected);
+    }
+
+    void aBoundIsWrongWhereItsOwnEndOfTheSpanIs()
+    {
+        const TracedScene &traced = *m_playhead->traced();
+        const auto all = boundErrorsOf(traced.scene, 0);
+        const auto errors
+            = std::ranges::find(*all, traced.scene.settings.arithmetic, &BoundErrors::arithmetic);
+
+        std::set<std::int64_t> lower;
+        std::set<std::int64_t> upper;
+        for (const BoundError &error : errors->spans) {
+            if (error.isLowerWrong)
+                lower.insert(error.place.coordinate);
+            if (error.isUpperWrong)
+                upper.insert(error.place.coordinate);
+        }
+        // The lost pixels are the highest of their columns.
+        QVERIFY(lower.empty());
+        QCOMPARE(upper, (std::set<std::int64_t>{11, 21}));
+        QCOMPARE(traced.differences.at(11, 9), Difference::Missing);
+        QCOMPARE(traced.differences.at(21, 16), Difference::Missing);
+    }
+
+    void hasNothingToPlotForATriangleThatIsNotThere()
+    {
+        QVERIFY(boundErrorsOf(m_playhead->traced()->scene, 7)->empty());
+    }
+
+    void stopsWhenItIsTold()
+    {
+        QVERIFY(!boundErrorsOf(m_playhead->traced()->scene, 0,
+                               [](const JobProgress &) { return false; }));
+    }
+
+    void plotsEveryArithmeticOfTheMethod()
+    {
+        open();
+
+        QCOMPARE(m_panel->plot()->curveCount(), 4);
+        const QString summary = named<QLabel>(*m_panel, "precisionSummary")->text();
+        QVERIFY2(summary.contains(QStringLiteral("float32: at most")), qPrintable(summary));
+        QVERIFY(m_window->parts().canvas->isVisible());
+    }
+
+    void hidesACurveByItsButton()
+    {
+        open();
+
+        QTest::mouseClick(named<QToolButton>(*m_panel, "precision_fixed16.16"), Qt::LeftButton);
+
+        QCOMPARE(m_panel->plot()->curveCount(), 3);
+    }
+
+    void aClickGoesToTheColumn()
+    {
+        open();
+        QWidget *plot = m_panel->plot()->findChild<QWidget *>();
+        const QPoint place
+            = plot->mapFrom(m_panel->plot(), m_panel->plot()->positionOf(37).toPoint());
+
+        QTest::mouseClick(plot, Qt::LeftButton, {}, place);
+
+        QVERIFY(m_playhead->columnXInHand());
+        QVERIFY(std::abs(*m_playhead->columnXInHand() - 37) <= 1);
+    }
+
+    void looksRightInBothPalettes_data() { addPalettes(); }
+    void looksRightInBothPalettes()
+    {
+        QFETCH(QPalette, palette);
+        qApp->setPalette(palette);
+        open();
+
+        const QImage picture = grabbed(*m_window, QStringLiteral("precision"));
+
+        QVERIFY(!picture.isNull());
+    }
+
+private:
+    void open()
+    {
+        action(*m_window, "precisionDockToggle")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(!m_panel->errors().empty() && !m_panel->isRunning(), 20000);
+        QCoreApplication::processEvents();
+    }
+
+    IsolatedSettings m_settings;
+    std::unique_ptr<MainWindow> m_window;
+    PrecisionPanel *m_panel = nullptr;
+    Playhead *m_playhead = nullptr;
+};
+
+PIXELPLUMB_TEST(TestPrecisionDock)
+
+} // namespace tst_precisiondock
+
+#include "tst_precisiondock.moc"

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/hardcasescenes.h"
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/testprogram.h"
+#include "tests/support/windowsteps.h"
+#include "widgets/model/scenedocument.h"
+
+#include <QTest>
+
+namespace tst_hardcasesinwindow {
+
+using namespace pixelplumb;
+
+namespace {
+
+/// Of a method that visits each pixel for each primitive. Where there would be more, the case's
+/// detail is opened: its pixels around the place where it is hard.
+constexpr std::int64_t mostVisits = 1'000'000;
+
+/// One in so many methods opens a case.
+constexpr std::size_t methodShare = 3;
+
+std::int64_t visitsOf(const Scene &scene)
+{
+    return std::int64_t(scene.frame.width) * scene.frame.height
+        * std::int64_t(scene.triangles.size() + scene.shapes.size());
+}
+
+/// The cases, the largest of them as their details.
+std::vector<NamedScene> casesToOpen()
+{
+    std::vector<NamedScene> cases = hardCaseScenes();
+    const std::vector<NamedScene> details = hardCaseDetails();
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        if (visitsOf(cases[i].second) > mostVisits)
+            cases[i] = {details[i].first + QStringLiteral(", detail"), details[i].second};
+    }
+    return cases;
+}
+
+} // namespace
+
+/// Every hard case under a third of the methods, its own kind or not, and every method beside a
+/// third of the cases, stepped through in the window. The arithmetics take turns, too;
+/// tst_exportedcases has every case under every method.
+class TestHardCasesInWindow : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_cases.size() > 70);
+        m_settings.clear();
+        m_window = openedWindow();
+    }
+
+    void everyHardCaseCanBeSteppedInTheWindow_data()
+    {
+        QTest::addColumn<std::size_t>("index");
+        for (std::size_t i = 0; i < m_cases.size(); ++i)
+            QTest::newRow(qPrintable(m_cases[i].first)) << i;
+    }
+    void everyHardCaseCanBeSteppedInTheWindow()
+    {
+        QFETCH(std::size_t, index);
+        // From case to case and from method to method.
+        std::size_t turn = index / methodShare;
+        for (std::size_t i = index % methodShare; i < methods().size(); i += methodShare) {
+            const Method &method = methods()[i];
+            Scene scene = m_cases[index].second;
+            scene.method = method.id.toStdString();
+            scene.settings = method.adapted(scene.settings);
+            scene.settings.arithmetic = method.arithmetics[turn++ % method.arithmetics.size()];
+            m_window->parts().document->reset(scene);
+            QVERIFY2(waitForRun(*m_window), scene.method.c_str());
+            const QString fault = faultInSteps(*m_window);
+            QVERIFY2(fault.isEmpty(), qPrintable(fault));
+        }
+        QVERIFY(!m_window->grab().isNull());
+    }
+
+    void cleanupTestCase() { m_window.reset(); }
+
+private:
+    IsolatedSettings m_settings;
+    const std::vector<NamedScene> m_cases = casesToOpen();
+    std::unique_ptr<MainWindow> m_window; ///< one for all, as for a person who opens one by one
+};
+
+PIXELPLUMB_TEST(TestHardCasesInWindow)
+
+} // namespace tst_hardcasesinwindow
+
+#include "tst_hardcasesinwindow.moc"

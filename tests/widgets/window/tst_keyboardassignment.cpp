@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/sourcetree.h"
+#include "tests/support/testprogram.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QImage>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPointer>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTextBrowser>
+#include <QTimer>
+
+namespace tst_keyboardassignment {
+
+using namespace pixelplumb;
+
+namespace {
+
+/// Without a window manager nobody makes the window active again when a dialog has gone.
+void comeBack()
+{
+    for (QWidget *window : QApplication::topLevelWidgets()) {
+        if (!QApplication::focusWidget() && qobject_cast<MainWindow *>(window))
+            window->activateWindow();
+    }
+    QVERIFY(QTest::qWaitFor([] { return QApplication::focusWidget() != nullptr; }));
+}
+
+/// A key as it comes from the keyboard: to whatever has the focus.
+void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
+{
+    comeBack();
+    QTest::keyClick(QApplication::focusWidget(), key, modifiers);
+}
+
+/// Types into the dialog that a key opens, and ends it by Enter.
+void answerWith(const QString &text)
+{
+    comeBack(); // no dialog is open while that is waited for
+    QTimer::singleShot(0, qApp, [text] {
+        const auto fieldInHand = [] {
+            QWidget *dialog = QApplication::activeModalWidget();
+            return dialog ? qobject_cast<QLineEdit *>(dialog->focusWidget()) : nullptr;
+        };
+        if (!QTest::qWaitFor([&] { return fieldInHand() != nullptr; })) {
+            delete QApplication::activeModalWidget(); // which would wait for ever
+            QTest::qFail(qPrintable(text), __FILE__, __LINE__);
+            return;
+        }
+        QLineEdit *field = fieldInHand();
+        field->selectAll();
+        QTest::keyClicks(field, text);
+        // A dialog of files may offer names in a list, which then has the keys, and go no sooner.
+        const QPointer<QWidget> dialog = QApplication::activeModalWidget();
+        QVERIFY(QTest::qWaitFor([&] {
+            QWidget *names = QApplication::activePopupWidget();
+            if (dialog && dialog->isVisible())
+                QTest::keyClick(names ? names : field, Qt::Key_Return);
+            return !dialog || !dialog->isVisible();
+        }));
+    });
+}
+
+void goTo(const QString &pixel)
+{
+    answerWith(pixel);
+    press(Qt::Key_G, Qt::ControlModifier);
+}
+
+} // namespace
+
+/// The assignment from the first vertex to the picture's file, without a mouse.
+class TestKeyboardAssignment : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theWholeAssignmentIsDoneByTheKeyboardAlone()
+    {
+        const QTemporaryDir folder;
+        const auto window = openedWindow();
+        const Playhead &playhead = *window->parts().playhead;
+        const SceneDocument &document = *window->parts().document;
+
+        // Three vertices: by numbers, by arrows, by numbers.
+        press(Qt::Key_N, Qt::ControlModifier);
+        QVERIFY(document.scene().triangles.empty());
+        goTo("4, 5");
+        press(Qt::Key_Return);
+        for (int i = 0; i < 6; ++i)
+            press(Qt::Key_Right);
+        for (int i = 0; i < 3; ++i)
+            press(Qt::Key_Up);
+        press(Qt::Key_Return);
+        QCOMPARE(document.pendingVertices().size(), std::size_t(2));
+        goTo("6, 14");
+        press(Qt::Key_Return);
+        QCOMPARE(document.scene().triangles.size(), std::size_t(1));
+        const auto &vertices = document.scene().triangles[0].vertices;
+        QCOMPARE(vertices[0].position, latticePixel(4, 5));
+        QCOMPARE(vertices[1].position, latticePixel(10, 8));
+        QCOMPARE(vertices[2].position, latticePixel(6, 14));
+
+        // Through all columns, and through all pixels.
+        press(Qt::Key_F5, Qt::ShiftModifier);
+        std::set<std::int64_t> columns;
+        while (playhead.position() < playhead.end()) {
+            press(Qt::Key_F10);
+            if (const auto x = playhead.columnXInHand())
+                columns.insert(*x);
+        }
+        QCOMPARE(columns, (std::set<std::int64_t>{4, 5, 6, 7, 8, 9, 10}));
+        press(Qt::Key_F5, Qt::ShiftModifier);
+        std::size_t pixels = 0;
+        while (playhead.position() < playhead.end()) {
+            press(Qt::Key_F11);
+            pixels += playhead.pixelInHand().has_value();
+        }
+        QCOMPARE(pixels, playhead.traced()->trace->sampleCount());
+
+        // A pixel's history.
+        goTo("6, 9");
+        QCOMPARE(playhead.pickedPixel(), QPoint(6, 9));
+        QVERIFY(named<QLabel>(*window, "pixelHistoryHeading")->text().contains("(6, 9)"));
+
+        // The picture's file.
+        const QString path = folder.filePath("picture.png");
+        answerWith(path);
+        press(Qt::Key_E, Qt::ControlModifier);
+        const QImage picture(path);
+        QCOMPARE(picture.size(),
+                 QSize(playhead.frame()->spec().width, playhead.frame()->spec().height));
+        QVERIFY(picture.pixelColor(6, picture.height() - 1 - 9) != QColor(Qt::black));
+    }
+
+    void theKeysThatDrawStandInTheKeySheetAndTheManual()
+    {
+        const auto window = openedWindow();
+        action(*window, "showKeys")->trigger();
+        const auto *sheet = named<QTextBrowser>(*window, "keySheetText");
+        QVERIFY(sheet);
+        const QString keys = sheet->toPlainText();
+        for (const char *told : {"Enter, Ins", "Place a vertex at the picked pixel", "Ctrl+G",
+                                 "Ctrl+arrows", "Select the previous, the next vertex"})
+            QVERIFY2(keys.contains(QLatin1String(told)), told);
+        QFile manual(resource("/man/pixelplumb.1"));
+        QVERIFY(manual.open(QIODevice::ReadOnly));
+        QVERIFY(manual.readAll().contains("place a vertex at the picked pixel"));
+    }
+
+    void theKeysOfTheCanvasAreForTheSceneThatHasCome_data()
+    {
+        QTest::addColumn<QString>("action");
+        QTest::newRow("a new one") << "newScene";
+        QTest::newRow("the first one") << "openDefaultScene";
+    }
+    void theKeysOfTheCanvasAreForTheSceneThatHasCome()
+    {
+        QFETCH(QString, action);
+        const auto window = openedWindow();
+        named<QWidget>(*window, "columnTable")->setFocus();
+
+        pixelplumb::action(*window, qPrintable(action))->trigger();
+
+        QCOMPARE(QApplication::focusWidget(), window->parts().canvas);
+        press(Qt::Key_2);
+        QVERIFY(document(*window).scene().method != "column-scan");
+    }
+
+private:
+    static SceneDocument &document(const MainWindow &window) { return *window.parts().document; }
+
+    IsolatedSettings m_settings;
+};
+
+PIXELPLUMB_TEST(TestKeyboardAssignment)
+
+} // namespace tst_keyboardassignment
+
+#include "tst_keyboardassignment.moc"

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/testprogram.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/inspect/formulapanel.h"
+#include "widgets/inspect/pixelgrid.h"
+#include "widgets/look/elidingbox.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/primitivelistmodel.h"
+#include "widgets/stepping/scrubber.h"
+#include "widgets/studies/comparepane.h"
+#include "widgets/studies/comparepanel.h"
+#include "widgets/studies/compareview.h"
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QPushButton>
+#include <QScreen>
+#include <QScrollBar>
+#include <QStatusBar>
+#include <QTableView>
+#include <QTest>
+#include <QTextBrowser>
+#include <QToolBar>
+#include <QToolButton>
+#include <QTreeView>
+
+namespace tst_windowsizes {
+
+using namespace pixelplumb;
+
+namespace {
+
+/// Lets the panels take the room that they ask for: asking and taking are events.
+void settle()
+{
+    for (int round = 0; round < 4; ++round)
+        QCoreApplication::processEvents();
+}
+
+/// A window of the default scene as it would open on a screen that leaves it so much room.
+std::unique_ptr<MainWindow> windowOf(const QSize &size)
+{
+    auto window = std::make_unique<MainWindow>();
+    window->resize(size);
+    action(*window, "resetLayout")->trigger();
+    window->openDefaultScene();
+    window->show();
+    window->activateWindow();
+    if (!QTest::qWaitForWindowActive(window.get()))
+        QTest::qFail("the window does not become active", __FILE__, __LINE__);
+    settle();
+    return window;
+}
+
+/// Seen whole: within each of the widgets that hold it.
+bool isInSight(const QWidget *part)
+{
+    if (!part || !part->isVisible())
+        return false;
+    QRect place = part->rect();
+    for (const QWidget *each = part; each->parentWidget(); each = each->parentWidget()) {
+        place.translate(each->pos());
+        if (!each->parentWidget()->rect().contains(place))
+            return false;
+    }
+    return true;
+}
+
+/// Parts that should be seen and are not wholly within the window.
+QStringList hiddenParts(const MainWindow &window)
+{
+    QStringList hidden;
+    for (const char *name :
+         {"canvas", "scrubber", "columnTable", "formulaHeading", "formulaSentence", "formulaText",
+          "methodBox", "arithmeticBox", "fillRuleBox", "roundingBox", "stepperBar",
+          "nextColourButton", "statusPixel", "statusColumn"}) {
+        if (!isInSight(named<QWidget>(window, name)))
+            hidden += QLatin1String(name);
+    }
+    return hidden;
+}
+
+int hiddenFormulaLines(const MainWindow &window)
+{
+    return named<QTextBrowser>(window, "formulaText")->verticalScrollBar()->maximum();
+}
+
+void addSizes()
+{
+    QTest::addColumn<QSize>("size");
+    // What a frame and a title bar leave of the usual screens, logical pixels.
+    QTest::newRow("1024 × 640") << QSize(1016, 600);
+    QTest::newRow("1366 × 768") << QSize(1358, 728);
+    QTest::newRow("2560 × 1440 at scale 2") << QSize(1272, 680);
+    QTest::newRow("1920 × 1080") << QSize(1440, 960);
+}
+
+} // namespace
+
+/// The window on the screens that students have.
+class TestWindowSizes : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_settings.clear(); }
+
+    void theFirstWindowIsNoLargerThanTheScreen()
+    {
+        const MainWindow window;
+        const QSize room = window.screen()->availableSize().expandedTo(window.minimumSizeHint());
+
+        QCOMPARE(window.size().boundedTo(room), window.size());
+    }
+
+    void theWindowCanBeSmall()
+    {
+        const auto window = windowOf(QSize(1440, 960));
+
+        QCOMPARE(window->minimumSizeHint().boundedTo({900, 560}), window->minimumSizeHint());
+    }
+
+    void everythingIsInSightAtTheFirstStart_data() { addSizes(); }
+    void everythingIsInSightAtTheFirstStart()
+    {
+        QFETCH(QSize, size);
+        const auto window = windowOf(size);
+
+        QCOMPARE(window->size(), size);
+        QCOMPARE(hiddenParts(*window).join(u' '), QString());
+        QCOMPARE(hiddenFormulaLines(*window), 0);
+        const auto *table = named<QTableView>(*window, "columnTable");
+        const QRect row = table->visualRect(table->currentIndex());
+        QVERIFY(table->viewport()->rect().top() <= row.top());
+        QVERIFY(table->viewport()->rect().bottom() >= row.bottom());
+    }
+
+    void formulasAreScrolledOnlyWhereThePixelGridNeedsTheRoom_data() { addSizes(); }
+    void formulasAreScrolledOnlyWhereThePixelGridNeedsTheRoom()
+    {
+        QFETCH(QSize, size);
+        const auto window = windowOf(size);
+        Playhead &playhead = *window->parts().playhead;
+        const auto *grid = named<PixelGrid>(*window, "pixelGrid");
+
+        int scrolled = 0;
+        for (std::size_t span = 0; span < playhead.traced()->trace->spanCount(); ++span) {
+            playhead.seekToSpan(span);
+            for (int step = 0; step < 2; ++step) {
+                if (hiddenFormulaLines(*window) > 0)
+                    settle();
+                scrolled += int(hiddenFormulaLines(*window) > 0);
+                playhead.step(StepUnit::Sample, StepDirection::Forward);
+            }
+        }
+
+        QVERIFY(scrolled == 0 || grid->height() <= grid->minimumSizeHint().height() + 2);
+        QVERIFY(grid->visibleRegion().isEmpty()
+                || grid->height() >= grid->minimumSizeHint().height());
+    }
+
+    void steppingMovesNoPanel_data() { addSizes(); }
+    void steppingMovesNoPanel()
+    {
+        QFETCH(QSize, size);
+        const auto window = windowOf(size);
+        const auto places = [&window] {
+            QList<QRect> docks;
+            for (const char *name : {"formulaDock", "pixelGridDock", "pixelHistoryDock"})
+                docks += named<QDockWidget>(*window, name)->geometry();
+            return docks;
+        };
+        const QList<QRect> first = places();
+
+        for (const char *key : {"nextColumn", "nextPixel", "nextColumn", "previousColumn",
+                                "previousColumn", "nextPixel", "runToEnd", "runToStart"}) {
+            action(*window, key)->trigger();
+            settle();
+            QVERIFY2(places() == first, key);
+        }
+    }
+
+    void aPanelsKeyShowsItAndHidesItWhereItIsInFront_data() { addSizes(); }
+    void aPanelsKeyShowsItAndHidesItWhereItIsInFront()
+    {
+        QFETCH(QSize, size);
+        const auto window = windowOf(size);
+        for (const QDockWidget *dock : window->findChildren<QDockWidget *>()) {
+            QAction *toggle = named<QAction>(*window, qPrintable(dock->objectName() + "Toggle"));
+            const auto isInFront
+                = [dock] { return dock->isVisible() && !dock->visibleRegion().isEmpty(); };
+            if (isInFront()) {
+                toggle->trigger();
+                settle();
+                QVERIFY2(!isInFront(), qPrintable(dock->objectName()));
+            }
+            for (const bool shown : {true, false, true}) {
+                toggle->trigger();
+                settle();
+                QVERIFY2(isInFront() == shown, qPrintable(dock->objectName()));
+                QVERIFY2(toggle->isChecked() == shown, qPrintable(dock->objectName()));
+            }
+        }
+    }
+
+    void theCanvasKeepsHalfOfTheWidthBesideEveryPanel_data() { addSizes(); }
+    void theCanvasKeepsHalfOfTheWidthBesideEveryPanel()
+    {
+        QFETCH(QSize, size);
+        const auto window = windowOf(size);
+        const QWidget *canvas = window->parts().canvas;
+        for (const QDockWidget *dock : window->findChildren<QDockWidget *>()) {
+            QAction *toggle = named<QAction>(*window, qPrintable(dock->objectName() + "Toggle"));
+            if (!toggle->isChecked())
+                toggle->trigger();
+            settle();
+            QVERIFY2(
+                canvas->width() >= size.width() / 2 - 8,
+                qPrintable(QStringLiteral("%1: %2").arg(dock->objectName()).arg(canvas->width())));
+        }
+    }
+
+    void theWindowStaysAsWideAsItIsBesideACompanyOfPanes_data() { addSizes(); }
+    void theWindowStaysAsWideAsItIsBesideACompanyOfPanes()
+    {
+        QFETCH(QSize, size);
+        const auto window = windowOf(size);
+        auto *compare = named<ComparePanel>(*window, "compare");
+        action(*window, "compareDockToggle")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(compare->contest() && !compare->isRunning(), 20000);
+        while (compare->panes().size() < mostContenders)
+            QTest::mouseClick(named<QToolButton>(*compare, "compareMore"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(compare->contest()->runs.size() == mostContenders, 20000);
+        settle();
+        QCOMPARE(window->width(), size.width());
+        QVERIFY(window->minimumSizeHint().width() <= size.width());
+    }
+
+    void theChoicesOfComparedRunsAreReadWhole_data() { addSizes(); }
+    void theChoicesOfComparedRunsAreReadWhole()
+    {
+        QFETCH(QSize, size);
+        const auto window = windowOf(size);
+        auto *compare = named<ComparePanel>(*window, "compare");
+        action(*window, "compareDockToggle")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(compare->contest() && !compare->isRunning(), 20000);
+        settle();
+
+        for (const ElidingBox *box : compare->findChildren<ElidingBox *>()) {
+            QVERIFY2(isInSight(box), qPrintable(box->objectName()));
+            QCOMPARE(box->shownText(), box->currentText());
+        }
+        for (const QLabel *label : compare->findChildren<QLabel *>()) {
+            QVERIFY2(isInSight(label), qPrintable(label->text()));
+            QVERIFY2(label->height() >= label->heightForWidth(label->width()),
+                     qPrintable(label->text()));
+        }
+        for (const ComparePane *pane : compare->panes())
+            QVERIFY(pane->view()->height() >= 40);
+    }
+
+    void aPanelThatIsClosedGivesItsRoomBack_data() { addSizes(); }
+    void aPanelThatIsClosedGivesItsRoomBack()
+    {
+        QFETCH(QSize, size);
+        const auto window = windowOf(size);
+        const QSize before = window->parts().canvas->size();
+        for (const char *name :
+             {"motionDockToggle", "gradingDockToggle", "accuracyLabDockToggle"}) {
+            action(*window, name)->trigger();
+            settle();
+            QVERIFY2(window->parts().canvas->height() >= size.height() / 4, name);
+            action(*window, name)->trigger();
+            settle();
+            QVERIFY2(window->parts().canvas->size() == before, name);
+        }
+    }
+
+    void thePrimitivesAreReadWithoutScrollingAcross_data() { addSizes(); }
+    void thePrimitivesAreReadWithoutScrollingAcross()
+    {
+        QFETCH(QSize, size);
+        const auto window = windowOf(size);
+
+        action(*window, "primitivesDockToggle")->trigger();
+        settle();
+
+        auto *tree = named<QTreeView>(*window, "primitivesTree");
+        tree->expandAll();
+        settle();
+        QVERIFY(isInSight(tree));
+        QCOMPARE(tree->horizontalScrollBar()->maximum(), 0);
+        const int swatch = tree->style()->pixelMetric(QStyle::PM_SmallIconSize);
+        QVERIFY(tree->columnWidth(PrimitiveListModel::ColourText)
+                > swatch + tree->fontMetrics().horizontalAdvance("#0000ff"));
+        const int beforeName = 2 * tree->indentation(); // and the box that shows it
+        QVERIFY(tree->columnWidth(PrimitiveListModel::Name)
+                > beforeName + tree->fontMetrics().horizontalAdvance("triangle 0"));
+    }
+
+    void theButtonsOfAHardCaseAreInSightAndItsWordsAreWhole_data() { addSizes(); }
+    void theButtonsOfAHardCaseAreInSightAndItsWordsAreWhole()
+    {
+        QFETCH(QSize, size);
+        const auto window = windowOf(size);
+
+        action(*window, "hardCasesDockToggle")->trigger();
+        settle();
+
+        for (const char *name : {"hardCasesTree", "hardCaseTitle", "hardCaseOpen",
+                                 "hardCaseCompare", "hardCasePrecision"})
+            QVERIFY2(isInSight(named<QWidget>(*window, name)), name);
+        for (const char *name : {"hardCaseOpen", "hardCaseCompare", "hardCasePrecision"}) {
+            const auto *button = named<QPushButton>(*window, name);
+            QVERIFY2(button->width() > button->fontMetrics().horizontalAdvance(button->text()),
+                     name);
+        }
+        const QWidget *column = named<QWidget>(*window, "hardCaseWords")->parentWidget();
+        QVERIFY(column->width() <= column->parentWidget()->width());
+    }
+
+private:
+    IsolatedSettings m_settings;
+};
+
+PIXELPLUMB_TEST(TestWindowSizes)
+
+} // namespace tst_windowsizes
+
+#include "tst_windowsizes.moc"
