@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/properties/pictures.h"
+#include "tests/support/casestorun.h"
 
 #include <QTest>
-
-#include <cstdlib>
 
 using namespace pixelplumb;
 using tilings::Layout;
@@ -16,11 +15,7 @@ class TestProperties : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase()
-    {
-        const char *parameters = std::getenv("RC_PARAMS");
-        qInfo("RC_PARAMS is \"%s\"", parameters == nullptr ? "" : parameters);
-    }
+    void initTestCase() { drawFewerRandomCases(); }
 
     void theOrderOfTheVerticesDoesNotMatter()
     {
