@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/properties/pictures.h"
+#include "tests/support/casestorun.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>
-
-#include <cstdlib>
 
 namespace tst_properties {
 
@@ -19,11 +18,7 @@ class TestProperties : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase()
-    {
-        const char *parameters = std::getenv("RC_PARAMS");
-        qInfo("RC_PARAMS is \"%s\"", parameters == nullptr ? "" : parameters);
-    }
+    void initTestCase() { drawFewerRandomCases(); }
 
     void theOrderOfTheVerticesDoesNotMatter()
     {

@@ -14,6 +14,7 @@ struct MistakenProgram {
     QString method; ///< "column-scan" or "row-walk"
     QString id; ///< of the defect
     std::set<WalkMistake> mistakes;
+    QString group; ///< those of one method that go wrong in the same: "edges from below"
 };
 
 std::vector<MistakenProgram> mistakenPrograms();

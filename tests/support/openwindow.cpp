@@ -6,7 +6,11 @@
 #include "widgets/look/appearance.h"
 #include "widgets/model/scenedocument.h"
 
+#include <QApplication>
 #include <QTest>
+
+#include <algorithm>
+#include <map>
 
 namespace pixelplumb {
 
@@ -72,6 +76,30 @@ QImage grabbed(MainWindow &window, const QString &name)
             QStringLiteral("%1/%2-%3.png")
                 .arg(QString::fromLocal8Bit(folder), name, QLatin1String(QTest::currentDataTag())));
     return picture;
+}
+
+QString readingFault(QWidget &part)
+{
+    const QImage picture = part.grab().toImage();
+    std::map<QRgb, int> pixelsOf;
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x)
+            ++pixelsOf[picture.pixel(x, y)];
+    }
+    using Frequency = std::pair<const QRgb, int>;
+    const QColor ground
+        = QColor::fromRgb(std::ranges::max_element(pixelsOf, {}, &Frequency::second)->first);
+    const QColor window = QApplication::palette().color(QPalette::Window);
+    if (contrastRatio(ground, window) > 1.5)
+        return QStringLiteral("%1 is drawn on %2, the window on %3")
+            .arg(part.objectName(), ground.name(), window.name());
+    int readable = 0;
+    for (const auto &[colour, pixels] : pixelsOf)
+        readable += contrastRatio(QColor::fromRgb(colour), ground) >= 4.5 ? pixels : 0;
+    // A word has some 100.
+    return readable >= 100
+        ? QString()
+        : QStringLiteral("%1 has %2 pixels that stand out").arg(part.objectName()).arg(readable);
 }
 
 } // namespace pixelplumb

@@ -33,4 +33,8 @@ void addPalettes();
 /// The window's picture; saved as NAME-ROW.png in the folder PIXELPLUMB_GRABS where that is set.
 QImage grabbed(MainWindow &window, const QString &name);
 
+/// Why a part cannot be read as it is drawn: its ground, the most frequent colour, is not that of
+/// the application's palette, or hardly a pixel has a contrast of 4.5 to it. Empty where it can.
+QString readingFault(QWidget &part);
+
 } // namespace pixelplumb

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/diagnosis.h"
 #include "core/grade/picturediff.h"
+#include "tests/support/casestorun.h"
 #include "tests/support/probescenes.h"
 #include "tests/support/scanning.h"
 #include "tests/support/studentwalk.h"
 #include "tests/support/testprogram.h"
 
-#include <QElapsedTimer>
 #include <QTest>
 
 #include <algorithm>
@@ -156,15 +156,18 @@ private slots:
     {
         const std::vector<Scene> scenes = probeScenes();
         const std::vector<Defect> all = redrawingsOf(scenes.front());
+        std::vector<std::array<Defect, 2>> pairs;
         for (std::size_t i = 0; i < all.size(); ++i) {
             for (std::size_t j = i + 1; j < all.size(); j += 5) {
-                if (!canBeTogether(all[i], all[j]))
-                    continue;
-                QVERIFY2(pictureWith(scenes.back(), std::array{all[i], all[j]})
-                             == pictureWith(scenes.back(), std::array{all[j], all[i]}),
-                         qPrintable(all[i].id + u' ' + all[j].id));
+                if (canBeTogether(all[i], all[j]))
+                    pairs.push_back({all[i], all[j]});
             }
         }
+        QVERIFY(pairs.size() > all.size());
+        for (const auto &[one, other] : casesToRun(pairs))
+            QVERIFY2(pictureWith(scenes.back(), std::array{one, other})
+                         == pictureWith(scenes.back(), std::array{other, one}),
+                     qPrintable(one.id + u' ' + other.id));
     }
 
     void twoRedrawingsTogetherAreNamed_data()
@@ -180,41 +183,33 @@ private slots:
         const std::vector<Defect> all = redrawingsOf(scenes.front());
         DefectPictures pictures(scenes);
         const std::size_t stride = all.size() / 150 + 1; // ten to fifty pairs
-        int pairs = 0;
-        int explained = 0;
-        int named = 0;
-        QElapsedTimer watch;
-        watch.start();
+        std::vector<std::array<Defect, 2>> pairs;
         for (std::size_t i = 0; 2 * i + 1 < all.size(); i += stride) {
-            const std::size_t j = 2 * i + 1;
-            if (!canBeTogether(all[i], all[j]))
-                continue;
-            const std::array pair = {all[i], all[j]};
+            if (canBeTogether(all[i], all[2 * i + 1]))
+                pairs.push_back({all[i], all[2 * i + 1]});
+        }
+        QVERIFY(pairs.size() >= 10);
+        int wrong = 0;
+        for (const auto &pair : casesToRun(pairs)) {
             std::vector<FoundPicture> found;
             for (const Scene &scene : scenes)
                 found.push_back({found.size(), pictureWith(scene, pair)});
             const auto diagnosis = diagnose(pictures, found);
             if (diagnosis->verdict != DiagnosisVerdict::Wrong)
                 continue;
-            ++pairs;
-            explained += diagnosis->isExplained() ? 1 : 0;
+            ++wrong;
+            const QString both = pair[0].id + QStringLiteral(" and ") + pair[1].id;
+            QVERIFY2(diagnosis->isExplained(), qPrintable(both));
             // Where one of them, or another single one, draws the same, that is enough.
             const QStringList ids = idsOf(*diagnosis);
             const bool isNamed
-                = ids.contains(all[i].id + QStringLiteral(" and ") + all[j].id)
+                = ids.contains(both)
                 || std::ranges::any_of(diagnosis->candidates, [](const auto &candidate) {
                        return candidate.defects.size() == 1 && candidate.distance == 0;
                    });
-            named += isNamed ? 1 : 0;
-            if (!isNamed)
-                qInfo("%s and %s: %s", qPrintable(all[i].id), qPrintable(all[j].id),
-                      qPrintable(ids.join(QStringLiteral(", "))));
+            QVERIFY2(isNamed, qPrintable(both + QStringLiteral(": ") + ids.join(u' ')));
         }
-        qInfo("%s: %d redrawings, %d pairs, %d explained, %d named, %lld ms", qPrintable(method),
-              int(all.size()), pairs, explained, named, watch.elapsed());
-        QVERIFY(pairs >= 10);
-        QCOMPARE(explained, pairs);
-        QCOMPARE(named, pairs);
+        QVERIFY(wrong > 0);
     }
 
     void aSecondDefectThatHardlyBringsItNearerIsNotNamed()

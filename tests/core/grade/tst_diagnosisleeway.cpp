@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/diagnosis.h"
 #include "core/grade/picturediff.h"
+#include "tests/support/casestorun.h"
 #include "tests/support/mistakenprograms.h"
 #include "tests/support/probescenes.h"
 #include "tests/support/scanning.h"
@@ -143,10 +144,12 @@ private slots:
     {
         QTest::addColumn<QString>("id");
         QTest::addColumn<Mistakes>("mistakes");
-        for (const MistakenProgram &program : mistakenPrograms()) {
-            if (program.method == QStringLiteral("column-scan"))
-                QTest::newRow(qPrintable(program.id)) << program.id << program.mistakes;
-        }
+        std::vector<MistakenProgram> programs = mistakenPrograms();
+        std::erase_if(programs, [](const MistakenProgram &program) {
+            return program.method != QStringLiteral("column-scan");
+        });
+        for (const MistakenProgram &program : casesToRun(programs, &MistakenProgram::group))
+            QTest::newRow(qPrintable(program.id)) << program.id << program.mistakes;
     }
     void aStudentsProgramInDoubleIsNamed()
     {

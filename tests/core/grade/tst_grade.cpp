@@ -2,8 +2,9 @@
 #include "core/grade/gradefile.h"
 #include "core/grade/gradefolder.h"
 #include "core/runs/tracedscene.h"
+#include "tests/support/casestorun.h"
+#include "tests/support/defectgroups.h"
 #include "tests/support/programrun.h"
-#include "tests/support/sanitized.h"
 #include "tests/support/scanning.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/submissions.h"
@@ -26,9 +27,6 @@ using namespace pixelplumb;
 
 namespace {
 
-// Of the known defects so many are passed over; each takes a diagnosis.
-constexpr std::size_t defectsApart = isSanitized ? 36 : 2;
-
 GradingOrder orderOf(const QTemporaryDir &folder, const char *results, int jobs = 2)
 {
     return {folder.filePath(QStringLiteral("subs")), folder.filePath(QLatin1String(results)),
@@ -41,11 +39,8 @@ const GradedSubmission *submissionNamed(const GradeReport &report, const QString
     return found != report.submissions.end() ? &*found : nullptr;
 }
 
-/// "one unsorted-colours": of a program with one defect. An id may have a slash, a folder not.
-QString nameWith(const char *count, const Defect &defect)
-{
-    return QLatin1String(count) + u' ' + QString(defect.id).replace(u'/', u'-');
-}
+/// The submission with this defect. An id may have a slash, a folder not.
+QString folderOf(const Defect &defect) { return QString(defect.id).replace(u'/', u'-'); }
 
 bool isAmong(const GradedSubmission &submission, const QStringList &defects)
 {
@@ -60,12 +55,29 @@ bool isAmong(const GradedSubmission &submission, const QStringList &defects)
 class TestGrade : public QObject {
     Q_OBJECT
 
-    QTemporaryDir m_folder;
+    QTemporaryDir m_folder; ///< of a class with all defects that are tried
+    QTemporaryDir m_few; ///< of a class that is graded several times
     Assignment m_assignment = exampleAssignment();
+    std::vector<Defect> m_alone; ///< those of m_folder
 
-    QString submission(const QString &name) const
+    /// A right one, some with a defect each, and what is no picture.
+    bool deliverClass(const QTemporaryDir &folder, const std::vector<Defect> &alone) const
     {
-        return m_folder.filePath(QStringLiteral("subs/") + name);
+        const auto submission = [&folder](const QString &name) {
+            return folder.filePath(QStringLiteral("subs/") + name);
+        };
+        bool isDelivered = deliver(submission(QStringLiteral("right")), m_assignment)
+            && QDir().mkpath(submission(QStringLiteral("empty")))
+            && QDir().mkpath(submission(QStringLiteral("small")));
+        for (const Defect &defect : alone)
+            isDelivered
+                = isDelivered && deliver(submission(folderOf(defect)), m_assignment, {defect});
+        const QString first = m_assignment.scenes.front().name + QStringLiteral(".png");
+        const QByteArray half = contentOf(submission(QStringLiteral("right/") + first)).left(60);
+        return isDelivered && writeTo(submission(QStringLiteral("nonsense/") + first), "nonsense")
+            && writeTo(submission(QStringLiteral("half/") + first), half)
+            && QImage(3, 2, QImage::Format_RGB32)
+                   .save(submission(QStringLiteral("small/") + first));
     }
     GradeReport graded(const GradingOrder &order)
     {
@@ -101,40 +113,30 @@ private slots:
     void initTestCase()
     {
         QVERIFY(!m_assignment.scenes.empty());
-        QVERIFY(deliver(submission(QStringLiteral("right")), m_assignment));
         const std::vector<Defect> defects = defectsOf(m_assignment);
-        for (std::size_t i = 0; i < defects.size(); i += defectsApart)
-            QVERIFY(deliver(submission(nameWith("one", defects[i])), m_assignment, {defects[i]}));
-        for (std::size_t i = 0; i + 9 < 12; i += 2)
-            QVERIFY(deliver(submission(nameWith("two", defects[i])), m_assignment,
-                            {defects[i], defects.back()}));
-        QVERIFY(QDir().mkpath(submission(QStringLiteral("empty"))));
-        const QString first = m_assignment.scenes.front().name + QStringLiteral(".png");
-        QVERIFY(writeTo(submission(QStringLiteral("nonsense/") + first), "nonsense"));
-        QVERIFY(writeTo(submission(QStringLiteral("half/") + first),
-                        contentOf(submission(QStringLiteral("right/") + first)).left(60)));
-        QVERIFY(QDir().mkpath(submission(QStringLiteral("small"))));
-        QVERIFY(
-            QImage(3, 2, QImage::Format_RGB32).save(submission(QStringLiteral("small/") + first)));
+        m_alone = casesToRun(defects, groupOf);
+        QVERIFY(deliverClass(m_folder, m_alone));
+        QVERIFY(deliverClass(m_few, {defects[0], defects[defects.size() / 2]}));
+        QVERIFY(deliver(m_few.filePath(QStringLiteral("subs/two")), m_assignment,
+                        {defects.front(), defects.back()}));
     }
 
     void everyDefectIsNamed()
     {
         const GradeReport report = graded(orderOf(m_folder, "first"));
-        const std::vector<Defect> defects = defectsOf(m_assignment);
         int named = 0;
-        for (std::size_t i = 0; i < defects.size(); i += defectsApart) {
-            const auto *each = submissionNamed(report, nameWith("one", defects[i]));
+        for (const Defect &defect : m_alone) {
+            const auto *each = submissionNamed(report, folderOf(defect));
             QVERIFY(each);
             if (each->verdict == GradeVerdict::Right)
                 continue; // arithmetic that is exact enough here
-            if (defects[i].choice == QLatin1String(arithmeticChoice)
+            if (defect.choice == QLatin1String(arithmeticChoice)
                 && each->verdict == GradeVerdict::Undecidable)
                 continue; // which is allowed for
             ++named;
-            QVERIFY2(isAmong(*each, {defects[i].id}), qPrintable(defects[i].id));
+            QVERIFY2(isAmong(*each, {defect.id}), qPrintable(defect.id));
         }
-        QVERIFY(named >= (isSanitized ? 2 : 15));
+        QVERIFY(2 * std::size_t(named) > m_alone.size());
         const auto *right = submissionNamed(report, QStringLiteral("right"));
         QVERIFY(right);
         QCOMPARE(right->verdict, GradeVerdict::Right);
@@ -169,21 +171,21 @@ private slots:
 
     void theSameSubmissionsGiveTheSameBytes()
     {
-        graded(orderOf(m_folder, "first"));
-        graded(orderOf(m_folder, "again", 1));
-        const auto files = filesIn(m_folder.filePath(QStringLiteral("first")));
-        QVERIFY(files.size() > 40);
-        QVERIFY(filesIn(m_folder.filePath(QStringLiteral("again"))) == files);
+        graded(orderOf(m_few, "first"));
+        graded(orderOf(m_few, "again", 1));
+        const auto files = filesIn(m_few.filePath(QStringLiteral("first")));
+        QVERIFY(files.size() > 20);
+        QVERIFY(filesIn(m_few.filePath(QStringLiteral("again"))) == files);
     }
 
     void whatWasEndedGoesOnWhereItStopped()
     {
-        const GradingOrder order = orderOf(m_folder, "ended", 1);
+        const GradingOrder order = orderOf(m_few, "ended", 1);
         const auto ended = gradeFolder(order, m_assignment,
                                        [](const JobProgress &told) { return told.done < 5; });
         QVERIFY(ended.isOk());
         QVERIFY(!ended->has_value());
-        const QDir grades(m_folder.filePath(QStringLiteral("ended/grades")));
+        const QDir grades(m_few.filePath(QStringLiteral("ended/grades")));
         QCOMPARE(grades.entryList(QDir::Files).size(), 5);
         // A grade that is there is taken as it is; nobody looks at the submission again.
         const QString kept = grades.filePath(grades.entryList(QDir::Files).front());
@@ -195,18 +197,18 @@ private slots:
         QVERIFY(writeTo(kept, grade));
         graded(order);
 
-        graded(orderOf(m_folder, "first"));
-        QVERIFY(filesIn(m_folder.filePath(QStringLiteral("ended")))
-                == filesIn(m_folder.filePath(QStringLiteral("first"))));
+        graded(orderOf(m_few, "first"));
+        QVERIFY(filesIn(m_few.filePath(QStringLiteral("ended")))
+                == filesIn(m_few.filePath(QStringLiteral("first"))));
     }
 
     void shardsMergedAreTheWhole()
     {
-        graded(orderOf(m_folder, "first"));
+        graded(orderOf(m_few, "first"));
         QStringList parts;
         std::size_t together = 0;
         for (int number = 1; number <= 3; ++number) {
-            GradingOrder order = orderOf(m_folder, "part");
+            GradingOrder order = orderOf(m_few, "part");
             order.results += QString::number(number);
             order.shard = {number, 3};
             parts += order.results;
@@ -214,13 +216,12 @@ private slots:
             QVERIFY(share > 0);
             together += share;
         }
-        QCOMPARE(together, graded(orderOf(m_folder, "first")).submissions.size());
-        const auto merged = mergeGrades(parts, m_folder.filePath(QStringLiteral("merged")));
+        QCOMPARE(together, graded(orderOf(m_few, "first")).submissions.size());
+        const auto merged = mergeGrades(parts, m_few.filePath(QStringLiteral("merged")));
         QVERIFY2(merged.isOk(), merged ? "" : qPrintable(merged.error().message()));
-        QVERIFY(filesIn(m_folder.filePath(QStringLiteral("merged")))
-                == filesIn(m_folder.filePath(QStringLiteral("first"))));
-        const auto twice
-            = mergeGrades({parts[0], parts[0]}, m_folder.filePath(QStringLiteral("x")));
+        QVERIFY(filesIn(m_few.filePath(QStringLiteral("merged")))
+                == filesIn(m_few.filePath(QStringLiteral("first"))));
+        const auto twice = mergeGrades({parts[0], parts[0]}, m_few.filePath(QStringLiteral("x")));
         QVERIFY(!twice);
         QVERIFY(twice.error().message().contains(QStringLiteral("is in two of the parts")));
     }

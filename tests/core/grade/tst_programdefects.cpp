@@ -2,6 +2,7 @@
 #include "core/grade/diagnosis.h"
 #include "core/methods/method.h"
 #include "core/scene/scenefile.h"
+#include "tests/support/casestorun.h"
 #include "tests/support/mistakenprograms.h"
 #include "tests/support/probescenes.h"
 #include "tests/support/sourcetree.h"
@@ -100,7 +101,8 @@ private slots:
         QTest::addColumn<QString>("method");
         QTest::addColumn<QString>("id");
         QTest::addColumn<Mistakes>("mistakes");
-        for (const MistakenProgram &program : mistakenPrograms())
+        for (const MistakenProgram &program :
+             casesToRun(mistakenPrograms(), &MistakenProgram::group))
             QTest::addRow("%s, %s", qPrintable(program.method), qPrintable(program.id))
                 << program.method << program.id << program.mistakes;
     }

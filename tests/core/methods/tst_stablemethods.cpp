@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/tracedscene.h"
+#include "tests/support/casestorun.h"
 #include "tests/support/scenesformethods.h"
 #include "tests/support/shapes.h"
 #include "tests/support/testprogram.h"
@@ -84,6 +85,15 @@ private:
     Lattice m_step = unitsPerPixel;
 };
 
+std::vector<NamedScene> randomScenes()
+{
+    std::vector<NamedScene> scenes;
+    RandomScenes random(8);
+    for (int i = 0; i < 60; ++i)
+        scenes.push_back({QStringLiteral("random %1").arg(i), random.next()});
+    return scenes;
+}
+
 /// Where the picture of a run that was not rejected differs from the truth; empty where nowhere.
 QString differenceOf(const TracedScene &traced)
 {
@@ -125,9 +135,8 @@ private slots:
         QFETCH(QString, id);
         QFETCH(ScanSettings, settings);
         std::vector<NamedScene> scenes = scenesForEveryMethod();
-        RandomScenes random(8);
-        for (int i = 0; i < 60; ++i)
-            scenes.push_back({QStringLiteral("random %1").arg(i), random.next()});
+        for (const NamedScene &scene : casesToRun(randomScenes()))
+            scenes.push_back(scene);
         std::size_t written = 0;
         for (auto &[name, whole] : scenes) {
             Scene scene = whole;

@@ -238,7 +238,15 @@ private slots:
         qApp->setPalette(palette);
         runToItsEnd();
 
-        QVERIFY(!grabbed(*m_window, QStringLiteral("lab")).isNull());
+        grabbed(*m_window, QStringLiteral("lab"));
+        for (const char *part : {"labPareto", "labConditions"})
+            QCOMPARE(readingFault(*named<QWidget>(*m_lab, part)), QString());
+        auto *tabs = named<QTabWidget>(*m_lab, "labTabs");
+        for (int tab = 0; tab < tabs->count(); ++tab) {
+            tabs->setCurrentIndex(tab);
+            QCoreApplication::processEvents();
+            QCOMPARE(readingFault(*tabs), QString());
+        }
     }
 
 private:

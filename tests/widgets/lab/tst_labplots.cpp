@@ -49,6 +49,16 @@ ParetoChart chartOf(const std::vector<ParetoPoint> &points)
     return chart;
 }
 
+/// What a plot draws.
+template <class Plot, class... Arguments>
+QImage shown(const Arguments &...arguments)
+{
+    Plot plot;
+    plot.resize(400, 300);
+    plot.show(arguments...);
+    return plot.grab().toImage();
+}
+
 const ErrorAxis &wrongPixels() { return *errorAxisNamed(QStringLiteral("wrong-pixels")); }
 
 } // namespace
@@ -174,31 +184,38 @@ private slots:
         QVERIFY(plot.textAt({1, 1}).isEmpty());
     }
 
-    void nothingAndOneContenderAreDrawn()
+    void oneContenderIsDrawnWhereItIsMeasuredAndNothingElsewhere_data()
     {
-        for (const char *family : {"f", "g", "no such"}) {
-            for (const auto &contenders :
-                 {std::vector<MadeContender>(), {{"only", 2.0, 0}}, {{"only", 2.0, 3}}}) {
-                const auto results = madeResults(contenders);
-                const QString id = QLatin1String(family);
-                ParetoPlot pareto;
-                pareto.show(results, id, wrongPixels());
-                QVERIFY(!pareto.grab().isNull());
-                QCOMPARE(pareto.positionOf(QStringLiteral("only")).has_value(),
-                         !contenders.empty() && id != QStringLiteral("no such"));
-                MissPlot misses;
-                misses.show(results, id, QStringLiteral("only"));
-                QVERIFY(!misses.grab().isNull());
-                CostStack costs;
-                costs.show(results, id);
-                QVERIFY(!costs.grab().isNull());
-                ScalingPlot scaling;
-                scaling.show(results, SizeAxis::Area);
-                QVERIFY(!scaling.grab().isNull());
-                DriftPlot drift;
-                drift.show(results);
-                QVERIFY(!drift.grab().isNull());
-            }
+        QTest::addColumn<QString>("family");
+        QTest::addColumn<bool>("isJudged");
+        QTest::addColumn<bool>("isTimed");
+        QTest::newRow("judged and timed") << "f" << true << true;
+        QTest::newRow("judged alone") << "g" << true << false;
+        QTest::newRow("no such family") << "no such" << false << false;
+    }
+    void oneContenderIsDrawnWhereItIsMeasuredAndNothingElsewhere()
+    {
+        QFETCH(QString, family);
+        QFETCH(bool, isJudged);
+        QFETCH(bool, isTimed);
+        const QString only = QStringLiteral("only");
+        const auto none = madeResults({});
+        for (const std::int64_t wrong : {0, 3}) {
+            const auto one = madeResults({{"only", 2.0, wrong}});
+            one->rows.front().accuracy->misses.extra[4] = wrong;
+            ParetoPlot pareto;
+            pareto.show(one, family, wrongPixels());
+            QCOMPARE(pareto.positionOf(only).has_value(), isJudged);
+            QCOMPARE(shown<ParetoPlot>(one, family, wrongPixels())
+                         != shown<ParetoPlot>(none, family, wrongPixels()),
+                     isJudged);
+            QCOMPARE(shown<MissPlot>(one, family, only) != shown<MissPlot>(none, family, only),
+                     isTimed && wrong > 0);
+            QCOMPARE(shown<CostStack>(one, family) != shown<CostStack>(none, family), isTimed);
+            // Nothing was drawn in several sizes, and no number drifts.
+            QVERIFY(shown<ScalingPlot>(one, SizeAxis::Area)
+                    == shown<ScalingPlot>(none, SizeAxis::Area));
+            QVERIFY(shown<DriftPlot>(one) == shown<DriftPlot>(none));
         }
     }
 

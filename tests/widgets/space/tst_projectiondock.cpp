@@ -297,12 +297,18 @@ private slots:
 
         toggle->trigger();
 
-        QTRY_VERIFY(named<ProjectionPanel>(*window, "projectionPanel")->isVisible());
-        QTRY_VERIFY(named<SideView>(*window, "sideView")->height() > 150);
-        QVERIFY(!grabbed(*window, QStringLiteral("projection")).isNull());
+        auto *panel = named<ProjectionPanel>(*window, "projectionPanel");
+        auto *view = named<SideView>(*window, "sideView");
+        QTRY_VERIFY(panel->isVisible());
+        QTRY_VERIFY(view->height() > 150);
+        grabbed(*window, QStringLiteral("projection"));
+        QCOMPARE(readingFault(*view), QString());
+        QCOMPARE(readingFault(*panel), QString());
         named<QTabWidget>(*window, "projectionTabs")->setCurrentIndex(1);
-        QTRY_VERIFY(!named<SurfacesPanel>(*window, "surfacesPanel")->figures().empty());
-        QVERIFY(!grabbed(*window, QStringLiteral("surfaces")).isNull());
+        auto *surfaces = named<SurfacesPanel>(*window, "surfacesPanel");
+        QTRY_VERIFY(!surfaces->figures().empty());
+        grabbed(*window, QStringLiteral("surfaces"));
+        QCOMPARE(readingFault(*surfaces), QString());
     }
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/casestorun.h"
 #include "tests/support/hardcasescenes.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
@@ -7,6 +8,8 @@
 #include "widgets/model/scenedocument.h"
 
 #include <QTest>
+
+#include <numeric>
 
 namespace tst_hardcasesinwindow {
 
@@ -58,8 +61,12 @@ private slots:
     void everyHardCaseCanBeSteppedInTheWindow_data()
     {
         QTest::addColumn<std::size_t>("index");
-        for (std::size_t i = 0; i < m_cases.size(); ++i)
-            QTest::newRow(qPrintable(m_cases[i].first)) << i;
+        std::vector<std::size_t> all(m_cases.size());
+        std::iota(all.begin(), all.end(), 0U);
+        const auto methodsOf
+            = [](std::size_t index) { return QString::number(index % methodShare); };
+        for (const std::size_t index : casesToRun(all, methodsOf))
+            QTest::newRow(qPrintable(m_cases[index].first)) << index;
     }
     void everyHardCaseCanBeSteppedInTheWindow()
     {
@@ -77,7 +84,6 @@ private slots:
             const QString fault = faultInSteps(*m_window);
             QVERIFY2(fault.isEmpty(), qPrintable(fault));
         }
-        QVERIFY(!m_window->grab().isNull());
     }
 
     void cleanupTestCase() { m_window.reset(); }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/casestorun.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/testprogram.h"
@@ -88,14 +89,25 @@ int hiddenFormulaLines(const MainWindow &window)
     return named<QTextBrowser>(window, "formulaText")->verticalScrollBar()->maximum();
 }
 
-void addSizes()
+using Sizes = std::vector<std::pair<const char *, QSize>>;
+
+/// What a frame and a title bar leave of the usual screens, logical pixels.
+const Sizes allSizes = {{"1024 × 640", {1016, 600}},
+                        {"1366 × 768", {1358, 728}},
+                        {"2560 × 1440 at scale 2", {1272, 680}},
+                        {"1920 × 1080", {1440, 960}}};
+
+void addSizes(const Sizes &sizes)
 {
     QTest::addColumn<QSize>("size");
-    // What a frame and a title bar leave of the usual screens, logical pixels.
-    QTest::newRow("1024 × 640") << QSize(1016, 600);
-    QTest::newRow("1366 × 768") << QSize(1358, 728);
-    QTest::newRow("2560 × 1440 at scale 2") << QSize(1272, 680);
-    QTest::newRow("1920 × 1080") << QSize(1440, 960);
+    for (const auto &[name, size] : sizes)
+        QTest::newRow(name) << size;
+}
+/// Of those to run each function draws its own.
+void addSizes()
+{
+    addSizes(casesToRun(
+        allSizes, [](const auto &) { return QString::fromLatin1(QTest::currentTestFunction()); }));
 }
 
 } // namespace
@@ -122,7 +134,7 @@ private slots:
         QCOMPARE(window->minimumSizeHint().boundedTo({900, 560}), window->minimumSizeHint());
     }
 
-    void everythingIsInSightAtTheFirstStart_data() { addSizes(); }
+    void everythingIsInSightAtTheFirstStart_data() { addSizes(allSizes); }
     void everythingIsInSightAtTheFirstStart()
     {
         QFETCH(QSize, size);
