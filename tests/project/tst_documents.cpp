@@ -3,6 +3,7 @@
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <QTest>
@@ -149,18 +150,25 @@ private slots:
 
     void everyFileAndTestThatADocumentNamesIsThere()
     {
-        QString code;
         const QStringList files = filesOfTheTree();
+        QString code;
+        QSet<QString> fileNames;
         for (const QString &path : files) {
+            fileNames.insert(path.section(u'/', -1));
             if (path.endsWith(QLatin1String(".cpp")) || path.endsWith(QLatin1String(".h")))
                 code += textInTree(path);
         }
-        for (const QString &path : files.filter(QRegularExpression("\\.md$"))) {
+        for (const QString &path : documents()) {
             const QString text = textInTree(path);
             const QString place
                 = QStringLiteral("(?<![\\w/.])((?:app|core|resources|tests|widgets)/[\\w./-]*\\w)");
             for (const QString &named : captures(place, text))
                 QVERIFY2(QFileInfo::exists(inTree(named)), qPrintable(path + u' ' + named));
+            const QDir folder = QFileInfo(inTree(path)).dir();
+            for (const QString &target : captures(QStringLiteral("\\]\\(([^)#:]+)\\)"), text))
+                QVERIFY2(folder.exists(target), qPrintable(path + u' ' + target));
+            for (const QString &file : captures(QStringLiteral("`([\\w-]+\\.(?:h|cpp|md))`"), text))
+                QVERIFY2(fileNames.contains(file), qPrintable(path + u' ' + file));
             for (const QString &test : captures(QStringLiteral("`(tst_\\w+)`"), text))
                 QVERIFY2(hasTest(test), qPrintable(path + u' ' + test));
         }
@@ -169,10 +177,28 @@ private slots:
             QVERIFY2(code.contains(name), qPrintable(name));
     }
 
+    void everyFolderOfTheLibrariesIsToldOf()
+    {
+        const QString text = textInTree("resources/extending.md");
+        for (const char *library : {"core", "widgets"}) {
+            const QStringList folders
+                = QDir(inTree(library)).entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+            QVERIFY(folders.size() > 5);
+            for (const QString &folder : folders)
+                QVERIFY2(text.contains(u'`' + folder + u'`'), qPrintable(folder));
+        }
+    }
+
+    void theReadmeIsAPage()
+    {
+        const qsizetype bytes = textInTree("README.md").toUtf8().size();
+        QVERIFY2(bytes > 1000 && bytes <= 6 * 1024, qPrintable(QString::number(bytes)));
+    }
+
     void theEveningsReadingHasAtMost2500Lines()
     {
-        const QStringList files
-            = captures(QStringLiteral("^\\| `([\\w/]+\\.(?:h|cpp))` \\|"), textInTree("README.md"));
+        const QStringList files = captures(QStringLiteral("^\\| `([\\w/]+\\.(?:h|cpp))` \\|"),
+                                           textInTree("resources/extending.md"));
         QVERIFY(files.size() > 10);
         qsizetype lines = 0;
         for (const QString &file : files) {

@@ -33,4 +33,10 @@ QStringList filesBelow(const QString &folder, const QStringList &patterns)
     return paths;
 }
 
+QStringList documents()
+{
+    return QStringList{QStringLiteral("README.md")}
+    + filesBelow(QStringLiteral("resources"), {QStringLiteral("*.md")});
+}
+
 } // namespace pixelplumb

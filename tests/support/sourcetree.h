@@ -22,4 +22,7 @@ QString textInTree(const QString &path);
 /// `patterns`: wildcards of which a file's name matches one.
 QStringList filesBelow(const QString &folder, const QStringList &patterns = {"*.h", "*.cpp"});
 
+/// README and the documents in resources/, as paths from the root of the tree.
+QStringList documents();
+
 } // namespace pixelplumb
