@@ -87,11 +87,11 @@ bool holdsVertices(Arithmetic arithmetic, const Triangle &triangle)
 }
 
 /// Whether a bound lets a sample in; along their spans all rules of row walks are rules of columns.
-bool letsIn(SpanBound side, const Quantity &bound, std::int64_t sample, FillRule rule)
+bool letsIn(DecidingBound side, const Quantity &bound, std::int64_t sample, FillRule rule)
 {
     const double above = errorOf(bound, Quantity::integer(sample)); // bound − sample
     const Interval interval = columnIntervals(rule).rows;
-    if (side == SpanBound::Lower)
+    if (side == DecidingBound::Lower)
         return above < 0 || (above == 0 && ownsFirst(interval));
     return above > 0 || (above == 0 && ownsLast(interval));
 }
@@ -107,15 +107,15 @@ void findBound(Deviation &deviation, const JudgedRun &run, std::int64_t x, std::
         return;
     const FillRule rule = run.traced->scene.settings.fillRule;
     const std::int64_t sample = span.place.axis == SpanAxis::Column ? y : x;
-    const auto look = [&](SpanBound side, const Quantity &used, const Quantity &truly) {
+    const auto look = [&](DecidingBound side, const Quantity &used, const Quantity &truly) {
         if (letsIn(side, used, sample, rule) == letsIn(side, truly, sample, rule))
             return;
         deviation.bound = side;
         deviation.used = used;
         deviation.exact = truly;
     };
-    look(SpanBound::Upper, span.upper, exact->upper);
-    look(SpanBound::Lower, span.lower, exact->lower);
+    look(DecidingBound::Upper, span.upper, exact->upper);
+    look(DecidingBound::Lower, span.lower, exact->lower);
 }
 
 Disagreement reasonOf(const Deviation &deviation, const JudgedRun &run, std::int64_t x,
@@ -138,7 +138,7 @@ Disagreement reasonOf(const Deviation &deviation, const JudgedRun &run, std::int
     if (run.primitives->isTriangle(*deviation.primitive)
         && !holdsVertices(arithmetic, run.primitives->triangles[*deviation.primitive]))
         return Disagreement::Precision;
-    if (deviation.bound == SpanBound::None)
+    if (deviation.bound == DecidingBound::None)
         return trace.isCut() && !deviation.span ? Disagreement::NotRecorded : Disagreement::Drift;
     // Would the exact bound, rounded once to what the number type can hold, have decided rightly?
     const bool isColumn = trace.placeOf(*deviation.span).axis == SpanAxis::Column;

@@ -8,7 +8,7 @@
 namespace pixelplumb {
 
 /// Which end of a span decided a sample.
-enum class SpanBound : std::uint8_t { None, Lower, Upper };
+enum class DecidingBound : std::uint8_t { None, Lower, Upper };
 
 /// Why one run departs from the truth at one pixel, with the numbers that show it.
 struct Deviation {
@@ -16,7 +16,7 @@ struct Deviation {
     Difference kind = Difference::None;
     std::optional<std::size_t> primitive; ///< the one whose pixel is missing, extra or off
     std::optional<std::size_t> span; ///< of the run, where it has one there
-    SpanBound bound = SpanBound::None;
+    DecidingBound bound = DecidingBound::None;
     Quantity used, exact; ///< the bound, px; none where no bound decides
     bool isTie = false; ///< the sample lies exactly on an edge of the primitive
 };

@@ -11,11 +11,11 @@ namespace pixelplumb {
 
 namespace {
 
-QString boundName(SpanBound bound, SpanAxis axis)
+QString boundName(DecidingBound bound, SpanAxis axis)
 {
     if (axis == SpanAxis::Column)
-        return bound == SpanBound::Lower ? QStringLiteral("y_B") : QStringLiteral("y_T");
-    return bound == SpanBound::Lower ? QStringLiteral("x_L") : QStringLiteral("x_R");
+        return bound == DecidingBound::Lower ? QStringLiteral("y_B") : QStringLiteral("y_T");
+    return bound == DecidingBound::Lower ? QStringLiteral("x_L") : QStringLiteral("x_R");
 }
 
 QString kindText(Difference kind)
@@ -95,7 +95,7 @@ QString causeText(const Deviation &deviation, const JudgedRun &run)
     case Disagreement::Rounding:
         return QStringLiteral("the rounding of one level");
     case Disagreement::Drift:
-        return deviation.bound == SpanBound::None
+        return deviation.bound == DecidingBound::None
             ? QStringLiteral("the increments in %1 added up to another number").arg(arithmetic)
             : QStringLiteral("%1 could hold the exact bound, the increments added up to another")
                   .arg(arithmetic);
@@ -119,7 +119,7 @@ QString textOf(const Deviation &deviation, const JudgedRun &run, std::int64_t x,
     if (deviation.reason == Disagreement::None)
         return {};
     QStringList parts;
-    if (deviation.bound != SpanBound::None)
+    if (deviation.bound != DecidingBound::None)
         parts.append(boundText(deviation, run.traced->trace->placeOf(*deviation.span).axis));
     else if (deviation.kind == Difference::Colour && deviation.primitive)
         parts.append(coloursText(deviation, run, x, y));

@@ -15,7 +15,7 @@ namespace pixelplumb {
 
 /// What the samples of one triangle are shaded with.
 template <class N>
-struct Surface {
+struct ShadedSurface {
     const Lighting<typename N::Real> *lighting = nullptr; ///< where light is carried
     const Material *material = nullptr;
     DepthBuffer<N> *depths = nullptr; ///< where depth is compared
@@ -38,7 +38,7 @@ public:
     using Number = typename N::Number;
 
     SampleShader(const ShadedSetUp<N> &setUp, const ShadedColumn<N> &column, const Effects &effects,
-                 const Surface<N> &surface, Observer observer)
+                 const ShadedSurface<N> &surface, Observer observer)
         : m_setUp(setUp)
         , m_column(column)
         , m_effects(effects)
@@ -280,14 +280,14 @@ private:
     const ShadedSetUp<N> &m_setUp;
     const ShadedColumn<N> &m_column;
     const Effects m_effects;
-    const Surface<N> m_surface;
+    const ShadedSurface<N> m_surface;
     Observer m_observer;
 };
 
 /// Shades the rows of a column.
 template <InterpolationForm Form, class N, class Effects, class Observer>
 void shadeColumn(const ShadedSetUp<N> &setUp, const ShadedColumn<N> &column, const RowRun &run,
-                 const Effects &effects, const Surface<N> &surface, FrameView frame,
+                 const Effects &effects, const ShadedSurface<N> &surface, FrameView frame,
                  Observer observer)
 {
     SampleShader<Form, N, Effects, Observer>(setUp, column, effects, surface, observer)

@@ -90,12 +90,13 @@ private:
         if constexpr (std::is_same_v<Observer, NullObserver>) {
             return [kernel = ShadeTable<Form, N>::kernelFor(effects),
                     &effects](const ShadedSetUp<N> &setUp, const Column &column, const RowRun &run,
-                              const Surface<N> &surface, FrameView frame) {
+                              const ShadedSurface<N> &surface, FrameView frame) {
                 kernel(setUp, column, run, effects, surface, frame);
             };
         } else {
             return [this, &effects](const ShadedSetUp<N> &setUp, const Column &column,
-                                    const RowRun &run, const Surface<N> &surface, FrameView frame) {
+                                    const RowRun &run, const ShadedSurface<N> &surface,
+                                    FrameView frame) {
                 shadeColumn<Form>(setUp, column, run, effects, surface, frame, m_observer);
             };
         }
@@ -107,7 +108,8 @@ private:
     }
 
     /// What the triangle's samples are shaded with.
-    Surface<N> surfaceOf(const ShadedTriangle &triangle, ShadedSurroundings<N> &surroundings) const
+    ShadedSurface<N> surfaceOf(const ShadedTriangle &triangle,
+                               ShadedSurroundings<N> &surroundings) const
     {
         const int material = triangle.attributes ? triangle.attributes->material : noMaterial;
         return {&surroundings.lighting,
@@ -143,7 +145,7 @@ private:
         const ShadedSetUp<N> setUp = shadedSetUpOf<Form, N>(triangle, effects);
         if (!begins(triangle, setUp))
             return;
-        const Surface<N> surface = surfaceOf(triangle, surroundings);
+        const ShadedSurface<N> surface = surfaceOf(triangle, surroundings);
         const auto shadeRun = shaderFor(effects);
         const auto fillColumn = [&](const Column &column) {
             m_observer.spanEntered(column);
@@ -176,7 +178,7 @@ void ShadedRun<Form, N, A, Observer>::drawAreas(std::size_t index, const EffectS
     const ShadedSetUp<N> setUp = shadedSetUpOf<Form, N>(triangle, covering);
     if (!begins(triangle, setUp))
         return;
-    const Surface<N> whole = surfaceOf(triangle, surroundings);
+    const ShadedSurface<N> whole = surfaceOf(triangle, surroundings);
     const auto shadeRun = shaderFor(needed);
     std::array<LatticePoint, 3> corners;
     for (std::size_t i = 0; i < 3; ++i)
@@ -204,7 +206,7 @@ void ShadedRun<Form, N, A, Observer>::drawAreas(std::size_t index, const EffectS
             const PixelArea area(triangle.triangle, x, y);
             if (area.isEmpty())
                 return;
-            Surface<N> part = whole;
+            ShadedSurface<N> part = whole;
             part.area = &area;
             shadeColumn<Form>(setUp, column, RowRun{y, y + 1}, covering, part, frame, m_observer);
         };

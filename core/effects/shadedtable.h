@@ -49,14 +49,14 @@ template <InterpolationForm Form, class N>
 struct ShadeTable {
     using Kernel
         = void (*)(const ShadedSetUp<N> &setUp, const ShadedColumn<N> &column, const RowRun &run,
-                   const EffectSet &effects, const Surface<N> &surface, FrameView frame);
+                   const EffectSet &effects, const ShadedSurface<N> &surface, FrameView frame);
 
     static Kernel kernelFor(const EffectSet &effects) { return table()[compiledSetOf(effects)]; }
 
 private:
     template <std::size_t number>
     static void shade(const ShadedSetUp<N> &setUp, const ShadedColumn<N> &column, const RowRun &run,
-                      const EffectSet &effects, const Surface<N> &surface, FrameView frame)
+                      const EffectSet &effects, const ShadedSurface<N> &surface, FrameView frame)
     {
         shadeColumn<Form>(setUp, column, run,
                           CompiledEffects<number>{effects.blending, effects.depth}, surface, frame,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The edges of a vector of triangles as bounds of spans. Compiled once for each instruction set.
-#include "core/fast/edgelines.h"
+#include "core/fast/boundinglines.h"
 #include "core/fast/pixelvectors-inl.h"
 #include "core/scan/scansettings.h"
 
@@ -26,8 +26,8 @@ HWY_INLINE hn::Mask<Reals> ownsItsSamples(Reals reals, hn::Vec<Reals> perRow,
     return hn::Gt(side, hn::Zero(reals));
 }
 
-/// The lines of EdgeLines, of a lane's worth of triangles each over its own axis: an interval of
-/// rows in each column, as in the assignment, or an interval of columns in each row. Either way
+/// The lines of BoundingLines, of a lane's worth of triangles each over its own axis: an interval
+/// of rows in each column, as in the assignment, or an interval of columns in each row. Either way
 /// they are the same samples.
 template <FillRule Rule, class Reals>
 class BatchLines {

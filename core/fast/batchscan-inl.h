@@ -146,7 +146,7 @@ private:
         // A vector of one lane would otherwise be unrolled to no use.
         constexpr int vectors = HWY_MIN(Columns / lanesOf<D>, 4);
         constexpr Walk walk = Walk::UpRows;
-        const EdgeLines lines(m_batch, i);
+        const BoundingLines lines(m_batch, i);
         const SampleBox box = boxOf(i);
         const auto scan = [&](const auto &colour, const SampleBox &part) HWY_ATTR {
             StripScan<std::decay_t<decltype(colour)>, D, vectors>(m_task.window, lines, part,
@@ -172,7 +172,7 @@ private:
     {
         using D = Pixels<16>;
         constexpr Walk walk = Walk::AlongRow;
-        const EdgeLines lines(m_batch, i);
+        const BoundingLines lines(m_batch, i);
         const SampleBox box = boxOf(i);
         const auto scan = [&](const auto &colour, const SampleBox &part) HWY_ATTR {
             RowSpanScan<std::decay_t<decltype(colour)>, D>(m_task.window, lines, part,

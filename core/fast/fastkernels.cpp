@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/fast/fastkernels.h"
 
-#include "core/fast/edgelines.h"
+#include "core/fast/boundinglines.h"
 #include "core/fast/routechoice.h"
 
 #include <bit>

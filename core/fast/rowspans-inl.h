@@ -25,7 +25,7 @@ class RowSpanScan {
 
 public:
     /// As StripScan's.
-    RowSpanScan(const FrameView &window, const EdgeLines &lines, const SampleBox &box,
+    RowSpanScan(const FrameView &window, const BoundingLines &lines, const SampleBox &box,
                 std::int32_t originColumn, std::int32_t originRow)
         : m_window(window)
         , m_lines(lines)
@@ -92,7 +92,7 @@ private:
     }
 
     const FrameView &m_window;
-    const EdgeLines &m_lines;
+    const BoundingLines &m_lines;
     SampleBox m_box;
     std::int32_t m_originColumn;
     std::int32_t m_originRow;

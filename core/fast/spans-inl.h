@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which samples of a column, a row or a strip a triangle covers. Compiled once for each instruction
 // set.
-#include "core/fast/edgelines.h"
+#include "core/fast/boundinglines.h"
 #include "core/fast/pixelvectors-inl.h"
 
 #if defined(PIXELPLUMB_SPANS_INL) == defined(HWY_TARGET_TOGGLE)
@@ -38,7 +38,8 @@ struct Spans {
 
     /// Columns origin … origin + Count − 1, of which those in `columns` have spans, clipped to
     /// `limit`. In each lane: first = ⌈max of the lower lines⌉, end = ⌈min of the upper ones⌉.
-    HWY_INLINE void compute(const EdgeLines &lines, std::int32_t origin, Range columns, Range limit)
+    HWY_INLINE void compute(const BoundingLines &lines, std::int32_t origin, Range columns,
+                            Range limit)
     {
         constexpr hn::CappedTag<double, Count> reals{};
         constexpr hn::Rebind<std::int32_t, decltype(reals)> integers{};
@@ -48,7 +49,7 @@ struct Spans {
         const auto limitEnd = real(limit.end);
         for (int k = 0; k < Count; k += lanes) {
             const auto column = countFrom(reals, double(origin + k));
-            const auto at = [&](const EdgeLine &line) HWY_ATTR {
+            const auto at = [&](const BoundingLine &line) HWY_ATTR {
                 return hn::Add(real(line.constant), hn::Mul(real(line.slope), column));
             };
             const auto lower = hn::Ceil(hn::Max(at(lines.lower[0]), at(lines.lower[1])));
@@ -77,7 +78,7 @@ class ColumnSpans {
 
 public:
     /// Columns from `column` on, of which those in `box` have spans; the walk starts at `row`.
-    HWY_INLINE ColumnSpans(const EdgeLines &lines, std::int32_t column, const SampleBox &box,
+    HWY_INLINE ColumnSpans(const BoundingLines &lines, std::int32_t column, const SampleBox &box,
                            std::int32_t row)
     {
         constexpr Integers integers{};
@@ -110,12 +111,12 @@ private:
         hn::Vec<Narrow> first;
         hn::Vec<Narrow> end;
 
-        HWY_INLINE Bounds(const EdgeLines &lines, std::int32_t origin, const SampleBox &box)
+        HWY_INLINE Bounds(const BoundingLines &lines, std::int32_t origin, const SampleBox &box)
         {
             constexpr Reals reals{};
             const auto real = [](double value) HWY_ATTR { return hn::Set(Reals(), value); };
             const auto column = countFrom(reals, double(origin));
-            const auto at = [&](const EdgeLine &line) HWY_ATTR {
+            const auto at = [&](const BoundingLine &line) HWY_ATTR {
                 return hn::Add(real(line.constant), hn::Mul(real(line.slope), column));
             };
             const auto lower = hn::Ceil(hn::Max(at(lines.lower[0]), at(lines.lower[1])));
@@ -145,7 +146,7 @@ struct StripRows {
 
     /// Strips of `width` columns each, the first from `origin` on, none beginning after `last`.
     /// Lines are at their least and greatest at a strip's ends, and rounding keeps that order.
-    HWY_INLINE void compute(const EdgeLines &lines, std::int32_t origin, std::int32_t width,
+    HWY_INLINE void compute(const BoundingLines &lines, std::int32_t origin, std::int32_t width,
                             std::int32_t last, const SampleBox &box)
     {
         constexpr hn::CappedTag<double, capacity> reals{};
@@ -164,7 +165,7 @@ struct StripRows {
             const auto left = hn::Max(begin, real(box.firstColumn));
             const auto right = hn::Min(back, real(box.endColumn - 1));
             const auto isWhole = hn::And(hn::Eq(left, begin), hn::Eq(right, back));
-            const auto at = [&](const EdgeLine &line, auto column) HWY_ATTR {
+            const auto at = [&](const BoundingLine &line, auto column) HWY_ATTR {
                 return hn::Add(real(line.constant), hn::Mul(real(line.slope), column));
             };
             const auto lower0Left = at(lines.lower[0], left);

@@ -24,7 +24,7 @@ struct StripRow {
     ColumnSpans<D> spans;
     StripRow<Colour, D, Vectors - 1> rest;
 
-    HWY_INLINE StripRow(const Colour &colour, const EdgeLines &lines, std::int32_t column,
+    HWY_INLINE StripRow(const Colour &colour, const BoundingLines &lines, std::int32_t column,
                         std::int32_t row, const SampleBox &box, std::int32_t originColumn,
                         std::int32_t originRow)
         : state(colour.begin(column - originColumn, row - originRow))
@@ -58,7 +58,7 @@ struct StripRow {
 
 template <class Colour, class D>
 struct StripRow<Colour, D, 0> {
-    HWY_INLINE StripRow(const Colour &, const EdgeLines &, std::int32_t, std::int32_t,
+    HWY_INLINE StripRow(const Colour &, const BoundingLines &, std::int32_t, std::int32_t,
                         const SampleBox &, std::int32_t, std::int32_t)
     {
     }
@@ -81,7 +81,7 @@ class StripScan {
 
 public:
     /// `box`: what is drawn. (originColumn, originRow): where the colour's plane starts.
-    StripScan(const FrameView &window, const EdgeLines &lines, const SampleBox &box,
+    StripScan(const FrameView &window, const BoundingLines &lines, const SampleBox &box,
               std::int32_t originColumn, std::int32_t originRow)
         : m_window(window)
         , m_lines(lines)
@@ -162,7 +162,7 @@ private:
     }
 
     const FrameView &m_window;
-    const EdgeLines &m_lines;
+    const BoundingLines &m_lines;
     SampleBox m_box;
     std::int32_t m_originColumn;
     std::int32_t m_originRow;

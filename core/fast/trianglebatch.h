@@ -67,7 +67,7 @@ struct TriangleBatch {
     alignas(64) PerCorner<std::int32_t> edgePerColumn = {};
     alignas(64) PerCorner<std::int32_t> edgePerRow = {};
 
-    /// The edges as bounds of spans (edgelines.h): two lower ones, two upper ones. Not those of
+    /// The edges as bounds of spans (boundinglines.h): two lower ones, two upper ones. Not those of
     /// small triangles.
     alignas(64) std::array<Array<double>, 4> lineConstant = {};
     alignas(64) std::array<Array<double>, 4> lineSlope = {};

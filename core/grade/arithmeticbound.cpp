@@ -75,8 +75,8 @@ ArithmeticBound::ArithmeticBound(const Triangle &triangle, Arithmetic arithmetic
     }
 }
 
-SamplePlace ArithmeticBound::placeAlong(const std::array<double, 3> &edgeFunctions,
-                                        SpanAxis walk) const
+Containment ArithmeticBound::containmentAlong(const std::array<double, 3> &edgeFunctions,
+                                              SpanAxis walk) const
 {
     const bool byColumns = walk == SpanAxis::Column;
     bool isInside = true;
@@ -87,10 +87,10 @@ SamplePlace ArithmeticBound::placeAlong(const std::array<double, 3> &edgeFunctio
         // Where the edge runs along the walk its line is a whole bound, compared without rounding.
         const double limit = across * (byColumns ? m_columnError : m_rowError);
         if (edgeFunctions[i] < -limit)
-            return SamplePlace::Outside;
+            return Containment::Outside;
         isInside = isInside && edgeFunctions[i] > limit;
     }
-    return isInside ? SamplePlace::Inside : SamplePlace::Undecided;
+    return isInside ? Containment::Inside : Containment::Undecided;
 }
 
 SampleBox ArithmeticBound::reachIn(const FrameSpec &frame) const
@@ -117,10 +117,10 @@ double ArithmeticBound::spanLevelError(double rate) const
         + (m_extent[1] + 7) * m_unit * levels;
 }
 
-SamplePlace ArithmeticBound::placeOf(std::int64_t x, std::int64_t y) const
+Containment ArithmeticBound::containmentOf(std::int64_t x, std::int64_t y) const
 {
     if (!m_isProved)
-        return SamplePlace::Undecided;
+        return Containment::Undecided;
     const oracle::SampleVerdict verdict = oracle::judge(m_triangle, FillRule::Closed, x, y);
     std::array<double, 3> functions = {};
     for (std::size_t i = 0; i < 3; ++i)
@@ -128,14 +128,14 @@ SamplePlace ArithmeticBound::placeOf(std::int64_t x, std::int64_t y) const
             = double(verdict.edges[i].edgeFunction) / double(unitsPerPixel * unitsPerPixel);
     const double least = *std::ranges::min_element(functions);
     const bool isAreaSure = m_area > 2 * m_functionError;
-    SamplePlace place = SamplePlace::Undecided; // of who asks edge functions
+    Containment found = Containment::Undecided; // of who asks edge functions
     if (isAreaSure && least < -m_functionError)
-        place = SamplePlace::Outside;
+        found = Containment::Outside;
     else if (isAreaSure && least > m_functionError)
-        place = SamplePlace::Inside;
-    const bool isAgreed = placeAlong(functions, SpanAxis::Column) == place
-        && placeAlong(functions, SpanAxis::Row) == place;
-    return isAgreed ? place : SamplePlace::Undecided;
+        found = Containment::Inside;
+    const bool isAgreed = containmentAlong(functions, SpanAxis::Column) == found
+        && containmentAlong(functions, SpanAxis::Row) == found;
+    return isAgreed ? found : Containment::Undecided;
 }
 
 std::optional<double> ArithmeticBound::levelError(std::int64_t x, std::int64_t y,

@@ -11,7 +11,8 @@
 
 namespace pixelplumb {
 
-enum class SamplePlace { Inside, Outside, Undecided };
+/// Whether a triangle holds a sample for every right program; undecided: rounding decides it.
+enum class Containment { Inside, Outside, Undecided };
 
 struct LevelRange {
     double least = 0;
@@ -28,7 +29,7 @@ public:
 
     /// False for vertices beyond 2^16 px, which float32 does not hold, and without area.
     bool isProved() const { return m_isProved; }
-    SamplePlace placeOf(std::int64_t x, std::int64_t y) const;
+    Containment containmentOf(std::int64_t x, std::int64_t y) const;
     /// The samples of the frame that a right program may write: of all others it is sure.
     SampleBox reachIn(const FrameSpec &frame) const;
     /// What y_B and y_T of a column, or x_L and x_R of a row, may be off by, px; infinite for
@@ -51,7 +52,7 @@ public:
 
 private:
     /// As who walks by columns, or by rows, is sure of it.
-    SamplePlace placeAlong(const std::array<double, 3> &edgeFunctions, SpanAxis walk) const;
+    Containment containmentAlong(const std::array<double, 3> &edgeFunctions, SpanAxis walk) const;
 
     Triangle m_triangle;
     Triangle m_exchanged; ///< x and y exchanged

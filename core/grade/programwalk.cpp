@@ -12,11 +12,11 @@ namespace pixelplumb {
 namespace {
 
 /// The triangle as a program sees it that goes through spans in ascending order.
-TriangleRuns seenFrom(const TriangleRuns &triangle, WalkOrder order)
+TriangleRuns seenFrom(const TriangleRuns &triangle, SpanOrder order)
 {
     TriangleRuns seen = triangle;
     seen.runs.clear();
-    if (order == WalkOrder::Ascending)
+    if (order == SpanOrder::Ascending)
         return seen;
     for (Vertex &vertex : seen.triangle.vertices)
         vertex.position.x = -vertex.position.x;
@@ -27,7 +27,7 @@ TriangleRuns seenFrom(const TriangleRuns &triangle, WalkOrder order)
 }
 
 /// Who goes from the other end has no departures along edges from the method's own.
-VariantSet departuresOf(const TriangleRuns &triangle, WalkOrder order)
+VariantSet departuresOf(const TriangleRuns &triangle, SpanOrder order)
 {
     VariantSet departures = triangle.settings.variants;
     for (const Variant variant : variantsAlongEdges) {
@@ -40,7 +40,7 @@ VariantSet departuresOf(const TriangleRuns &triangle, WalkOrder order)
 template <class Numbers>
 bool walkIn(TriangleRuns &triangle, const ProgramWalk &walk)
 {
-    const WalkOrder order = walk.order.value_or(triangle.order);
+    const SpanOrder order = walk.order.value_or(triangle.order);
     TriangleRuns seen = seenFrom(triangle, order);
     const bool isHeld = std::ranges::all_of(seen.triangle.vertices, [&](const Vertex &vertex) {
         return Numbers::represents(vertex.position)
@@ -54,7 +54,7 @@ bool walkIn(TriangleRuns &triangle, const ProgramWalk &walk)
     Walking<Numbers>(seen, program).run();
     triangle.runs = std::move(seen.runs);
     for (SampleRun &run : triangle.runs)
-        run.span = order == WalkOrder::Ascending ? run.span : -run.span;
+        run.span = order == SpanOrder::Ascending ? run.span : -run.span;
     return true;
 }
 

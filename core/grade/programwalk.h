@@ -138,7 +138,7 @@ inline constexpr std::array variantsAlongEdges
 /// The edge walk of the assignment as a program has it, with what is wrong in it. By default it
 /// draws what the column scan and the row walk draw.
 struct ProgramWalk {
-    std::optional<WalkOrder> order = {}; ///< the method's, if left out
+    std::optional<SpanOrder> order = {}; ///< the method's, if left out
     VertexOrder vertices = VertexOrder::ByX;
     VariantSet departures = {}; ///< beside those of the scene, which along edges are the method's
     EdgeRates divided = EdgeRates::All; ///< of which another divisor is one

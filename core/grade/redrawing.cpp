@@ -25,9 +25,9 @@ Picture boundedPicture(const Scene &alone, const RoundingSide &side)
     const SampleBox box = bound.reachIn(frame);
     for (std::int64_t y = box.firstY; y < box.endY; ++y) {
         for (std::int64_t x = box.firstX; x < box.endX; ++x) {
-            const SamplePlace sample = bound.placeOf(x, y);
-            const bool isDrawn = sample == SamplePlace::Inside
-                || (sample == SamplePlace::Undecided && side.isOutward);
+            const Containment sample = bound.containmentOf(x, y);
+            const bool isDrawn = sample == Containment::Inside
+                || (sample == Containment::Undecided && side.isOutward);
             if (!isDrawn)
                 continue;
             const std::size_t place

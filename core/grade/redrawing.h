@@ -15,7 +15,7 @@ namespace pixelplumb {
 
 /// From which end the spans of a triangle are gone through: a right program draws the same from
 /// either.
-enum class WalkOrder { Ascending, Descending };
+enum class SpanOrder { Ascending, Descending };
 
 /// An interval seen from its other end.
 constexpr Interval reversed(Interval interval)
@@ -41,7 +41,7 @@ struct SampleRun {
 /// One triangle as it is gone through: `triangle` has x and y exchanged where that is by rows.
 struct TriangleRuns {
     Triangle triangle;
-    WalkOrder order = WalkOrder::Ascending; ///< the method's
+    SpanOrder order = SpanOrder::Ascending; ///< the method's
     ScanIntervals intervals; ///< of its spans, ascending, and of its samples
     ScanSettings settings;
     BoundaryRule rule = FillRule::Closed;

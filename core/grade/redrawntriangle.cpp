@@ -74,7 +74,7 @@ void RedrawnTriangle::see(const Scene &alone, VisitedBox box)
     m_runs.visited = boxOf(triangle, alone, box);
     m_runs.intervals = columnIntervals(rule.rule);
     if (axis == SpanAxis::Row) {
-        m_runs.order = WalkOrder::Descending;
+        m_runs.order = SpanOrder::Descending;
         m_runs.intervals = {reversed(rowIntervals(rule).columns), rowIntervals(rule).rows};
     }
 }

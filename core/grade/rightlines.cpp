@@ -36,7 +36,7 @@ public:
     /// False where it may be drawn or not.
     bool isDecided(std::int64_t x, std::int64_t y) const
     {
-        return !m_bound || m_bound->placeOf(x, y) != SamplePlace::Undecided;
+        return !m_bound || m_bound->containmentOf(x, y) != Containment::Undecided;
     }
 
     /// The samples of the frame that may be drawn although the exact run does not.

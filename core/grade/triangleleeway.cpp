@@ -49,16 +49,16 @@ SampleBox TriangleLeeway::reachIn(const FrameSpec &frame) const
                    : intersection(boundingBoxOf(m_triangle), samplesOf(windowOf(frame)));
 }
 
-SamplePlace TriangleLeeway::placeOf(std::int64_t x, std::int64_t y) const
+Containment TriangleLeeway::containmentOf(std::int64_t x, std::int64_t y) const
 {
     if (m_bound && m_hasArea)
-        return m_bound->placeOf(x, y);
+        return m_bound->containmentOf(x, y);
     if (m_bound)
-        return mayBeOfSegment(x, y) ? SamplePlace::Undecided : SamplePlace::Outside;
+        return mayBeOfSegment(x, y) ? Containment::Undecided : Containment::Outside;
     if (!oracle::covers(m_triangle, FillRule::Closed, x, y))
-        return SamplePlace::Outside;
-    return oracle::covers(m_triangle, FillRule::Open, x, y) ? SamplePlace::Inside
-                                                            : SamplePlace::Undecided;
+        return Containment::Outside;
+    return oracle::covers(m_triangle, FillRule::Open, x, y) ? Containment::Inside
+                                                            : Containment::Undecided;
 }
 
 bool TriangleLeeway::mayHave(const Colour &colour, std::int64_t x, std::int64_t y) const

@@ -17,7 +17,7 @@ public:
 
     /// The samples of the frame that may be drawn.
     SampleBox reachIn(const FrameSpec &frame) const;
-    SamplePlace placeOf(std::int64_t x, std::int64_t y) const;
+    Containment containmentOf(std::int64_t x, std::int64_t y) const;
     /// Whether a sample that is drawn may have this colour.
     bool mayHave(const Colour &colour, std::int64_t x, std::int64_t y) const;
 

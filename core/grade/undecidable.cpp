@@ -73,11 +73,11 @@ private:
     Leeway leewayBelow(const TriangleLeeway &triangle, std::size_t place, std::int64_t x,
                        std::int64_t y) const
     {
-        const SamplePlace where = triangle.placeOf(x, y);
-        if (where == SamplePlace::Outside)
+        const Containment where = triangle.containmentOf(x, y);
+        if (where == Containment::Outside)
             return m_pixels[place];
         // A raster knows no colours: inside, nothing of it is open.
-        const bool isInside = where == SamplePlace::Inside;
+        const bool isInside = where == Containment::Inside;
         const bool isOf = m_found.hasColours
             ? triangle.mayHave(m_found.colours[place], x, y)
             : m_found.covered[place] != 0 && (!isInside || m_pixels[place] == Leeway::Open);

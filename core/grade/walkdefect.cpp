@@ -55,17 +55,17 @@ std::vector<NamedWalk> namedWalks(const std::vector<WalkRow> &rows)
     return walks;
 }
 
-QString orderSentence(WalkOrder order)
+QString orderSentence(SpanOrder order)
 {
-    return order == WalkOrder::Descending
+    return order == SpanOrder::Descending
         ? QStringLiteral(" The rows are gone through from the greatest y down.")
         : QStringLiteral(" The rows are gone through from the least y up.");
 }
 
 /// With the ways from a vertex to the spans behind it and before it in the words.
-NamedWalk withWays(NamedWalk named, WalkOrder order)
+NamedWalk withWays(NamedWalk named, SpanOrder order)
 {
-    const bool isUpward = order == WalkOrder::Ascending;
+    const bool isUpward = order == SpanOrder::Ascending;
     const auto up = QStringLiteral("⌈%2₀⌉ − %2₀");
     const auto down = QStringLiteral("%2₀ − ⌊%2₀⌋");
     named.forAssistant.replace(QStringLiteral("%5"), isUpward ? up : down)
@@ -76,8 +76,8 @@ NamedWalk withWays(NamedWalk named, WalkOrder order)
 NamedWalk fromBelow(NamedWalk named)
 {
     named.id += QStringLiteral("-from-below");
-    named.forAssistant += orderSentence(WalkOrder::Ascending);
-    named.walk.order = WalkOrder::Ascending;
+    named.forAssistant += orderSentence(SpanOrder::Ascending);
+    named.walk.order = SpanOrder::Ascending;
     return named;
 }
 
@@ -110,7 +110,7 @@ QString sentenceOf(Variant variant, SpanAxis axis)
     const bool hasOrder = axis == SpanAxis::Row
         && std::ranges::find(variantsAlongEdges, variant) != variantsAlongEdges.end();
     return variantSentence(variant, axis)
-        + (hasOrder ? orderSentence(WalkOrder::Descending) : QString());
+        + (hasOrder ? orderSentence(SpanOrder::Descending) : QString());
 }
 
 Defect redrawnDefect(const QString &id, const QString &forStudent, const QString &forAssistant,
@@ -151,13 +151,13 @@ std::vector<Defect> walkDefectsFor(SpanAxis axis)
         std::ranges::move(namedWalks(columnWalkRows()), std::back_inserter(alongEdges));
     for (const NamedWalk &named : alongEdges) {
         if (!hasOrder) {
-            add(withWays(named, WalkOrder::Ascending));
+            add(withWays(named, SpanOrder::Ascending));
             continue;
         }
-        NamedWalk ofMethod = withWays(named, WalkOrder::Descending);
-        ofMethod.forAssistant += orderSentence(WalkOrder::Descending);
+        NamedWalk ofMethod = withWays(named, SpanOrder::Descending);
+        ofMethod.forAssistant += orderSentence(SpanOrder::Descending);
         add(ofMethod);
-        add(fromBelow(withWays(named, WalkOrder::Ascending)));
+        add(fromBelow(withWays(named, SpanOrder::Ascending)));
     }
     for (const Variant variant : variantsAlongEdges) {
         if (hasOrder)

@@ -40,7 +40,7 @@ public:
     /// The departures are the scene's; coordinates of spans are as seen from the end at which it
     /// begins.
     WalkedProgram(const ProgramWalk &walk, VariantSet departures, ByteRounding rounding,
-                  WalkOrder order, const WalkSide &side)
+                  SpanOrder order, const WalkSide &side)
         : m_walk(walk)
         , m_withRightEdges(walk.withRightEdges())
         , m_departures(departures)
@@ -64,17 +64,17 @@ public:
     /// ⌊ ⌋, the nearest or ⌈ ⌉ of what the program has.
     std::int64_t spanOf(Lattice coordinate, EndRounding rounding) const
     {
-        return m_order == WalkOrder::Ascending ? wholePixel(coordinate, rounding)
+        return m_order == SpanOrder::Ascending ? wholePixel(coordinate, rounding)
                                                : -wholePixel(-coordinate, rounding);
     }
     /// What becomes of its first and its last span.
     SpanEnd firstEnd() const
     {
-        return m_order == WalkOrder::Ascending ? m_walk.leastSpan : m_walk.greatestSpan;
+        return m_order == SpanOrder::Ascending ? m_walk.leastSpan : m_walk.greatestSpan;
     }
     SpanEnd lastEnd() const
     {
-        return m_order == WalkOrder::Ascending ? m_walk.greatestSpan : m_walk.leastSpan;
+        return m_order == SpanOrder::Ascending ? m_walk.greatestSpan : m_walk.leastSpan;
     }
     const WalkSide &side() const { return m_side; }
 
@@ -179,7 +179,7 @@ private:
     ProgramWalk m_walk, m_withRightEdges;
     VariantSet m_departures;
     ByteRounding m_rounding;
-    WalkOrder m_order;
+    SpanOrder m_order;
     WalkSide m_side;
 };
 

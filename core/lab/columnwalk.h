@@ -16,12 +16,12 @@ using WalkedValues = std::array<float, count>;
 
 /// y and the values where an edge meets a column.
 template <std::size_t count>
-struct WalkedEdge {
+struct EdgeStepper {
     float y, slope;
     WalkedValues<count> value, rate;
 
-    WalkedEdge(const LatticePoint &a, const WalkedValues<count> &atA, const LatticePoint &b,
-               const WalkedValues<count> &atB, std::int64_t column)
+    EdgeStepper(const LatticePoint &a, const WalkedValues<count> &atA, const LatticePoint &b,
+                const WalkedValues<count> &atB, std::int64_t column)
     {
         const auto pixels = [](Lattice units) { return float(units) / float(unitsPerPixel); };
         const float width = pixels(b.x) - pixels(a.x);
@@ -47,7 +47,7 @@ template <std::size_t count, class DrawColumn>
 void walkColumns(const Triangle &triangle, const std::array<WalkedValues<count>, 3> &values,
                  const DrawColumn &drawColumn)
 {
-    using Edge = WalkedEdge<count>;
+    using Edge = EdgeStepper<count>;
     const auto order = sortedByColumn(triangle);
     const auto at
         = [&](std::size_t i) { return triangle.vertices[std::size_t(order[i])].position; };

@@ -3,8 +3,8 @@
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 
-#include <QDirIterator>
-#include <QFile>
+#include <QDir>
+#include <QFileInfo>
 #include <QRegularExpression>
 #include <QTest>
 
@@ -16,34 +16,30 @@ using namespace pixelplumb;
 
 namespace {
 
-const QString tree = resource(QStringLiteral("/../"));
-
-QString textOf(const QString &path)
-{
-    QFile file(tree + path);
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-}
-
 /// Sources, scripts and documents of the tree, relative to it.
 QStringList filesOfTheTree()
 {
     QStringList paths = {QStringLiteral("README.md")};
     for (const char *folder : {"app", "core", "resources", "tests", "widgets"}) {
-        QDirIterator files(tree + QLatin1String(folder), QDir::Files, QDirIterator::Subdirectories);
-        while (files.hasNext()) {
-            const QFileInfo file(files.next());
+        for (const QString &path : filesBelow(QString::fromLatin1(folder), {})) {
             static const QRegularExpression kinds(QStringLiteral("^(h|cpp|md|py|sh|txt|1|)$"));
-            if (kinds.match(file.suffix()).hasMatch())
-                paths.append(QDir(tree).relativeFilePath(file.filePath()));
+            if (kinds.match(QFileInfo(path).suffix()).hasMatch())
+                paths.append(path);
         }
     }
     return paths;
 }
 
+/// Whether a test of this name, tst_columnscan, is one of the sources.
+bool hasTest(const QString &name)
+{
+    return filesBelow(QStringLiteral("tests"), {name + ".cpp"}).size() == 1;
+}
+
 /// As a person reads it: comments and adjacent literals without their line breaks.
 QString runningText(const QString &path)
 {
-    QString text = textOf(path);
+    QString text = textInTree(path);
     text.replace(QRegularExpression(QStringLiteral("\"\\s*\\n\\s*\"")), QString());
     text.replace(QRegularExpression(QStringLiteral("\\s*\\n\\s*(///?<?|[*-])?\\s*")),
                  QStringLiteral(" "));
@@ -63,7 +59,7 @@ QStringList captures(const QString &pattern, const QString &text)
 QMap<QString, QString> sectionsOfTheSources()
 {
     QMap<QString, QString> sections;
-    for (const QString &section : textOf("resources/sources.md").split(QStringLiteral("\n## ")))
+    for (const QString &section : textInTree("resources/sources.md").split(QStringLiteral("\n## ")))
         sections.insert(section.section(u'\n', 0, 0), section.section(u'\n', 1));
     return sections;
 }
@@ -116,7 +112,7 @@ private slots:
     void everyMethodAndLayerCitesACourseTextAndStandsInTheSources()
     {
         const QMap<QString, QString> sections = sectionsOfTheSources();
-        const QString text = textOf("resources/sources.md");
+        const QString text = textInTree("resources/sources.md");
         const auto verify = [&](const QString &id, const QString &source) {
             const bool cites = std::ranges::any_of(
                 sections.keys(), [&](const QString &name) { return source.contains(name); });
@@ -137,8 +133,8 @@ private slots:
 
     void everyCitedSectionOfTheNumericsIsThere()
     {
-        const QStringList sections
-            = captures(QStringLiteral("^###? (\\d(?:\\.\\d)?) "), textOf("resources/numerics.md"));
+        const QStringList sections = captures(QStringLiteral("^###? (\\d(?:\\.\\d)?) "),
+                                              textInTree("resources/numerics.md"));
         int cited = 0;
         for (const QString &path : filesOfTheTree()) {
             const QString place
@@ -154,38 +150,59 @@ private slots:
 
     void everyFileAndTestThatADocumentNamesIsThere()
     {
-        QString code;
         const QStringList files = filesOfTheTree();
+        QString code;
+        QSet<QString> fileNames;
         for (const QString &path : files) {
+            fileNames.insert(path.section(u'/', -1));
             if (path.endsWith(QLatin1String(".cpp")) || path.endsWith(QLatin1String(".h")))
-                code += textOf(path);
+                code += textInTree(path);
         }
-        for (const QString &path : files.filter(QRegularExpression("\\.md$"))) {
-            const QString text = textOf(path);
+        for (const QString &path : documents()) {
+            const QString text = textInTree(path);
             const QString place
                 = QStringLiteral("(?<![\\w/.])((?:app|core|resources|tests|widgets)/[\\w./-]*\\w)");
             for (const QString &named : captures(place, text))
-                QVERIFY2(QFileInfo::exists(tree + named), qPrintable(path + u' ' + named));
-            for (const QString &test : captures(QStringLiteral("`(tst_\\w+)`"), text)) {
-                const QString source = u'/' + test + QStringLiteral(".cpp");
-                const bool exists = std::ranges::any_of(
-                    files, [&source](const QString &path) { return path.endsWith(source); });
-                QVERIFY2(exists, qPrintable(test));
-            }
+                QVERIFY2(QFileInfo::exists(inTree(named)), qPrintable(path + u' ' + named));
+            const QDir folder = QFileInfo(inTree(path)).dir();
+            for (const QString &target : captures(QStringLiteral("\\]\\(([^)#:]+)\\)"), text))
+                QVERIFY2(folder.exists(target), qPrintable(path + u' ' + target));
+            for (const QString &file : captures(QStringLiteral("`([\\w-]+\\.(?:h|cpp|md))`"), text))
+                QVERIFY2(fileNames.contains(file), qPrintable(path + u' ' + file));
+            for (const QString &test : captures(QStringLiteral("`(tst_\\w+)`"), text))
+                QVERIFY2(hasTest(test), qPrintable(path + u' ' + test));
         }
-        const QString numerics = textOf("resources/numerics.md");
+        const QString numerics = textInTree("resources/numerics.md");
         for (const QString &name : captures(QStringLiteral("`([a-z]+[A-Z0-9]\\w+)[`…]"), numerics))
             QVERIFY2(code.contains(name), qPrintable(name));
     }
 
+    void everyFolderOfTheLibrariesIsToldOf()
+    {
+        const QString text = textInTree("resources/extending.md");
+        for (const char *library : {"core", "widgets"}) {
+            const QStringList folders
+                = QDir(inTree(library)).entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+            QVERIFY(folders.size() > 5);
+            for (const QString &folder : folders)
+                QVERIFY2(text.contains(u'`' + folder + u'`'), qPrintable(folder));
+        }
+    }
+
+    void theReadmeIsAPage()
+    {
+        const qsizetype bytes = textInTree("README.md").toUtf8().size();
+        QVERIFY2(bytes > 1000 && bytes <= 6 * 1024, qPrintable(QString::number(bytes)));
+    }
+
     void theEveningsReadingHasAtMost2500Lines()
     {
-        const QStringList files
-            = captures(QStringLiteral("^\\| `([\\w/]+\\.(?:h|cpp))` \\|"), textOf("README.md"));
+        const QStringList files = captures(QStringLiteral("^\\| `([\\w/]+\\.(?:h|cpp))` \\|"),
+                                           textInTree("resources/extending.md"));
         QVERIFY(files.size() > 10);
         qsizetype lines = 0;
         for (const QString &file : files) {
-            const QString text = textOf(file);
+            const QString text = textInTree(file);
             QVERIFY2(!text.isEmpty(), qPrintable(file));
             lines += text.count(u'\n');
         }

@@ -6,13 +6,14 @@
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 
-#include <QDirIterator>
 #include <QRegularExpression>
 #include <QtTest>
 
 #include <algorithm>
 
 namespace tst_folderorder {
+
+using namespace pixelplumb;
 
 namespace {
 
@@ -113,18 +114,12 @@ private slots:
     {
         QFETCH(qsizetype, library);
         const Library &checked = libraries()[library];
-        const QDir root(resource(QStringLiteral("/..")) + u'/' + checked.name);
         QStringList complaints;
         QSet<QString> seen;
-        QDirIterator files(root.path(), {"*.h", "*.cpp"}, QDir::Files,
-                           QDirIterator::Subdirectories);
-        while (files.hasNext()) {
-            QFile file(files.next());
-            QVERIFY(file.open(QIODevice::ReadOnly));
-            const QString path = root.relativeFilePath(file.fileName());
-            const QString folder = path.section(u'/', 0, 0);
+        for (const QString &path : filesBelow(checked.name)) {
+            const QString folder = path.section(u'/', 1, 1);
             seen.insert(folder);
-            for (const QString &included : includesOf(QString::fromUtf8(file.readAll()))) {
+            for (const QString &included : includesOf(textInTree(path))) {
                 const QString complaint = complaintAbout(checked, folder, included);
                 if (!complaint.isEmpty())
                     complaints.append(path + u' ' + included + QStringLiteral(": ") + complaint);

@@ -26,10 +26,13 @@ for file in \
     share/bash-completion/completions/pixelplumb-cli \
     share/zsh/vendor-completions/_pixelplumb-cli \
     share/doc/pixelplumb/GPL-3.0-or-later.txt \
+    share/doc/pixelplumb/assignment-file.md \
+    share/doc/pixelplumb/glossary.md \
     share/doc/pixelplumb/misprints.md \
     share/doc/pixelplumb/numerics.md \
     share/doc/pixelplumb/scene-file.md \
     share/doc/pixelplumb/sources.md \
+    share/doc/pixelplumb/student-program.md \
     share/pixelplumb/scenes/default.json; do
     [[ -s $scratch/$file ]] || fail "$file is not installed"
 done

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
+#include <QStringList>
 
 namespace pixelplumb {
 
@@ -11,5 +11,18 @@ namespace pixelplumb {
 QString resource(const QString &path);
 /// That of a file of tests/data: "hard_cases.json".
 QString testData(const QString &name);
+
+/// The path of a file or folder that is named from the root of the tree: "core/scan".
+QString inTree(const QString &path);
+
+/// The text of a file that is named from the root of the tree; empty where it cannot be read.
+QString textInTree(const QString &path);
+
+/// The files below a folder of the tree, as paths from its root, in alphabetical order.
+/// `patterns`: wildcards of which a file's name matches one.
+QStringList filesBelow(const QString &folder, const QStringList &patterns = {"*.h", "*.cpp"});
+
+/// README and the documents in resources/, as paths from the root of the tree.
+QStringList documents();
 
 } // namespace pixelplumb

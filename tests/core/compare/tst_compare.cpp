@@ -135,7 +135,7 @@ private slots:
         QVERIFY(!pixel.opinions[1].written);
         const Deviation &deviation = pixel.opinions[1].deviation;
         QCOMPARE(deviation.kind, Difference::Missing);
-        QCOMPARE(deviation.bound, SpanBound::Lower);
+        QCOMPARE(deviation.bound, DecidingBound::Lower);
         QCOMPARE(deviation.exact, Quantity::integer(1));
         QCOMPARE(deviation.used, Quantity::of(1.0000001f));
         QVERIFY(deviation.isTie);

@@ -81,7 +81,7 @@ private slots:
                 const Scene scene
                     = randomScene(random, QString::fromLatin1(method), FillRule::Closed);
                 const Picture right = pictureOf(scene);
-                for (const WalkOrder order : {WalkOrder::Ascending, WalkOrder::Descending})
+                for (const SpanOrder order : {SpanOrder::Ascending, SpanOrder::Descending})
                     QCOMPARE(redrawn(scene, {walking({.order = order})}), right);
             }
         }

@@ -135,7 +135,7 @@ class TestDialogNames : public QObject {
 private slots:
     void everyPromisedDialogIsOpened()
     {
-        QStringList promised = promisedDialogs;
+        QStringList promised = promisedNames(PromisedObject::Dialog);
         promised.sort();
         QCOMPARE(QStringList(ways().keys()), promised);
     }

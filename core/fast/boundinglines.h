@@ -7,7 +7,7 @@ namespace pixelplumb {
 
 /// One edge as a line over the columns (or rows): ⌈constant + slope · n⌉ bounds the span of column
 /// n, as its first row or as the row after its last.
-struct EdgeLine {
+struct BoundingLine {
     double constant = 0;
     double slope = 0;
 };
@@ -22,18 +22,18 @@ struct EdgeLine {
 /// numerator below 2^49 that double holds exactly, so |constant| <= 2^40/ΔX; |slope · n| = |ΔY ·
 /// (1/ΔX) · n| <= 2^39/ΔX. The reciprocal, each product and the sum add 2^-53 of themselves: an
 /// error of at most 2^-53·(3·2^40 + 4·2^39)/ΔX < 2^-10/ΔX, half of 1/(2D) = 2^-9/ΔX.
-struct EdgeLines {
-    std::array<EdgeLine, 2> lower; ///< the same one twice where there is but one
-    std::array<EdgeLine, 2> upper;
+struct BoundingLines {
+    std::array<BoundingLine, 2> lower; ///< the same one twice where there is but one
+    std::array<BoundingLine, 2> upper;
 
-    EdgeLines(const TriangleBatch &batch, std::size_t i)
+    BoundingLines(const TriangleBatch &batch, std::size_t i)
         : lower{line(batch, i, 0), line(batch, i, 1)}
         , upper{line(batch, i, 2), line(batch, i, 3)}
     {
     }
 
 private:
-    static EdgeLine line(const TriangleBatch &batch, std::size_t i, std::size_t which)
+    static BoundingLine line(const TriangleBatch &batch, std::size_t i, std::size_t which)
     {
         return {batch.lineConstant[which][i], batch.lineSlope[which][i]};
     }
