@@ -78,9 +78,10 @@ QImage grabbed(MainWindow &window, const QString &name)
     return picture;
 }
 
-QString readingFault(QWidget &part)
+QString readingFault(const QWidget &part)
 {
-    const QImage picture = part.grab().toImage();
+    QWidget *whole = part.window();
+    const QImage picture = whole->grab(QRect(part.mapTo(whole, QPoint()), part.size())).toImage();
     std::map<QRgb, int> pixelsOf;
     for (int y = 0; y < picture.height(); ++y) {
         for (int x = 0; x < picture.width(); ++x)

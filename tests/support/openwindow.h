@@ -35,6 +35,6 @@ QImage grabbed(MainWindow &window, const QString &name);
 
 /// Why a part cannot be read as it is drawn: its ground, the most frequent colour, is not that of
 /// the application's palette, or hardly a pixel has a contrast of 4.5 to it. Empty where it can.
-QString readingFault(QWidget &part);
+QString readingFault(const QWidget &part);
 
 } // namespace pixelplumb

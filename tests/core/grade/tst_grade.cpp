@@ -114,7 +114,9 @@ private slots:
     {
         QVERIFY(!m_assignment.scenes.empty());
         const std::vector<Defect> defects = defectsOf(m_assignment);
-        m_alone = casesToRun(defects, groupOf);
+        for (std::size_t i = 0; i < defects.size(); i += 2) // each takes a diagnosis
+            m_alone.push_back(defects[i]);
+        m_alone = casesToRun(m_alone, groupOf);
         QVERIFY(deliverClass(m_folder, m_alone));
         QVERIFY(deliverClass(m_few, {defects[0], defects[defects.size() / 2]}));
         QVERIFY(deliver(m_few.filePath(QStringLiteral("subs/two")), m_assignment,
@@ -174,7 +176,7 @@ private slots:
         graded(orderOf(m_few, "first"));
         graded(orderOf(m_few, "again", 1));
         const auto files = filesIn(m_few.filePath(QStringLiteral("first")));
-        QVERIFY(files.size() > 20);
+        QVERIFY(files.size() > 8); // more than submissions
         QVERIFY(filesIn(m_few.filePath(QStringLiteral("again"))) == files);
     }
 

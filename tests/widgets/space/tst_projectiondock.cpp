@@ -302,13 +302,13 @@ private slots:
         QTRY_VERIFY(panel->isVisible());
         QTRY_VERIFY(view->height() > 150);
         grabbed(*window, QStringLiteral("projection"));
-        QCOMPARE(readingFault(*view), QString());
-        QCOMPARE(readingFault(*panel), QString());
+        QTRY_COMPARE(readingFault(*view), QString());
+        QTRY_COMPARE(readingFault(*panel), QString());
         named<QTabWidget>(*window, "projectionTabs")->setCurrentIndex(1);
         auto *surfaces = named<SurfacesPanel>(*window, "surfacesPanel");
         QTRY_VERIFY(!surfaces->figures().empty());
         grabbed(*window, QStringLiteral("surfaces"));
-        QCOMPARE(readingFault(*surfaces), QString());
+        QTRY_COMPARE(readingFault(*surfaces), QString());
     }
 };
 

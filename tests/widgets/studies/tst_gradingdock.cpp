@@ -174,7 +174,7 @@ private slots:
         QTest::qWait(50);
         grabbed(*window, "grading");
         for (const char *part : {"gradingTable", "gradingSentences"})
-            QCOMPARE(readingFault(*named<QWidget>(*window, part)), QString());
+            QTRY_COMPARE(readingFault(*named<QWidget>(*window, part)), QString());
         press(*window, Qt::Key_K);
         QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "ada · small", longestWait);
         QCOMPARE(table(*window)->currentIndex().row(), 0);

@@ -172,8 +172,8 @@ private slots:
         open();
 
         grabbed(*m_window, QStringLiteral("precision"));
-        QCOMPARE(readingFault(*m_panel->plot()), QString());
-        QCOMPARE(readingFault(*m_panel), QString());
+        QTRY_COMPARE(readingFault(*m_panel->plot()), QString());
+        QTRY_COMPARE(readingFault(*m_panel), QString());
     }
 
 private:
