@@ -45,9 +45,9 @@ inline FrameSpec frameAround(const Place &place)
 }
 
 /// By the scan under its own rules, by the oracle under the others.
-inline Drawing drawn(const Triangle &triangle, FillRule rule, const FrameSpec &frame)
+inline ScanPicture drawn(const Triangle &triangle, FillRule rule, const FrameSpec &frame)
 {
-    Drawing drawing(frame);
+    ScanPicture drawing(frame);
     if (rule == FillRule::TopLeft)
         drawing.drawByOracle(triangle, {Arithmetic::Exact, rule});
     else
@@ -64,7 +64,7 @@ inline Triangle mapped(Triangle triangle, LatticePoint (*map)(LatticePoint))
 
 /// A covered sample at (x, y) must be covered, in the same colour, at its image, and the other way.
 template <class Image>
-bool isImage(const Drawing &original, const Drawing &image, const Image &at)
+bool isImage(const ScanPicture &original, const ScanPicture &image, const Image &at)
 {
     const FrameSpec &frame = original.spec();
     for (std::int64_t y = frame.firstRow; y < frame.firstRow + frame.height; ++y) {

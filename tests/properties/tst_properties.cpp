@@ -26,7 +26,7 @@ private slots:
             const Place place = somePlace();
             const Triangle triangle = someTriangle(place);
             for (const FillRule rule : {FillRule::Closed, FillRule::HalfOpenColumn}) {
-                const Drawing expected = drawn(triangle, rule, frameAround(place));
+                const ScanPicture expected = drawn(triangle, rule, frameAround(place));
                 std::array<std::size_t, 3> order = {0, 1, 2};
                 while (std::ranges::next_permutation(order).found) {
                     const Triangle permuted
@@ -75,7 +75,7 @@ private slots:
             const FrameSpec inY = frameOf(frame.width, frame.height, frame.firstColumn,
                                           -(frame.firstRow + frame.height - 1));
             RC_PRE(doubledArea(triangle) != 0);
-            const Drawing expected = drawn(triangle, FillRule::Closed, frame);
+            const ScanPicture expected = drawn(triangle, FillRule::Closed, frame);
             RC_ASSERT(isImage(expected,
                               drawn(mapped(triangle,
                                            [](LatticePoint p) {
@@ -129,13 +129,13 @@ private slots:
             const FrameSpec turnedFrame
                 = frameOf(frame.width, frame.height, -(frame.firstColumn + frame.width - 1),
                           -(frame.firstRow + frame.height - 1));
-            const Drawing closed = drawn(triangle, FillRule::Closed, frame);
-            const Drawing halfOpen = drawn(triangle, FillRule::HalfOpenColumn, frame);
-            const Drawing turned = drawn(mapped(triangle,
-                                                [](LatticePoint p) {
-                                                    return LatticePoint{-p.x, -p.y};
-                                                }),
-                                         FillRule::HalfOpenColumn, turnedFrame);
+            const ScanPicture closed = drawn(triangle, FillRule::Closed, frame);
+            const ScanPicture halfOpen = drawn(triangle, FillRule::HalfOpenColumn, frame);
+            const ScanPicture turned = drawn(mapped(triangle,
+                                                    [](LatticePoint p) {
+                                                        return LatticePoint{-p.x, -p.y};
+                                                    }),
+                                             FillRule::HalfOpenColumn, turnedFrame);
             for (std::int64_t y = frame.firstRow; y < frame.firstRow + frame.height; ++y) {
                 for (std::int64_t x = frame.firstColumn; x < frame.firstColumn + frame.width; ++x) {
                     const auto verdict = oracle::judge(triangle, FillRule::Closed, x, y);
@@ -195,7 +195,7 @@ private slots:
             const Place place = somePlace();
             const Triangle triangle = someTriangle(place);
             const FrameSpec frame = frameAround(place);
-            const Drawing drawing = drawn(triangle, FillRule::Closed, frame);
+            const ScanPicture drawing = drawn(triangle, FillRule::Closed, frame);
             for (std::int64_t y = frame.firstRow; y < frame.firstRow + frame.height; ++y) {
                 for (std::int64_t x = frame.firstColumn; x < frame.firstColumn + frame.width; ++x) {
                     if (drawing.at(x, y) == 0)
@@ -269,7 +269,7 @@ private slots:
     }
 
 private:
-    static void count(std::vector<int> &times, const Drawing &drawing)
+    static void count(std::vector<int> &times, const ScanPicture &drawing)
     {
         const FrameSpec &frame = drawing.spec();
         for (std::size_t i = 0; i < times.size(); ++i) {

@@ -31,9 +31,9 @@ inline Triangle triangleAtUnits(LatticePoint a, LatticePoint b, LatticePoint c)
 inline const Method &columnScan() { return *methodNamed(u"column-scan"); }
 
 /// A picture drawn on a background that no kernel writes (alpha 0), so that coverage shows.
-class Drawing {
+class ScanPicture {
 public:
-    explicit Drawing(const FrameSpec &spec)
+    explicit ScanPicture(const FrameSpec &spec)
         : m_frame(spec)
     {
         clear();
@@ -78,7 +78,7 @@ public:
     }
     std::int64_t count() const { return text().count(u'#'); }
 
-    friend bool operator==(const Drawing &a, const Drawing &b)
+    friend bool operator==(const ScanPicture &a, const ScanPicture &b)
     {
         const FrameView view = a.m_frame.view();
         for (std::int64_t y = view.firstRow; y < view.endRow(); ++y) {
@@ -97,7 +97,7 @@ private:
 inline QString coverageText(const Triangle &triangle, const FrameSpec &spec,
                             const ScanSettings &settings = {})
 {
-    Drawing drawing(spec);
+    ScanPicture drawing(spec);
     drawing.drawByMethod(triangle, settings);
     return drawing.text();
 }

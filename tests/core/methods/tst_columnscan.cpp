@@ -95,7 +95,7 @@ private slots:
     void paintsTheTipWhereRoundedEdgesPassEachOther()
     {
         // In float64 L₁₂ comes down to a little less than y₂ = 4, and L₀₂ up to a little more.
-        Drawing drawing(frameOf(48, 40));
+        ScanPicture drawing(frameOf(48, 40));
         drawing.drawByMethod(triangleAt(24, 0, 42, 4, 10, 37),
                              {Arithmetic::Float64, FillRule::Closed, ByteRounding::Nearest});
         QVERIFY(drawing.at(42, 4) != 0);
@@ -139,13 +139,13 @@ private slots:
     void drawsTheSamePictureForEveryOrderOfTheVertices()
     {
         const Triangle triangle = triangleAt(2, 1, 29, 11, 13, 27);
-        Drawing expected(frameOf(32, 32));
+        ScanPicture expected(frameOf(32, 32));
         expected.drawByMethod(triangle, {});
         std::array<std::size_t, 3> order = {0, 1, 2};
         do {
             const Triangle permuted = {{triangle.vertices[order[0]], triangle.vertices[order[1]],
                                         triangle.vertices[order[2]]}};
-            Drawing drawing(frameOf(32, 32));
+            ScanPicture drawing(frameOf(32, 32));
             drawing.drawByMethod(permuted, {});
             QVERIFY(drawing == expected);
         } while (std::ranges::next_permutation(order).found);
@@ -161,10 +161,10 @@ private slots:
             const auto &v = triangle.vertices;
             if (doubledArea(v[0].position, v[1].position, v[2].position) == 0)
                 continue; // the plain loop does not know which of three points in a line is last
-            Drawing drawing(spec);
+            ScanPicture drawing(spec);
             drawing.drawByMethod(triangle,
                                  {Arithmetic::Float32, FillRule::Closed, ByteRounding::Nearest});
-            Drawing expected(spec);
+            ScanPicture expected(spec);
             expected.draw([&](FrameView frame) {
                 plain::drawTriangle({plainVertex(v[0]), plainVertex(v[1]), plainVertex(v[2])},
                                     frame);
@@ -186,7 +186,7 @@ private slots:
     void takesTheVertexColoursAtTheVertices()
     {
         for (const Arithmetic arithmetic : allArithmetics) {
-            Drawing drawing(frameOf(32, 32));
+            ScanPicture drawing(frameOf(32, 32));
             drawing.drawByMethod(triangleAt(2, 1, 29, 11, 13, 27),
                                  {arithmetic, FillRule::Closed, ByteRounding::Nearest});
             QCOMPARE(drawing.at(2, 1), packed(red));
@@ -201,9 +201,9 @@ private slots:
     {
         // The same triangle in a frame that shows all of it and in a window far inside.
         const Triangle triangle = triangleAtUnits({-5000, 311}, {39000, 7001}, {9111, 27777});
-        Drawing whole(frameOf(200, 128, -32, -8));
+        ScanPicture whole(frameOf(200, 128, -32, -8));
         whole.drawByMethod(triangle, {});
-        Drawing window(frameOf(17, 13, 40, 30));
+        ScanPicture window(frameOf(17, 13, 40, 30));
         window.drawByMethod(triangle, {});
         for (std::int64_t y = 30; y < 43; ++y) {
             for (std::int64_t x = 40; x < 57; ++x)
@@ -248,9 +248,9 @@ private slots:
         for (Vertex &vertex : triangle.vertices)
             vertex.colour = {{0, 0, 0}};
         triangle.vertices[1].colour = {{2, 0, 0}}; // 2/3 level a column
-        Drawing nearest(frameOf(4, 4));
+        ScanPicture nearest(frameOf(4, 4));
         nearest.drawByMethod(triangle, {});
-        Drawing truncated(frameOf(4, 4));
+        ScanPicture truncated(frameOf(4, 4));
         truncated.drawByMethod(triangle,
                                {Arithmetic::Exact, FillRule::Closed, ByteRounding::Truncate});
         QCOMPARE(qRed(nearest.at(1, 0)), 1);

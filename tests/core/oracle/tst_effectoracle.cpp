@@ -142,7 +142,7 @@ private slots:
             const ScanSettings settings = {Arithmetic::Exact, rule, ByteRounding::Truncate};
             const FrameSpec spec = frameOf(24, 24, -12, -12);
             Primitives primitives;
-            Drawing byTriangle(spec);
+            ScanPicture byTriangle(spec);
             for (int i = 0; i < 12; ++i) {
                 const auto coordinate = [&] { return Lattice(random.bounded(-4, 5)) * 512; };
                 Triangle triangle
@@ -154,7 +154,7 @@ private slots:
                 });
             }
             primitives.appearance.depth = DepthUse::Off;
-            Drawing byEffects(spec);
+            ScanPicture byEffects(spec);
             byEffects.draw([&](FrameView frame) {
                 oracle::drawEffects(primitives, settings, oracle::truthOf(primitives.appearance),
                                     frame);
@@ -170,7 +170,7 @@ private slots:
         primitives.triangles = {triangleAt(0, 0, 3, 3, 6, 6)};
         primitives.appearance.depth = DepthUse::Off;
         const auto count = [&] {
-            Drawing drawing(frameOf(8, 8));
+            ScanPicture drawing(frameOf(8, 8));
             drawing.draw([&](FrameView frame) {
                 oracle::drawEffects(primitives, closedRule, oracle::truthOf(primitives.appearance),
                                     frame);

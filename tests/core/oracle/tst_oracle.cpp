@@ -54,9 +54,9 @@ FrameSpec windowOn(const Triangle &triangle, std::int32_t side, int edge, int si
 bool agree(const Triangle &triangle, const FrameSpec &spec, FillRule rule, ByteRounding rounding)
 {
     const ScanSettings settings{Arithmetic::Exact, rule, rounding};
-    Drawing byScan(spec);
+    ScanPicture byScan(spec);
     byScan.drawByMethod(triangle, settings);
-    Drawing byOracle(spec);
+    ScanPicture byOracle(spec);
     byOracle.drawByOracle(triangle, settings);
     return byScan == byOracle;
 }
@@ -79,8 +79,8 @@ private slots:
     {
         QFETCH(FillRule, rule);
         const ScanSettings settings{Arithmetic::Exact, rule, ByteRounding::Nearest};
-        Drawing byScan(frameOf(8, 8));
-        Drawing byOracle(frameOf(8, 8));
+        ScanPicture byScan(frameOf(8, 8));
+        ScanPicture byOracle(frameOf(8, 8));
         std::int64_t disagreements = 0;
         std::int64_t compared = 0;
         for (int code = 0; code < 64 * 64 * 64; ++code) {
@@ -179,7 +179,7 @@ private slots:
             }
             const auto area
                 = std::int64_t(absolute(doubledArea(triangle))) / (unitsPerPixel * unitsPerPixel);
-            Drawing drawing(frameOf(61, 61, -30, -30));
+            ScanPicture drawing(frameOf(61, 61, -30, -30));
             drawing.drawByMethod(triangle, {});
             RC_ASSERT(2 * drawing.count() == area + boundary + 2);
         });
