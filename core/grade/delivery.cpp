@@ -13,15 +13,6 @@ namespace {
 
 constexpr std::array pictureEnds = {".png", ".ppm", ".bmp", ".txt"};
 
-/// Bytes that are read of a picture's file: whatever a picture of the frame takes, as text with a
-/// word a level, too; of small ones more, for whoever enlarged it is to be told.
-std::int64_t largestFileFor(const FrameSpec &frame)
-{
-    constexpr std::int64_t bytesOfPixel = 12; // "255 255 255 "
-    constexpr std::int64_t least = std::int64_t(64) << 20;
-    return std::max(least, bytesOfPixel * frame.width * frame.height);
-}
-
 bool hasPictureEnd(const QByteArray &name)
 {
     return std::ranges::any_of(pictureEnds,
@@ -179,7 +170,7 @@ Delivery deliveredPicture(const SubmissionEntry &entry, const AssignedScene &sce
 {
     Delivery delivery;
     delivery.file = escapedName(file.name);
-    const Result<QByteArray> content = entry.read(file, largestFileFor(scene.scene.frame));
+    const Result<QByteArray> content = entry.read(file, largestPictureFileOf(scene.scene.frame));
     if (content)
         take(*content, readStudentOutput(*content, scene.scene, delivery.file), scene.scene.frame,
              delivery);

@@ -144,6 +144,13 @@ QString sizeHint(const QSize &size, const QSize &expected)
     return QStringLiteral(", %1 times as many each way, as if enlarged").arg(times);
 }
 
+std::int64_t largestPictureFileOf(const FrameSpec &frame)
+{
+    constexpr std::int64_t bytesOfPixel = 12; // "255 255 255 "
+    constexpr std::int64_t least = std::int64_t(64) << 20;
+    return std::max(least, bytesOfPixel * frame.width * frame.height);
+}
+
 bool isPictureFormat(const QByteArray &format)
 {
     static const QList<QByteArray> formats = {"png", "ppm", "pgm", "pbm", "bmp"};

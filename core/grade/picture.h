@@ -56,6 +56,10 @@ Picture truePictureOf(const Scene &scene);
 /// and raster.
 inline constexpr std::int64_t largestPictureFile = (largestFrameArea << 2) + (1 << 20);
 
+/// The same of a picture of the frame: as text with a word a level, too; of a small one more, for
+/// whoever enlarged it is to be told.
+std::int64_t largestPictureFileOf(const FrameSpec &frame);
+
 /// "png", "ppm" …: the formats that are read, by their names in Qt.
 bool isPictureFormat(const QByteArray &format);
 
