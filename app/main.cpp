@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/console.h"
 #include "app/cli/suggestion.h"
 #include "core/methods/method.h"
 #include "core/scan/choicenames.h"
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <string_view>
@@ -30,8 +30,6 @@
 using namespace pixelplumb;
 
 namespace {
-
-constexpr int usageError = 2;
 
 template <class Choices>
 QString listed(const Choices &choices)
@@ -65,14 +63,22 @@ struct Options {
         QCoreApplication::translate("main", "Instead of the scene's, one of: %1.")
             .arg(listed(allFillRules)),
         QStringLiteral("name")};
+
+    QList<QCommandLineOption> all() const
+    {
+        return {palette, position, column, method, arithmetic, fillRule};
+    }
 };
 
 /// Ends the program when something given cannot be meant.
+[[noreturn]] void refuse(const QString &what)
+{
+    cli::sayLine(QStringLiteral("pixelplumb: ") + what);
+    std::exit(int(cli::ExitCode::Usage));
+}
 [[noreturn]] void refuse(const QString &option, const QString &value, const QString &expected)
 {
-    std::fprintf(stderr, "pixelplumb: --%s %s: expected %s\n", qPrintable(option),
-                 qPrintable(value), qPrintable(expected));
-    std::exit(usageError);
+    refuse(QStringLiteral("--%1 %2: expected %3").arg(option, value, expected));
 }
 
 qlonglong numberOf(const QCommandLineParser &parser, const QCommandLineOption &option)
@@ -82,6 +88,15 @@ qlonglong numberOf(const QCommandLineParser &parser, const QCommandLineOption &o
     if (!isNumber)
         refuse(option.names().constFirst(), parser.value(option), QStringLiteral("an integer"));
     return number;
+}
+
+std::size_t stepsOf(const QCommandLineParser &parser, const Options &options)
+{
+    const qlonglong steps = numberOf(parser, options.position);
+    if (steps < 0)
+        refuse(QStringLiteral("position"), parser.value(options.position),
+               QStringLiteral("0 or more"));
+    return std::size_t(steps);
 }
 
 /// Lays the command line's settings over the scene's; they do not count as a change to be saved.
@@ -122,8 +137,7 @@ void setOpeningPlace(MainWindow &window, const QCommandLineParser &parser, const
                      const OpeningPlace &otherwise)
 {
     if (parser.isSet(options.position))
-        window.setOpeningPlace(
-            std::size_t(std::max(qlonglong(0), numberOf(parser, options.position))));
+        window.setOpeningPlace(stepsOf(parser, options));
     else if (parser.isSet(options.column))
         window.setOpeningPlace(OpeningColumn{numberOf(parser, options.column)});
     else
@@ -143,11 +157,9 @@ void open(MainWindow &window, const QCommandLineParser &parser, const Options &o
     const QStringList paths = parser.positionalArguments();
     if (paths.isEmpty())
         return;
-    if (paths.size() > 1) {
-        std::fprintf(stderr, "pixelplumb: %s: expected one scene, or one folder of results\n",
-                     qPrintable(paths[1]));
-        std::exit(usageError);
-    }
+    if (paths.size() > 1 || paths.constFirst().isEmpty())
+        refuse(QStringLiteral("“%1”: expected one scene, or one folder of results")
+                   .arg(paths.constLast()));
     if (QFileInfo(paths.constFirst()).isDir())
         return window.openResults(paths.constFirst());
     if (!window.openScene(paths.constFirst()))
@@ -180,8 +192,7 @@ void describe(QCommandLineParser &parser, const Options &options)
                                     "A scene file to open, or a folder of results of "
                                     "pixelplumb-cli grade, to look through in Grading."),
         QStringLiteral("[scene | results]"));
-    parser.addOptions({options.palette, options.position, options.column, options.method,
-                       options.arithmetic, options.fillRule});
+    parser.addOptions(options.all());
 }
 
 /// Help and the version are told without a display, where a QApplication would end the program.
@@ -212,6 +223,13 @@ int main(int argc, char *argv[])
     const Options options;
     QCommandLineParser parser;
     describe(parser, options);
+    if (!parser.parse(QCoreApplication::arguments()))
+        refuse(parser.errorText());
+    for (const QCommandLineOption &option : options.all()) {
+        if (parser.values(option).size() > 1)
+            refuse(QStringLiteral("--%1 stands twice; expected it once")
+                       .arg(option.names().constFirst()));
+    }
     parser.process(*application); // prints help and the version, and ends the program
     QApplication::setDesktopFileName(QStringLiteral("org.pixelplumb.Pixelplumb"));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/pixelplumb.svg")));

@@ -6,6 +6,8 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 
+#include <algorithm>
+
 namespace pixelplumb::cli {
 
 namespace {
@@ -114,6 +116,13 @@ std::optional<ExitCode> CommandLine::parse(const QStringList &arguments)
         const Positional &missing = m_positionals[std::size_t(positionals.size())];
         return refuse(QStringLiteral("%1 is missing: %2").arg(missing.name, missing.meaning));
     }
+    // What follows the first of several may be empty: a program's arguments.
+    for (qsizetype place = 0; place < std::min(positionals.size(), expected); ++place) {
+        const Positional &positional = m_positionals[std::size_t(place)];
+        if (positionals[place].isEmpty())
+            return refuse(
+                QStringLiteral("%1 is empty: %2").arg(positional.name, positional.meaning));
+    }
     const bool takesMore = expected > 0 && presence(expected - 1) == Positional::Presence::Several;
     if (positionals.size() > expected && !takesMore)
         return refuse(QStringLiteral("unexpected argument “%1”").arg(argument(expected)));
@@ -194,7 +203,7 @@ void CommandLine::printHelp() const
     // command.
     const QString help = m_parser.helpText();
     const QString usage = QStringLiteral("Usage: ") + words.join(u' ');
-    printLine((usage + help.sliced(help.indexOf(u'\n'))).trimmed());
+    printLines((usage + help.sliced(help.indexOf(u'\n'))).trimmed().split(u'\n'));
 }
 
 } // namespace pixelplumb::cli

@@ -45,8 +45,9 @@ ExitCode compare(const Command &command, const QStringList &arguments)
     const auto format = pictureFormatOf(line, drawingOption);
     if (!format)
         return line.refuse(format.error());
-    if (line.value(drawingOption) == QStringLiteral("-"))
-        return line.refuse(QStringLiteral("-o -: standard output gets the table; expected a file"));
+    if (const auto refusal
+        = refusalOfStandardOutput(line.value(drawingOption), QStringLiteral("a file")))
+        return line.refuse(*refusal);
     const Result<Scene> scene = readScene(line, line.argument(0));
     if (!scene)
         return line.refuse(scene.error());
@@ -79,7 +80,7 @@ ExitCode compare(const Command &command, const QStringList &arguments)
     else
         printLines(textOf(report));
     if (line.isSet(drawingOption)) {
-        Output output(line.value(drawingOption), {line.argument(0)});
+        Output output(line.value(drawingOption));
         if (const auto error = writePicture(pictureOf(*contest), output, *format))
             return line.refuse(*error);
     }

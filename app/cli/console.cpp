@@ -2,6 +2,8 @@
 #include "app/cli/console.h"
 
 #include "core/grade/showntext.h"
+#include "core/scene/inputrecord.h"
+#include "core/scene/shortened.h"
 
 #include <cstdio>
 
@@ -9,27 +11,38 @@ namespace pixelplumb::cli {
 
 namespace {
 
-void writeLine(std::FILE *stream, const QString &line)
+/// Where a stream leads to an input it would harm it: even a refusal is kept back.
+void writeBytes(std::FILE *stream, const QByteArray &bytes)
 {
-    const QByteArray bytes = line.toUtf8() + '\n';
+    if (isInput(fileno(stream)))
+        return;
     std::fwrite(bytes.constData(), 1, std::size_t(bytes.size()), stream);
 }
 
 } // namespace
 
-void printLine(const QString &line) { writeLine(stdout, line); }
-
-void printLines(const QStringList &lines)
+QByteArray shownLines(const QStringList &lines)
 {
+    QByteArray bytes;
     for (const QString &line : lines)
-        printLine(line);
+        bytes += escapedControls(line).toUtf8() + '\n';
+    return bytes;
 }
+
+void printLine(const QString &line) { printLines({line}); }
+
+void printLines(const QStringList &lines) { writeBytes(stdout, shownLines(lines)); }
 
 void printJson(const QJsonDocument &document)
 {
-    printLine(QString::fromUtf8(document.toJson().chopped(1)));
+    writeBytes(stdout, escapedJson(document.toJson()));
 }
 
-void sayLine(const QString &line) { writeLine(stderr, escapedControls(line)); }
+void sayLine(const QString &line)
+{
+    constexpr qsizetype longestLine
+        = 4000; // characters; a word of a command line may have millions
+    writeBytes(stderr, shownLines({shortened(line, longestLine)}));
+}
 
 } // namespace pixelplumb::cli

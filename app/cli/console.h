@@ -15,11 +15,13 @@ enum class ExitCode {
     Internal = 70,
 };
 
-/// A result: a line on stdout, in UTF-8 whatever the locale.
+/// Lines as they are printed: in UTF-8 whatever the locale, what cannot be shown as its code.
+QByteArray shownLines(const QStringList &lines);
+/// A result: a line on stdout.
 void printLine(const QString &line);
 void printLines(const QStringList &lines);
 void printJson(const QJsonDocument &document);
-/// A message: a line on stderr.
+/// A message: a line on stderr, shortened where it is very long.
 void sayLine(const QString &line);
 
 } // namespace pixelplumb::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
+#include "app/cli/output.h"
 #include "app/cli/outputpaths.h"
 #include "app/cli/picturesides.h"
 #include "app/cli/programoptions.h"
@@ -10,6 +11,7 @@
 #include "core/grade/counterexample.h"
 #include "core/grade/diagnosis.h"
 #include "core/scene/colourtext.h"
+#include "core/scene/inputrecord.h"
 #include "core/scene/scenefile.h"
 
 #include <QFileInfo>
@@ -76,9 +78,9 @@ QStringList linesOf(const Sides &sides, const CounterSearch &search)
 {
     const auto &sources = sides.sources;
     if (!search.found) {
-        QStringList lines = {QStringLiteral("none found: %1 and %2 draw the same in %3 scenes")
-                                 .arg(sources[0].name, sources[1].name)
-                                 .arg(search.compared)};
+        QStringList lines
+            = {QStringLiteral("none found: %1 and %2 draw the same in %3 scenes")
+                   .arg(sources[0].name, sources[1].name, QString::number(search.compared))};
         return lines + undrawnLines(search);
     }
     const CounterExample &example = *search.found;
@@ -100,9 +102,8 @@ QStringList linesOf(const Sides &sides, const CounterSearch &search)
         lines += QStringLiteral("and %1 pixels more").arg(pixels.size() - mostListed);
     if (const auto step = partingStepOf(sides, example.scene))
         lines += QStringLiteral("%1 parts at step %2, %3: %4")
-                     .arg(sources[partingSide(sides)].name)
-                     .arg(step->step + 1)
-                     .arg(step->heading, step->text);
+                     .arg(sources[partingSide(sides)].name, QString::number(step->step + 1),
+                          step->heading, step->text);
     return lines + undrawnLines(search);
 }
 
@@ -138,10 +139,14 @@ QJsonObject jsonOf(const Sides &sides, const CounterSearch &search)
 /// Where the scene is written, which is asked before there is one: searching takes its time.
 Result<QString> pathIn(const QString &output)
 {
+    if (const auto refusal = refusalOfStandardOutput(output, QStringLiteral("a file")))
+        return *refusal;
     const auto paths
         = outputPaths(output, {QStringLiteral("counterexample")}, QStringLiteral("json"));
     if (!paths)
         return paths.error();
+    if (const auto refusal = refusalToWrite(paths->front()))
+        return *refusal;
     const QFileInfo file(paths->front());
     const QFileInfo folder(file.path());
     if (!file.exists() && !(folder.isDir() && folder.isWritable()))
@@ -186,8 +191,8 @@ ExitCode counterExample(const Command &command, const QStringList &arguments)
     if (search.compared == 0) {
         sayLine(QStringLiteral("%1 and %2 have no picture of the same scene: of %3 that were asked "
                                "for none was drawn by both")
-                    .arg(sides->sources[0].name, sides->sources[1].name)
-                    .arg(search.undrawn));
+                    .arg(sides->sources[0].name, sides->sources[1].name,
+                         QString::number(search.undrawn)));
         if (search.firstUndrawn)
             sayLine(QStringLiteral("the first: ") + undrawnText(*search.firstUndrawn));
         return ExitCode::FallsShort;

@@ -71,9 +71,8 @@ QStringList textOf(const Diagnosis &diagnosis, std::span<const Submission> submi
                 ? QStringLiteral("scene %1, ").arg(place->scene)
                 : QString();
             lines += QStringLiteral("    parts at %1step %2, %3: %4")
-                         .arg(where)
-                         .arg(place->step.step + 1)
-                         .arg(place->step.heading, place->step.text);
+                         .arg(where, QString::number(place->step.step + 1), place->step.heading,
+                              place->step.text);
         }
     }
     return lines;

@@ -22,7 +22,7 @@ struct Side {
 /// A scene is JSON: an object.
 Result<Side> readSide(const QString &path)
 {
-    const Result<QByteArray> content = readInput(path);
+    const Result<QByteArray> content = readInput(path, largestPictureFile);
     if (!content)
         return content.error();
     const QString formats
@@ -111,6 +111,9 @@ ExitCode diff(const Command &command, const QStringList &arguments)
     const auto format = pictureFormatOf(line, markedOption);
     if (!format)
         return line.refuse(format.error());
+    if (const auto refusal
+        = refusalOfStandardOutput(line.value(markedOption), QStringLiteral("a file")))
+        return line.refuse(*refusal);
     if (line.isSet(asciiOption) && line.isSet(jsonOption))
         return line.refuse(QStringLiteral("--ascii and --json: a raster is no JSON; expected one "
                                           "of them"));
@@ -157,10 +160,10 @@ ExitCode diff(const Command &command, const QStringList &arguments)
                                      "rule says, as on edges that two triangles share")
                           .arg(twice));
         if (line.isSet(asciiOption))
-            printLine(rasterOf(difference, expected->picture).chopped(1));
+            printLines(rasterOf(difference, expected->picture).chopped(1).split(u'\n'));
     }
     if (line.isSet(markedOption)) {
-        Output output(line.value(markedOption), {line.argument(0), line.argument(1)});
+        Output output(line.value(markedOption));
         if (const auto error
             = writePicture(markedPicture(difference, expected->picture), output, *format))
             return line.refuse(*error);

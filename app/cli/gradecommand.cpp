@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
+#include "app/cli/input.h"
 #include "app/cli/interruption.h"
+#include "app/cli/output.h"
 #include "app/cli/progress.h"
 #include "app/cli/wholenumber.h"
 #include "core/fast/machinethreads.h"
@@ -67,6 +69,16 @@ Result<GradeShard> chosenShard(const CommandLine &line)
                       QStringLiteral("i/n with 1 ≤ i ≤ n ≤ %1, such as 3/8").arg(mostParts)};
 }
 
+/// Of a file, or of standard input for "-".
+Result<Assignment> readAssignmentAt(const QString &path)
+{
+    const Result<QByteArray> text = readInput(path);
+    if (!text)
+        return text.error();
+    Result<Assignment> assignment = readAssignment(*text, folderOf(path));
+    return assignment ? assignment : Result<Assignment>(errorIn(path, assignment.error()));
+}
+
 /// "12  unsorted-colours" and what was done.
 QStringList clusterLines(const GradeReport &report)
 {
@@ -117,9 +129,7 @@ void sayHidden(const QString &folder)
         names += escapedName(name);
     if (!names.isEmpty())
         sayLine(QStringLiteral("%1: not graded, for their names begin with a dot: %2 (%3)")
-                    .arg(folder)
-                    .arg(names.size())
-                    .arg(fewNames(names)));
+                    .arg(folder, QString::number(names.size()), fewNames(names)));
 }
 
 ExitCode merge(const CommandLine &line)
@@ -152,12 +162,18 @@ ExitCode grade(const Command &command, const QStringList &arguments)
         return *ended;
     if (line.value(outputOption).isEmpty())
         return line.refuse(QStringLiteral("-o is missing: the folder for the results"));
+    if (const auto refusal = refusalOfStandardOutput(line.value(outputOption),
+                                                     QStringLiteral("a folder for the results")))
+        return line.refuse(*refusal);
+    if (line.arguments().contains(QStringLiteral("-")))
+        return line.refuse({QStringLiteral("-"), QStringLiteral("standard input is no folder"),
+                            QStringLiteral("a folder; one of that name is ./-")});
     if (line.isSet(mergeOption))
         return merge(line);
     if (!line.isSet(assignmentOption))
         return line.refuse(
             QStringLiteral("--assignment is missing: the file that says what was to be drawn"));
-    const Result<Assignment> assignment = readAssignmentFile(line.value(assignmentOption));
+    const Result<Assignment> assignment = readAssignmentAt(line.value(assignmentOption));
     if (!assignment)
         return line.refuse(assignment.error());
     if (line.isSet(partialOption))

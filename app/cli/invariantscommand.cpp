@@ -105,10 +105,9 @@ ExitCode invariants(const Command &command, const QStringList &arguments)
     if (report.undrawn > 0)
         sayLine(
             QStringLiteral("%1 could not draw all of %2 of %3 pairs of triangles; the first: %4")
-                .arg(source.name)
-                .arg(report.undrawn)
-                .arg(report.checked + report.undrawn)
-                .arg(undrawnText(*report.firstUndrawn)));
+                .arg(source.name, QString::number(report.undrawn),
+                     QString::number(report.checked + report.undrawn),
+                     undrawnText(*report.firstUndrawn)));
     if (report.checked == 0)
         return ExitCode::FallsShort;
     Findings findings{report.broken, {}, *tolerance};

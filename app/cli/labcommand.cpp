@@ -8,6 +8,7 @@
 #include "app/cli/sceneoptions.h"
 #include "app/cli/seedoption.h"
 #include "app/cli/suggestion.h"
+#include "core/grade/showntext.h"
 #include "core/lab/budget.h"
 #include "core/lab/labcomparison.h"
 #include "core/lab/labfile.h"
@@ -198,11 +199,11 @@ QByteArray bytesOf(const Study &study, LabFormat format)
 {
     switch (format) {
     case LabFormat::Text:
-        return textOf(study).join(u'\n').toUtf8() + '\n';
+        return shownLines(textOf(study));
     case LabFormat::Csv:
         return csvOf(study);
     case LabFormat::Json:
-        return writeStudy(study);
+        return escapedJson(writeStudy(study));
     }
     return {};
 }
@@ -275,7 +276,7 @@ ExitCode lab(const Command &command, const QStringList &arguments)
     const Result<StudySettings> settings = settingsFrom(line);
     if (!settings)
         return line.refuse(settings.error());
-    Output output(line.value(outputOption), {line.argument(0)});
+    Output output(line.value(outputOption));
     if (const auto error = output.open())
         return line.refuse(*error);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/suggestion.h"
+#include "core/scene/inputrecord.h"
 #include "version.h"
 
 #include <QCoreApplication>
@@ -74,7 +75,7 @@ QString helpText()
                                   "Commands:\n")
                        .arg(program);
     for (const Command &command : commands())
-        text += QStringLiteral("  %1  %2\n").arg(command.name, -14).arg(command.summary);
+        text += QStringLiteral("  %1  %2\n").arg(command.name.leftJustified(14), command.summary);
     text += QStringLiteral(
         "\nOptions:\n"
         "  -h, --help     Show this help; after a command, the command's.\n"
@@ -94,6 +95,7 @@ ExitCode refuse(const QString &what)
 
 ExitCode run(const QStringList &arguments)
 {
+    const InputRecord inputs;
     if (arguments.isEmpty())
         return refuse(QStringLiteral("a command is missing"));
     const QString &word = arguments.front();
@@ -124,7 +126,7 @@ ExitCode help(const Command &command, const QStringList &arguments)
     const QString word = arguments.value(0, option);
     // Of `help help` there is no more to tell.
     if (word == command.name || word == option || word == QStringLiteral("-h")) {
-        printLine(helpText());
+        printLines(helpText().split(u'\n'));
         return ExitCode::Done;
     }
     if (arguments.size() > 1)

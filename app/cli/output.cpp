@@ -1,69 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/output.h"
 
-#include "core/scene/fileaccess.h"
+#include "core/scene/inputrecord.h"
 
-#include <QFile>
-#include <QFileInfo>
-#include <QSaveFile>
-
-#include <algorithm>
 #include <cstdio>
-#include <utility>
 
 namespace pixelplumb::cli {
 
-Output::Output(QString path, QStringList inputs)
-    : m_path(std::move(path))
-    , m_inputs(std::move(inputs))
+Output::Output(const QString &path)
 {
+    if (path != QStringLiteral("-"))
+        m_file.emplace(path);
 }
-
-Output::~Output() = default;
 
 std::optional<InputError> Output::open()
 {
-    const QFileInfo target(m_path);
-    bool opened = false;
-    const bool toStandardOutput = m_path == QStringLiteral("-");
-    const auto isReplaced = [this](const QString &input) {
-        return isSameFile(m_path,
-                          input == QStringLiteral("-") ? QStringLiteral("/dev/stdin") : input);
-    };
-    if (!toStandardOutput && std::ranges::any_of(m_inputs, isReplaced))
-        return InputError{m_path, QStringLiteral("is the input, which it would replace"),
-                          QStringLiteral("another file")};
-    if (toStandardOutput) {
-        auto standardOutput = std::make_unique<QFile>();
-        opened = standardOutput->open(stdout, QIODevice::WriteOnly);
-        m_file = std::move(standardOutput);
-    } else if (target.exists() && !target.isFile() && !target.isDir()) {
-        // A device or a pipe cannot be replaced by a finished file.
-        m_file = std::make_unique<QFile>(m_path);
-        opened = m_file->open(QIODevice::WriteOnly);
-    } else {
-        m_file = std::make_unique<QSaveFile>(m_path);
-        opened = m_file->open(QIODevice::WriteOnly);
-    }
-    return opened ? std::nullopt : std::optional(error(m_file->errorString()));
+    if (m_file)
+        return m_file->open();
+    if (auto refusal = refusalToPrint())
+        return refusal;
+    return m_standardOutput.open(stdout, QIODevice::WriteOnly) ? std::nullopt
+                                                               : std::optional(error());
+}
+
+QIODevice &Output::device()
+{
+    if (m_file)
+        return m_file->device();
+    return m_standardOutput;
 }
 
 std::optional<InputError> Output::finish()
 {
-    bool finished = m_file->flush();
-    if (auto *file = qobject_cast<QSaveFile *>(m_file.get()))
-        finished = file->commit() && finished;
-    return finished ? std::nullopt : std::optional(error(m_file->errorString()));
+    if (m_file)
+        return m_file->finish();
+    const bool isWritten
+        = m_standardOutput.error() == QFileDevice::NoError && m_standardOutput.flush();
+    return isWritten ? std::nullopt : std::optional(error());
 }
 
 InputError Output::error(const QString &otherwise) const
 {
-    const QString place
-        = m_path == QStringLiteral("-") ? QStringLiteral("standard output") : m_path;
-    const bool hasFailed = m_file->error() != QFileDevice::NoError;
-    return {place,
-            QStringLiteral("cannot be written: ") + (hasFailed ? m_file->errorString() : otherwise),
-            {}};
+    if (m_file)
+        return m_file->error(otherwise);
+    return writingError(QStringLiteral("standard output"), m_standardOutput, otherwise);
+}
+
+std::optional<InputError> refusalOfStandardOutput(const QString &path, const QString &expected)
+{
+    if (path != QStringLiteral("-"))
+        return std::nullopt;
+    return InputError{QStringLiteral("-o -"), QStringLiteral("standard output has the report"),
+                      expected};
 }
 
 } // namespace pixelplumb::cli

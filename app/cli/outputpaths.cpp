@@ -9,10 +9,11 @@ namespace pixelplumb::cli {
 Result<QStringList> outputPaths(const QString &output, const QStringList &inputs,
                                 const QString &suffix)
 {
-    const bool isFolder = output.endsWith(u'/') || QFileInfo(output).isDir();
+    const bool isStandardOutput = output == QStringLiteral("-");
+    const bool isFolder = !isStandardOutput && (output.endsWith(u'/') || QFileInfo(output).isDir());
     if (!isFolder && inputs.size() == 1)
         return QStringList(output);
-    if (!isFolder && output == QStringLiteral("-"))
+    if (isStandardOutput)
         return InputError{QStringLiteral("%1 scenes").arg(inputs.size()),
                           QStringLiteral("standard output is one"),
                           QStringLiteral("a folder to write to, -o DIR/")};

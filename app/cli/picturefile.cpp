@@ -10,7 +10,7 @@ namespace pixelplumb::cli {
 
 Result<Picture> readPicture(const QString &path)
 {
-    const Result<QByteArray> content = readInput(path);
+    const Result<QByteArray> content = readInput(path, largestPictureFile);
     if (!content)
         return content.error();
     return parsePicture(*content, path);
@@ -22,13 +22,9 @@ std::optional<ExitCode> refusalOfSizes(const SizedInput &one, const SizedInput &
         return std::nullopt;
     sayLine(
         QStringLiteral("%1 has %2 × %3 pixels%7, %4 has %5 × %6%8")
-            .arg(one.path)
-            .arg(one.size.width())
-            .arg(one.size.height())
-            .arg(other.path)
-            .arg(other.size.width())
-            .arg(other.size.height())
-            .arg(sizeHint(one.size, other.size),
+            .arg(one.path, QString::number(one.size.width()), QString::number(one.size.height()),
+                 other.path, QString::number(other.size.width()),
+                 QString::number(other.size.height()), sizeHint(one.size, other.size),
                  one.size == other.size.transposed() ? QString() : sizeHint(other.size, one.size)));
     return ExitCode::SizesDiffer;
 }

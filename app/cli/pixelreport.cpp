@@ -28,9 +28,8 @@ QString spanText(const PixelAttempt &attempt)
     if (!span.lower.isNone())
         text += QStringLiteral(": %1 = %2, %3 = %4, %5 %6 … %7")
                     .arg(words.lower, toText(span.lower), words.upper, toText(span.upper),
-                         words.samples)
-                    .arg(span.firstSample)
-                    .arg(span.endSample - 1);
+                         words.samples, QString::number(span.firstSample),
+                         QString::number(span.endSample - 1));
     return text;
 }
 
@@ -40,9 +39,8 @@ QString channelText(const PixelAttempt &attempt, std::size_t channel)
     const Quantity &used = attempt.sample->colour[channel];
     const Quantity &exact = attempt.exactColour[channel];
     QString text = QStringLiteral("    %1 = %2 → %3")
-                       .arg(channelLetters[channel])
-                       .arg(toText(used))
-                       .arg(int(unpacked(attempt.change.after).channels[channel]));
+                       .arg(QString(channelLetters[channel]), toText(used),
+                            QString::number(unpacked(attempt.change.after).channels[channel]));
     if (exact.isNone())
         return text;
     return text
@@ -86,10 +84,9 @@ QStringList textOf(const PixelReport &report)
     if (report.attempts.empty())
         lines += QStringLiteral("the scene has nothing that the method draws");
     for (const PixelAttempt &attempt : report.attempts) {
-        QString line = QStringLiteral("%1 %2: %3")
-                           .arg(nameOf(attempt.kind))
-                           .arg(attempt.primitive)
-                           .arg(attempt.reason);
+        QString line
+            = QStringLiteral("%1 %2: %3")
+                  .arg(nameOf(attempt.kind), QString::number(attempt.primitive), attempt.reason);
         if (attempt.written)
             line.insert(line.indexOf(u':'), QStringLiteral(", step %1").arg(attempt.step + 1));
         lines.append(line);

@@ -8,8 +8,10 @@
 #include "app/cli/seedoption.h"
 #include "app/cli/wholenumber.h"
 #include "core/grade/probesheet.h"
+#include "core/scene/inputrecord.h"
 #include "core/scene/scenefile.h"
 
+#include <QDir>
 #include <QJsonArray>
 #include <QJsonObject>
 
@@ -103,11 +105,28 @@ Result<Scene> conventionsFor(const CommandLine &line)
     return scene;
 }
 
+/// Why a sheet cannot be written into a folder, which is made if need be: asked before the search,
+/// which takes its time and decides how many scenes there are.
+std::optional<InputError> refusalOfSheet(const QString &folder, const Scene &conventions)
+{
+    if (auto refusal = refusalOfStandardOutput(folder, QStringLiteral("a folder")))
+        return refusal;
+    if (auto refusal = refusalOfFolder(folder))
+        return refusal;
+    const QString names = QString::fromStdString(conventions.method) + QStringLiteral("-*.json");
+    for (const QString &name : QDir(folder).entryList({names})) {
+        if (auto refusal = refusalToWrite(QDir(folder).filePath(name)))
+            return refusal;
+    }
+    return std::nullopt;
+}
+
 std::optional<InputError> writeSheet(const QString &folder, const std::vector<Scene> &scenes)
 {
     QStringList names;
     for (std::size_t i = 0; i < scenes.size(); ++i)
-        names += QStringLiteral("%1-%2").arg(QString::fromStdString(scenes[i].method)).arg(i + 1);
+        names += QStringLiteral("%1-%2").arg(QString::fromStdString(scenes[i].method),
+                                             QString::number(i + 1));
     const auto paths = outputPaths(folder + u'/', names, QStringLiteral("json"));
     if (!paths)
         return paths.error();
@@ -180,7 +199,7 @@ ExitCode probes(const Command &command, const QStringList &arguments)
         return line.refuse(QStringLiteral("--list searches nothing, and there is nothing to write; "
                                           "expected it without -o"));
     if (line.isSet(outputOption)) {
-        if (const auto refusal = refusalOfFolder(line.value(outputOption)))
+        if (const auto refusal = refusalOfSheet(line.value(outputOption), *conventions))
             return line.refuse(*refusal);
     }
     if (line.isSet(listOption)) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/progress.h"
 
+#include "core/grade/showntext.h"
+#include "core/scene/shortened.h"
+
 #include <unistd.h>
 
 #include <cstdio>
@@ -46,7 +49,7 @@ void Progress::show(const QString &state)
 {
     if (!isDue())
         return;
-    std::fputs((eraseLine + state.toUtf8()).constData(), stderr);
+    std::fputs((eraseLine + escapedControls(shortened(state)).toUtf8()).constData(), stderr);
     m_shown = true;
     m_nextShow = m_sinceStart.elapsed() + betweenShows;
 }

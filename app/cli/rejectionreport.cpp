@@ -15,8 +15,7 @@ void reportRejections(const QString &drawnBy, const std::vector<RejectedPrimitiv
         sayLine(drawnBy + QStringLiteral(": ") + rejected[i].message());
     if (rejected.size() > reported)
         sayLine(QStringLiteral("%1: %2 more primitives are not drawn")
-                    .arg(drawnBy)
-                    .arg(rejected.size() - reported));
+                    .arg(drawnBy, QString::number(rejected.size() - reported)));
 }
 
 } // namespace pixelplumb::cli

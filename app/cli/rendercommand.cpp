@@ -11,7 +11,6 @@
 #include "app/cli/suggestion.h"
 #include "app/cli/wholenumber.h"
 #include "core/frame/framebuffer.h"
-#include "core/grade/showntext.h"
 #include "core/lab/costorder.h"
 #include "core/runs/tracedscene.h"
 #include "core/scene/asciiraster.h"
@@ -82,24 +81,27 @@ Result<Scene> withinBudget(const Scene &scene, const QString &word)
     return drawn;
 }
 
-ExitCode renderScene(const CommandLine &line, const RenderRequest &request, const QString &path,
+Result<Scene> sceneToRender(const CommandLine &line, const QString &path)
+{
+    if (!line.isSet(accuracyOption))
+        return readScene(line, path);
+    const Result<Scene> scene = readSceneForAnyMethod(line, path);
+    return scene ? withinBudget(*scene, line.value(accuracyOption)) : scene;
+}
+
+ExitCode renderScene(const CommandLine &line, const RenderRequest &request, const NamedScene &named,
                      const QString &outputPath)
 {
-    const bool choosesMethod = line.isSet(accuracyOption);
-    Result<Scene> scene = choosesMethod ? readSceneForAnyMethod(line, path) : readScene(line, path);
-    if (scene && choosesMethod)
-        scene = withinBudget(*scene, line.value(accuracyOption));
-    if (!scene)
-        return line.refuse(scene.error());
-    reportRejections(path + QStringLiteral(", ") + scene->method.c_str(),
-                     rejectedPrimitives(*scene));
+    const Scene &scene = *named.scene;
+    reportRejections(named.path + QStringLiteral(", ") + scene.method.c_str(),
+                     rejectedPrimitives(scene));
     if (request.wantsPicture) {
-        Output output(outputPath, {path});
-        if (const auto error = drawPicture(*scene, output, request))
+        Output output(outputPath);
+        if (const auto error = drawPicture(scene, output, request))
             return line.refuse(*error);
     }
     if (request.wantsAscii)
-        printLine(asciiRaster(coverageOf(*scene)).chopped(1));
+        printLines(asciiRaster(coverageOf(scene)).chopped(1).split(u'\n'));
     return ExitCode::Done;
 }
 
@@ -186,12 +188,15 @@ ExitCode render(const Command &command, const QStringList &arguments)
     const Result<RenderRequest> request = requestFrom(line);
     if (!request)
         return line.refuse(request.error());
-    const QStringList scenes = line.arguments();
+    const std::vector<NamedScene> scenes = readScenes(line, sceneToRender);
     ExitCode code = ExitCode::Done;
-    for (qsizetype i = 0; i < scenes.size(); ++i) {
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
         if (request->wantsAscii && scenes.size() > 1)
-            printLine(escapedControls(scenes[i]) + u':');
-        code = std::max(code, renderScene(line, *request, scenes[i], request->pictures.value(i)));
+            printLine(scenes[i].path + u':');
+        code = std::max(code,
+                        scenes[i].scene ? renderScene(line, *request, scenes[i],
+                                                      request->pictures.value(qsizetype(i)))
+                                        : ExitCode::Usage);
     }
     return code;
 }

@@ -12,8 +12,6 @@
 #include "core/scene/fileaccess.h"
 #include "core/scene/scenefile.h"
 
-#include <QFileInfo>
-
 #include <algorithm>
 #include <array>
 
@@ -97,8 +95,7 @@ void reportSnaps(const QString &path, const SnapReports &snaps)
         sayLine(
             QStringLiteral("%1: %2 more coordinates are off the lattice of 1/256 px, or attributes "
                            "finer than 2^-24, and are taken as the nearest")
-                .arg(path)
-                .arg(snaps.size() - reported));
+                .arg(path, QString::number(snaps.size() - reported)));
 }
 
 QString drawsNoneText(const Scene &scene)
@@ -185,9 +182,7 @@ std::optional<InputError> refusalOf(const Scene &scene, const QString &path)
 
 Result<SceneReading> sceneIn(const QByteArray &text, const QString &path)
 {
-    const bool isFile = path != QStringLiteral("-");
-    Result<SceneReading> reading
-        = pixelplumb::readScene(text, {}, isFile ? QFileInfo(path).absolutePath() : QString());
+    Result<SceneReading> reading = pixelplumb::readScene(text, {}, folderOf(path));
     if (!reading)
         return errorIn(path, reading.error());
     reportSnaps(path, reading->snaps);
@@ -260,6 +255,19 @@ Result<Scene> readScene(const CommandLine &line, const QString &path)
             sayLine(path + QStringLiteral(": ") + clamped);
     }
     return scene;
+}
+
+std::vector<NamedScene> readScenes(const CommandLine &line, SceneReader read)
+{
+    std::vector<NamedScene> scenes;
+    for (const QString &path : line.arguments()) {
+        NamedScene &named = scenes.emplace_back(NamedScene{path, std::nullopt});
+        if (Result<Scene> scene = read(line, path))
+            named.scene = std::move(*scene);
+        else
+            line.refuse(scene.error());
+    }
+    return scenes;
 }
 
 std::optional<InputError> refusalToJudge(const Scene &scene, const QString &path)

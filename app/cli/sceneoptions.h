@@ -37,6 +37,16 @@ Result<Scene> readScene(const CommandLine &line, const QString &path);
 /// The same, whether or not the scene's method can draw it so: for who chooses another.
 Result<Scene> readSceneForAnyMethod(const CommandLine &line, const QString &path);
 
+/// A scene by its name on the command line; none where it could not be read, which is said then.
+struct NamedScene {
+    QString path;
+    std::optional<Scene> scene;
+};
+using SceneReader = Result<Scene> (*)(const CommandLine &line, const QString &path);
+/// Every scene that the command line names: all are read before anything is written, which may be
+/// what one of them refers to.
+std::vector<NamedScene> readScenes(const CommandLine &line, SceneReader read);
+
 /// Why nobody's work can be judged by a scene: its method draws nothing of it.
 std::optional<InputError> refusalToJudge(const Scene &scene, const QString &path);
 

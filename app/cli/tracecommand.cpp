@@ -101,12 +101,11 @@ struct TraceRequest {
 };
 
 /// Of a scene that is drawn to its end.
-ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const QString &path,
+ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const NamedScene &named,
                  const QString &outputPath)
 {
-    const Result<Scene> scene = readScene(line, path);
-    if (!scene)
-        return line.refuse(scene.error());
+    const std::optional<Scene> &scene = named.scene;
+    const QString &path = named.path;
     const auto traced = withProgress([&scene](const ProgressListener &listener) {
         TraceOptions recording;
         recording.progress = listener;
@@ -127,7 +126,7 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const QSt
         return line.refuse({QStringLiteral("--decimal"),
                             QStringLiteral("only a table as text is printed in one kind of number"),
                             QStringLiteral("--format text")});
-    Output output(outputPath, {path});
+    Output output(outputPath);
     if (const auto error = output.open())
         return line.refuse(*error);
     TraceExportOptions options{request.level, request.format};
@@ -141,10 +140,8 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const QSt
         options.progress = listener;
         return exportTrace(*traced, options, output.device());
     });
-    const auto error = output.finish();
-    if (!written || error)
-        return line.refuse(
-            error.value_or(InputError{outputPath, QStringLiteral("cannot be written"), {}}));
+    if (const auto error = written ? output.finish() : std::optional(output.error()))
+        return line.refuse(*error);
     if (request.level == TraceLevel::Stage && !scene->hasSolids())
         sayLine(
             QStringLiteral("%1: no stages: there is no solid in it that comes from space to the "
@@ -204,8 +201,12 @@ ExitCode trace(const Command &command, const QStringList &arguments)
         return line.refuse(outputs.error());
     const TraceRequest request{*level, *format};
     ExitCode code = ExitCode::Done;
-    for (qsizetype i = 0; i < outputs->size(); ++i)
-        code = std::max(code, traceTo(line, request, line.argument(i), outputs->at(i)));
+    const std::vector<NamedScene> scenes = readScenes(line, readScene);
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+        code = std::max(code,
+                        scenes[i].scene
+                            ? traceTo(line, request, scenes[i], outputs->at(qsizetype(i)))
+                            : ExitCode::Usage);
     return code;
 }
 

@@ -29,15 +29,14 @@ struct SceneTrial {
 QString stepText(const TraceDifference &difference)
 {
     return QStringLiteral("%1 (step %2 of %3)")
-        .arg(difference.text)
-        .arg(difference.step + 1)
-        .arg(QString::fromStdString(difference.scene.method));
+        .arg(difference.text, QString::number(difference.step + 1),
+             QString::fromStdString(difference.scene.method));
 }
 
 QStringList linesOf(const SceneTrial &tried)
 {
     const Trial &trial = tried.trial;
-    QStringList lines = {escapedControls(tried.path) + QStringLiteral(": ") + trial.run.told};
+    QStringList lines = {tried.path + QStringLiteral(": ") + trial.run.told};
     if (trial.fault && trial.run.end == ProgramEnd::Finished)
         lines += QStringLiteral("    ") + trial.fault->message();
     if (trial.picture) {

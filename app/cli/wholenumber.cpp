@@ -13,8 +13,8 @@ Result<std::int64_t> wholeNumber(const QString &place, const QString &word, cons
     if (!isNumber)
         return InputError{place, QStringLiteral("“%1” is no whole number").arg(word), expected};
     if (value < range.first || value > range.last)
-        return InputError{place, QStringLiteral("%1 is %2").arg(value).arg(range.outside),
-                          expected};
+        return InputError{
+            place, QStringLiteral("%1 is %2").arg(QString::number(value), range.outside), expected};
     return std::int64_t(value);
 }
 

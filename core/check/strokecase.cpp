@@ -70,11 +70,11 @@ QStringList strokeShortfalls(const HardCase &hardCase, const ScanSettings &setti
                 truth.draw(primitives, settings, drawTruly);
                 const PictureDifference difference = differenceBetween(picture, truth);
                 if (!difference.isNone())
-                    shortfalls += QStringLiteral("%1, near (%2, %3): %4")
-                                      .arg(nameOfAntialiasing(antialiasing))
-                                      .arg(floorPixel(place.x))
-                                      .arg(floorPixel(place.y))
-                                      .arg(difference.message());
+                    shortfalls
+                        += QStringLiteral("%1, near (%2, %3): %4")
+                               .arg(nameOfAntialiasing(antialiasing),
+                                    QString::number(floorPixel(place.x)),
+                                    QString::number(floorPixel(place.y)), difference.message());
             }
         }
     }

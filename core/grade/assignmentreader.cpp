@@ -57,8 +57,9 @@ private:
         if (root.value.isObject() && !format.isMissing())
             m_json.integer(format, 1, assignmentFormat);
         else
-            m_json.fail(format, QStringLiteral("no format number: this is no assignment"),
-                        QStringLiteral("\"%1\": %2").arg(formatKey).arg(assignmentFormat));
+            m_json.fail(
+                format, QStringLiteral("no format number: this is no assignment"),
+                QStringLiteral("\"%1\": %2").arg(formatKey, QString::number(assignmentFormat)));
     }
 
     template <class Choice, std::size_t Count>
@@ -215,7 +216,7 @@ Result<Assignment> readAssignment(const QByteArray &text, const QString &folder)
 
 Result<Assignment> readAssignmentFile(const QString &path)
 {
-    const Result<QByteArray> text = readFile(path);
+    const Result<QByteArray> text = readRegularFile(path);
     if (!text)
         return text.error();
     Result<Assignment> assignment = readAssignment(*text, QFileInfo(path).absolutePath());

@@ -11,7 +11,6 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr std::int64_t largestPictureFile = std::int64_t(64) << 20; // bytes
 constexpr std::array pictureEnds = {".png", ".ppm", ".bmp", ".txt"};
 
 bool hasPictureEnd(const QByteArray &name)
@@ -171,7 +170,7 @@ Delivery deliveredPicture(const SubmissionEntry &entry, const AssignedScene &sce
 {
     Delivery delivery;
     delivery.file = escapedName(file.name);
-    const Result<QByteArray> content = entry.read(file, largestPictureFile);
+    const Result<QByteArray> content = entry.read(file, largestPictureFileOf(scene.scene.frame));
     if (content)
         take(*content, readStudentOutput(*content, scene.scene, delivery.file), scene.scene.frame,
              delivery);

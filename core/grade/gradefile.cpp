@@ -3,11 +3,13 @@
 
 #include "core/grade/gradefields.h"
 #include "core/grade/oldgrades.h"
+#include "core/grade/resultsfolder.h"
 #include "core/scene/fieldreader.h"
 #include "core/scene/fieldwriter.h"
 #include "core/scene/fileaccess.h"
+#include "core/scene/inputrecord.h"
 
-#include <QDir>
+#include <QFileInfo>
 #include <QSet>
 
 #include <algorithm>
@@ -29,13 +31,25 @@ bool expectFormat(JsonReader &json)
 
 /// What a reader found, or its error with the file's name.
 template <class Value, class Read>
-Result<Value> readAt(const QString &path, const Read &read)
+Result<Value> readAt(const ResultsFolder &results, const QString &file, const Read &read)
 {
-    const Result<QByteArray> text = readRegularFile(path);
+    const Result<QByteArray> text = results.read(file);
     if (!text)
         return text.error();
     Result<Value> value = read(*text);
-    return value ? value : Result<Value>(errorIn(path, value.error()));
+    return value ? value : Result<Value>(errorIn(results.pathOf(file), value.error()));
+}
+
+/// What is written into a folder of results beside the folders in it.
+QStringList resultFiles()
+{
+    return {assignmentFile,
+            partFile,
+            reviewsFile,
+            QStringLiteral("results.json"),
+            QStringLiteral("junit.xml"),
+            QStringLiteral("grades.csv"),
+            QStringLiteral("index.html")};
 }
 
 /// Those of the names that have no grade.
@@ -110,7 +124,7 @@ QByteArray writeGradedPart(const GradedPart &part)
 
 Result<GradedPart> readGradedPart(const QString &results)
 {
-    return readAt<GradedPart>(partFileOf(results), [](const QByteArray &text) {
+    return readAt<GradedPart>(ResultsFolder(results), partFile, [](const QByteArray &text) {
         JsonReader json(text);
         GradedPart part;
         if (expectFormat(json))
@@ -122,40 +136,60 @@ Result<GradedPart> readGradedPart(const QString &results)
 
 QString assignmentFileOf(const QString &results)
 {
-    return QDir(results).filePath(QStringLiteral("assignment.json"));
-}
-
-QString reviewsFileOf(const QString &results)
-{
-    return QDir(results).filePath(QStringLiteral("reviews.json"));
-}
-
-QString partFileOf(const QString &results)
-{
-    return QDir(results).filePath(QStringLiteral("part.json"));
+    return ResultsFolder(results).pathOf(assignmentFile);
 }
 
 QString submissionFileOf(const QString &results, const QString &id)
 {
-    return QDir(results).filePath(QStringLiteral("grades/%1.json").arg(id));
+    return ResultsFolder(results).pathOf(submissionFile(id));
+}
+
+std::optional<InputError> beginResults(const QString &results, const GradedPart &part)
+{
+    const ResultsFolder folder(results);
+    for (const QString &name : resultFiles()) {
+        if (auto refusal = refusalToWrite(folder.pathOf(name)))
+            return refusal;
+    }
+    if (!readGradedPart(results)) {
+        const auto isForeign = [&](const QString &name) {
+            const bool isFolder = ResultsFolder::folders().contains(name);
+            return isFolder ? !folder.filesIn(name).isEmpty() : folder.has(name);
+        };
+        for (const QString &name : resultFiles() + ResultsFolder::folders()) {
+            if (isForeign(name))
+                return InputError{folder.pathOf(name),
+                                  QStringLiteral("is not of results of grading"),
+                                  QStringLiteral("an empty folder, or one that grading wrote")};
+        }
+    }
+    if (auto error = folder.make())
+        return error;
+    return folder.write(partFile, writeGradedPart(part));
 }
 
 Result<GradeReport> readGrades(const QString &results)
 {
-    Result<Assignment> assignment = readAssignmentFile(assignmentFileOf(results));
+    const ResultsFolder folder(results);
+    Result<Assignment> assignment
+        = readAt<Assignment>(folder, assignmentFile, [&](const QByteArray &text) {
+              return readAssignment(text, QFileInfo(results).absoluteFilePath());
+          });
     if (!assignment)
         return assignment.error();
     GradeReport report{std::move(*assignment), {}, {}};
-    const QDir folder(QDir(results).filePath(QStringLiteral("grades")));
-    for (const QString &file : folder.entryList({QStringLiteral("*.json")}, QDir::Files)) {
+    for (const QString &file : folder.filesIn(QStringLiteral("grades"))) {
+        if (!file.endsWith(QStringLiteral(".json")))
+            continue;
+        const QString path = QStringLiteral("grades/") + file;
         const auto read = [&report](const QByteArray &text) {
             return readGradedSubmission(inFrameCoordinates(text, report.assignment));
         };
-        auto submission = readAt<GradedSubmission>(folder.filePath(file), read);
+        auto submission = readAt<GradedSubmission>(folder, path, read);
         if (!submission)
             return submission.error();
         if (!hasOwnNames(*submission, file))
-            return InputError{folder.filePath(file),
+            return InputError{folder.pathOf(path),
                               QStringLiteral("names files that are not its own"),
                               QStringLiteral("its id as its name, pictures in pictures/")};
         report.submissions.push_back(std::move(*submission));
@@ -163,8 +197,8 @@ Result<GradeReport> readGrades(const QString &results)
     // Parts lack what the others have; they are asked when they are merged.
     if (const auto part = readGradedPart(results); part && part->of == 1)
         report.missing = missingIn(report, part->submissions);
-    if (QFile::exists(reviewsFileOf(results))) {
-        const auto reviews = readAt<Reviews>(reviewsFileOf(results), readReviews);
+    if (folder.has(reviewsFile)) {
+        const auto reviews = readAt<Reviews>(folder, reviewsFile, readReviews);
         if (!reviews)
             return reviews.error();
         for (const auto &[id, review] : *reviews) {
@@ -182,8 +216,9 @@ std::optional<InputError> writeReviews(const QString &results, const GradeReport
 {
     QJsonObject reviews;
     // Those of submissions that are not there now, but may come back, stay.
-    if (QFile::exists(reviewsFileOf(results))) {
-        const auto written = readAt<Reviews>(reviewsFileOf(results), readReviews);
+    const ResultsFolder folder(results);
+    if (folder.has(reviewsFile)) {
+        const auto written = readAt<Reviews>(folder, reviewsFile, readReviews);
         if (!written)
             return written.error();
         for (const auto &[id, review] : *written)
@@ -195,7 +230,7 @@ std::optional<InputError> writeReviews(const QString &results, const GradeReport
             reviews.insert(submission.id, jsonOf(submission.review));
     }
     const QJsonObject object{{gradesKey, gradesFormat}, {reviewsKey, reviews}};
-    return writeFile(reviewsFileOf(results), QJsonDocument(object).toJson());
+    return folder.write(reviewsFile, QJsonDocument(object).toJson());
 }
 
 } // namespace pixelplumb

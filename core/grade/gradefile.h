@@ -26,11 +26,13 @@ QByteArray writeGradedPart(const GradedPart &part);
 /// That of a folder of results; an error where there is none, too.
 Result<GradedPart> readGradedPart(const QString &results);
 
-/// Where things stand in a folder of results.
-QString assignmentFileOf(const QString &results); ///< "assignment.json"
-QString reviewsFileOf(const QString &results); ///< "reviews.json"
-QString partFileOf(const QString &results); ///< "part.json"
-QString submissionFileOf(const QString &results, const QString &id); ///< "grades/ID.json"
+/// The path of the assignment in a folder of results, and of a submission's grade.
+QString assignmentFileOf(const QString &results);
+QString submissionFileOf(const QString &results, const QString &id);
+
+/// Makes a folder of results, or takes up one that is there, and says which part it is. An error
+/// where what stands under the names of results was not written by grading.
+std::optional<InputError> beginResults(const QString &results, const GradedPart &part);
 
 /// A folder of results, whole or as far as its grading came, with the reviews.
 Result<GradeReport> readGrades(const QString &results);

@@ -4,16 +4,16 @@
 #include "core/grade/gradefile.h"
 #include "core/grade/grader.h"
 #include "core/grade/gradereports.h"
-#include "core/scene/fileaccess.h"
+#include "core/grade/resultsfolder.h"
 
 #include <QBuffer>
 #include <QCryptographicHash>
-#include <QDir>
-#include <QFileInfo>
+#include <QFile>
 #include <QSet>
 
 #include <algorithm>
 #include <atomic>
+#include <filesystem>
 #include <thread>
 
 namespace pixelplumb {
@@ -39,29 +39,8 @@ QByteArray rasterOf(const Picture &picture)
     return raster;
 }
 
-std::optional<InputError> makeFolder(const QString &path)
-{
-    if (QDir().mkpath(path))
-        return std::nullopt;
-    return InputError{path, QStringLiteral("cannot be made"), QStringLiteral("a folder")};
-}
-
-QStringList resultFolders()
-{
-    return {QStringLiteral("grades"), QStringLiteral("pictures"), QStringLiteral("gradescope")};
-}
-
-std::optional<InputError> makeFolders(const QString &results)
-{
-    for (const QString &name : resultFolders()) {
-        if (auto error = makeFolder(QDir(results).filePath(name)))
-            return error;
-    }
-    return std::nullopt;
-}
-
 /// Writes what was graded: the pictures first, for the grade names them.
-std::optional<InputError> write(const QString &results, GradedWork &work)
+std::optional<InputError> write(const ResultsFolder &results, GradedWork &work)
 {
     GradedSubmission &submission = work.submission;
     for (std::size_t i = 0; i < work.pictures.size(); ++i) {
@@ -73,11 +52,11 @@ std::optional<InputError> write(const QString &results, GradedWork &work)
             = QStringLiteral("pictures/%1-%2.%3")
                   .arg(submission.id, scene.scene,
                        picture.hasColours ? QStringLiteral("png") : QStringLiteral("txt"));
-        if (auto error = writeFile(QDir(results).filePath(scene.picture),
-                                   picture.hasColours ? pngOf(picture) : rasterOf(picture)))
+        if (auto error
+            = results.write(scene.picture, picture.hasColours ? pngOf(picture) : rasterOf(picture)))
             return error;
     }
-    return writeFile(submissionFileOf(results, submission.id), writeGradedSubmission(submission));
+    return results.write(submissionFile(submission.id), writeGradedSubmission(submission));
 }
 
 bool isOfShard(const QByteArray &name, const GradeShard &shard)
@@ -98,17 +77,17 @@ QByteArray circumstances(const Grader &grader, const QString &version)
 }
 
 /// A grade that was given already; none where it is not there or of something else.
-std::optional<GradedSubmission> knownGrade(const QString &results, const QString &id,
+std::optional<GradedSubmission> knownGrade(const ResultsFolder &results, const QString &id,
                                            const QString &digest)
 {
-    const Result<QByteArray> text = readRegularFile(submissionFileOf(results, id));
+    const Result<QByteArray> text = results.read(submissionFile(id));
     if (!text || digest.isEmpty())
         return std::nullopt;
     const Result<GradedSubmission> known = readGradedSubmission(*text);
     if (!known || known->digest != digest)
         return std::nullopt;
     const bool hasPictures = std::ranges::all_of(known->scenes, [&](const GradedScene &scene) {
-        return scene.picture.isEmpty() || QFile::exists(QDir(results).filePath(scene.picture));
+        return scene.picture.isEmpty() || results.has(scene.picture);
     });
     return hasPictures ? std::optional(*known) : std::nullopt;
 }
@@ -120,6 +99,7 @@ public:
                   std::vector<QByteArray> names, const ProgressListener &listener)
         : m_order(order)
         , m_grader(assignment)
+        , m_results(order.results)
         , m_circumstances(circumstances(m_grader, order.version))
         , m_names(std::move(names))
         , m_listener(listener)
@@ -162,13 +142,13 @@ private:
             digest = QString::fromLatin1(
                 QCryptographicHash::hash(m_circumstances + *bytes, QCryptographicHash::Sha256)
                     .toHex());
-        if (knownGrade(m_order.results, idOf(name), digest))
+        if (knownGrade(m_results, idOf(name), digest))
             return std::nullopt;
         std::optional<GradedWork> graded = m_grader.grade(entry, m_stop.get_token());
         if (!graded)
             return std::nullopt;
         graded->submission.digest = digest;
-        return write(m_order.results, *graded);
+        return write(m_results, *graded);
     }
 
     void tell(std::int64_t more)
@@ -181,6 +161,7 @@ private:
 
     const GradingOrder &m_order;
     Grader m_grader;
+    ResultsFolder m_results;
     QByteArray m_circumstances;
     std::vector<QByteArray> m_names;
     const ProgressListener &m_listener;
@@ -192,7 +173,7 @@ private:
 };
 
 /// What is of submissions that are no longer there.
-void removeOthers(const QString &results, const Assignment &assignment,
+void removeOthers(const ResultsFolder &results, const Assignment &assignment,
                   const std::vector<QByteArray> &names)
 {
     QSet<QString> kept;
@@ -204,28 +185,33 @@ void removeOthers(const QString &results, const Assignment &assignment,
                 kept += QStringLiteral("%1-%2.%3").arg(id, scene.name, QLatin1String(end));
         }
     }
-    for (const QString &name : resultFolders()) {
-        const QDir folder(QDir(results).filePath(name));
-        for (const QString &file : folder.entryList(QDir::Files)) {
+    for (const QString &folder : ResultsFolder::folders()) {
+        for (const QString &file : results.filesIn(folder)) {
             if (!kept.contains(file))
-                QFile::remove(folder.filePath(file));
+                results.remove(folder + u'/' + file);
         }
+    }
+}
+
+/// Whether a path leads into a folder, by whatever links, or will as soon as it is made.
+bool isIn(const QString &path, const QString &folder)
+{
+    namespace fs = std::filesystem;
+    const fs::path whole(QFile::encodeName(folder).toStdString());
+    std::error_code ignored;
+    fs::path place = fs::absolute(QFile::encodeName(path).toStdString(), ignored);
+    for (place = fs::weakly_canonical(place, ignored);; place = place.parent_path()) {
+        if (fs::equivalent(place, whole, ignored))
+            return true;
+        if (place == place.parent_path())
+            return false;
     }
 }
 
 /// Results among the submissions, or the other way round, would be taken for each other.
 std::optional<InputError> refusalOf(const GradingOrder &order)
 {
-    const auto placeOf = [](const QString &path) {
-        const QFileInfo file(path);
-        return file.exists() ? file.canonicalFilePath() : QDir::cleanPath(file.absoluteFilePath());
-    };
-    const QString submissions = placeOf(order.submissions);
-    const QString results = placeOf(order.results);
-    const auto isIn = [](const QString &path, const QString &folder) {
-        return path == folder || path.startsWith(folder + u'/');
-    };
-    if (!isIn(results, submissions) && !isIn(submissions, results))
+    if (!isIn(order.results, order.submissions) && !isIn(order.submissions, order.results))
         return std::nullopt;
     return InputError{order.results,
                       QStringLiteral("results and submissions lie in each other's folders"),
@@ -248,11 +234,10 @@ Result<std::optional<GradeReport>> gradeFolder(const GradingOrder &order,
     std::erase_if(*names, [&](const QByteArray &name) { return !isOfShard(name, order.shard); });
     if (auto error = refusalOf(order))
         return *error;
-    if (auto error = makeFolders(order.results))
+    const ResultsFolder results(order.results);
+    if (auto error = beginResults(order.results, part))
         return *error;
-    if (auto error = writeFile(assignmentFileOf(order.results), writeAssignment(assignment)))
-        return *error;
-    if (auto error = writeFile(partFileOf(order.results), writeGradedPart(part)))
+    if (auto error = results.write(assignmentFile, writeAssignment(assignment)))
         return *error;
     FolderGrading grading(order, assignment, *names, listener);
     const bool isDone = grading.run();
@@ -260,7 +245,7 @@ Result<std::optional<GradeReport>> gradeFolder(const GradingOrder &order,
         return *grading.error();
     if (!isDone)
         return std::optional<GradeReport>();
-    removeOthers(order.results, assignment, *names);
+    removeOthers(results, assignment, *names);
     Result<GradeReport> report = readGrades(order.results);
     if (!report)
         return report.error();

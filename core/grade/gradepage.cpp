@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/grader.h"
 #include "core/grade/gradereports.h"
-#include "core/scene/fileaccess.h"
+#include "core/grade/resultsfolder.h"
+#include "core/grade/showntext.h"
 
 #include <QBuffer>
-#include <QDir>
 
 #include <algorithm>
 
@@ -35,7 +35,7 @@ summary { cursor: pointer; }
 
 QString html(const QString &text)
 {
-    return text.toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"));
+    return escapedLines(text).toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"));
 }
 
 QString pointsHtml(double points) { return QString::number(points, 'g', 10); }
@@ -162,7 +162,7 @@ private:
     {
         if (!scene.firstDifference || scene.picture.isEmpty())
             return;
-        const auto content = readRegularFile(QDir(m_results).filePath(scene.picture));
+        const auto content = ResultsFolder(m_results).read(scene.picture);
         const auto found
             = content ? parsePicture(*content, scene.picture) : Result<Picture>(content.error());
         const Picture &expected = m_grader.expected(place);
@@ -200,11 +200,10 @@ QByteArray pageOf(const GradeReport &report, const QString &results)
 
 std::optional<InputError> writeReports(const QString &results, const GradeReport &report)
 {
-    const QDir folder(results);
+    const ResultsFolder folder(results);
     for (const GradedSubmission &submission : report.submissions) {
         const QString file = QStringLiteral("gradescope/%1.json").arg(submission.id);
-        if (auto error
-            = writeFile(folder.filePath(file), gradescopeOf(submission, report.assignment)))
+        if (auto error = folder.write(file, gradescopeOf(submission, report.assignment)))
             return error;
     }
     const std::array<std::pair<const char *, QByteArray>, 4> files
@@ -213,7 +212,7 @@ std::optional<InputError> writeReports(const QString &results, const GradeReport
             {"grades.csv", csvOf(report)},
             {"index.html", pageOf(report, results)}}};
     for (const auto &[name, content] : files) {
-        if (auto error = writeFile(folder.filePath(QLatin1String(name)), content))
+        if (auto error = folder.write(QLatin1String(name), content))
             return error;
     }
     return std::nullopt;

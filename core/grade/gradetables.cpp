@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/rowwriter.h"
+#include "core/export/spreadsheettext.h"
 #include "core/grade/gradereports.h"
 #include "core/grade/showntext.h"
 
@@ -13,13 +14,6 @@ namespace pixelplumb {
 namespace {
 
 QString pointsText(double points) { return QString::number(points, 'g', 10); }
-
-/// A spreadsheet takes a cell that begins so for a formula, and a student may have named it.
-QString cellText(const QString &text)
-{
-    const bool isFormula = !text.isEmpty() && QStringLiteral("=+-@\t").contains(text.front());
-    return isFormula ? u'\'' + text : text;
-}
 
 QString defectsText(const GradedSubmission &submission)
 {
@@ -119,14 +113,16 @@ QByteArray csvOf(const GradeReport &report)
     writer->begin(fields);
     for (const GradedSubmission &each : report.submissions)
         writer->writeRow(
-            {cellText(each.name), pointsText(each.points()), pointsText(report.assignment.points()),
-             verdictText(each), differingText(each), defectsText(each),
-             cellText(sentencesFor(each, report.assignment.hint).join(QStringLiteral(" / "))),
-             cellText(each.review.comment),
+            {spreadsheetText(each.name), pointsText(each.points()),
+             pointsText(report.assignment.points()), verdictText(each), differingText(each),
+             defectsText(each),
+             spreadsheetText(
+                 sentencesFor(each, report.assignment.hint).join(QStringLiteral(" / "))),
+             spreadsheetText(each.review.comment),
              each.review.isAccepted ? QStringLiteral("yes") : QStringLiteral("no"),
              each.id}); // begins with a letter, a digit or _
     for (const QString &name : report.missing)
-        writer->writeRow({cellText(name), QString(), pointsText(report.assignment.points()),
+        writer->writeRow({spreadsheetText(name), QString(), pointsText(report.assignment.points()),
                           QStringLiteral("no grade"), QString(), QString(), QString(), QString(),
                           QStringLiteral("no"), QString()});
     writer->end();

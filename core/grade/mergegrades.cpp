@@ -2,10 +2,10 @@
 #include "core/grade/gradefile.h"
 #include "core/grade/gradefolder.h"
 #include "core/grade/gradereports.h"
+#include "core/grade/resultsfolder.h"
 #include "core/grade/showntext.h"
-#include "core/scene/fileaccess.h"
 
-#include <QDir>
+#include <QFileInfo>
 #include <QSet>
 
 #include <algorithm>
@@ -14,28 +14,19 @@ namespace pixelplumb {
 
 namespace {
 
-/// Copies a file of the results, by its path in them.
-std::optional<InputError> copyResult(const QString &part, const QString &results,
-                                     const QString &file)
-{
-    const Result<QByteArray> content = readRegularFile(QDir(part).filePath(file));
-    if (!content)
-        return content.error();
-    const QString path = QDir(results).filePath(file);
-    QDir().mkpath(QFileInfo(path).path());
-    return writeFile(path, *content);
-}
-
-std::optional<InputError> copySubmission(const QString &part, const QString &results,
+std::optional<InputError> copySubmission(const ResultsFolder &part, const ResultsFolder &results,
                                          const GradedSubmission &submission)
 {
-    QStringList files = {submissionFileOf({}, submission.id)};
+    QStringList files = {submissionFile(submission.id)};
     for (const GradedScene &scene : submission.scenes) {
         if (!scene.picture.isEmpty())
             files += scene.picture;
     }
     for (const QString &file : files) {
-        if (auto error = copyResult(part, results, file))
+        const Result<QByteArray> content = part.read(file);
+        if (!content)
+            return content.error();
+        if (auto error = results.write(file, *content))
             return error;
     }
     return std::nullopt;
@@ -124,10 +115,8 @@ std::optional<InputError> incompleteness(const std::vector<MergedPart> &parts,
             return InputError{
                 each.folder,
                 QStringLiteral("is of another list of submissions than %1 (%2 and %3); %4")
-                    .arg(first.folder)
-                    .arg(each.part.submissions.size())
-                    .arg(first.part.submissions.size())
-                    .arg(ungraded),
+                    .arg(first.folder, QString::number(each.part.submissions.size()),
+                         QString::number(first.part.submissions.size()), ungraded),
                 QStringLiteral("parts that were graded of the same submissions, or --partial")};
     }
     for (const MergedPart &each : parts) {
@@ -174,19 +163,19 @@ Result<GradeReport> mergeGrades(const QStringList &parts, const QString &results
         if (auto error = incompleteness(*read, merged.missing))
             return *error;
     }
+    if (auto error = beginResults(results, whole))
+        return *error;
+    const ResultsFolder folder(results);
     for (MergedPart &each : *read) {
         for (GradedSubmission &submission : each.report.submissions) {
-            if (auto error = copySubmission(each.folder, results, submission))
+            if (auto error = copySubmission(ResultsFolder(each.folder), folder, submission))
                 return *error;
             merged.submissions.push_back(std::move(submission));
         }
     }
     std::ranges::sort(merged.submissions, {},
                       [](const GradedSubmission &each) { return std::pair(each.name, each.id); });
-    QDir().mkpath(QDir(results).filePath(QStringLiteral("gradescope")));
-    if (auto error = writeFile(assignmentFileOf(results), writeAssignment(merged.assignment)))
-        return *error;
-    if (auto error = writeFile(partFileOf(results), writeGradedPart(whole)))
+    if (auto error = folder.write(assignmentFile, writeAssignment(merged.assignment)))
         return *error;
     const bool hasReviews = std::ranges::any_of(
         merged.submissions, [](const GradedSubmission &each) { return !each.review.isEmpty(); });

@@ -3,11 +3,10 @@
 
 #include "core/runs/tracedscene.h"
 #include "core/scene/asciiraster.h"
-#include "core/scene/picturefault.h"
+#include "core/scene/picturereader.h"
 #include "core/scene/pnmfault.h"
 
-#include <QBuffer>
-#include <QImageReader>
+#include <QImage>
 #include <QSize>
 
 #include <algorithm>
@@ -111,11 +110,11 @@ Picture pictureOf(const Scene &scene)
     return picture;
 }
 
-Picture pictureIn(const QImage &image)
+Picture pictureIn(QImage image)
 {
     Picture picture = blankPicture(image.width(), image.height());
-    takeColours(image.convertToFormat(QImage::Format_RGB32), picture);
     picture.isTransparent = hasTransparentPixel(image);
+    takeColours(std::move(image).convertToFormat(QImage::Format_RGB32), picture);
     return picture;
 }
 
@@ -145,6 +144,13 @@ QString sizeHint(const QSize &size, const QSize &expected)
     return QStringLiteral(", %1 times as many each way, as if enlarged").arg(times);
 }
 
+std::int64_t largestPictureFileOf(const FrameSpec &frame)
+{
+    constexpr std::int64_t bytesOfPixel = 12; // "255 255 255 "
+    constexpr std::int64_t least = std::int64_t(64) << 20;
+    return std::max(least, bytesOfPixel * frame.width * frame.height);
+}
+
 bool isPictureFormat(const QByteArray &format)
 {
     static const QList<QByteArray> formats = {"png", "ppm", "pgm", "pbm", "bmp"};
@@ -167,26 +173,24 @@ Result<Picture> parsePicture(const QByteArray &content, const QString &name, con
     }
     if (content.isEmpty())
         return InputError{name, QStringLiteral("it is empty"), formats};
-    for (const auto faultIn : {pictureFault, pnmFault}) {
-        if (const QString fault = faultIn(content); !fault.isEmpty())
+    PictureReader reader(content);
+    for (const QString &fault : {reader.fault(), pnmFault(content)}) {
+        if (!fault.isEmpty())
             return InputError{name, QStringLiteral("no picture: ") + fault,
                               QStringLiteral("a whole file")};
     }
-    QByteArray bytes = content;
-    QBuffer buffer(&bytes);
-    QImageReader reader(&buffer);
-    if (const QSize size = reader.size(); size.isValid() && isTooLarge(size))
-        return tooLarge(name, size);
     if (const QByteArray format = reader.format(); !format.isEmpty() && !isPictureFormat(format))
         return InputError{
             name, QStringLiteral("a picture of the kind %1").arg(QString::fromLatin1(format)),
             formats};
-    const QImage image = reader.read();
+    if (const QSize size = reader.size(); size.isValid() && isTooLarge(size))
+        return tooLarge(name, size);
+    QImage image = reader.read();
     if (image.isNull())
         return InputError{name, QStringLiteral("no picture: ") + reader.errorString(), formats};
     if (isTooLarge(image.size()))
         return tooLarge(name, image.size());
-    return pictureIn(image);
+    return pictureIn(std::move(image));
 }
 
 } // namespace pixelplumb

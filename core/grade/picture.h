@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/frame/framespec.h"
 #include "core/geometry/colour.h"
 #include "core/scene/result.h"
 #include "core/scene/scene.h"
@@ -47,9 +48,17 @@ Picture emptyPicture(const FrameSpec &frame);
 Picture pictureOf(const Scene &scene);
 
 /// Nothing is covered yet.
-Picture pictureIn(const QImage &image);
+Picture pictureIn(QImage image);
 /// The oracle's; covered is what has another colour than the background.
 Picture truePictureOf(const Scene &scene);
+
+/// Of a picture's file that is read, bytes: the largest picture that is drawn has less as PPM, BMP
+/// and raster.
+inline constexpr std::int64_t largestPictureFile = (largestFrameArea << 2) + (1 << 20);
+
+/// The same of a picture of the frame: as text with a word a level, too; of a small one more, for
+/// whoever enlarged it is to be told.
+std::int64_t largestPictureFileOf(const FrameSpec &frame);
 
 /// "png", "ppm" …: the formats that are read, by their names in Qt.
 bool isPictureFormat(const QByteArray &format);

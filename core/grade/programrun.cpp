@@ -53,8 +53,7 @@ QString sentenceOf(const StudentRun &run, const ProgramLimits &limits)
         return QStringLiteral("it ended with exit code %1").arg(run.code);
     case ProgramEnd::Crashed:
         return QStringLiteral("it crashed: %1 (signal %2)")
-            .arg(QString::fromLatin1(sigdescr_np(run.code)))
-            .arg(run.code);
+            .arg(QString::fromLatin1(sigdescr_np(run.code)), QString::number(run.code));
     case ProgramEnd::TimedOut:
         return QStringLiteral("it was ended after %1 s of computing").arg(limits.wholeSeconds());
     case ProgramEnd::Flooded:

@@ -3,11 +3,10 @@
 
 #include "core/grade/showntext.h"
 #include "core/scene/asciiraster.h"
-#include "core/scene/picturefault.h"
+#include "core/scene/picturereader.h"
 #include "core/scene/pnmfault.h"
 
-#include <QBuffer>
-#include <QImageReader>
+#include <QSize>
 
 #include <algorithm>
 #include <array>
@@ -43,15 +42,13 @@ InputError noPicture(const QString &name, const QByteArray &output)
 std::optional<InputError> objectionToHeader(const QString &name, const QByteArray &output,
                                             const FrameSpec &frame)
 {
-    if (const QString fault = pictureFault(output); !fault.isEmpty())
-        return InputError{name, fault, {}};
-    QByteArray bytes = output;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::ReadOnly);
-    const QByteArray format = QImageReader::imageFormat(&buffer);
+    PictureReader reader(output);
+    if (!reader.fault().isEmpty())
+        return InputError{name, reader.fault(), {}};
+    const QByteArray format = reader.format();
     if (!isPictureFormat(format))
         return noPicture(name, output);
-    const QSize size = QImageReader(&buffer).size();
+    const QSize size = reader.size();
     if (!size.isValid()) {
         const QString fault = pnmFault(output);
         return InputError{name,
@@ -109,10 +106,7 @@ bool isOfOtherSize(const QByteArray &output, const FrameSpec &frame)
     if (looksLikeRaster(output)) {
         const Result<Picture> raster = parsePicture(output, {});
         size = raster ? QSize(raster->width, raster->height) : size;
-    } else if (pictureFault(output).isEmpty()) {
-        QByteArray bytes = output;
-        QBuffer buffer(&bytes);
-        QImageReader reader(&buffer);
+    } else if (PictureReader reader(output); reader.fault().isEmpty()) {
         size = isPictureFormat(reader.format()) ? reader.size() : size;
     }
     return size.isValid() && size != QSize(frame.width, frame.height);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/studentprogram.h"
 
+#include "core/scene/inputrecord.h"
+
 #include <QFileInfo>
 #include <QStandardPaths>
 
@@ -20,6 +22,10 @@ Result<StudentProgram> studentProgramOf(const QStringList &words)
     for (QString &argument : student.arguments) {
         if (QFileInfo::exists(argument))
             argument = QFileInfo(argument).absoluteFilePath();
+    }
+    for (const QString &word : QStringList{student.path} + student.arguments) {
+        if (auto refusal = noteInput(word))
+            return *refusal;
     }
     return student;
 }

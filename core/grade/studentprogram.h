@@ -14,7 +14,8 @@ struct StudentProgram {
     QStringList arguments;
 };
 
-/// The program that the first word names (a file, or what PATH holds), with the other words.
+/// The program that the first word names (a file, or what PATH holds), with the other words. The
+/// files that they name are inputs from then on.
 Result<StudentProgram> studentProgramOf(const QStringList &words);
 
 } // namespace pixelplumb

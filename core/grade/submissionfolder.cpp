@@ -2,12 +2,13 @@
 #include "core/grade/submissionfolder.h"
 
 #include "core/grade/descriptor.h"
+#include "core/grade/filekind.h"
+#include "core/grade/showntext.h"
 
 #include <QCryptographicHash>
 #include <QFile>
 
 #include <dirent.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -57,22 +58,6 @@ std::vector<QByteArray> namesIn(const Descriptor &folder, std::size_t most,
     return names;
 }
 
-QString kindOf(mode_t mode)
-{
-    switch (mode & S_IFMT) {
-    case S_IFLNK:
-        return QStringLiteral("a link");
-    case S_IFIFO:
-        return QStringLiteral("a pipe");
-    case S_IFDIR:
-        return QStringLiteral("a folder");
-    case S_IFSOCK:
-        return QStringLiteral("a socket");
-    default:
-        return QStringLiteral("a device");
-    }
-}
-
 /// Adds the file, or why it is none.
 void add(const Descriptor &folder, const QByteArray &name, std::vector<SubmittedFile> &files,
          std::vector<RefusedFile> &refused)
@@ -83,7 +68,7 @@ void add(const Descriptor &folder, const QByteArray &name, std::vector<Submitted
     if (S_ISREG(status.st_mode))
         files.push_back({name, status.st_size, (status.st_mode & S_IXUSR) != 0});
     else
-        refused.push_back({name, kindOf(status.st_mode)});
+        refused.push_back({name, fileKindOf(status.st_mode)});
 }
 
 bool isPlain(char character)
@@ -92,20 +77,10 @@ bool isPlain(char character)
         || (character >= 'a' && character <= 'z') || character == '-' || character == '_';
 }
 
+/// A backslash begins an escape.
 bool isShown(char32_t character)
 {
-    switch (QChar::category(character)) {
-    case QChar::Other_Control:
-    case QChar::Other_Format:
-    case QChar::Other_Surrogate:
-    case QChar::Other_PrivateUse:
-    case QChar::Other_NotAssigned:
-    case QChar::Separator_Line:
-    case QChar::Separator_Paragraph:
-        return false;
-    default:
-        return character != U'\\' && character != QChar::ReplacementCharacter;
-    }
+    return canBeShown(character) && character != U'\\' && character != QChar::ReplacementCharacter;
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/spreadsheettext.h"
 #include "core/lab/labfields.h"
 #include "core/lab/labfile.h"
 
@@ -19,17 +20,12 @@ public:
 
     QByteArray text() const { return m_fields.join(u',').toUtf8() + '\n'; }
 
-    void add(const QString &name, const QString &value)
-    {
-        QString field = m_kind == Kind::Header ? name : m_isMissing ? QString() : value;
-        if (field.contains(u',') || field.contains(u'"') || field.contains(u'\n'))
-            field = u'"' + field.replace(u'"', QStringLiteral("\"\"")) + u'"';
-        m_fields.append(field);
-    }
-    void add(const QString &name, bool value) { add(name, QString::number(int(value))); }
-    void add(const QString &name, int value) { add(name, QString::number(value)); }
-    void add(const QString &name, std::int64_t value) { add(name, QString::number(value)); }
-    void add(const QString &name, double value) { add(name, QString::number(value, 'g', 9)); }
+    /// A name, which may come from a file of results.
+    void add(const QString &name, const QString &value) { put(name, spreadsheetText(value)); }
+    void add(const QString &name, bool value) { put(name, QString::number(int(value))); }
+    void add(const QString &name, int value) { put(name, QString::number(value)); }
+    void add(const QString &name, std::int64_t value) { put(name, QString::number(value)); }
+    void add(const QString &name, double value) { put(name, QString::number(value, 'g', 9)); }
     template <class Enum>
     requires std::is_enum_v<Enum>
     void add(const QString &name, Enum value) { add(name, fileWord(nameOf(value))); }
@@ -54,7 +50,7 @@ public:
     void add(const QString &name, const std::array<T, count> &values)
     {
         for (std::size_t i = 0; i < count; ++i)
-            add(QStringLiteral("%1[%2]").arg(name).arg(i), values[i]);
+            add(QStringLiteral("%1[%2]").arg(name, QString::number(i)), values[i]);
     }
     template <class T>
     void add(const QString &name, const std::optional<T> &value)
@@ -74,6 +70,15 @@ public:
     }
 
 private:
+    void put(const QString &name, const QString &value)
+    {
+        QString field = m_kind == Kind::Header ? name : m_isMissing ? QString() : value;
+        if (field.contains(u',') || field.contains(u'"') || field.contains(u'\n')
+            || field.contains(u'\r'))
+            field = u'"' + field.replace(u'"', QStringLiteral("\"\"")) + u'"';
+        m_fields.append(field);
+    }
+
     Kind m_kind;
     bool m_isMissing = false;
     QStringList m_fields;

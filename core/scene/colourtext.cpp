@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/colourtext.h"
 
+#include "core/scene/shortened.h"
+
 namespace pixelplumb {
 
 namespace {
@@ -28,7 +30,7 @@ Result<BlendedColour> parseColour(QStringView text)
         && isHexadecimal(text.sliced(1));
     if (!isColour) {
         return InputError{{},
-                          QStringLiteral("“%1” is no colour").arg(text.left(60)),
+                          QStringLiteral("“%1” is no colour").arg(shortened(text.toString())),
                           QStringLiteral("#rrggbb or #rrggbbaa in hexadecimal digits")};
     }
     const auto byte = [text](std::size_t index) {

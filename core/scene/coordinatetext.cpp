@@ -2,6 +2,7 @@
 #include "core/scene/coordinatetext.h"
 
 #include "core/scene/natural.h"
+#include "core/scene/shortened.h"
 
 #include <cmath>
 #include <limits>
@@ -119,11 +120,7 @@ Quantity quantityOf(const WrittenValue &value)
 
 InputError refusal(QStringView text, const QString &why, const NumberFormat &format)
 {
-    constexpr qsizetype longestQuote = 60;
-    const QString quote = text.size() <= longestQuote
-        ? text.toString()
-        : text.first(longestQuote).toString() + QChar(0x2026);
-    return {{}, why.arg(quote), expectationOf(format)};
+    return {{}, why.arg(shortened(text.toString())), expectationOf(format)};
 }
 
 QString rangeText(const NumberFormat &format)

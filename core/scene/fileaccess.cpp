@@ -1,53 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/fileaccess.h"
 
+#include "core/scene/inputrecord.h"
+#include "core/scene/outputfile.h"
+
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 
-#include <filesystem>
+#include <algorithm>
 
 namespace pixelplumb {
 
-namespace {
-
-constexpr qint64 largestFile = qint64(256) << 20;
-
-std::optional<InputError> writeThrough(QFileDevice &file, const QByteArray &content)
+Result<QByteArray> readDevice(const QString &place, QIODevice &device, qint64 most)
 {
-    if (file.write(content) == content.size() && file.flush())
-        return std::nullopt;
-    return InputError{
-        file.fileName(), QStringLiteral("cannot be written: ") + file.errorString(), {}};
+    constexpr qint64 piece = qint64(1) << 20;
+    QByteArray content;
+    content.reserve(qBound<qint64>(0, device.size(), most));
+    while (content.size() <= most) {
+        const QByteArray next = device.read(std::min(piece, most + 1 - content.size()));
+        if (next.isEmpty())
+            break;
+        content += next;
+    }
+    const auto *file = qobject_cast<QFileDevice *>(&device);
+    if (file && file->error() != QFileDevice::NoError)
+        return InputError{place, QStringLiteral("cannot be read: ") + file->errorString(), {}};
+    if (content.size() > most)
+        return InputError{
+            place, QStringLiteral("cannot be read: it is larger than %1 MiB").arg(most >> 20), {}};
+    return content;
 }
 
-} // namespace
-
-Result<QByteArray> readFile(const QString &path)
+Result<QByteArray> readFile(const QString &path, qint64 most)
 {
     const auto refusal = [&](const QString &why) {
         return InputError{path, QStringLiteral("cannot be read: ") + why, {}};
     };
     if (QFileInfo(path).isDir())
         return refusal(QStringLiteral("it is a folder"));
+    if (auto objection = noteInput(path))
+        return *objection;
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return refusal(file.errorString());
-    QByteArray content = file.read(largestFile + 1);
-    if (file.error() != QFileDevice::NoError)
-        return refusal(file.errorString());
-    if (content.size() > largestFile)
-        return refusal(QStringLiteral("it is larger than 256 MiB"));
-    return content;
+    return readDevice(path, file, most);
 }
 
-Result<QByteArray> readRegularFile(const QString &path)
+Result<QByteArray> readRegularFile(const QString &path, qint64 most)
 {
     const QFileInfo file(path);
     if (file.exists() && !file.isFile() && !file.isDir())
         return InputError{path, QStringLiteral("cannot be read: it is a pipe or a device"),
                           QStringLiteral("a file")};
-    return readFile(path);
+    return readFile(path, most);
 }
 
 InputError errorIn(const QString &path, InputError error)
@@ -61,34 +66,14 @@ InputError readingCancelled(const QString &place)
     return {place, QStringLiteral("the reading was cancelled"), {}};
 }
 
-bool isSameFile(const QString &path, const QString &other)
+std::optional<InputError> writeFile(const QString &path, const QByteArray &content, WrittenAs as)
 {
-    const std::filesystem::path first(path.toStdU16String());
-    std::error_code error;
-    return std::filesystem::is_regular_file(first, error)
-        && std::filesystem::equivalent(first, other.toStdU16String(), error);
-}
-
-std::optional<InputError> writeFile(const QString &path, const QByteArray &content)
-{
-    const auto refusal = [&](const QFileDevice &file) {
-        return InputError{path, QStringLiteral("cannot be written: ") + file.errorString(), {}};
-    };
-    const QFileInfo target(path);
-    if (target.exists() && !target.isFile() && !target.isDir()) {
-        QFile device(path);
-        if (!device.open(QIODevice::WriteOnly))
-            return refusal(device);
-        return writeThrough(device, content);
-    }
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return refusal(file);
-    if (auto error = writeThrough(file, content))
+    OutputFile file(path, as);
+    if (auto error = file.open())
         return error;
-    if (!file.commit())
-        return refusal(file);
-    return std::nullopt;
+    if (file.device().write(content) != content.size())
+        return file.error();
+    return file.finish();
 }
 
 } // namespace pixelplumb

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#define ZLIB_CONST
 #include "core/scene/inflated.h"
 
 #include <zlib.h>
@@ -7,24 +8,31 @@
 
 namespace pixelplumb {
 
-std::uint64_t inflatedBytes(const QByteArray &stream, std::uint64_t most)
+StreamEnd inflate(const QByteArray &stream, const BytesListener &listener)
 {
     z_stream state = {};
     if (inflateInit(&state) != Z_OK)
-        return 0;
-    QByteArray input = stream; // zlib asks for bytes that may be changed
-    state.next_in = reinterpret_cast<Bytef *>(input.data());
-    state.avail_in = uInt(input.size());
-    std::vector<Bytef> block(std::size_t(1) << 16);
-    int result = Z_OK;
-    while (result == Z_OK && state.total_out < most) {
+        return StreamEnd::Broken;
+    state.next_in = reinterpret_cast<const Bytef *>(stream.constData());
+    state.avail_in = uInt(stream.size());
+    std::vector<std::uint8_t> block(std::size_t(1) << 16);
+    StreamEnd end = StreamEnd::Early;
+    for (int result = Z_OK; result == Z_OK;) {
         state.next_out = block.data();
         state.avail_out = uInt(block.size());
-        result = inflate(&state, Z_NO_FLUSH);
+        result = ::inflate(&state, Z_NO_FLUSH);
+        const std::size_t bytes = block.size() - state.avail_out;
+        if (bytes > 0 && !listener(std::span(block).first(bytes))) {
+            end = StreamEnd::Stopped;
+            break;
+        }
+        if (result == Z_STREAM_END)
+            end = StreamEnd::Whole;
+        else if (result != Z_OK && result != Z_BUF_ERROR) // a lack of bytes is no fault of theirs
+            end = StreamEnd::Broken;
     }
-    const std::uint64_t bytes = state.total_out;
     inflateEnd(&state);
-    return bytes;
+    return end;
 }
 
 } // namespace pixelplumb

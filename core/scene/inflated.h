@@ -4,11 +4,22 @@
 #include <QByteArray>
 
 #include <cstdint>
+#include <functional>
+#include <span>
 
 namespace pixelplumb {
 
-/// How many bytes a stream of zlib's (RFC 1950) gives before it ends or is broken; it is not gone
-/// through beyond `most`.
-std::uint64_t inflatedBytes(const QByteArray &stream, std::uint64_t most);
+/// How a stream that is deflated (RFC 1950) ended.
+enum class StreamEnd {
+    Whole, ///< and its checksum is right
+    Early,
+    Broken,
+    Stopped, ///< by its listener
+};
+
+/// Hears the bytes of a stream, a block after the other; false ends it.
+using BytesListener = std::function<bool(std::span<const std::uint8_t> block)>;
+
+StreamEnd inflate(const QByteArray &stream, const BytesListener &listener);
 
 } // namespace pixelplumb

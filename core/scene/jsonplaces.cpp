@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/jsonplaces.h"
 
+#include <QJsonArray>
+#include <QJsonDocument>
 #include <QSet>
 
 #include <cctype>
@@ -67,12 +69,16 @@ private:
         m_position += found ? 1 : 0;
         return found;
     }
+    /// What it means: "w\u0069dth" is "width".
     QString takeString()
     {
         const qsizetype first = ++m_position;
         while (m_position < m_text.size() && m_text[m_position] != '"')
             m_position += m_text[m_position] == '\\' ? 2 : 1;
-        return QString::fromUtf8(m_text.sliced(first, m_position++ - first));
+        const QByteArray written = m_text.sliced(first, m_position++ - first);
+        if (!written.contains('\\'))
+            return QString::fromUtf8(written);
+        return QJsonDocument::fromJson("[\"" + written + "\"]").array().at(0).toString();
     }
 
     bool walkValue()

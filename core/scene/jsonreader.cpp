@@ -2,6 +2,7 @@
 #include "core/scene/jsonreader.h"
 
 #include "core/scene/jsonplaces.h"
+#include "core/scene/shortened.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -79,9 +80,11 @@ std::optional<qsizetype> JsonReader::offsetOf(const QString &path) const
 void JsonReader::failAt(qsizetype offset, const QString &path, const QString &found,
                         const QString &expected)
 {
+    constexpr qsizetype longestPath = 200; // characters
     const QString line = linePlace(m_excerpt.whole, m_excerpt.offsetInWhole(offset));
-    m_error
-        = InputError{path.isEmpty() ? line : line + QStringLiteral(", ") + path, found, expected};
+    m_error = InputError{
+        path.isEmpty() ? line : line + QStringLiteral(", ") + shortened(path, longestPath), found,
+        expected};
 }
 
 void JsonReader::expectObject(const JsonNode &node, const QStringList &keys)
@@ -93,7 +96,9 @@ void JsonReader::expectObject(const JsonNode &node, const QStringList &keys)
     const QStringList present = node.value.toObject().keys();
     for (const QString &key : present) {
         if (!keys.contains(key)) {
-            fail(node[key], QStringLiteral("unknown key “%1”").arg(key),
+            // Of a long one the object is the place.
+            fail(key.size() > longestQuote ? node : node[key],
+                 QStringLiteral("unknown key “%1”").arg(shortened(key)),
                  QStringLiteral("one of ") + keys.join(QStringLiteral(", ")));
             return;
         }
@@ -159,7 +164,7 @@ QString describe(const JsonNode &node)
     case QJsonValue::Double:
         return numberText(node.value);
     case QJsonValue::String:
-        return QStringLiteral("“%1”").arg(node.value.toString().left(60));
+        return QStringLiteral("“%1”").arg(shortened(node.value.toString()));
     case QJsonValue::Array:
         return QStringLiteral("an array of %1").arg(node.value.toArray().size());
     case QJsonValue::Object:

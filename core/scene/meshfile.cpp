@@ -66,7 +66,7 @@ public:
     InputError error(const QString &name) const
     {
         const QString place
-            = m_line > 0 ? QStringLiteral("%1, line %2").arg(name).arg(m_line) : name;
+            = m_line > 0 ? QStringLiteral("%1, line %2").arg(name, QString::number(m_line)) : name;
         return {place, m_found, m_expected};
     }
     Mesh takeMesh() { return std::move(m_mesh); }
@@ -163,7 +163,7 @@ std::int64_t MeshBuilder::resolved(int index, std::size_t count, const char *wha
     const std::int64_t fromZero = index < 0 ? std::int64_t(count) + index : std::int64_t(index) - 1;
     if (fromZero >= 0 && fromZero < std::int64_t(count))
         return fromZero;
-    fail(QStringLiteral("a face with %1 %2").arg(QLatin1String(what)).arg(index),
+    fail(QStringLiteral("a face with %1 %2").arg(QLatin1String(what), QString::number(index)),
          count == 0 ? QStringLiteral("one that stands before the face")
                     : QStringLiteral("1 to %1, of those before the face").arg(count));
     return 0;

@@ -3,20 +3,21 @@
 
 #include "core/frame/framespec.h"
 #include "core/scene/inflated.h"
+#include "core/scene/pngheader.h"
 
 #include <QtEndian>
 
 #include <boost/crc.hpp>
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 namespace pixelplumb {
 
 namespace {
 
-constexpr qsizetype signatureSize = 8;
+using ColourType = PngHeader::ColourType;
+
+constexpr QByteArrayView signature("\x89PNG\r\n\x1a\n");
 constexpr qsizetype frameOfChunk = 12; // length, type and checksum
 
 /// The cyclic redundancy check of ISO/IEC 15948, annex D.
@@ -30,147 +31,163 @@ std::uint32_t checksumOf(QByteArrayView bytes)
 /// Critical chunks have a capital first: bit 5 is not set.
 bool isCritical(QByteArrayView type) { return (std::uint8_t(type.front()) & 0x20U) == 0; }
 
+bool isName(QByteArrayView type)
+{
+    return std::ranges::all_of(type, [](char letter) {
+        return (letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z');
+    });
+}
+
 /// A damaged file may have anything for a type.
 QString typeText(QByteArrayView type)
 {
-    const bool isName = std::ranges::all_of(type, [](char letter) {
-        return (letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z');
-    });
-    return isName ? QString::fromLatin1(type) : QStringLiteral("a chunk");
+    return isName(type) ? QString::fromLatin1(type) : QStringLiteral("a chunk");
 }
 
-/// Of ISO/IEC 15948, 11.2.2: the depths in bits that a colour type can have; none: it is no type.
-QByteArrayView depthsOf(char colourType)
-{
-    switch (colourType) {
-    case 0:
-        return "\x01\x02\x04\x08\x10";
-    case 3:
-        return "\x01\x02\x04\x08";
-    case 2:
-    case 4:
-    case 6:
-        return "\x08\x10";
-    default:
-        return {};
-    }
-}
+/// The chunks that the pixels need, in the order in which they stand; views of the file.
+struct PngParts {
+    QByteArrayView headerChunk;
+    PngHeader header;
+    QByteArrayView palette; ///< empty: none
+    QByteArrayView transparency;
+    QByteArray pixels; ///< of all chunks that have some
+};
 
-constexpr qsizetype heightPlace = 4; // in IHDR, behind the width
-constexpr qsizetype depthPlace = 8;
-constexpr qsizetype typePlace = 9;
-constexpr qsizetype interlacingPlace = 12;
-constexpr char paletteType = 3;
-
-/// What is wrong with the content of IHDR, which comes first.
-QString headerFault(QByteArrayView header)
+/// Red, green and blue of each colour.
+QString paletteFault(QByteArrayView palette, const PngParts &parts)
 {
-    constexpr qsizetype headerSize = 13;
-    if (header.size() != headerSize)
-        return QStringLiteral("a broken PNG: its header has %1 bytes in place of 13")
-            .arg(header.size());
-    if (depthsOf(header[typePlace]).contains(header[depthPlace]))
+    constexpr qsizetype bytesOfColour = 3;
+    if (!parts.palette.isEmpty())
+        return QStringLiteral("it has two palettes (PLTE)");
+    const qsizetype most
+        = parts.header.colourType == ColourType::Palette ? qsizetype(1) << parts.header.depth : 256;
+    const qsizetype colours = palette.size() / bytesOfColour;
+    if (palette.size() % bytesOfColour == 0 && colours >= 1 && colours <= most)
         return {};
-    return QStringLiteral("a broken PNG: its header says colour type %1 of %2 bits, which is none")
-        .arg(int(std::uint8_t(header[typePlace])))
-        .arg(int(std::uint8_t(header[depthPlace])));
+    return QStringLiteral("its palette (PLTE) has %1 bytes").arg(palette.size());
 }
 
 /// Of the first chunk of pixels: what is missing before it, or whether they are compressed
 /// otherwise (RFC 1950, 2.2).
-QString pixelsFault(QByteArrayView pixels, char colourType, bool hasPalette)
+QString firstPixelsFault(QByteArrayView pixels, const PngParts &parts)
 {
-    if (colourType == paletteType && !hasPalette)
-        return QStringLiteral("a broken PNG: its palette (PLTE) is missing");
+    if (parts.header.colourType == ColourType::Palette && parts.palette.isEmpty())
+        return QStringLiteral("its palette (PLTE) is missing");
     constexpr int deflate = 8;
     if (pixels.size() < 2) // the others are in the next chunk
         return {};
     const auto first = std::uint8_t(pixels[0]);
     const bool isDeflated
         = (first & 0x0fU) == deflate && (first * 256 + std::uint8_t(pixels[1])) % 31 == 0;
-    return isDeflated ? QString()
-                      : QStringLiteral("a broken PNG: its pixels (IDAT) are not deflated");
+    return isDeflated ? QString() : QStringLiteral("its pixels (IDAT) are not deflated");
 }
 
-std::uint64_t samplesOfPixel(char colourType)
+/// Takes a chunk behind the header; what is wrong with it, or empty.
+QString takeChunk(QByteArrayView type, QByteArrayView content, PngParts &parts)
 {
-    switch (colourType) {
-    case 2:
-        return 3;
-    case 4:
-        return 2;
-    case 6:
-        return 4;
-    default:
-        return 1;
+    if (type == "IDAT") {
+        const QString fault = parts.pixels.isEmpty() ? firstPixelsFault(content, parts) : QString();
+        parts.pixels += content;
+        return fault;
     }
+    if (type == "PLTE") {
+        const QString fault = paletteFault(content, parts);
+        parts.palette = content;
+        return fault;
+    }
+    // Elsewhere it is passed over (5.6).
+    const bool isInPlace = parts.pixels.isEmpty()
+        && (parts.header.colourType != ColourType::Palette || !parts.palette.isEmpty());
+    if (type == "tRNS" && isInPlace && parts.transparency.isEmpty())
+        parts.transparency = content;
+    else if (isCritical(type) && type != "IEND")
+        return QStringLiteral("%1 stands where there is no such chunk").arg(typeText(type));
+    return {};
 }
 
-/// Pixels of every so manieth column and line from one on.
-struct InterlacedPass {
-    std::uint64_t firstColumn, firstLine, columns, lines;
+/// Looks at the lines of pixels as they are inflated.
+class LineCheck {
+public:
+    explicit LineCheck(const PngHeader &header)
+        : m_lines(linesOf(header))
+    {
+        for (const PngLines &each : m_lines)
+            m_needed += each.bytes * each.count;
+    }
+
+    /// False at a fault, and where there is far more than the pixels need.
+    bool take(std::span<const std::uint8_t> block)
+    {
+        constexpr std::uint64_t mostBeyond = std::uint64_t(1) << 16;
+        m_bytes += block.size();
+        while (!block.empty() && m_pass < m_lines.size()) {
+            constexpr std::uint8_t lastFilter = 4;
+            if (m_inLine == 0 && block.front() > lastFilter) {
+                m_hasUnknownFilter = true;
+                return false;
+            }
+            const PngLines &lines = m_lines[m_pass];
+            const std::uint64_t step
+                = std::min<std::uint64_t>(lines.bytes - m_inLine, block.size());
+            block = block.subspan(step);
+            m_inLine += step;
+            if (m_inLine < lines.bytes)
+                continue;
+            m_inLine = 0;
+            if (++m_line == lines.count) {
+                m_line = 0;
+                ++m_pass;
+            }
+        }
+        return m_bytes <= m_needed + mostBeyond;
+    }
+
+    QString fault(StreamEnd end) const
+    {
+        if (m_hasUnknownFilter)
+            return QStringLiteral("a line of its pixels (IDAT) has a filter that is none");
+        if (m_bytes < m_needed)
+            return QStringLiteral("its pixels (IDAT) end early, at byte %1 of %2")
+                .arg(m_bytes)
+                .arg(m_needed);
+        if (end == StreamEnd::Stopped)
+            return QStringLiteral("its pixels (IDAT) go on behind the last line");
+        return end == StreamEnd::Whole
+            ? QString()
+            : QStringLiteral("the checksum of its pixels (IDAT) is wrong");
+    }
+
+private:
+    std::vector<PngLines> m_lines;
+    std::uint64_t m_needed = 0; ///< bytes in all
+    std::uint64_t m_bytes = 0;
+    std::size_t m_pass = 0;
+    std::uint64_t m_line = 0; ///< of the pass
+    std::uint64_t m_inLine = 0; ///< bytes
+    bool m_hasUnknownFilter = false;
 };
-constexpr InterlacedPass wholePass = {0, 0, 1, 1};
-/// Adam7, ISO/IEC 15948, 8.2.
-constexpr std::array interlacedPasses
-    = {InterlacedPass{0, 0, 8, 8}, InterlacedPass{4, 0, 8, 8}, InterlacedPass{0, 4, 4, 8},
-       InterlacedPass{2, 0, 4, 4}, InterlacedPass{0, 2, 2, 4}, InterlacedPass{1, 0, 2, 2},
-       InterlacedPass{0, 1, 1, 2}};
 
-/// Width and height, px.
-std::pair<std::uint64_t, std::uint64_t> sidesOf(QByteArrayView header)
+QString pixelsFault(const PngParts &parts)
 {
-    return {qFromBigEndian<quint32>(header.data()),
-            qFromBigEndian<quint32>(header.data() + heightPlace)};
+    if (parts.pixels.isEmpty())
+        return QStringLiteral("it has no pixels (IDAT)");
+    if (parts.header.area() > std::uint64_t(largestFrameArea)) // is refused, whatever it has
+        return {};
+    LineCheck check(parts.header);
+    const StreamEnd end = inflate(
+        parts.pixels, [&check](std::span<const std::uint8_t> block) { return check.take(block); });
+    return check.fault(end);
 }
 
-/// What the pixels of a picture with this header take before they are compressed.
-std::uint64_t bytesOfPixels(QByteArrayView header)
+QString broken(const QString &fault)
 {
-    const auto sides = sidesOf(header);
-    const std::uint64_t bits = std::uint8_t(header[depthPlace]) * samplesOfPixel(header[typePlace]);
-    const auto bytesOf = [&](const InterlacedPass &pass) -> std::uint64_t {
-        const auto counted = [](std::uint64_t all, std::uint64_t first, std::uint64_t step) {
-            return all <= first ? 0 : (all - first + step - 1) / step;
-        };
-        const std::uint64_t columns = counted(sides.first, pass.firstColumn, pass.columns);
-        const std::uint64_t lines = counted(sides.second, pass.firstLine, pass.lines);
-        return columns == 0 ? 0 : lines * (1 + (columns * bits + 7) / 8); // 1: the filter
-    };
-    if (header[interlacingPlace] == 0)
-        return bytesOf(wholePass);
-    std::uint64_t bytes = 0;
-    for (const InterlacedPass &pass : interlacedPasses)
-        bytes += bytesOf(pass);
-    return bytes;
+    return fault.isEmpty() ? fault : QStringLiteral("a broken PNG: ") + fault;
 }
 
-QString endFault(QByteArrayView header, const QByteArray &pixels)
+/// Takes the chunks of a file up to its end; what is wrong with them, or empty.
+QString takeChunks(const QByteArray &content, PngParts &parts)
 {
-    if (pixels.isEmpty())
-        return QStringLiteral("a broken PNG: it has no pixels (IDAT)");
-    const auto [width, height] = sidesOf(header);
-    if (width * height > std::uint64_t(largestFrameArea)) // is refused, whatever it has
-        return {};
-    const std::uint64_t needed = bytesOfPixels(header);
-    const std::uint64_t there = inflatedBytes(pixels, needed);
-    if (there >= needed)
-        return {};
-    return QStringLiteral("a broken PNG: its pixels (IDAT) end early, at byte %1 of %2")
-        .arg(there)
-        .arg(needed);
-}
-
-} // namespace
-
-QString pngFault(const QByteArray &content)
-{
-    if (!content.startsWith("\x89PNG\r\n\x1a\n"))
-        return {};
-    QByteArrayView header;
-    bool hasPalette = false;
-    QByteArray pixels;
-    for (qsizetype at = signatureSize;;) {
+    for (qsizetype at = signature.size();;) {
         const qsizetype left = content.size() - at;
         if (left < frameOfChunk)
             return QStringLiteral("a PNG that ends early, at byte %1").arg(content.size());
@@ -178,35 +195,86 @@ QString pngFault(const QByteArray &content)
         const QByteArrayView type = QByteArrayView(content).sliced(at + 4, 4);
         if (length > quint64(left - frameOfChunk))
             return QStringLiteral("a PNG that ends early, in %1 at byte %2")
-                .arg(typeText(type))
-                .arg(at);
+                .arg(typeText(type), QString::number(at));
         const QByteArrayView checked
             = QByteArrayView(content).sliced(at + 4, 4 + qsizetype(length));
         const auto checksum
             = qFromBigEndian<quint32>(content.constData() + at + 8 + qsizetype(length));
         if (isCritical(type) && checksumOf(checked) != checksum)
-            return QStringLiteral("a broken PNG: the checksum of %1 at byte %2 is wrong")
-                .arg(typeText(type))
-                .arg(at);
+            return broken(QStringLiteral("the checksum of %1 at byte %2 is wrong")
+                              .arg(typeText(type), QString::number(at)));
         const QByteArrayView chunk = checked.sliced(4);
         QString fault;
-        if (header.isEmpty()) {
-            if (type != "IHDR")
-                return QStringLiteral("a broken PNG: it does not begin with its header (IHDR)");
-            fault = headerFault(chunk);
-            header = chunk;
-        } else if (type == "IDAT") {
-            if (pixels.isEmpty())
-                fault = pixelsFault(chunk, header[typePlace], hasPalette);
-            pixels += chunk;
+        if (!parts.headerChunk.isEmpty()) {
+            fault = takeChunk(type, chunk, parts);
+        } else if (type != "IHDR") {
+            fault = QStringLiteral("it does not begin with its header (IHDR)");
+        } else {
+            fault = readPngHeader(chunk, parts.header);
+            parts.headerChunk = chunk;
         }
-        hasPalette = hasPalette || type == "PLTE";
-        if (!fault.isEmpty())
-            return fault;
-        if (type == "IEND")
-            return endFault(header, pixels);
+        if (!fault.isEmpty() || type == "IEND")
+            return broken(fault);
         at += frameOfChunk + qsizetype(length);
     }
+}
+
+/// Whether the decoder can use what is said of transparency (11.3.2).
+bool isTransparencyOf(QByteArrayView transparency, const PngParts &parts)
+{
+    constexpr qsizetype bytesOfSample = 2, bytesOfColour = 3;
+    switch (parts.header.colourType) {
+    case ColourType::Grey:
+        return transparency.size() == bytesOfSample;
+    case ColourType::Rgb:
+        return transparency.size() == bytesOfColour * bytesOfSample;
+    case ColourType::Palette:
+        return transparency.size() >= 1
+            && transparency.size() <= parts.palette.size() / bytesOfColour;
+    case ColourType::GreyAlpha:
+    case ColourType::Rgba:
+        break;
+    }
+    return false;
+}
+
+void append(QByteArray &png, QByteArrayView type, QByteArrayView content)
+{
+    const auto number = [&png](std::uint32_t value) {
+        const quint32 bytes = qToBigEndian(value);
+        png.append(reinterpret_cast<const char *>(&bytes), sizeof bytes);
+    };
+    number(std::uint32_t(content.size()));
+    const qsizetype checked = png.size();
+    png.append(type).append(content);
+    number(checksumOf(QByteArrayView(png).sliced(checked)));
+}
+
+} // namespace
+
+QString pngFault(const QByteArray &content)
+{
+    if (!content.startsWith(signature))
+        return {};
+    PngParts parts;
+    const QString fault = takeChunks(content, parts);
+    return fault.isEmpty() ? broken(pixelsFault(parts)) : fault;
+}
+
+QByteArray plainPng(const QByteArray &content)
+{
+    PngParts parts;
+    if (!content.startsWith(signature) || !takeChunks(content, parts).isEmpty())
+        return content;
+    QByteArray png = signature.toByteArray();
+    append(png, "IHDR", parts.headerChunk);
+    if (parts.header.colourType == ColourType::Palette)
+        append(png, "PLTE", parts.palette);
+    if (isTransparencyOf(parts.transparency, parts))
+        append(png, "tRNS", parts.transparency);
+    append(png, "IDAT", parts.pixels);
+    append(png, "IEND", {});
+    return png;
 }
 
 } // namespace pixelplumb

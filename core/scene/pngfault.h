@@ -6,10 +6,12 @@
 
 namespace pixelplumb {
 
-/// Where a PNG file is broken: "a PNG that ends early, in IDAT at byte 41"; empty of a whole one
-/// and of what is no PNG. Its decoder writes such things to standard error itself, without the
-/// file's name, so that it is not asked. Of chunks that a decoder may leave out nothing is said
-/// (ISO/IEC 15948, 5.3 and 5.4).
+/// Where a PNG is broken, even where a decoder would take it; empty of a whole one and of what is
+/// no PNG. A chunk that no decoder needs may be broken.
 QString pngFault(const QByteArray &content);
+
+/// A whole PNG with what its pixels need alone: its decoder writes to the terminal what it thinks
+/// of other chunks.
+QByteArray plainPng(const QByteArray &content);
 
 } // namespace pixelplumb

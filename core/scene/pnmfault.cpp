@@ -93,10 +93,9 @@ QString headerFault(WordReader &reader, PnmHeader &header)
             return {};
         constexpr int longestShown = 20;
         return QStringLiteral("a broken %1: line %2: “%3” is no %4 from 1 to %5")
-            .arg(header.kind())
-            .arg(reader.line())
-            .arg(QString::fromLatin1(word->left(longestShown)), QLatin1String(name))
-            .arg(most);
+            .arg(header.kind(), QString::number(reader.line()),
+                 QString::fromLatin1(word->left(longestShown)), QLatin1String(name),
+                 QString::number(most));
     };
     if (const QString fault = take("width", header.width); !fault.isEmpty())
         return fault;
@@ -110,10 +109,8 @@ QString missingText(const PnmHeader &header, qint64 found, qint64 needed, const 
     if (found >= needed)
         return {};
     return QStringLiteral("a %1 that ends early, %2 of %3 %4 are missing")
-        .arg(header.kind())
-        .arg(needed - found)
-        .arg(needed)
-        .arg(QLatin1String(what));
+        .arg(header.kind(), QString::number(needed - found), QString::number(needed),
+             QLatin1String(what));
 }
 
 /// Bits of a bitmap may stand without a space between them.

@@ -182,7 +182,8 @@ void PrimitiveReader::readRound(const JsonNode &primitive, Shape &shape)
     }
     const LatticePoint corner = {centre.x + radii.x, centre.y + radii.y};
     if (!isWithinRange(corner) || !isWithinRange({centre.x - radii.x, centre.y - radii.y}))
-        m_json.fail(node, QStringLiteral("the %1 leaves ±%2 px").arg(key).arg(largestPixel),
+        m_json.fail(node,
+                    QStringLiteral("the %1 leaves ±%2 px").arg(key, QString::number(largestPixel)),
                     QStringLiteral("a smaller radius or another centre"));
     shape.vertices = {{centre, {}}, {corner, {}}};
     shape.fill = fill(primitive[fillKey], shape.kind);

@@ -269,7 +269,7 @@ Result<SceneReading> readScene(const QByteArray &text, const ProgressListener &l
 
 Result<SceneReading> readSceneFile(const QString &path, const ProgressListener &listener)
 {
-    const Result<QByteArray> text = readFile(path);
+    const Result<QByteArray> text = readRegularFile(path);
     if (!text)
         return text.error();
     Result<SceneReading> reading = readScene(*text, listener, QFileInfo(path).absolutePath());

@@ -2,10 +2,7 @@
 #include "core/scene/texturefile.h"
 
 #include "core/scene/fileaccess.h"
-#include "core/scene/picturefault.h"
-
-#include <QBuffer>
-#include <QImageReader>
+#include "core/scene/picturereader.h"
 
 namespace pixelplumb {
 
@@ -15,6 +12,14 @@ bool isWithinLimits(const QSize &size)
 {
     return size.width() >= 1 && size.height() >= 1 && size.width() <= largestTextureSide
         && size.height() <= largestTextureSide;
+}
+
+/// Pictures of pixels alone: a drawing could name other files, or never end.
+bool isTextureFormat(const QByteArray &format)
+{
+    static const QList<QByteArray> formats
+        = {"png", "jpg", "jpeg", "bmp", "ppm", "pgm", "pbm", "gif", "webp"};
+    return formats.contains(format);
 }
 
 InputError tooLarge(const QString &path, const QSize &size)
@@ -30,11 +35,14 @@ Result<Texture> readTexture(const QString &path)
     Result<QByteArray> content = readRegularFile(path);
     if (!content)
         return content.error();
-    if (const QString fault = pictureFault(*content); !fault.isEmpty())
-        return InputError{path, QStringLiteral("no picture: ") + fault,
+    PictureReader reader(*content);
+    if (!reader.fault().isEmpty())
+        return InputError{path, QStringLiteral("no picture: ") + reader.fault(),
                           QStringLiteral("a whole file")};
-    QBuffer buffer(&content.value());
-    QImageReader reader(&buffer);
+    if (const QByteArray format = reader.format(); !format.isEmpty() && !isTextureFormat(format))
+        return InputError{
+            path, QStringLiteral("a picture of the kind %1").arg(QString::fromLatin1(format)),
+            QStringLiteral("a picture such as PNG or JPEG")};
     if (const QSize size = reader.size(); size.isValid() && !isWithinLimits(size))
         return tooLarge(path, size);
     const QImage picture = reader.read().convertToFormat(QImage::Format_RGB32);

@@ -6199,8 +6199,8 @@
         <translation>%1, wie bisher gezeichnet: Schritt %2 von %3 (*.%4)</translation>
     </message>
     <message>
-        <source>it is the scene itself, which the export would replace.</source>
-        <translation>es ist die Szene selbst, die der Export ersetzen würde.</translation>
+        <source>it was read, and the export would replace it.</source>
+        <translation>es wurde gelesen, und der Export würde es ersetzen.</translation>
     </message>
     <message>
         <source>Nothing is drawn yet.</source>
@@ -6233,6 +6233,10 @@
 </context>
 <context>
     <name>pixelplumb::SceneFiles</name>
+    <message>
+        <source>The scene was not saved: %1 was read as something else, such as a texture, and would be replaced.</source>
+        <translation>Die Szene wurde nicht gespeichert: %1 wurde als etwas anderes gelesen, etwa als Textur, und würde ersetzt.</translation>
+    </message>
     <message>
         <source>Scenes (*.json *.pixelplumb);;All files (*)</source>
         <translation>Szenen (*.json *.pixelplumb);;Alle Dateien (*)</translation>

@@ -128,9 +128,9 @@ void addOutline(CanvasScene &scene, int primitive, const CanvasSources &sources,
 QString vertexName(std::size_t rank, std::size_t inFile)
 {
     const QString name = QStringLiteral("P%1").arg(rank);
-    return rank == inFile
-        ? name
-        : QCoreApplication::translate("pixelplumb::Canvas", "%1 (vertex %2)").arg(name).arg(inFile);
+    return rank == inFile ? name
+                          : QCoreApplication::translate("pixelplumb::Canvas", "%1 (vertex %2)")
+                                .arg(name, QString::number(inFile));
 }
 
 /// What the vertices of a circle or an ellipse are: neither lies on the curve.

@@ -72,9 +72,8 @@ QString nameOfEdge(const NearestEdge &nearest, const ScanTrace &trace)
 
 QString paintedText(const QPoint &pixel, const TracedScene &traced, std::size_t primitive)
 {
-    const QString name = QStringLiteral("%1 %2")
-                             .arg(coreWord(nameOf(traced.primitives.kindOf(primitive))))
-                             .arg(primitive);
+    const QString name = QStringLiteral("%1 %2").arg(
+        coreWord(nameOf(traced.primitives.kindOf(primitive))), QString::number(primitive));
     if (!traced.primitives.isTriangle(primitive))
         return name;
     const std::optional<NearestEdge> nearest = edgeNearest(pixel, traced, primitive);
@@ -98,9 +97,8 @@ QString unpaintedText(const QPoint &pixel, const TracedScene &traced)
     if (!nearest || !traced.method->draws(PrimitiveKind::Triangle))
         return PointerReadout::tr("not painted");
     const QString edge = nameOfEdge(*nearest, *traced.trace);
-    const QString triangle = QStringLiteral("%1 %2")
-                                 .arg(coreWord(nameOf(PrimitiveKind::Triangle)))
-                                 .arg(nearest->triangle);
+    const QString triangle = QStringLiteral("%1 %2").arg(coreWord(nameOf(PrimitiveKind::Triangle)),
+                                                         QString::number(nearest->triangle));
     if (nearest->isOnEdge())
         return PointerReadout::tr("not painted · on %1 of %2").arg(edge, triangle);
     const QString side = nearest->edge.distance >= 0

@@ -2,7 +2,7 @@
 #include "widgets/files/autosave.h"
 
 #include "core/scene/fileaccess.h"
-#include "core/scene/scenefile.h"
+#include "widgets/files/documentfile.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QDir>
@@ -107,8 +107,8 @@ void Autosave::keep()
     m_job.start(
         [scene = m_document->snapshot(), path = m_path, sceneFile = m_sceneFile, lock = m_lock,
          writing = m_writing](const ProgressListener &) {
-            const bool isWritten
-                = !writeFile(noteOf(path), sceneFile.toUtf8()) && !writeSceneFile(path, *scene);
+            const bool isWritten = !writeFile(noteOf(path), sceneFile.toUtf8(), WrittenAs::Document)
+                && !writeDocument(path, *scene);
             const std::lock_guard guard(writing->mutex);
             if (!writing->isWanted)
                 removeKept(path);
@@ -131,7 +131,7 @@ std::optional<UnsavedScene> Autosave::leftBehind() const
         const std::shared_ptr<QLockFile> lock = lockFor(path);
         if (!lock || !QFile::exists(path)) // its window is there, or has ended just now
             continue;
-        const auto note = readFile(noteOf(path));
+        const auto note = readRegularFile(noteOf(path));
         return UnsavedScene{path, note ? QString::fromUtf8(*note) : QString(), file.lastModified(),
                             lock};
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/files/recentfiles.h"
 
+#include "widgets/look/shownname.h"
+
 #include <QFileInfo>
 #include <QSettings>
 
@@ -49,7 +51,7 @@ void RecentFiles::fill(QMenu *menu)
 {
     menu->clear();
     for (const QString &path : std::as_const(m_paths)) {
-        QString name = QFileInfo(path).fileName();
+        QString name = shownName(path);
         QAction *action = menu->addAction(name.replace(QLatin1Char('&'), QLatin1String("&&")));
         action->setToolTip(path);
         action->setEnabled(QFileInfo::exists(path));

@@ -5,7 +5,11 @@
 #include "core/scene/asciiraster.h"
 #include "core/scene/colourtext.h"
 #include "core/scene/fileaccess.h"
+#include "core/scene/inputrecord.h"
+#include "core/scene/outputfile.h"
+#include "widgets/files/examplefolder.h"
 #include "widgets/files/svgexport.h"
+#include "widgets/look/shownname.h"
 #include "widgets/model/frametext.h"
 #include "widgets/model/playhead.h"
 
@@ -13,7 +17,6 @@
 #include <QClipboard>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QSaveFile>
 
 namespace pixelplumb {
 
@@ -31,10 +34,13 @@ struct WrittenTrace {
 WrittenTrace writtenTrace(const TracedScene &traced, const TraceExportOptions &options,
                           const QString &path)
 {
-    QSaveFile file(path);
-    const bool isWritten
-        = file.open(QIODevice::WriteOnly) && exportTrace(traced, options, file) && file.commit();
-    return {isWritten ? QString() : file.errorString()};
+    OutputFile file(path);
+    std::optional<InputError> error = file.open();
+    if (!error && !exportTrace(traced, options, file.device()))
+        error = file.error();
+    if (!error)
+        error = file.finish();
+    return {error ? error->message() : QString()};
 }
 
 } // namespace
@@ -63,10 +69,13 @@ bool SceneExports::writePicture(const QString &path, ExportMoment moment)
     const QString frame = frameText(*m_document);
     if (!frame.isEmpty())
         picture.setText(QStringLiteral("Description"), frame);
-    QSaveFile file(path);
-    const bool written
-        = file.open(QIODevice::WriteOnly) && picture.save(&file, "PNG") && file.commit();
-    return tellOutcome(path, written ? QString() : file.errorString(), frame);
+    OutputFile file(path);
+    std::optional<InputError> error = file.open();
+    if (!error && !picture.save(&file.device(), "PNG"))
+        error = file.error();
+    if (!error)
+        error = file.finish();
+    return tellOutcome(path, error ? error->message() : QString(), frame);
 }
 
 bool SceneExports::writeAnnotatedGrid(const QString &path, ExportMoment moment)
@@ -87,7 +96,7 @@ bool SceneExports::writeTrace(const QString &path, TraceLevel level, TableFormat
 {
     if (!mayWriteTo(path))
         return false;
-    const QString name = QFileInfo(path).fileName();
+    const QString name = shownName(path);
     if (m_writing.isRunning())
         return tellOutcome(path, tr("another trace is still being written."));
     m_writtenPath = path;
@@ -113,7 +122,7 @@ void SceneExports::cancelWriting()
     if (!m_writing.isRunning())
         return;
     m_writing.cancel();
-    emit notice(tr("%1 was not written.").arg(QFileInfo(m_writtenPath).fileName()));
+    emit notice(tr("%1 was not written.").arg(shownName(m_writtenPath)));
 }
 
 bool SceneExports::writeRaster(const QString &path, ExportMoment moment)
@@ -195,9 +204,7 @@ void SceneExports::copyPickedPixel()
         leaveOutAhead(history, m_playhead->position());
     for (const PixelAttempt &attempt : history.attempts)
         cells += QStringLiteral("%1 %2: %3")
-                     .arg(nameOf(attempt.kind))
-                     .arg(attempt.primitive)
-                     .arg(attempt.reason);
+                     .arg(nameOf(attempt.kind), QString::number(attempt.primitive), attempt.reason);
     if (history.furtherRefusals > 0)
         cells += tr("%n more primitives leave it alone", nullptr, int(history.furtherRefusals));
     QApplication::clipboard()->setText(cells.join(QLatin1Char('\t')));
@@ -212,10 +219,8 @@ std::optional<SceneExports::Target> SceneExports::askForTarget(const QString &ti
     QStringList filters{tr("%1, finished (*.%2)").arg(kind, suffix)};
     if (m_playhead->position() < m_playhead->end())
         filters += tr("%1, as drawn so far: step %2 of %3 (*.%4)")
-                       .arg(kind)
-                       .arg(m_playhead->position())
-                       .arg(m_playhead->end())
-                       .arg(suffix);
+                       .arg(kind, QString::number(m_playhead->position()),
+                            QString::number(m_playhead->end()), suffix);
     QFileDialog dialog(m_window, title);
     dialog.setNameFilters(filters);
     dialog.setObjectName(QStringLiteral("exportDialog"));
@@ -242,9 +247,9 @@ bool SceneExports::mayWriteTo(const QString &path)
 {
     if (!hasTrace())
         return false;
-    if (m_scenePath.isEmpty() || !isSameFile(path, m_scenePath))
+    if (!isInput(path))
         return true;
-    return tellOutcome(path, tr("it is the scene itself, which the export would replace."));
+    return tellOutcome(path, tr("it was read, and the export would replace it."));
 }
 
 bool SceneExports::hasTrace()
@@ -257,7 +262,7 @@ bool SceneExports::hasTrace()
 
 bool SceneExports::tellOutcome(const QString &path, const QString &error, const QString &frame)
 {
-    const QString name = QFileInfo(path).fileName();
+    const QString name = shownName(path);
     if (!error.isEmpty())
         emit complaint(tr("%1 was not written: %2").arg(name, error));
     else if (frame.isEmpty())

@@ -35,7 +35,7 @@ public:
 
     /// The name that file dialogs begin with, without its ending and the frame of the motion.
     void setBaseName(const QString &name) { m_baseName = name; }
-    /// The scene's file, empty where it has none: nothing is written over it.
+    /// The scene's file, empty where it has none: file dialogs begin beside it.
     void setScenePath(const QString &path) { m_scenePath = path; }
 
     /// Each is false after a complaint.
@@ -72,7 +72,7 @@ private:
     };
     std::optional<Target> askForTarget(const QString &title, const QString &kind,
                                        const QString &suffix) const;
-    /// False after a complaint: nothing is drawn, or the path is the scene's own.
+    /// False after a complaint: nothing is drawn, or the path leads to what was read.
     bool mayWriteTo(const QString &path);
     bool hasTrace();
     /// "cube.png", "cube-frame-8.png".

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/files/scenefiles.h"
 
+#include "core/scene/inputrecord.h"
 #include "core/scene/referredfiles.h"
 #include "core/scene/scenefile.h"
 #include "widgets/files/documentsfolder.h"
 #include "widgets/files/recentfiles.h"
+#include "widgets/look/shownname.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 
@@ -43,7 +45,7 @@ SceneFiles::SceneFiles(SceneDocument *document, RecentFiles *recent, QWidget *wi
 
 QString SceneFiles::displayName() const
 {
-    return m_path.isEmpty() ? tr("untitled") : QFileInfo(m_path).fileName();
+    return m_path.isEmpty() ? tr("untitled") : shownName(m_path);
 }
 
 bool SceneFiles::mayReplace()
@@ -96,7 +98,7 @@ void SceneFiles::recover(const QString &path, const std::function<void()> &shown
 bool SceneFiles::load(const QString &path)
 {
     if (bytesToRead(path) > largestReadAtOnce) {
-        readBeside(path, tr("Opening %1").arg(QFileInfo(path).fileName()),
+        readBeside(path, tr("Opening %1").arg(shownName(path)),
                    [this, path](Reading &reading) { takeLoaded(path, reading); });
         return true;
     }
@@ -137,7 +139,7 @@ void SceneFiles::complainOf(const QString &path, const QString &message)
 {
     emit complaint(message.contains(path)
                        ? tr("Not opened: %1").arg(message)
-                       : tr("%1 was not opened: %2").arg(QFileInfo(path).fileName(), message));
+                       : tr("%1 was not opened: %2").arg(shownName(path), message));
 }
 
 void SceneFiles::show(const QString &path, SceneReading &reading)
@@ -233,6 +235,9 @@ QString SceneFiles::folder() const
 void SceneFiles::setPath(const QString &path)
 {
     m_path = path;
+    if (!path.isEmpty() && !m_documents.contains(path))
+        m_documents += path;
+    noteInput(path); // of exports, also where it was never read
     m_watch.follow(path);
     emit pathChanged();
 }

@@ -35,6 +35,9 @@ public:
     QString path() const { return m_path; }
     /// The file's name, or "untitled".
     QString displayName() const;
+    QString titleName() const; ///< the same in a window's title
+    /// The file's name without its ending, or "untitled": of what is exported.
+    QString baseName() const;
 
     /// True when the document may be replaced: nothing unsaved, or saved now, or given up.
     bool mayReplace();
@@ -93,6 +96,7 @@ private:
     void replaceBy(Scene scene, const QString &path);
     void startSaving(const QString &path, const std::shared_ptr<const Scene> &scene);
     bool waitForSaving();
+    bool mayBeReplaced(const QString &path) const;
     void takeSaved(const QString &path, const std::shared_ptr<const Scene> &scene,
                    const std::optional<InputError> &error);
     void complainOf(const QString &path, const QString &message);
@@ -104,6 +108,7 @@ private:
     Job m_saving; ///< of a large scene
     int m_editsAtLoad = 0; ///< the undo stack's place when the reading began
     QString m_path;
+    QStringList m_documents; ///< each that m_path was
     FileWatch m_watch; ///< of m_path
 };
 

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/scene/scenefile.h"
+#include "core/scene/inputrecord.h"
+#include "widgets/files/documentfile.h"
 #include "widgets/files/documentsfolder.h"
 #include "widgets/files/examplefolder.h"
 #include "widgets/files/recentfiles.h"
 #include "widgets/files/scenefiles.h"
+#include "widgets/look/shownname.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QProgressDialog>
 
+#include <algorithm>
 #include <new>
 
 /// The document becomes a file.
@@ -21,6 +24,17 @@ namespace {
 constexpr std::size_t mostWrittenAtOnce = 5'000;
 
 } // namespace
+
+QString SceneFiles::titleName() const
+{
+    const QString mark = QStringLiteral("[*]"); // of changes; doubled, it is a name's own
+    return displayName().replace(mark, mark + mark);
+}
+
+QString SceneFiles::baseName() const
+{
+    return m_path.isEmpty() ? displayName() : QFileInfo(m_path).completeBaseName();
+}
 
 bool SceneFiles::save()
 {
@@ -42,24 +56,39 @@ bool SceneFiles::saveTo(const QString &path)
 {
     if (!waitForSaving())
         return false;
+    if (!mayBeReplaced(path)) {
+        emit complaint(tr("The scene was not saved: %1 was read as something else, such as a "
+                          "texture, and would be replaced.")
+                           .arg(shownName(path)));
+        return false;
+    }
     const std::shared_ptr<const Scene> scene = m_document->snapshot();
     if (scene->triangles.size() + scene->solids.size() + scene->shapes.size() > mostWrittenAtOnce) {
         startSaving(path, scene);
         return true;
     }
-    const std::optional<InputError> error = writeSceneFile(path, *scene);
+    const std::optional<InputError> error = writeDocument(path, *scene);
     takeSaved(path, scene, error);
     return !error;
+}
+
+/// A scene that was opened here may be saved over, for it is what is saved; nothing else that was
+/// read.
+bool SceneFiles::mayBeReplaced(const QString &path) const
+{
+    return !isInput(path) || std::ranges::any_of(m_documents, [&](const QString &document) {
+        return isSameFile(path, document);
+    });
 }
 
 /// The file that was promised is written even when the window is gone meanwhile.
 void SceneFiles::startSaving(const QString &path, const std::shared_ptr<const Scene> &scene)
 {
-    m_saving.setTitle(tr("Saving %1").arg(QFileInfo(path).fileName()));
+    m_saving.setTitle(tr("Saving %1").arg(shownName(path)));
     m_saving.start(
         [path, scene](const ProgressListener &) -> std::optional<InputError> {
             try {
-                return writeSceneFile(path, *scene);
+                return writeDocument(path, *scene);
             } catch (const std::bad_alloc &) {
                 return InputError{path, tr("the scene's text does not fit into memory"), {}};
             }

@@ -18,6 +18,7 @@ UnsavedChanges ask(const QString &name, QMessageBox::StandardButtons answers, QW
                     ChangesQuestion::tr("“%1” has changes that are not saved.").arg(name), answers,
                     window);
     box.setObjectName(QStringLiteral("unsavedChanges"));
+    box.setTextFormat(Qt::PlainText); // a name may look like HTML
     box.setInformativeText(ChangesQuestion::tr("Without saving they are lost."));
     box.setDefaultButton(answers & QMessageBox::Save ? QMessageBox::Save : QMessageBox::Cancel);
     switch (box.exec()) {

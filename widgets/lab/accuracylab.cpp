@@ -7,12 +7,12 @@
 #include "widgets/lab/labrun.h"
 #include "widgets/lab/labtext.h"
 #include "widgets/look/elidedlabel.h"
+#include "widgets/look/shownname.h"
 #include "widgets/model/playhead.h"
 
 #include <QApplication>
 #include <QBoxLayout>
 #include <QClipboard>
-#include <QFileInfo>
 #include <QStackedWidget>
 
 namespace pixelplumb {
@@ -111,11 +111,7 @@ void AccuracyLab::connectControls()
 
 bool AccuracyLab::isRunning() const { return m_run->isRunning(); }
 
-void AccuracyLab::setScenePath(const QString &path)
-{
-    m_scenePath = path;
-    m_files->setScenePath(path);
-}
+void AccuracyLab::setScenePath(const QString &path) { m_scenePath = path; }
 
 StudySettings AccuracyLab::settings() const
 {
@@ -264,13 +260,13 @@ bool AccuracyLab::compareWith(const QString &path)
     if (!results()) {
         emit complaint(tr("Nothing is measured yet that %1 could be compared with: press Run or "
                           "open results first.")
-                           .arg(QFileInfo(path).fileName()));
+                           .arg(shownName(path)));
         return false;
     }
     const std::optional<Study> before = m_files->read(path);
     if (!before)
         return false;
-    m_charts->showChanges(*before, *results(), QFileInfo(path).fileName());
+    m_charts->showChanges(*before, *results(), shownName(path));
     return true;
 }
 

@@ -52,9 +52,9 @@ QString DriftPlot::textAt(const QPointF &position) const
         if (point == curve.points.end())
             continue;
         lines.append(tr("%1: %2 px, at most %3 px by proof")
-                         .arg(nameText(nameOf(curve.arithmetic)))
-                         .arg(point->error, 0, 'g', 3)
-                         .arg(point->limit, 0, 'g', 3));
+                         .arg(nameText(nameOf(curve.arithmetic)),
+                              QString::number(point->error, 'g', 3),
+                              QString::number(point->limit, 'g', 3)));
     }
     if (lines.isEmpty())
         return {};

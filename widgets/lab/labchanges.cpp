@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/lab/labchanges.h"
 
+#include "core/grade/showntext.h"
 #include "widgets/lab/labtext.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/numberlayout.h"
@@ -47,6 +48,7 @@ LabChanges::LabChanges(QWidget *parent)
 {
     setObjectName(QStringLiteral("labChanges"));
     m_summary->setWordWrap(true);
+    m_summary->setTextFormat(Qt::PlainText);
     m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_summary->setAccessibleName(tr("What changed"));
     m_table->setObjectName(QStringLiteral("labChangesTable"));
@@ -73,10 +75,9 @@ void LabChanges::show(const Study &before, const Study &after, const QString &be
 {
     const LabComparison comparison = compareStudies(before, after);
     QString summary = tr("Before: %1. %2 faster, %3 slower, %4 within their spread.")
-                          .arg(beforeName)
-                          .arg(comparison.count(LabChange::Faster))
-                          .arg(comparison.count(LabChange::Slower))
-                          .arg(comparison.count(LabChange::WithinSpread));
+                          .arg(beforeName, QString::number(comparison.count(LabChange::Faster)),
+                               QString::number(comparison.count(LabChange::Slower)),
+                               QString::number(comparison.count(LabChange::WithinSpread)));
     const auto changed
         = std::ranges::count_if(comparison.rows, &LabRowComparison::isAccuracyChanged);
     summary += u' '
@@ -86,7 +87,7 @@ void LabChanges::show(const Study &before, const Study &after, const QString &be
         summary += u' ' + tr("%n rows are missing.", nullptr, int(missing));
     for (const QString &remark : comparison.remarks)
         summary += QStringLiteral(" ⚠ ") + remark;
-    m_summary->setText(summary);
+    m_summary->setText(escapedControls(summary));
     fill(comparison, before, after);
 }
 

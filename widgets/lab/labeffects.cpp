@@ -95,7 +95,8 @@ void LabEffects::show(const Study &study)
             item->setToolTip(int(EffectColumn::Ratio), middleHalfText(*row.timesFirst));
             if (row.isTooSlow()) {
                 put(EffectColumn::Ratio,
-                    tr("%1, over %2").arg(figureText(row.timesFirst->median)).arg(mostTimesLoop));
+                    tr("%1, over %2")
+                        .arg(figureText(row.timesFirst->median), QString::number(mostTimesLoop)));
                 item->setForeground(int(EffectColumn::Ratio), signColour(Sign::Extra, palette()));
             }
         }

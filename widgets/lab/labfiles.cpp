@@ -3,11 +3,12 @@
 
 #include "core/lab/labfile.h"
 #include "core/scene/fileaccess.h"
+#include "core/scene/inputrecord.h"
 #include "widgets/lab/labplot.h"
 #include "widgets/lab/labtext.h"
+#include "widgets/look/shownname.h"
 
 #include <QFileDialog>
-#include <QFileInfo>
 
 namespace pixelplumb {
 
@@ -38,23 +39,19 @@ bool LabFiles::writeChart(const QString &path, LabPlot &chart, const Study &stud
 
 std::optional<Study> LabFiles::read(const QString &path)
 {
-    const Result<QByteArray> text = readFile(path);
+    const Result<QByteArray> text = readRegularFile(path);
     const Result<Study> study = text ? readStudy(*text) : Result<Study>(text.error());
     if (!study) {
-        emit complaint(
-            tr("%1 was not opened: %2").arg(QFileInfo(path).fileName(), study.error().message()));
+        emit complaint(tr("%1 was not opened: %2").arg(shownName(path), study.error().message()));
         return std::nullopt;
     }
-    m_inputs.append(path);
     return *study;
 }
 
 bool LabFiles::write(const QString &path, const QByteArray &content)
 {
-    const QString name = QFileInfo(path).fileName();
-    for (const QString &input : m_inputs + QStringList{m_scenePath}) {
-        if (input.isEmpty() || !isSameFile(path, input))
-            continue;
+    const QString name = shownName(path);
+    if (isInput(path)) {
         emit complaint(tr("%1 was not written: it was read, and would be replaced.").arg(name));
         return false;
     }

@@ -13,16 +13,12 @@ namespace pixelplumb {
 
 class LabPlot;
 
-/// Results and charts of the lab as files. Nothing is written over a file that was read: the scene,
-/// the results that were opened, those that they are compared with.
+/// Results and charts of the lab as files. Nothing is written over a file that was read.
 class LabFiles : public QObject {
     Q_OBJECT
 
 public:
     explicit LabFiles(QWidget *window);
-
-    /// Empty where the scene has no file.
-    void setScenePath(const QString &path) { m_scenePath = path; }
 
     /// Each is false or none after a complaint.
     bool writeResults(const QString &path, const Study &study);
@@ -44,8 +40,6 @@ private:
     bool write(const QString &path, const QByteArray &content);
 
     QWidget *m_window;
-    QString m_scenePath;
-    QStringList m_inputs;
 };
 
 } // namespace pixelplumb

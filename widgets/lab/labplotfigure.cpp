@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/rowwriter.h"
+#include "core/export/spreadsheettext.h"
+#include "core/grade/showntext.h"
 #include "widgets/lab/labplot.h"
 #include "widgets/lab/wrappedlines.h"
 #include "widgets/look/appearance.h"
@@ -123,12 +125,28 @@ QByteArray LabPlot::png(const QStringList &origin)
     return buffer.data();
 }
 
+namespace {
+
+/// Numbers, and names, which may come from a file of results.
+std::vector<Cell> cellsOf(const QStringList &texts)
+{
+    std::vector<Cell> cells;
+    for (const QString &text : texts) {
+        bool isNumber = false;
+        text.toDouble(&isNumber);
+        cells.emplace_back(isNumber ? text : spreadsheetText(text));
+    }
+    return cells;
+}
+
+} // namespace
+
 QByteArray LabPlot::csv(const QStringList &origin) const
 {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     for (const QString &line : QStringList(figureTitle()) + origin)
-        buffer.write("# " + line.toUtf8() + "\r\n");
+        buffer.write("# " + spreadsheetText(escapedControls(line)).toUtf8() + "\r\n");
     const std::unique_ptr<RowWriter> writer = makeCsvWriter(buffer);
     const std::vector<QStringList> lines = numbers();
     std::vector<Field> fields;
@@ -136,7 +154,7 @@ QByteArray LabPlot::csv(const QStringList &origin) const
         fields.push_back({name});
     writer->begin(fields);
     for (std::size_t i = 1; i < lines.size(); ++i)
-        writer->writeRow({lines[i].begin(), lines[i].end()});
+        writer->writeRow(cellsOf(lines[i]));
     writer->end();
     return buffer.data();
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/messagebar.h"
 
+#include "core/grade/showntext.h"
+#include "core/scene/shortened.h"
 #include "widgets/look/signs.h"
 
 #include <QAccessible>
@@ -140,9 +142,11 @@ void MessageBar::show(Kind kind, const QString &text)
                              : signColour(Sign::ColumnInHand, palette()));
     m_glyph->setPalette(colours);
     m_glyph->setText(isError ? tr("Error") : tr("Note"));
-    m_text->setText(text);
-    m_text->setAccessibleName(text);
-    setAccessibleDescription(text);
+    constexpr qsizetype longestMessage = 2000; // characters
+    const QString shown = escapedLines(shortened(text, longestMessage));
+    m_text->setText(shown);
+    m_text->setAccessibleName(shown);
+    setAccessibleDescription(shown);
     place();
     setVisible(true);
     // The key that caused it may be on its way to the parents of the widget that had it.

@@ -17,7 +17,7 @@ QString markText(const TracedScene &traced, std::size_t span)
     const QString kind = traced.primitives.isTriangle(primitive)
         ? QStringLiteral("△")
         : coreWord(nameOf(traced.primitives.kindOf(primitive)));
-    return QStringLiteral("%1 %2").arg(kind).arg(primitive);
+    return QStringLiteral("%1 %2").arg(kind, QString::number(primitive));
 }
 
 /// The edge that is switched in where a sorted triangle's second part begins, else the

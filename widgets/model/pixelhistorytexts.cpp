@@ -18,7 +18,7 @@ QString nameText(const PixelAttempt &attempt)
 {
     const QString kind = attempt.kind == PrimitiveKind::Triangle ? QStringLiteral("△")
                                                                  : coreWord(nameOf(attempt.kind));
-    return QStringLiteral("%1 %2").arg(kind).arg(attempt.primitive);
+    return QStringLiteral("%1 %2").arg(kind, QString::number(attempt.primitive));
 }
 
 QColor opaque(QRgb colour) { return QColor::fromRgb(colour); }

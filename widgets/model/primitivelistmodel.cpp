@@ -194,10 +194,10 @@ QVariant PrimitiveListModel::data(const QModelIndex &index, int role) const
         return {};
     switch (Column(index.column())) {
     case Name:
-        return isWhole ? QStringLiteral("%1 %2")
-                             .arg(coreWord(nameOf(m_document->kindOf(ref.primitive))))
-                             .arg(ref.primitive)
-                       : tr("vertex %1").arg(ref.vertex);
+        return isWhole
+            ? QStringLiteral("%1 %2").arg(coreWord(nameOf(m_document->kindOf(ref.primitive))),
+                                          QString::number(ref.primitive))
+            : tr("vertex %1").arg(ref.vertex);
     case X:
         return isWhole ? QString() : coordinateText(vertex->position.x);
     case Y:
@@ -220,7 +220,8 @@ QVariant PrimitiveListModel::solidData(int column, int role, std::size_t index) 
     if (role != Qt::DisplayRole || column != Name)
         return {};
     const QString kind = coreWord(nameOf(solid.kind));
-    return solid.isHidden ? tr("%1, hidden").arg(kind) : tr("%1, solid %2").arg(kind).arg(index);
+    return solid.isHidden ? tr("%1, hidden").arg(kind)
+                          : tr("%1, solid %2").arg(kind, QString::number(index));
 }
 
 QVariant PrimitiveListModel::hiddenData(int column, int role, const HiddenPrimitive &hidden) const

@@ -49,9 +49,8 @@ QString rejectionNote(const TracedScene &traced)
     const RejectedPrimitive &first = rejected.front();
     const QString kind = coreWord(nameOf(first.kind));
     const QString text = QStringLiteral("%1 %2: %3")
-                             .arg(kind.left(1).toUpper() + kind.sliced(1))
-                             .arg(first.primitive)
-                             .arg(rejectionText(first.rejection));
+                             .arg(kind.left(1).toUpper() + kind.sliced(1),
+                                  QString::number(first.primitive), rejectionText(first.rejection));
     return rejected.size() == 1 ? text
                                 : RunNotes::tr("%L1 primitives are not drawn. The first: %2")
                                       .arg(rejected.size())

@@ -25,8 +25,7 @@ QString primitiveText(const TracedScene &traced, std::size_t primitive)
 {
     const bool refused = traced.trace->setUp(primitive).rejection.has_value();
     return (refused ? StepText::tr("%1 %2 draws nothing") : StepText::tr("%1 %2 set up"))
-        .arg(coreWord(nameOf(traced.primitives.kindOf(primitive))))
-        .arg(primitive);
+        .arg(coreWord(nameOf(traced.primitives.kindOf(primitive))), QString::number(primitive));
 }
 
 /// Which pixel it is, and how it differs: the step need not have drawn it.

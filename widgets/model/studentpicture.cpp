@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/model/studentpicture.h"
 
+#include "core/grade/resultsfolder.h"
 #include "core/grade/undecidable.h"
 #include "core/methods/method.h"
 #include "core/runs/sceneplan.h"
 #include "core/scene/fileaccess.h"
+#include "widgets/look/shownname.h"
 #include "widgets/model/scenetracer.h"
-
-#include <QFileInfo>
 
 #include <utility>
 
@@ -78,6 +78,11 @@ std::optional<QPoint> firstFrom(std::size_t begin, const PictureJudgement &judge
                   int(rowOfPictureLine(frame, place / frame.width)));
 }
 
+Result<Picture> pictureFrom(const Result<QByteArray> &content, const QString &name)
+{
+    return content ? parsePicture(*content, name) : Result<Picture>(content.error());
+}
+
 bool differs(PixelVerdict verdict) { return verdict != PixelVerdict::Same; }
 
 } // namespace
@@ -128,14 +133,17 @@ QString StudentPicture::misfitOf(const Picture &picture) const
         .arg(sizeHint({picture.width, picture.height}, {frame.width, frame.height}));
 }
 
-void StudentPicture::open(const QString &path) { openAs(path, QFileInfo(path).fileName()); }
-
-void StudentPicture::openAs(const QString &path, const QString &name)
+void StudentPicture::open(const QString &path)
 {
-    read(name, [path, name] {
-        const Result<QByteArray> content = readFile(path);
-        return content ? parsePicture(*content, name) : Result<Picture>(content.error());
-    });
+    const QString name = shownName(path);
+    read(name,
+         [path, name] { return pictureFrom(readRegularFile(path, largestPictureFile), name); });
+}
+
+void StudentPicture::openResult(const QString &results, const QString &file, const QString &name)
+{
+    read(name,
+         [results, file, name] { return pictureFrom(ResultsFolder(results).read(file), name); });
 }
 
 void StudentPicture::paste(const QImage &image, const QString &name)

@@ -58,7 +58,8 @@ public slots:
     /// Reads a picture file or a raster beside the GUI thread; complains of what is none and of
     /// another size than the frame's, and then keeps the picture that is there.
     void open(const QString &path);
-    void openAs(const QString &path, const QString &name); ///< the same, by a name of its own
+    /// The same of a file in a folder of results, by a name of its own.
+    void openResult(const QString &results, const QString &file, const QString &name);
     /// The same of what was copied: a picture, or the bytes of a raster.
     void paste(const QImage &image, const QString &name);
     void paste(const QByteArray &raster, const QString &name);

@@ -119,7 +119,7 @@ ComparePane::~ComparePane() = default;
 QComboBox *ComparePane::addBox(const QString &name, const QString &label)
 {
     auto *box = new ElidingBox(this);
-    box->setObjectName(QStringLiteral("compare%1%2").arg(name).arg(m_number));
+    box->setObjectName(QStringLiteral("compare%1%2").arg(name, QString::number(m_number)));
     box->setAccessibleName(label);
     box->setToolTip(label);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

@@ -8,7 +8,6 @@
 
 #include <QBoxLayout>
 #include <QComboBox>
-#include <QDir>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPlainTextEdit>
@@ -120,10 +119,9 @@ std::optional<GradedPicture> GradeReviewPane::picture() const
     const GradedSubmission &submission = m_book->report().submissions[*m_shown];
     const AssignedScene &assigned = m_book->report().assignment.scenes[std::size_t(chosen)];
     const GradedScene &graded = submission.scenes[std::size_t(chosen)];
-    return GradedPicture{
-        assigned.scene,
-        graded.picture.isEmpty() ? QString() : QDir(m_book->results()).filePath(graded.picture),
-        QStringLiteral("%1 · %2").arg(submission.name, assigned.name), graded.fault};
+    return GradedPicture{assigned.scene, m_book->results(), graded.picture,
+                         QStringLiteral("%1 · %2").arg(submission.name, assigned.name),
+                         graded.fault};
 }
 
 void GradeReviewPane::toggleAccepted()

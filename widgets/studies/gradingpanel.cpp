@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/gradingpanel.h"
 
+#include "core/grade/showntext.h"
 #include "widgets/look/elidedlabel.h"
 #include "widgets/look/namedwidget.h"
 #include "widgets/studies/gradebook.h"
@@ -188,12 +189,11 @@ void GradingPanel::showSummary()
         m_book->results().isEmpty()
             ? tr("Open a folder of results, or grade a folder of submissions.")
             : tr("%1 of %2 accepted%3 · J, K: next, previous · A: accept · C: comment · %4")
-                  .arg(accepted)
-                  .arg(report.submissions.size())
-                  .arg(report.missing.isEmpty()
+                  .arg(QString::number(accepted), QString::number(report.submissions.size()),
+                       report.missing.isEmpty()
                            ? QString()
-                           : tr(", %1 more without a grade").arg(report.missing.size()))
-                  .arg(report.assignment.name));
+                           : tr(", %1 more without a grade").arg(report.missing.size()),
+                       escapedControls(report.assignment.name)));
 }
 
 /// The view would select the neighbour of a row that is filtered away; who looks for a name has not

@@ -105,11 +105,10 @@ void OperationPanel::take(std::optional<OperationCounts> counts)
     } else {
         const Arithmetic arithmetic = traced->scene.settings.arithmetic;
         const QString counted = coreWords(countsText(*m_counts), QStringLiteral(", "));
-        tell(QStringList{
-            tr("%1 in %2: %3; the set-up is %4 % of them.")
-                .arg(methodTitle(*traced->method), nameText(nameOf(arithmetic)), counted)
-                .arg(100 * m_counts->setUpShare(), 0, 'f', 1),
-            countingGap(*traced->method, arithmetic)}
+        tell(QStringList{tr("%1 in %2: %3; the set-up is %4 % of them.")
+                             .arg(methodTitle(*traced->method), nameText(nameOf(arithmetic)),
+                                  counted, QString::number(100 * m_counts->setUpShare(), 'f', 1)),
+                         countingGap(*traced->method, arithmetic)}
                  .join(u' ')
                  .trimmed());
     }

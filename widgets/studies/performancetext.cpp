@@ -96,9 +96,9 @@ QString measurementText(const SceneTiming &timing)
                                .arg(groupedText(timing.pixels));
     return PerformanceText::tr("Column scan, %1, %2: %3, %4 written. Medians of %5 rounds. %6")
         .arg(QString::fromUtf8(nameOf(timing.settings.arithmetic)),
-             QString::fromUtf8(nameOf(timing.settings.fillRule)), triangles, pixels)
-        .arg(timing.rounds)
-        .arg(timing.sameBytes ? PerformanceText::tr("Both kernels draw the same bytes.")
+             QString::fromUtf8(nameOf(timing.settings.fillRule)), triangles, pixels,
+             QString::number(timing.rounds),
+             timing.sameBytes ? PerformanceText::tr("Both kernels draw the same bytes.")
                               : PerformanceText::tr("The kernels draw different bytes!"));
 }
 

@@ -37,12 +37,12 @@ void SubmissionOpening::open(const GradedPicture &picture)
     if (m_document->scene() != picture.scene && !m_files->showScene(picture.scene))
         return lose();
     m_open = picture;
-    const bool isThere = !picture.path.isEmpty();
+    const bool isThere = !picture.file.isEmpty();
     m_student->expect(picture.name,
                       isThere ? tr("Being opened.") : tr("No picture: %1.").arg(picture.fault));
     if (!isThere)
         return;
-    m_student->openAs(picture.path, picture.name);
+    m_student->openResult(picture.results, picture.file, picture.name);
     m_awaited = picture.name;
 }
 

@@ -18,7 +18,8 @@ class StudentPicture;
 /// A graded picture, and the scene that was to be drawn.
 struct GradedPicture {
     Scene scene;
-    QString path; ///< empty: there is none
+    QString results; ///< the folder in which it is
+    QString file; ///< in that; empty: there is none
     QString name; ///< "ada · shallow"
     QString fault; ///< why there is none; empty where there is
 

@@ -113,7 +113,7 @@ void ExamplesDialog::addFamilies(const std::vector<GalleryCase> &cases)
         const GalleryCase &first = *family->front();
         const QString title = family->size() == 1
             ? tr("Hard case: %1").arg(family.key())
-            : tr("Hard cases: %1 (%2)").arg(family.key()).arg(family->size());
+            : tr("Hard cases: %1 (%2)").arg(family.key(), QString::number(family->size()));
         add(title, first.why, [hardCase = first.hardCase] {
             return pictureOf(hardCase, methods().front(), ScanSettings()).drawn;
         })->setData(CaseId, first.hardCase.id);

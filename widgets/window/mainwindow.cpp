@@ -46,7 +46,6 @@
 #include "widgets/window/windowstatusbar.h"
 
 #include <QBoxLayout>
-#include <QFileInfo>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QMenu>
@@ -281,8 +280,8 @@ void MainWindow::updateTitle()
     m_parts.exports->setScenePath(m_parts.files->path());
     m_autosave->setSceneFile(m_parts.files->path());
     m_docks->panel<AccuracyLab>()->setScenePath(m_parts.files->path());
-    m_parts.exports->setBaseName(QFileInfo(m_parts.files->displayName()).completeBaseName());
-    setWindowTitle(tr("%1[*] — Pixelplumb").arg(m_parts.files->displayName()));
+    m_parts.exports->setBaseName(m_parts.files->baseName());
+    setWindowTitle(tr("%1[*] — Pixelplumb").arg(m_parts.files->titleName()));
     setWindowModified(m_parts.document->isModified());
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/scene/inputrecord.h"
 #include "widgets/files/openingplace.h"
 #include "widgets/window/windowparts.h"
 
@@ -68,6 +69,7 @@ private:
     void recover(const UnsavedScene &left);
     void updateTitle();
 
+    InputRecord m_inputs; ///< for as long as anything is read or written here
     WindowParts m_parts;
     PaletteSwitch *m_palettes = nullptr;
     WindowDocks *m_docks = nullptr;

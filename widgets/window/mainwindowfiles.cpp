@@ -5,6 +5,7 @@
 #include "widgets/files/scenefiles.h"
 #include "widgets/files/studentpicturefiles.h"
 #include "widgets/look/messagebar.h"
+#include "widgets/look/shownname.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenetracer.h"
 #include "widgets/studies/gradebook.h"
@@ -14,7 +15,6 @@
 #include "widgets/window/windowsettings.h"
 
 #include <QCloseEvent>
-#include <QFileInfo>
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
@@ -31,7 +31,7 @@ QString textOf(const UnsavedScene &left)
     return left.sceneFile.isEmpty()
         ? MainWindow::tr("The program ended without saving a scene, last changed %1.").arg(time)
         : MainWindow::tr("The program ended without saving “%1”, last changed %2.")
-              .arg(QFileInfo(left.sceneFile).fileName(), time);
+              .arg(shownName(left.sceneFile), time);
 }
 
 } // namespace
@@ -90,6 +90,7 @@ void MainWindow::offerRecovery()
     auto *box = new QMessageBox(QMessageBox::Question, tr("Unsaved Scene"), textOf(*left),
                                 QMessageBox::NoButton, this);
     box->setObjectName(QStringLiteral("recoveryDialog"));
+    box->setTextFormat(Qt::PlainText); // a name may look like HTML
     box->setInformativeText(tr("Recovered, it is a scene without a file until it is saved."));
     const QPushButton *yes = box->addButton(tr("&Recover"), QMessageBox::AcceptRole);
     const QPushButton *no = box->addButton(tr("&Discard"), QMessageBox::DestructiveRole);

@@ -50,7 +50,15 @@ private slots:
             "--seed: “99999999999999999999” is no whole number of 64 bits; expected 0 … "
             "18446744073709551615");
         row("a picture of no name", {"diagnose", "", "--scene", scene},
+            "PICTURE is empty: what a program drew of each scene");
+        row("a scene of no name among others", {"render", scene, "", "--ascii"},
             "“”: names no file; expected the name of one, or - for standard input");
+        row("a study of no scene", {"lab", ""}, "SCENE is empty: a scene file");
+        row("a method of no name", {"methods", ""}, "NAME is empty: One method, whole");
+        row("probes of no scene", {"probes", "", "--candidates", "1"},
+            "SCENE is empty: a scene with the assignment's conventions");
+        row("a pixel of no column", {"pixel", scene, "", "1"}, "is empty");
+        row("a program of no name", {"try", "--scene", scene, ""}, "PROGRAM is empty");
         row("probes of circles", {"probes", "--method", "circle-midpoint"},
             "--method: method “circle-midpoint” draws circles and ellipses, of which there "
             "are no random scenes; expected a method that draws triangles or lines");

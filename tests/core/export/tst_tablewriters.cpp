@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/numbertext.h"
+#include "core/export/spreadsheettext.h"
 #include "core/export/textwriter.h"
 #include "tests/support/testprogram.h"
 
@@ -31,6 +32,39 @@ private slots:
         writer->end();
 
         QCOMPARE(bytes, QByteArray("a,b\r\n\"1, 2\",\"say \"\"yes\"\"\nor no\"\r\n,ÄΔ\r\n"));
+    }
+
+    void noCellIsAFormula_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("cell");
+        const auto row = [](const char *text, const char *cell) {
+            QTest::newRow(text) << QString::fromUtf8(text) << QString::fromUtf8(cell);
+        };
+        row("", "");
+        row("Ann = Bob + 1-2@x.org", "Ann = Bob + 1-2@x.org");
+        row("=1+1", "'=1+1");
+        row("+1", "'+1");
+        row("-1", "'-1");
+        row("@SUM(1)", "'@SUM(1)");
+        row("\t=1", "'\t'=1");
+        row("\r=1", "'\r'=1");
+        row("a;=1+1;b", "a;'=1+1;b");
+        row("a; =1", "a; '=1");
+        row("a\n=1", "a\n'=1");
+        row("a|@x", "a|'@x");
+        row("a,\"=1\"", "a,\"'=1\"");
+        row("＝1+1", "'＝1+1");
+        row("＋1", "'＋1");
+        row("－1", "'－1");
+        row("＠x", "'＠x");
+        row("a；＝1", "a；'＝1");
+        row("﹦1", "'﹦1");
+    }
+    void noCellIsAFormula()
+    {
+        QFETCH(QString, text);
+        QTEST(spreadsheetText(text), "cell");
     }
 
     void writesWhatJsonCannotHoldAsText()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/gradefile.h"
 #include "core/grade/gradefolder.h"
+#include "core/grade/resultsfolder.h"
 #include "core/runs/tracedscene.h"
 #include "tests/support/casestorun.h"
 #include "tests/support/defectgroups.h"
@@ -294,7 +295,7 @@ private slots:
         QVERIFY(!ended);
         QVERIFY2(ended.error().message().contains(QStringLiteral("a part was ended early")),
                  qPrintable(ended.error().message()));
-        QVERIFY(QFile::remove(partFileOf(parts[0])));
+        QVERIFY(QFile::remove(QDir(parts[0]).filePath(partFile)));
         const auto silent = mergeGrades(parts, folder.filePath(QStringLiteral("whole")));
         QVERIFY(!silent);
         QVERIFY2(silent.error().message().contains(QStringLiteral("which part it is")),

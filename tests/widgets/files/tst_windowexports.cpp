@@ -96,9 +96,44 @@ private slots:
         QVERIFY(!exports->writeRaster(path));
 
         QCOMPARE(complaints.size(), 5);
-        QVERIFY(complaints[0][0].toString().contains(QStringLiteral("it is the scene itself")));
+        QVERIFY(complaints[0][0].toString().contains(
+            QStringLiteral("it was read, and the export would replace it")));
         QCOMPARE(*readFile(scene), before);
         QVERIFY(exports->writeRaster(folder.filePath(QStringLiteral("raster.txt"))));
+    }
+
+    void noFileThatTheSceneRefersToIsReplaced_data()
+    {
+        QTest::addColumn<QString>("target");
+        for (const char *target : {"texture.png", "link.png", "mesh.obj"})
+            QTest::newRow(target) << QString::fromLatin1(target);
+    }
+    void noFileThatTheSceneRefersToIsReplaced()
+    {
+        QFETCH(QString, target);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(target);
+        const QString scene = folder.filePath(QStringLiteral("scene.json"));
+        QVERIFY(QImage(4, 4, QImage::Format_RGB32)
+                    .save(folder.filePath(QStringLiteral("texture.png"))));
+        QVERIFY(QFile::link(QStringLiteral("texture.png"),
+                            folder.filePath(QStringLiteral("link.png"))));
+        QVERIFY(!writeFile(folder.filePath(QStringLiteral("mesh.obj")),
+                           "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+        QVERIFY(!writeFile(scene, R"({ "pixelplumb": 1, "frame": { "width": 8, "height": 8 },
+            "camera": { "eye": [0, 0, 4], "fieldOfView": 40, "near": 1, "far": 10 },
+            "materials": { "a": { "texture": "texture.png" } },
+            "primitives": [ { "mesh": "mesh.obj", "material": "a" } ] })"));
+        const QByteArray before = *readFile(path);
+        const auto window = openedWindow();
+        QVERIFY(window->openScene(scene));
+
+        QVERIFY(!window->parts().exports->writePicture(path));
+        QVERIFY(!window->parts().exports->writeRaster(path));
+        QVERIFY(!window->parts().files->saveTo(path));
+
+        QCOMPARE(*readFile(path), before);
+        QVERIFY(window->parts().files->saveTo(scene)); // which it is
     }
 
     void exportsTellOfTheFinishedRunUnlessAskedOtherwise()

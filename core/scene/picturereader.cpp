@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/picturereader.h"
+
+#include "core/frame/framespec.h"
+#include "core/scene/bmpfault.h"
+#include "core/scene/pngfault.h"
+
+namespace pixelplumb {
+
+namespace {
+
+/// Of the largest picture with two bytes a channel.
+constexpr int mostMegabytes = int(largestFrameArea * 8 >> 20);
+
+QString faultOf(const QByteArray &content)
+{
+    const QString fault = pngFault(content);
+    return fault.isEmpty() ? bmpFault(content) : fault;
+}
+
+} // namespace
+
+PictureReader::PictureReader(const QByteArray &content)
+    : m_fault(faultOf(content))
+    , m_content(plainPng(content))
+    , m_buffer(&m_content)
+    , m_reader(&m_buffer)
+{
+    QImageReader::setAllocationLimit(mostMegabytes);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/picture.h"
+#include "core/scene/fileaccess.h"
+#include "core/scene/pngfault.h"
+#include "tests/support/programrun.h"
+#include "tests/support/testprogram.h"
+
+#include <QBuffer>
+#include <QImage>
+#include <QTemporaryDir>
+#include <QTemporaryFile>
+#include <QTest>
+#include <QtEndian>
+
+#include <boost/crc.hpp>
+#include <unistd.h>
+
+#include <random>
+#include <utility>
+
+namespace tst_hostilepictures {
+
+using namespace pixelplumb;
+
+namespace {
+
+struct Chunk {
+    QByteArray type;
+    QByteArray content;
+};
+
+QByteArray bytesOf(quint32 number)
+{
+    QByteArray bytes(4, '\0');
+    qToBigEndian(number, bytes.data());
+    return bytes;
+}
+
+QList<Chunk> chunksOf(const QByteArray &png)
+{
+    QList<Chunk> chunks;
+    for (qsizetype at = 8; at + 12 <= png.size();) {
+        const auto length = qsizetype(qFromBigEndian<quint32>(png.constData() + at));
+        chunks.append({png.sliced(at + 4, 4), png.sliced(at + 8, length)});
+        at += 12 + length;
+    }
+    return chunks;
+}
+
+QByteArray pngOf(const QList<Chunk> &chunks)
+{
+    QByteArray png("\x89PNG\r\n\x1a\n", 8);
+    for (const Chunk &chunk : chunks) {
+        const QByteArray checked = chunk.type + chunk.content;
+        boost::crc_32_type check;
+        check.process_bytes(checked.constData(), std::size_t(checked.size()));
+        png += bytesOf(quint32(chunk.content.size())) + checked + bytesOf(check.checksum());
+    }
+    return png;
+}
+
+QImage picture()
+{
+    QImage image(23, 17, QImage::Format_ARGB32);
+    for (int y = 0; y < 17; ++y) {
+        for (int x = 0; x < 23; ++x)
+            image.setPixel(x, y, qRgba(x * 10, y * 13, x * y % 256, 255 - x));
+    }
+    return image;
+}
+
+QByteArray pngOf(QImage::Format format)
+{
+    QByteArray png;
+    QBuffer buffer(&png);
+    picture().convertToFormat(format).save(&buffer, "png");
+    return png;
+}
+
+/// What is written to standard error while it lives.
+class WrittenErrors {
+public:
+    WrittenErrors()
+        : m_before(dup(STDERR_FILENO))
+    {
+        m_file.open();
+        dup2(m_file.handle(), STDERR_FILENO);
+    }
+    ~WrittenErrors() { end(); }
+    Q_DISABLE_COPY_MOVE(WrittenErrors)
+
+    QByteArray end()
+    {
+        if (m_before >= 0) {
+            dup2(m_before, STDERR_FILENO);
+            close(std::exchange(m_before, -1));
+        }
+        m_file.seek(0);
+        return m_file.readAll();
+    }
+
+private:
+    QTemporaryFile m_file;
+    int m_before;
+};
+
+/// Damages chunks as a bad disk, a bad encoder or a bad person would; the checksums are right.
+QByteArray damaged(QByteArray png, std::mt19937 &random)
+{
+    static const QList<QByteArray> types
+        = {"PLTE", "tRNS", "gAMA", "cHRM", "sRGB", "iCCP", "sBIT",    "bKGD", "hIST", "pHYs",
+           "tIME", "tEXt", "zTXt", "iTXt", "ABCD", "abcd", "a\x1b[m", "IEND", "IHDR"};
+    const auto below = [&random](qsizetype end) { return qsizetype(random() % unsigned(end)); };
+    QList<Chunk> chunks = chunksOf(png);
+    for (qsizetype times = 1 + below(2); times > 0; --times) {
+        Chunk &chunk = chunks[below(chunks.size())];
+        switch (below(6)) {
+        case 0:
+            chunks.insert(below(chunks.size() + 1), Chunk(chunk));
+            break;
+        case 1:
+            chunks.insert(below(chunks.size() + 1),
+                          Chunk{types[below(types.size())], QByteArray(below(40), char(random()))});
+            break;
+        case 2:
+            if (!chunk.content.isEmpty())
+                chunk.content[below(chunk.content.size())] = char(random());
+            break;
+        case 3:
+            chunk.content.truncate(below(chunk.content.size() + 1));
+            break;
+        case 4:
+            chunk.type[below(4)] = char(random() % 128);
+            break;
+        case 5:
+            chunks.swapItemsAt(below(chunks.size()), below(chunks.size()));
+            break;
+        }
+    }
+    return pngOf(chunks);
+}
+
+} // namespace
+
+/// Pictures that somebody else made, and large ones that we did.
+class TestHostilePictures : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aDecoderNeverWritesToTheTerminal()
+    {
+        constexpr int tries = 1500;
+        std::mt19937 random(1);
+        int decoded = 0, refused = 0;
+        for (const QImage::Format format :
+             {QImage::Format_RGB32, QImage::Format_ARGB32, QImage::Format_Indexed8,
+              QImage::Format_Mono, QImage::Format_Grayscale16, QImage::Format_RGBA64}) {
+            const QByteArray whole = pngOf(format);
+            for (int i = 0; i < tries / 6; ++i) {
+                const QByteArray png = damaged(whole, random);
+                WrittenErrors errors;
+                const bool isDecoded = parsePicture(png, QStringLiteral("p")).isOk();
+                const QByteArray written = errors.end();
+                QVERIFY2(written.isEmpty(), written.constData());
+                ++(isDecoded ? decoded : refused);
+            }
+        }
+        QVERIFY2(decoded > 50 && refused > 200,
+                 qPrintable(QStringLiteral("%1, %2").arg(decoded).arg(refused)));
+    }
+
+    void whatIsNotNeededIsLeftOut_data()
+    {
+        QTest::addColumn<QImage::Format>("format");
+        QTest::newRow("colours") << QImage::Format_RGB32;
+        QTest::newRow("transparent") << QImage::Format_ARGB32;
+        QTest::newRow("palette") << QImage::Format_Indexed8;
+        QTest::newRow("bits") << QImage::Format_Mono;
+        QTest::newRow("grey") << QImage::Format_Grayscale8;
+        QTest::newRow("two bytes") << QImage::Format_RGBA64;
+    }
+    void whatIsNotNeededIsLeftOut()
+    {
+        QFETCH(QImage::Format, format);
+        const QByteArray png = pngOf(format);
+        QList<Chunk> chunks = chunksOf(png);
+        chunks.insert(1, Chunk{"tEXt", "broken"});
+        const QByteArray more = pngOf(chunks);
+
+        QCOMPARE(pngFault(more), QString());
+        QVERIFY(!plainPng(more).contains("tEXt"));
+        QCOMPARE(QImage::fromData(plainPng(more)).convertToFormat(QImage::Format_ARGB32),
+                 QImage::fromData(png).convertToFormat(QImage::Format_ARGB32));
+    }
+
+    void brokenOnesAreNamed_data()
+    {
+        QTest::addColumn<QByteArray>("png");
+        QTest::addColumn<QString>("fault");
+        const auto row = [](const char *name, const auto &change, const char *fault) {
+            QList<Chunk> chunks = chunksOf(pngOf(QImage::Format_RGB32));
+            change(chunks);
+            QTest::newRow(name) << pngOf(chunks) << QString::fromUtf8(fault);
+        };
+        using Chunks = QList<Chunk>;
+        row(
+            "no width", [](Chunks &chunks) { chunks[0].content.replace(0, 4, bytesOf(0)); },
+            "a broken PNG: its header says 0 × 17 pixels");
+        row(
+            "too wide", [](Chunks &chunks) { chunks[0].content.replace(0, 4, bytesOf(2'000'000)); },
+            "a broken PNG: its header says 2000000 × 17 pixels");
+        row(
+            "another filter method", [](Chunks &chunks) { chunks[0].content[11] = 1; },
+            "a broken PNG: its header says a compression, filter or interlacing that is none");
+        row(
+            "two headers", [](Chunks &chunks) { chunks.insert(1, Chunk(chunks[0])); },
+            "a broken PNG: IHDR stands where there is no such chunk");
+        row(
+            "an unknown chunk",
+            [](Chunks &chunks) {
+                chunks.insert(1, Chunk{"ABCD", {}});
+            },
+            "a broken PNG: ABCD stands where there is no such chunk");
+        row(
+            "half a colour",
+            [](Chunks &chunks) {
+                chunks.insert(1, Chunk{"PLTE", "1234"});
+            },
+            "a broken PNG: its palette (PLTE) has 4 bytes");
+        row(
+            "two palettes",
+            [](Chunks &chunks) {
+                chunks.insert(1, Chunk{"PLTE", "123"});
+                chunks.insert(1, Chunk{"PLTE", "123"});
+            },
+            "a broken PNG: it has two palettes (PLTE)");
+        const auto deflated = [](Chunks &chunks, const QByteArray &pixels) {
+            chunks.removeIf([](const Chunk &chunk) { return chunk.type != "IHDR"; });
+            chunks.append(Chunk{"IDAT", qCompress(pixels).sliced(4)});
+            chunks.append(Chunk{"IEND", {}});
+        };
+        constexpr qsizetype line = 1 + 3 * 23;
+        row(
+            "an unknown filter",
+            [&](Chunks &chunks) {
+                QByteArray pixels(17 * line, '\0');
+                pixels[5 * line] = 5;
+                deflated(chunks, pixels);
+            },
+            "a broken PNG: a line of its pixels (IDAT) has a filter that is none");
+        row(
+            "far too many pixels",
+            [&](Chunks &chunks) { deflated(chunks, QByteArray(1'000'000, '\0')); },
+            "a broken PNG: its pixels (IDAT) go on behind the last line");
+        row(
+            "a wrong checksum of pixels",
+            [&](Chunks &chunks) {
+                deflated(chunks, QByteArray(17 * line, '\0'));
+                chunks[1].content.back() = char(chunks[1].content.back() + 1);
+            },
+            "a broken PNG: the checksum of its pixels (IDAT) is wrong");
+        row(
+            "whole", [&](Chunks &chunks) { deflated(chunks, QByteArray(17 * line, '\0')); }, "");
+    }
+    void brokenOnesAreNamed()
+    {
+        QFETCH(QByteArray, png);
+        QTEST(pngFault(png), "fault");
+    }
+
+    /// Qt's own limit is 2^26 pixels.
+    void aLargePictureThatWasDrawnIsReadBack_data()
+    {
+        QTest::addColumn<QString>("suffix");
+        for (const char *suffix : {"png", "ppm"})
+            QTest::newRow(suffix) << QString::fromLatin1(suffix);
+    }
+    void aLargePictureThatWasDrawnIsReadBack()
+    {
+        QFETCH(QString, suffix);
+        const QTemporaryDir folder;
+        const QString scene = folder.filePath(QStringLiteral("large.json"));
+        const QString drawn = folder.filePath(QStringLiteral("large.") + suffix);
+        // As PPM it has 300 MiB, more than a scene may.
+        QVERIFY(!writeFile(scene, sceneOfSize(10'240, 10'240)));
+        QCOMPARE(run({"render", scene, "-o", drawn}).exitCode, 0);
+
+        const ProgramRun compared = run({"diff", drawn, drawn});
+
+        QVERIFY2(compared.exitCode == 0, compared.messages.constData());
+        QCOMPARE(compared.messages, QByteArray());
+    }
+};
+
+PIXELPLUMB_TEST(TestHostilePictures)
+
+} // namespace tst_hostilepictures
+
+#include "tst_hostilepictures.moc"

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/gradefile.h"
+#include "core/grade/gradefolder.h"
+#include "core/grade/resultsfolder.h"
+#include "core/scene/inputrecord.h"
+#include "tests/support/submissions.h"
+#include "tests/support/testprogram.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <sys/stat.h>
+
+#include <filesystem>
+
+namespace tst_resultsfolder {
+
+using namespace pixelplumb;
+
+/// What grading writes are files of its own.
+class TestResultsFolder : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    Assignment m_assignment = exampleAssignment();
+
+    QString path(const QString &name) const { return m_folder->filePath(name); }
+    GradingOrder order(const QString &results) const
+    {
+        return {path("subs"), path(results), QStringLiteral("1"), 1};
+    }
+    /// Empty where it was graded.
+    QString graded(const QString &results) const
+    {
+        const auto report = gradeFolder(order(results), m_assignment);
+        return report ? QString() : report.error().message();
+    }
+
+private slots:
+    void init()
+    {
+        m_assignment.scenes.resize(1);
+        m_folder = std::make_unique<QTemporaryDir>();
+        QVERIFY(deliver(path("subs/ann"), m_assignment));
+        QVERIFY(writeTo(path("precious"), "precious"));
+        QVERIFY(QDir().mkpath(path("elsewhere")));
+        QVERIFY(writeTo(path("elsewhere/kept.txt"), "kept"));
+    }
+
+    void noLinkIsWrittenThrough_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("target");
+        for (const char *name :
+             {"index.html", "grades.csv", "results.json", "junit.xml", "assignment.json"})
+            QTest::newRow(name) << QString::fromLatin1(name) << QStringLiteral("precious");
+        for (const char *name : {"grades", "pictures", "gradescope"})
+            QTest::newRow(name) << QString::fromLatin1(name) << QStringLiteral("elsewhere");
+    }
+    void noLinkIsWrittenThrough()
+    {
+        QFETCH(QString, name);
+        QFETCH(QString, target);
+        QCOMPARE(graded("results"), QString()); // it is a folder of ours
+        const QString place = path("results/") + name;
+        QVERIFY(QFileInfo(place).isDir() ? QDir(place).removeRecursively() : QFile::remove(place));
+        QVERIFY(QFile::link(path(target), place));
+
+        const QString refusal = graded("results");
+
+        QVERIFY2(refusal.contains(name) && refusal.contains(QStringLiteral("link")),
+                 qPrintable(refusal));
+        QCOMPARE(contentOf(path("precious")), QByteArray("precious"));
+        QCOMPARE(QDir(path("elsewhere")).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
+                 QStringList("kept.txt"));
+        QCOMPARE(contentOf(path("elsewhere/kept.txt")), QByteArray("kept"));
+    }
+
+    void aPipeIsNotWaitedFor_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char *name : {"index.html", "part.json", "assignment.json"})
+            QTest::newRow(name) << QString::fromLatin1(name);
+    }
+    void aPipeIsNotWaitedFor()
+    {
+        QFETCH(QString, name);
+        QCOMPARE(graded("results"), QString());
+        const QString place = path("results/") + name;
+        QVERIFY(QFile::remove(place));
+        QCOMPARE(::mkfifo(QFile::encodeName(place).constData(), 0600), 0);
+
+        QVERIFY(!graded("results").isEmpty());
+    }
+
+    void aHardLinkKeepsItsContentElsewhere()
+    {
+        QCOMPARE(graded("results"), QString());
+        const QString page = path("results/index.html");
+        QVERIFY(QFile::remove(page));
+        std::filesystem::create_hard_link(path("precious").toStdString(), page.toStdString());
+
+        QCOMPARE(graded("results"), QString());
+
+        QCOMPARE(contentOf(path("precious")), QByteArray("precious"));
+        QVERIFY(contentOf(page).startsWith("<!DOCTYPE html>"));
+    }
+
+    void whatSomebodyElseWroteStays_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char *name : {"index.html", "assignment.json", "part.json", "pictures/me.png",
+                                 "grades/mine.txt", "reviews.json"})
+            QTest::newRow(name) << QString::fromLatin1(name);
+    }
+    void whatSomebodyElseWroteStays()
+    {
+        QFETCH(QString, name);
+        QVERIFY(writeTo(path("site/") + name, "mine"));
+        const auto before = filesIn(path("site"));
+
+        const QString refusal = graded("site");
+
+        QVERIFY2(refusal.contains(QStringLiteral("is not of results of grading")),
+                 qPrintable(refusal));
+        QVERIFY(filesIn(path("site")) == before);
+    }
+
+    void otherFilesMayStandBesideTheResults()
+    {
+        QVERIFY(writeTo(path("site/notes.txt"), "mine"));
+        QVERIFY(QDir().mkpath(path("site/pictures"))); // empty, as a run leaves it that is ended
+        QCOMPARE(graded("site"), QString());
+        QCOMPARE(contentOf(path("site/notes.txt")), QByteArray("mine"));
+    }
+
+    void theAssignmentThatIsReadIsNotReplaced()
+    {
+        QCOMPARE(graded("results"), QString());
+        const InputRecord record;
+        const QString own = assignmentFileOf(path("results"));
+        const auto read = readAssignmentFile(own);
+        QVERIFY(read.isOk());
+        const auto before = filesIn(path("results"));
+
+        const auto report = gradeFolder(order("results"), *read);
+
+        QVERIFY(!report);
+        QVERIFY2(report.error().message().contains(
+                     QStringLiteral("is the input, which it would replace")),
+                 qPrintable(report.error().message()));
+        QVERIFY(filesIn(path("results")) == before);
+    }
+
+    void resultsMayBeReadAndGradedAgain()
+    {
+        const InputRecord record;
+        QCOMPARE(graded("results"), QString());
+        QVERIFY(readGrades(path("results")).isOk());
+        QVERIFY(ResultsFolder(path("results")).read(assignmentFile).isOk());
+        QCOMPARE(graded("results"), QString());
+    }
+
+    void resultsAmongTheSubmissionsAreFoundBehindLinks_data()
+    {
+        QTest::addColumn<QString>("results");
+        QTest::newRow("itself") << QStringLiteral("subs");
+        QTest::newRow("below") << QStringLiteral("subs/results");
+        QTest::newRow("by dots") << QStringLiteral("elsewhere/../subs/results");
+        QTest::newRow("by a link, not there yet") << QStringLiteral("link/results/deep");
+        QTest::newRow("by a link to the submissions") << QStringLiteral("link");
+        QTest::newRow("by a link to what is not there") << QStringLiteral("dangling");
+        QTest::newRow("above") << QStringLiteral(".");
+    }
+    void resultsAmongTheSubmissionsAreFoundBehindLinks()
+    {
+        QFETCH(QString, results);
+        QVERIFY(QFile::link(path("subs"), path("link")));
+        QVERIFY(QFile::link(path("subs/results"), path("dangling")));
+
+        QVERIFY(!graded(results).isEmpty());
+
+        QCOMPARE(QDir(path("subs")).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
+                 QStringList("ann"));
+    }
+};
+
+PIXELPLUMB_TEST(TestResultsFolder)
+
+} // namespace tst_resultsfolder
+
+#include "tst_resultsfolder.moc"

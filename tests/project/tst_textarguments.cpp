@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A text that holds "%1" takes the place of what QString::arg is given next. So of a chain of .arg
+// only the last call takes texts, together; what stands before it are numbers.
+
+#include "tests/support/sourcetree.h"
+#include "tests/support/testprogram.h"
+
+#include <QDirIterator>
+#include <QFile>
+#include <QRegularExpression>
+#include <QTest>
+
+#include <algorithm>
+#include <tuple>
+
+namespace tst_textarguments {
+
+namespace {
+
+/// Their words are the program's own, and no names from outside pass through them.
+const QStringList &roomsOfOwnWords()
+{
+    static const QStringList rooms
+        = {"core/methods/", "core/layers/",     "core/runs/",    "core/effects/",
+           "core/measure/", "widgets/inspect/", "widgets/space/"};
+    return rooms;
+}
+
+/// The arguments between the brackets that open at a place, and the place behind them.
+std::pair<QString, qsizetype> bracketed(const QString &text, qsizetype open)
+{
+    int depth = 0;
+    bool isQuoted = false;
+    for (qsizetype place = open; place < text.size(); ++place) {
+        const QChar character = text[place];
+        if (isQuoted) {
+            place += character == u'\\' ? 1 : 0;
+            isQuoted = character != u'"';
+        } else if (character == u'"') {
+            isQuoted = true;
+        } else if (character == u'(') {
+            ++depth;
+        } else if (character == u')' && --depth == 0) {
+            return {text.sliced(open + 1, place - open - 1).simplified(), place + 1};
+        }
+    }
+    return {{}, text.size()};
+}
+
+/// Whether an expression looks like one of a text: by the name that stands last, or by a call.
+bool looksLikeText(const QString &expression)
+{
+    static const QRegularExpression literal(
+        QStringLiteral(R"re((QStringLiteral|QLatin1String|tr)\(\s*("([^"\\]|\\.)*"\s*)+\))re"));
+    static const QRegularExpression last(
+        QStringLiteral("(path|name|title|text|folder|file|word|what|where|kind|message|heading|"
+                       "suffix|key|drawnBy|told|why|reason|fault|front\\(\\)|value|argument)"
+                       "(\\([^()]*\\))?$"),
+        QRegularExpression::CaseInsensitiveOption);
+    static const QRegularExpression call(
+        QStringLiteral("\\b(QString::from|toString|join\\(|fileName|argument\\(|value\\(|tr\\()"));
+    const QString shown = QString(expression).remove(literal);
+    return last.match(shown).hasMatch() || call.match(shown).hasMatch();
+}
+
+/// The first text in a chain of .arg that is not in its last call; empty: there is none.
+QStringList garbledIn(const QString &text)
+{
+    const QString call = QStringLiteral(".arg(");
+    QStringList found;
+    for (qsizetype place = text.indexOf(call); place >= 0; place = text.indexOf(call, place)) {
+        QString arguments;
+        while (QStringView(text).sliced(place).startsWith(call)) {
+            if (looksLikeText(arguments))
+                found += arguments;
+            std::tie(arguments, place) = bracketed(text, place + call.size() - 1);
+            while (place < text.size() && text[place].isSpace())
+                ++place;
+        }
+    }
+    return found;
+}
+
+} // namespace
+
+class TestTextArguments : public QObject {
+    Q_OBJECT
+
+private slots:
+    void noTextTakesThePlaceOfTheNext()
+    {
+        QStringList complaints;
+        int read = 0;
+        for (const char *library : {"app", "core", "widgets"}) {
+            const QString root = inTree(QString());
+            QDirIterator sources(root + QLatin1String(library), {"*.cpp", "*.h"}, QDir::Files,
+                                 QDirIterator::Subdirectories);
+            while (sources.hasNext()) {
+                const QString path = sources.next().sliced(root.size());
+                if (std::ranges::any_of(roomsOfOwnWords(),
+                                        [&](const QString &room) { return path.startsWith(room); }))
+                    continue;
+                QFile file(root + path);
+                QVERIFY(file.open(QIODevice::ReadOnly));
+                ++read;
+                for (const QString &found : garbledIn(QString::fromUtf8(file.readAll())))
+                    complaints += path + QStringLiteral(": .arg(") + found + u')';
+            }
+        }
+        QVERIFY(read > 200);
+        QVERIFY2(complaints.isEmpty(), qPrintable(complaints.join(u'\n')));
+    }
+
+    void whatIsGarbledIsFound_data()
+    {
+        QTest::addColumn<QString>("source");
+        QTest::addColumn<bool>("isGarbled");
+        const auto row = [](const char *source, bool isGarbled) {
+            QTest::newRow(source) << QString::fromUtf8(source) << isGarbled;
+        };
+        row(R"(s.arg(path).arg(count))", true);
+        row(R"(s.arg(path)
+                .arg(count))",
+            true);
+        row(R"(s.arg(n).arg(QFileInfo(path).fileName()).arg(m))", true);
+        row(R"(s.arg(line.argument(0)).arg(m))", true);
+        row(R"(s.arg(QString::fromUtf8(word->left(20)), kind).arg(most))", true);
+        row(R"(s.arg(path, QString::number(count)))", false);
+        row(R"(s.arg(size.width()).arg(size.height()))", false);
+        row(R"(s.arg(n).arg(path, name))", false);
+        row(R"re(s.arg(n == 1 ? QStringLiteral("a (file)") : QStringLiteral("b")).arg(m))re",
+            false);
+    }
+    void whatIsGarbledIsFound()
+    {
+        QFETCH(QString, source);
+        QFETCH(bool, isGarbled);
+        QCOMPARE(!garbledIn(source).isEmpty(), isGarbled);
+    }
+};
+
+PIXELPLUMB_TEST(TestTextArguments)
+
+} // namespace tst_textarguments
+
+#include "tst_textarguments.moc"
