@@ -93,7 +93,7 @@ private slots:
         QStringList complaints;
         int read = 0;
         for (const char *library : {"app", "core", "widgets"}) {
-            const QString root = inTree(QString());
+            const QString root = pixelplumb::inTree(QString()) + u'/';
             QDirIterator sources(root + QLatin1String(library), {"*.cpp", "*.h"}, QDir::Files,
                                  QDirIterator::Subdirectories);
             while (sources.hasNext()) {
