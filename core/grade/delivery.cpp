@@ -198,8 +198,10 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
         refuse(delivery, PictureLack::NotDrawn, QStringLiteral("the program's name is no UTF-8"));
         return delivery;
     }
+    // Beside a file that is a submission by itself lie those of others.
     const auto student = studentProgramOf(
-        isScript(file) ? QStringList{QStringLiteral("python3"), *path} : QStringList{*path});
+        isScript(file) ? QStringList{QStringLiteral("python3"), *path} : QStringList{*path},
+        entry.isFolder() ? ShownFiles::WithFolders : ShownFiles::Alone);
     if (!student) {
         refuse(delivery, PictureLack::NotDrawn, student.error().found);
         return delivery;
@@ -219,6 +221,8 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
     }
     delivery.run = GradedRun{nameOf(trial->run.end), shownText(trial->run.told.toUtf8()),
                              shownText(trial->run.messages)};
+    if (!trial->run.isSandboxed())
+        delivery.run->sandboxLack = trial->run.sandboxLack;
     delivery.hasWaited = trial->run.isByClock;
     delivery.hasMultiplied = trial->run.isInAll;
     if (trial->trace)
