@@ -117,6 +117,8 @@ QJsonObject jsonOf(const Sides &sides, const CounterSearch &search)
                        {QStringLiteral("found"), search.found.has_value()}};
     if (search.firstUndrawn)
         object.insert(QStringLiteral("firstUndrawn"), undrawnJson(*search.firstUndrawn));
+    if (sides.hasProgram())
+        addConfinement(object);
     if (!search.found)
         return object;
     const Scene &scene = search.found->scene;
@@ -188,6 +190,7 @@ ExitCode counterExample(const Command &command, const QStringList &arguments)
         return findCounterExample(sides->sources[0], sides->sources[1], sides->conventions, *seed,
                                   listener);
     });
+    const QStringList confinement = sides->hasProgram() ? confinementLines() : QStringList();
     if (search.compared == 0) {
         sayLine(QStringLiteral("%1 and %2 have no picture of the same scene: of %3 that were asked "
                                "for none was drawn by both")
@@ -195,12 +198,14 @@ ExitCode counterExample(const Command &command, const QStringList &arguments)
                          QString::number(search.undrawn)));
         if (search.firstUndrawn)
             sayLine(QStringLiteral("the first: ") + undrawnText(*search.firstUndrawn));
+        for (const QString &each : confinement)
+            sayLine(each);
         return ExitCode::FallsShort;
     }
     if (line.isSet(jsonOption))
         printJson(QJsonDocument(jsonOf(*sides, search)));
     else
-        printLines(linesOf(*sides, search));
+        printLines(linesOf(*sides, search) + confinement);
     if (search.found && line.isSet(outputOption)) {
         if (const auto error = writeSceneFile(*path, search.found->scene))
             return line.refuse(*error);

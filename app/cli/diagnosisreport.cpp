@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/diagnosisreport.h"
 
+#include "core/number/failure.h"
 #include "core/scan/choicenames.h"
 
 #include <QJsonArray>
@@ -16,12 +17,17 @@ struct PartingPlace {
     PartingStep step;
 };
 
-/// The first step of the first scene at which a candidate's run parts from the right one.
+/// The first step of the first scene at which a candidate's run parts from the right one. Where the
+/// runs cannot be told apart for an error nobody is told where.
 std::optional<PartingPlace> partingPlaceOf(std::span<const Submission> submissions,
                                            const DiagnosisCandidate &candidate)
 {
     for (std::size_t i = 0; i < submissions.size(); ++i) {
-        if (auto step = partingStepOf(submissions[i].scene, candidate.defects))
+        const Scene &scene = submissions[i].scene;
+        const auto own = ownDefects(defectsFor(scene), candidate.defects);
+        std::optional<PartingStep> step;
+        failureOf([&] { step = partingStepOf(scene, own); });
+        if (step)
             return PartingPlace{i + 1, *std::move(step)};
     }
     return std::nullopt;
@@ -54,7 +60,10 @@ QStringList textOf(const Diagnosis &diagnosis, std::span<const Submission> submi
     if (isWrong && diagnosis.undecidable > 0)
         verdict += QStringLiteral(", %1 of them undecidable").arg(diagnosis.undecidable);
     QStringList lines = {verdict};
-    if (diagnosis.candidates.empty() && isWrong)
+    if (diagnosis.failure)
+        lines += QStringLiteral("the search for defects ended in an error: %1")
+                     .arg(*diagnosis.failure);
+    else if (diagnosis.candidates.empty() && isWrong)
         lines += QStringLiteral("no known defect comes nearer");
     else if (!diagnosis.isExplained() && isWrong)
         lines += QStringLiteral("no known defect explains it; the nearest ones:");
@@ -101,11 +110,14 @@ QJsonObject jsonOf(const Diagnosis &diagnosis, std::span<const Submission> submi
     }
     const bool isTransparent = std::ranges::any_of(
         submissions, [](const Submission &submission) { return submission.picture.isTransparent; });
-    return {{QStringLiteral("verdict"), nameOf(diagnosis.verdict)},
-            {QStringLiteral("transparencyIgnored"), isTransparent},
-            {QStringLiteral("differing"), qint64(diagnosis.differing)},
-            {QStringLiteral("undecidable"), qint64(diagnosis.undecidable)},
-            {QStringLiteral("candidates"), candidates}};
+    QJsonObject object{{QStringLiteral("verdict"), nameOf(diagnosis.verdict)},
+                       {QStringLiteral("transparencyIgnored"), isTransparent},
+                       {QStringLiteral("differing"), qint64(diagnosis.differing)},
+                       {QStringLiteral("undecidable"), qint64(diagnosis.undecidable)},
+                       {QStringLiteral("candidates"), candidates}};
+    if (diagnosis.failure)
+        object.insert(QStringLiteral("searchError"), *diagnosis.failure);
+    return object;
 }
 
 } // namespace pixelplumb::cli

@@ -85,6 +85,8 @@ QStringList clusterLines(const GradeReport &report)
     QStringList lines = {submissionsText(report.submissions.size())};
     if (!report.missing.isEmpty())
         lines += QStringLiteral("partial: %1 more have no grade").arg(report.missing.size());
+    if (const QString text = unsandboxedText(report); !text.isEmpty())
+        lines += text;
     for (const GradeCluster &cluster : clustersOf(report)) {
         lines += QStringLiteral("%1  %2").arg(cluster.submissions.size(), 5).arg(cluster.title);
         for (const QString &sentence : cluster.forAssistant)
@@ -106,10 +108,13 @@ QJsonObject clusterJson(const GradeReport &report)
             {QStringLiteral("assistant"), QJsonArray::fromStringList(cluster.forAssistant)},
             {QStringLiteral("submissions"), names}});
     }
-    return {{QStringLiteral("assignment"), report.assignment.name},
-            {QStringLiteral("submissions"), qint64(report.submissions.size())},
-            {QStringLiteral("missing"), QJsonArray::fromStringList(report.missing)},
-            {QStringLiteral("clusters"), clusters}};
+    QJsonObject object{{QStringLiteral("assignment"), report.assignment.name},
+                       {QStringLiteral("submissions"), qint64(report.submissions.size())},
+                       {QStringLiteral("missing"), QJsonArray::fromStringList(report.missing)},
+                       {QStringLiteral("clusters"), clusters}};
+    if (const QString text = unsandboxedText(report); !text.isEmpty())
+        object.insert(QStringLiteral("noSandbox"), text);
+    return object;
 }
 
 ExitCode print(const CommandLine &line, const GradeReport &report)

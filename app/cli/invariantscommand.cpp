@@ -108,17 +108,25 @@ ExitCode invariants(const Command &command, const QStringList &arguments)
                 .arg(source.name, QString::number(report.undrawn),
                      QString::number(report.checked + report.undrawn),
                      undrawnText(*report.firstUndrawn)));
-    if (report.checked == 0)
+    const QStringList confinement = sides->hasProgram() ? confinementLines() : QStringList();
+    if (report.checked == 0) {
+        for (const QString &each : confinement)
+            sayLine(each);
         return ExitCode::FallsShort;
+    }
     Findings findings{report.broken, {}, *tolerance};
     if (!report.broken.empty())
         findings.brokenBeyondRounding
             = checkInvariants(allowingFor(*tolerance, source), sides->conventions, *seed, pairs)
                   .broken;
-    if (line.isSet(jsonOption))
-        printJson(QJsonDocument(invariantsJson(findings)));
-    else
-        printLines(invariantLines(findings));
+    if (line.isSet(jsonOption)) {
+        QJsonObject object = invariantsJson(findings);
+        if (sides->hasProgram())
+            addConfinement(object);
+        printJson(QJsonDocument(object));
+    } else {
+        printLines(invariantLines(findings) + confinement);
+    }
     return report.broken.empty() && report.undrawn == 0 ? ExitCode::Done : ExitCode::FallsShort;
 }
 

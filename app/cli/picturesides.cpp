@@ -69,6 +69,8 @@ QString placeText(const LatticePoint &place)
 
 } // namespace
 
+bool Sides::hasProgram() const { return std::ranges::any_of(sources, &PictureSource::isProgram); }
+
 std::optional<InputError> refusalToSearch(const Method &method, const QString &place)
 {
     if (method.draws(PrimitiveKind::Triangle) || method.draws(PrimitiveKind::Line))

@@ -12,6 +12,8 @@ namespace pixelplumb::cli {
 struct Sides {
     std::vector<PictureSource> sources;
     Scene conventions; ///< without primitives
+
+    bool hasProgram() const; ///< one that somebody else wrote
 };
 
 /// The known defects that scenes of the conventions' method can have.

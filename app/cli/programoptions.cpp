@@ -4,6 +4,7 @@
 #include "app/cli/suggestion.h"
 #include "app/cli/wholenumber.h"
 #include "core/grade/assignment.h"
+#include "core/grade/sandbox.h"
 
 namespace pixelplumb::cli {
 
@@ -72,6 +73,17 @@ Result<TrialTerms> chosenTerms(const CommandLine &line)
         return megabytes.error();
     terms.limits.memory = **megabytes << 20;
     return terms;
+}
+
+QStringList confinementLines()
+{
+    return sandboxLack().isEmpty() ? QStringList() : QStringList(unsandboxedText(sandboxLack()));
+}
+
+void addConfinement(QJsonObject &report)
+{
+    if (!sandboxLack().isEmpty())
+        report.insert(QStringLiteral("noSandbox"), unsandboxedText(sandboxLack()));
 }
 
 } // namespace pixelplumb::cli

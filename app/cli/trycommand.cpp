@@ -67,7 +67,7 @@ QJsonObject objectOf(const SceneTrial &tried)
                        {QStringLiteral("code"), trial.run.code},
                        {QStringLiteral("told"), trial.run.told},
                        {QStringLiteral("messages"), shownText(trial.run.messages, longestMessages)},
-                       {QStringLiteral("sandbox"), trial.run.isSandboxed}};
+                       {QStringLiteral("sandbox"), trial.run.isSandboxed()}};
     if (trial.fault)
         object.insert(QStringLiteral("fault"), trial.fault->message());
     if (trial.picture)
@@ -168,7 +168,6 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
     const auto isRight = [](const SceneTrial &each) { return each.trial.isRight(); };
     const bool areRight = std::ranges::all_of(tried, isRight);
     const auto diagnosis = diagnosisOf(submissions, areRight, terms->tolerance);
-    const bool isSandboxed = tried.front().trial.run.isSandboxed;
     if (line.isSet(QStringLiteral("json"))) {
         QJsonArray trials;
         for (const SceneTrial &each : tried)
@@ -176,6 +175,7 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
         QJsonObject report{{QStringLiteral("right"), areRight}, {QStringLiteral("trials"), trials}};
         if (diagnosis)
             report.insert(QStringLiteral("diagnosis"), jsonOf(*diagnosis, submissions));
+        addConfinement(report);
         printJson(QJsonDocument(report));
     } else {
         for (const SceneTrial &each : tried)
@@ -184,10 +184,8 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
             printLines(textOf(*diagnosis, submissions));
         else if (areRight)
             printLine(verdictOf(tried));
+        printLines(confinementLines());
     }
-    if (!isSandboxed)
-        sayLine(QStringLiteral("no sandbox: the system gives no namespaces; the limits held, but "
-                               "the program could reach the network and write to files"));
     return areRight ? ExitCode::Done : ExitCode::FallsShort;
 }
 

@@ -171,4 +171,15 @@ std::vector<Defect> defectsFor(const Scene &scene)
     return defects;
 }
 
+std::vector<Defect> ownDefects(std::span<const Defect> known, std::span<const Defect> defects)
+{
+    std::vector<Defect> own;
+    for (const Defect &defect : defects) {
+        const auto found = std::ranges::find(known, defect.id, &Defect::id);
+        if (found != known.end())
+            own.push_back(*found);
+    }
+    return own;
+}
+
 } // namespace pixelplumb

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace pixelplumb {
@@ -70,5 +71,10 @@ bool canBeTogether(const Defect &one, const Defect &other);
 
 /// Those that a scene's method can have, in the order in which they are tried.
 std::vector<Defect> defectsFor(const Scene &scene);
+
+/// The same defects as one scene has them: those of `known`, the list of that scene, with the ids
+/// of `defects`. What was found for other scenes, of other methods perhaps, may be none of this
+/// one's and leaves it as it is.
+std::vector<Defect> ownDefects(std::span<const Defect> known, std::span<const Defect> defects);
 
 } // namespace pixelplumb

@@ -40,7 +40,10 @@ std::optional<Defect> redrawingAmong(std::span<const Defect> defects)
             among = defect;
             continue;
         }
-        if (const auto both = together(*among->redrawing, *defect.redrawing))
+        const bool areOfTriangles = among->redrawing && defect.redrawing;
+        const auto both
+            = areOfTriangles ? together(*among->redrawing, *defect.redrawing) : std::nullopt;
+        if (both)
             among = redrawnBy(*both, *std::move(among));
     }
     return among;

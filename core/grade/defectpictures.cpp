@@ -5,7 +5,8 @@
 #include "core/grade/redrawing.h"
 #include "core/runs/sceneplan.h"
 
-#include <QHashFunctions>
+#include <QHash>
+#include <QSet>
 
 #include <algorithm>
 
@@ -32,21 +33,38 @@ DefectPictures::DefectPictures(std::vector<Scene> scenes)
     : m_scenes(std::move(scenes))
     , m_lastScenePicture(m_scenes.size())
 {
+    QSet<QString> ids;
     for (const Scene &scene : m_scenes) {
-        for (Defect &defect : defectsFor(scene)) {
-            const bool isKnown
-                = std::ranges::find(m_defects, defect.id, &Defect::id) != m_defects.end();
+        m_ofScene.push_back(defectsFor(scene));
+        for (const Defect &defect : m_ofScene.back()) {
             if (defect.choice == QLatin1String(arithmeticChoice)) {
                 Scene changed = scene;
                 defect.changeScene(changed);
-                m_arithmetics.emplace(changed.settings.arithmetic, std::move(defect));
-            } else if (!isKnown) {
-                m_defects.push_back(std::move(defect));
+                m_arithmetics.emplace(changed.settings.arithmetic, defect);
+            } else if (!ids.contains(defect.id)) {
+                ids += defect.id;
+                m_defects.push_back(defect);
             }
         }
     }
     // What does its work earlier comes first in a pair.
     std::ranges::stable_sort(m_defects, {}, &Defect::stage);
+    QHash<QString, std::size_t> places;
+    for (std::size_t place = 0; place < m_defects.size(); ++place)
+        places.insert(m_defects[place].id, place);
+    for (const std::vector<Defect> &ofScene : m_ofScene) {
+        auto &ownPlaces = m_ownPlaces.emplace_back(m_defects.size());
+        for (std::size_t i = 0; i < ofScene.size(); ++i) {
+            if (const auto place = places.constFind(ofScene[i].id); place != places.constEnd())
+                ownPlaces[*place] = i;
+        }
+    }
+}
+
+const Defect *DefectPictures::own(std::size_t scene, std::size_t defect) const
+{
+    const std::optional<std::size_t> place = m_ownPlaces[scene][defect];
+    return place ? &m_ofScene[scene][*place] : nullptr;
 }
 
 std::vector<Defect> DefectPictures::defectsIn(const DefectSet &set) const
@@ -55,6 +73,16 @@ std::vector<Defect> DefectPictures::defectsIn(const DefectSet &set) const
     for (const auto &place : {set.first, set.second, set.choice}) {
         if (place)
             defects.push_back(m_defects[*place]);
+    }
+    return defects;
+}
+
+std::vector<Defect> DefectPictures::ownDefectsIn(const DefectSet &set, std::size_t scene) const
+{
+    std::vector<Defect> defects;
+    for (const auto &place : {set.first, set.second, set.choice}) {
+        if (const Defect *defect = place ? own(scene, *place) : nullptr)
+            defects.push_back(*defect);
     }
     return defects;
 }
@@ -88,7 +116,7 @@ DefectPictures::SharedPicture DefectPictures::draw(std::size_t scene, const Defe
 {
     if (set.second && m_defects[*set.second].changePicture)
         return changed(scene, set);
-    const std::vector<Defect> defects = defectsIn(set);
+    const std::vector<Defect> defects = ownDefectsIn(set, scene);
     const Scene drawn = withDefects(sceneIn(scene, set), defects);
     const auto redrawing = redrawingAmong(defects);
     SharedPicture picture;
@@ -109,11 +137,11 @@ DefectPictures::SharedPicture DefectPictures::changed(std::size_t scene, const D
 {
     const DefectSet first{set.first, {}, set.arithmetic, set.choice};
     const SharedPicture base = picture(scene, first);
-    if (!base)
-        return nullptr;
-    const Scene drawn = withDefects(sceneIn(scene, set), defectsIn(first));
-    return std::make_shared<const Picture>(
-        m_defects[*set.second].changePicture(*base, drawn.frame.background));
+    const Defect *change = own(scene, *set.second);
+    if (!base || !change)
+        return base;
+    const Scene drawn = withDefects(sceneIn(scene, set), ownDefectsIn(first, scene));
+    return std::make_shared<const Picture>(change->changePicture(*base, drawn.frame.background));
 }
 
 DefectPictures::SharedPicture DefectPictures::picture(std::size_t scene, const DefectSet &set)
@@ -151,7 +179,7 @@ DefectPictures::SharedRange DefectPictures::range(std::size_t scene, const Defec
             return found->second;
     }
     SharedRange range;
-    if (auto drawn = rangeWith(m_scenes[scene], defectsIn(set), arithmetic))
+    if (auto drawn = rangeWith(m_scenes[scene], ownDefectsIn(set, scene), arithmetic))
         range = std::make_shared<const PictureRange>(*std::move(drawn));
     const std::size_t bytes = range ? 4 * bytesOf(range->sides.front()) : 0;
     const std::lock_guard lock(m_mutex);
@@ -171,7 +199,7 @@ bool DefectPictures::Drawn::isKnownToDiffer(const Picture &found) const
 bool DefectPictures::isRefusedAtOnce(std::size_t scene, const DefectSet &set,
                                      const Picture &found) const
 {
-    const std::vector<Defect> defects = defectsIn(set);
+    const std::vector<Defect> defects = ownDefectsIn(set, scene);
     const bool isOfPictures
         = std::ranges::find(defects, DefectStage::Picture, &Defect::stage) != defects.end();
     const auto redrawing = isOfPictures ? std::nullopt : redrawingAmong(defects);

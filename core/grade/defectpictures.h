@@ -39,6 +39,10 @@ public:
     const std::map<Arithmetic, Defect> &arithmetics() const { return m_arithmetics; }
     /// Without the arithmetic.
     std::vector<Defect> defectsIn(const DefectSet &set) const;
+    /// The same as one of the scenes has them; those that it cannot have are left out.
+    std::vector<Defect> ownDefectsIn(const DefectSet &set, std::size_t scene) const;
+    /// All that one of the scenes can have, arithmetics among them.
+    const std::vector<Defect> &defectsOf(std::size_t scene) const { return m_ofScene[scene]; }
 
     /// None where the scene cannot be drawn so.
     SharedPicture picture(std::size_t scene, const DefectSet &set);
@@ -70,7 +74,12 @@ private:
     SharedPicture draw(std::size_t scene, const DefectSet &set);
     SharedPicture changed(std::size_t scene, const DefectSet &set);
 
+    /// As the scene has it; null where it cannot.
+    const Defect *own(std::size_t scene, std::size_t defect) const;
+
     std::vector<Scene> m_scenes;
+    std::vector<std::vector<Defect>> m_ofScene;
+    std::vector<std::vector<std::optional<std::size_t>>> m_ownPlaces; ///< by scene and defect
     std::vector<Defect> m_defects;
     mutable std::mutex m_mutex;
     std::map<Arithmetic, Defect> m_arithmetics;

@@ -197,8 +197,10 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
         refuse(delivery, PictureLack::NotDrawn, QStringLiteral("the program's name is no UTF-8"));
         return delivery;
     }
+    // Beside a file that is a submission by itself lie those of others.
     const auto student = studentProgramOf(
-        isScript(file) ? QStringList{QStringLiteral("python3"), *path} : QStringList{*path});
+        isScript(file) ? QStringList{QStringLiteral("python3"), *path} : QStringList{*path},
+        entry.isFolder() ? ShownFiles::WithFolders : ShownFiles::Alone);
     if (!student) {
         refuse(delivery, PictureLack::NotDrawn, student.error().found);
         return delivery;
@@ -218,12 +220,12 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
     }
     delivery.run = GradedRun{nameOf(trial->run.end), shownText(trial->run.told.toUtf8()),
                              shownText(trial->run.messages)};
+    if (!trial->run.isSandboxed())
+        delivery.run->sandboxLack = trial->run.sandboxLack;
     delivery.hasWaited = trial->run.isByClock;
     delivery.hasMultiplied = trial->run.isInAll;
     if (trial->trace)
         delivery.trace = shownText(trial->trace->text.toUtf8());
-    const QByteArray &output = trial->run.output;
-    const FrameSpec &frame = scene.scene.frame;
     const bool isJudged = trial->output.picture.has_value();
     if (isJudged && trial->run.end == ProgramEnd::Failed)
         delivery.note = shownText(trial->run.told.toUtf8())
@@ -231,9 +233,9 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
     if (trial->run.end != ProgramEnd::Finished && !isJudged)
         refuse(delivery, PictureLack::NotDrawn, shownText(trial->fault->message().toUtf8()));
     else if (trial->fault)
-        take(output, *trial->fault, frame, delivery);
+        take(trial->run.output, *trial->fault, scene.scene.frame, delivery);
     else
-        take(output, trial->output, frame, delivery);
+        take(trial->run.output, trial->output, scene.scene.frame, delivery);
     return delivery;
 }
 

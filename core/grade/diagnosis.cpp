@@ -5,6 +5,7 @@
 #include "core/grade/picturecause.h"
 #include "core/grade/picturediff.h"
 #include "core/grade/undecidable.h"
+#include "core/number/failure.h"
 
 #include <algorithm>
 
@@ -26,17 +27,16 @@ std::int64_t undecidableIn(DefectPictures &pictures, std::span<const FoundPictur
     return undecidable;
 }
 
-std::optional<Diagnosis> diagnosisOnItsBackground(DefectPictures &pictures,
-                                                  std::span<const FoundPicture> found,
-                                                  const ProgressListener &listener,
-                                                  std::optional<Arithmetic> tolerance)
+/// False where the listener ended it.
+bool diagnoseOnItsBackground(DefectPictures &pictures, std::span<const FoundPicture> found,
+                             const ProgressListener &listener, std::optional<Arithmetic> tolerance,
+                             Diagnosis &diagnosis)
 {
-    Diagnosis diagnosis;
     PictureMatcher matcher(pictures, found, tolerance);
     diagnosis.differing = matcher.distance({});
     if (diagnosis.differing == 0) {
         diagnosis.verdict = DiagnosisVerdict::Right;
-        return diagnosis;
+        return true;
     }
     if (tolerance)
         diagnosis.undecidable = undecidableIn(pictures, found, *tolerance);
@@ -44,9 +44,9 @@ std::optional<Diagnosis> diagnosisOnItsBackground(DefectPictures &pictures,
         diagnosis.verdict = DiagnosisVerdict::Undecidable;
     DefectSearch search(pictures, matcher, diagnosis, listener);
     if (!search.run())
-        return std::nullopt;
+        return false;
     diagnosis.candidates = search.candidates();
-    return diagnosis;
+    return true;
 }
 
 /// That of all pictures, if it is one.
@@ -104,6 +104,32 @@ Defect drawnOnOther(const Colour &other, const QString &backgrounds)
             .forAssistant = QStringLiteral("Done to the whole picture: %1.").arg(change.name),
             .changePicture = change.apply,
             .choice = change.kind};
+}
+
+/// False where the listener ended it.
+bool diagnoseOnAnyBackground(DefectPictures &pictures, std::span<const FoundPicture> found,
+                             const ProgressListener &listener, std::optional<Arithmetic> tolerance,
+                             Diagnosis &diagnosis)
+{
+    if (!diagnoseOnItsBackground(pictures, found, listener, tolerance, diagnosis))
+        return false;
+    const bool isUnexplained
+        = diagnosis.verdict == DiagnosisVerdict::Wrong && !diagnosis.isExplained();
+    const auto other = isUnexplained ? otherBackgroundOf(pictures, found) : std::nullopt;
+    if (!other)
+        return true;
+    Diagnosis beside;
+    if (!diagnoseOnItsBackground(pictures, onRightBackground(pictures, found, *other), listener,
+                                 tolerance, beside))
+        return false;
+    if (beside.candidates.empty())
+        beside.candidates.push_back(
+            {{}, beside.differing - beside.undecidable, beside.undecidable});
+    const Defect drawnOnIt = drawnOnOther(*other, backgroundsOf(pictures, found));
+    for (DiagnosisCandidate &candidate : beside.candidates)
+        candidate.defects.push_back(drawnOnIt);
+    diagnosis.candidates = std::move(beside.candidates);
+    return true;
 }
 
 } // namespace
@@ -182,25 +208,11 @@ std::optional<Diagnosis> diagnose(DefectPictures &pictures, std::span<const Foun
                                   const ProgressListener &listener,
                                   std::optional<Arithmetic> tolerance)
 {
-    auto diagnosis = diagnosisOnItsBackground(pictures, found, listener, tolerance);
-    const auto other
-        = diagnosis && diagnosis->verdict == DiagnosisVerdict::Wrong && !diagnosis->isExplained()
-        ? otherBackgroundOf(pictures, found)
-        : std::nullopt;
-    if (!other)
-        return diagnosis;
-    auto beside = diagnosisOnItsBackground(pictures, onRightBackground(pictures, found, *other),
-                                           listener, tolerance);
-    if (!beside)
-        return std::nullopt;
-    if (beside->candidates.empty())
-        beside->candidates.push_back(
-            {{}, beside->differing - beside->undecidable, beside->undecidable});
-    const Defect drawnOnIt = drawnOnOther(*other, backgroundsOf(pictures, found));
-    for (DiagnosisCandidate &candidate : beside->candidates)
-        candidate.defects.push_back(drawnOnIt);
-    diagnosis->candidates = std::move(beside->candidates);
-    return diagnosis;
+    Diagnosis diagnosis;
+    bool isDone = true;
+    diagnosis.failure = failureOf(
+        [&] { isDone = diagnoseOnAnyBackground(pictures, found, listener, tolerance, diagnosis); });
+    return isDone ? std::optional(std::move(diagnosis)) : std::nullopt;
 }
 
 } // namespace pixelplumb

@@ -69,6 +69,8 @@ struct Diagnosis {
     /// wrong, at most five of the nearest ones: of single defects, and of pairs of one of those
     /// that come nearest alone with another, which leave at most three quarters of what it leaves.
     std::vector<DiagnosisCandidate> candidates;
+    /// The error in which the search ended, without candidates; none: it went through.
+    std::optional<QString> failure = {};
 
     bool isExplained() const { return !candidates.empty() && candidates.front().distance == 0; }
 };
@@ -76,7 +78,7 @@ struct Diagnosis {
 /// Judges all pictures together: one cause for all. Undecidable: what differs is what a right
 /// program may have, too, that computes in arithmetic up to the tolerance (undecidablePixels;
 /// exact: on ties alone; none: nowhere). None where the listener, who hears how many sets of
-/// defects are tried, ended it.
+/// defects are tried, ended it. An exception ends the search alone (Diagnosis::failure).
 std::optional<Diagnosis> diagnose(std::span<const Submission> submissions,
                                   const ProgressListener &listener = {},
                                   std::optional<Arithmetic> tolerance = Arithmetic::Float32);

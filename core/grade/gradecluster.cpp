@@ -85,6 +85,8 @@ public:
         const QString fault = faultTitle(submission);
         if (submission.differing == 0 && !fault.isEmpty())
             return fault;
+        if (submission.searchError)
+            return QStringLiteral("the search for defects ended in an error");
         return QStringLiteral("no known defect") + likenessOf(submission);
     }
 

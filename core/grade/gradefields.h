@@ -23,6 +23,7 @@ void eachField(Self &self, const Visit &visit)
     visit("end", self.end);
     visit("told", self.told);
     visit("messages", self.messages);
+    visit("sandboxLack", self.sandboxLack);
 }
 
 template <PartOf<FramePixel> Self, class Visit>
@@ -99,6 +100,7 @@ void eachField(Self &self, const Visit &visit)
     visit("scenes", self.scenes);
     visit("candidates", self.candidates);
     visit("pictures", self.pictures);
+    visit("searchError", self.searchError);
 }
 
 template <>

@@ -5,6 +5,8 @@
 #include "core/grade/grader.h"
 #include "core/grade/gradereports.h"
 #include "core/grade/resultsfolder.h"
+#include "core/number/failure.h"
+#include "core/scene/fileaccess.h"
 
 #include <QBuffer>
 #include <QCryptographicHash>
@@ -84,7 +86,7 @@ std::optional<GradedSubmission> knownGrade(const ResultsFolder &results, const Q
     if (!text || digest.isEmpty())
         return std::nullopt;
     const Result<GradedSubmission> known = readGradedSubmission(*text);
-    if (!known || known->digest != digest)
+    if (!known || known->digest != digest || known->searchError)
         return std::nullopt;
     const bool hasPictures = std::ranges::all_of(known->scenes, [&](const GradedScene &scene) {
         return scene.picture.isEmpty() || results.has(scene.picture);
@@ -125,13 +127,24 @@ private:
         for (std::size_t i = m_next++; i < m_names.size(); i = m_next++) {
             if (m_stop.stop_requested())
                 return;
-            if (auto error = gradeOne(m_names[i])) {
-                const std::lock_guard lock(m_mutex);
-                m_error = std::move(error);
+            std::optional<InputError> error;
+            if (const auto failure = failureOf([&] { error = gradeOne(m_names[i]); }))
+                keep({escapedName(m_names[i]),
+                      QStringLiteral("cannot be graded: ") + *failure,
+                      {}}); // the others can
+            if (error) {
+                keep(*error);
                 m_stop.request_stop();
             }
             tell(1);
         }
+    }
+
+    void keep(const InputError &error)
+    {
+        const std::lock_guard lock(m_mutex);
+        if (!m_error)
+            m_error = error;
     }
 
     std::optional<InputError> gradeOne(const QByteArray &name)

@@ -114,6 +114,8 @@ private:
             m_page += QStringLiteral("<p><strong>Partial: %1 more have no grade.</strong> %2</p>\n")
                           .arg(m_report.missing.size())
                           .arg(html(m_report.missing.join(QStringLiteral(", "))));
+        if (const QString text = unsandboxedText(m_report); !text.isEmpty())
+            m_page += QStringLiteral("<p><strong>%1.</strong></p>\n").arg(html(text));
         m_page += QStringLiteral("<table>\n<tr><th class=\"number\">submissions</th>"
                                  "<th>cause</th><th>what was done</th></tr>\n");
         for (std::size_t i = 0; i < clusters.size(); ++i)

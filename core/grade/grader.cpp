@@ -197,6 +197,7 @@ std::optional<GradedWork> Grader::grade(const SubmissionEntry &entry, const std:
             return std::nullopt;
         submission.pictures = known->pictures;
         submission.candidates = std::move(known->candidates);
+        submission.searchError = known->error;
         for (auto &[scene, sets] : known->explanations)
             submission.scenes[scene].explanations = std::move(sets);
     }

@@ -42,9 +42,12 @@ private:
         QString pictures; ///< one word for them
         std::vector<GradedCandidate> candidates;
         std::map<std::size_t, QStringList> explanations; ///< by scene, where none explains all
+        std::optional<QString> error = {}; ///< in which it ended that this was to become known
     };
 
     std::optional<Named> named(const std::vector<FoundPicture> &found, const std::stop_token &stop);
+    /// Adds the causes; false where the stop was asked for.
+    bool search(const std::vector<FoundPicture> &found, const std::stop_token &stop, Named &named);
     std::optional<Diagnosis> diagnosisOf(std::span<const FoundPicture> found,
                                          const std::stop_token &stop);
     GradedCandidate gradedOf(const DiagnosisCandidate &candidate,

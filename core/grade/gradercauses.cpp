@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/grader.h"
+#include "core/number/failure.h"
 #include "core/scan/choicenames.h"
 
 #include <QCryptographicHash>
@@ -32,7 +33,8 @@ std::optional<GradedParting> Grader::partingOf(const DiagnosisCandidate &candida
 {
     for (const FoundPicture &each : found) {
         const AssignedScene &asked = m_assignment.scenes[each.scene];
-        if (const auto step = partingStepOf(asked.scene, candidate.defects))
+        const auto own = ownDefects(m_pictures.defectsOf(each.scene), candidate.defects);
+        if (const auto step = partingStepOf(asked.scene, own))
             return GradedParting{asked.name, std::int64_t(step->step), step->heading, step->text};
     }
     return std::nullopt;
@@ -74,28 +76,44 @@ std::optional<Grader::Named> Grader::named(const std::vector<FoundPicture> &foun
         if (const auto known = m_known.find(key); known != m_known.end())
             return known->second;
     }
-    const auto whole = diagnosisOf(found, stop);
-    if (!whole)
-        return std::nullopt;
     Named named;
     named.pictures = QString::fromLatin1(key.toHex().left(16));
-    for (const DiagnosisCandidate &candidate : whole->candidates)
-        named.candidates.push_back(gradedOf(candidate, found));
-    const bool hasParts = found.size() > 1 && whole->verdict == DiagnosisVerdict::Wrong;
-    if (hasParts && !whole->isExplained()) {
-        for (const FoundPicture &each : found) {
-            const auto part = diagnosisOf(std::span(&each, 1), stop);
-            if (!part)
-                return std::nullopt;
-            if (!part->isExplained())
-                continue;
-            for (const DiagnosisCandidate &candidate : part->candidates)
-                named.explanations[each.scene] += candidate.ids().join(QStringLiteral(" and "));
-        }
-    }
+    bool isDone = true;
+    if (auto failure = failureOf([&] { isDone = search(found, stop, named); }))
+        named.error = std::move(failure);
+    if (!isDone)
+        return std::nullopt;
+    if (named.error)
+        return Named{named.pictures, {}, {}, named.error}; // nor is it kept: the next one may do
     const std::lock_guard lock(m_mutex);
     m_known.emplace(key, named);
     return named;
+}
+
+bool Grader::search(const std::vector<FoundPicture> &found, const std::stop_token &stop,
+                    Named &named)
+{
+    const auto whole = diagnosisOf(found, stop);
+    if (!whole)
+        return false;
+    named.error = whole->failure;
+    for (const DiagnosisCandidate &candidate : whole->candidates)
+        named.candidates.push_back(gradedOf(candidate, found));
+    const bool hasParts = found.size() > 1 && whole->verdict == DiagnosisVerdict::Wrong;
+    if (!hasParts || whole->isExplained())
+        return true;
+    for (const FoundPicture &each : found) {
+        const auto part = diagnosisOf(std::span(&each, 1), stop);
+        if (!part)
+            return false;
+        if (part->failure)
+            named.error = part->failure;
+        if (!part->isExplained())
+            continue;
+        for (const DiagnosisCandidate &candidate : part->candidates)
+            named.explanations[each.scene] += candidate.ids().join(QStringLiteral(" and "));
+    }
+    return true;
 }
 
 } // namespace pixelplumb

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/gradereport.h"
 
+#include "core/grade/sandbox.h"
+
 #include <algorithm>
 
 namespace pixelplumb {
@@ -62,6 +64,9 @@ void appendNotes(const GradedSubmission &submission, QStringList &lines)
 
 void appendFull(const GradedSubmission &submission, QStringList &lines)
 {
+    if (submission.searchError)
+        lines += QStringLiteral("the search for defects ended in an error: %1")
+                     .arg(*submission.searchError);
     for (const GradedCandidate &candidate : submission.candidates) {
         // A name that explains next to nothing is none.
         if (!isRelevant(candidate.distance, submission.differing))
@@ -80,6 +85,8 @@ void appendFull(const GradedSubmission &submission, QStringList &lines)
                          .arg(parts->step + 1)
                          .arg(parts->heading, parts->text);
     }
+    if (const QString text = unsandboxedText(submission); !text.isEmpty())
+        lines += text;
     for (const GradedScene &scene : submission.scenes) {
         if (scene.explanations)
             lines += QStringLiteral("%1 alone is explained by %2")
@@ -154,6 +161,49 @@ bool GradedSubmission::lacksColours() const
         && std::ranges::any_of(scenes, [&](const GradedScene &scene) {
                return std::ranges::any_of(scene.checks, isUnpassed);
            });
+}
+
+std::optional<bool> isSandboxed(const GradedSubmission &submission)
+{
+    std::optional<bool> isSandboxed;
+    for (const GradedScene &scene : submission.scenes) {
+        if (scene.run)
+            isSandboxed = isSandboxed.value_or(true) && !scene.run->sandboxLack;
+    }
+    return isSandboxed;
+}
+
+QString unsandboxedText(const GradedSubmission &submission)
+{
+    for (const GradedScene &scene : submission.scenes) {
+        if (scene.run && scene.run->sandboxLack)
+            return QStringLiteral("its program ran in ") + unsandboxedText(*scene.run->sandboxLack);
+    }
+    return {};
+}
+
+QStringList sandboxLacks(const GradeReport &report)
+{
+    QStringList lacks;
+    for (const GradedSubmission &submission : report.submissions) {
+        for (const GradedScene &scene : submission.scenes) {
+            if (scene.run && scene.run->sandboxLack)
+                lacks += *scene.run->sandboxLack;
+        }
+    }
+    lacks.removeDuplicates();
+    return lacks;
+}
+
+QString unsandboxedText(const GradeReport &report)
+{
+    const auto count = std::ranges::count_if(report.submissions, [](const GradedSubmission &each) {
+        return !isSandboxed(each).value_or(true);
+    });
+    const QStringList lacks = sandboxLacks(report);
+    return lacks.isEmpty() ? QString()
+                           : submissionsText(std::size_t(count)) + QStringLiteral(" ran in ")
+            + unsandboxedText(lacks.join(QStringLiteral("; ")));
 }
 
 QString submissionsText(std::size_t submissions)

@@ -49,6 +49,7 @@ struct GradedRun {
     QString end; ///< "finished", "crashed", "timed out" …
     QString told; ///< a sentence: what happened
     QString messages; ///< the beginning of its stderr, without control characters
+    std::optional<QString> sandboxLack = {}; ///< why it ran in no sandbox; none: in one
 
     friend bool operator==(const GradedRun &, const GradedRun &) = default;
 };
@@ -129,6 +130,8 @@ struct GradedSubmission {
     std::vector<GradedCandidate> candidates; ///< as Diagnosis has them
     std::optional<QString> pictures
         = {}; ///< one word for each set of pictures; none: all are right
+    std::optional<QString> searchError
+        = {}; ///< in which the search for defects ended; none: in none
     GradeReview review = {}; ///< not in the submission's own file
 
     double points() const;
@@ -149,6 +152,15 @@ struct GradeReport {
 
     friend bool operator==(const GradeReport &, const GradeReport &) = default;
 };
+
+/// Why programs ran in no sandbox, each reason once; empty where all did that were run.
+QStringList sandboxLacks(const GradeReport &report);
+/// What those programs could do, and how many submissions' they were; empty: none.
+QString unsandboxedText(const GradeReport &report);
+/// The same of one submission, of which it is told who.
+QString unsandboxedText(const GradedSubmission &submission);
+/// Whether its programs ran in the sandbox; none: none was run.
+std::optional<bool> isSandboxed(const GradedSubmission &submission);
 
 /// "1 submission", "3 submissions".
 QString submissionsText(std::size_t submissions);

@@ -61,6 +61,8 @@ QByteArray gradescopeOf(const GradeReport &report)
                        {QStringLiteral("submissions"), submissions}};
     if (!report.missing.isEmpty())
         object.insert(QStringLiteral("missing"), QJsonArray::fromStringList(report.missing));
+    if (const QString text = unsandboxedText(report); !text.isEmpty())
+        object.insert(QStringLiteral("noSandbox"), text);
     return QJsonDocument(object).toJson();
 }
 

@@ -33,6 +33,13 @@ QString differingText(const GradedSubmission &submission)
     return isJudged ? QString::number(submission.differing) : QString();
 }
 
+/// Whether its programs ran in one; empty where none was run.
+QString sandboxText(const GradedSubmission &submission)
+{
+    const auto isIn = isSandboxed(submission);
+    return isIn ? (*isIn ? QStringLiteral("yes") : QStringLiteral("no")) : QString();
+}
+
 /// XML has no control characters at all.
 QString xmlText(const QStringList &lines) { return shownText(lines.join(u'\n').toUtf8(), 100'000); }
 
@@ -83,6 +90,8 @@ void writeSubmission(QXmlStreamWriter &xml, const GradedSubmission &submission, 
             xml.writeEndElement();
         }
     }
+    if (const QString text = unsandboxedText(submission); !text.isEmpty())
+        xml.writeTextElement(QStringLiteral("system-err"), xmlText({text}));
     xml.writeEndElement();
 }
 
@@ -108,7 +117,7 @@ QByteArray csvOf(const GradeReport &report)
     const auto writer = makeCsvWriter(buffer);
     std::vector<Field> fields;
     for (const char *name : {"name", "points", "of", "verdict", "differing", "defects", "sentences",
-                             "comment", "accepted", "id"})
+                             "comment", "accepted", "id", "sandbox"})
         fields.push_back({QString::fromLatin1(name)});
     writer->begin(fields);
     for (const GradedSubmission &each : report.submissions)
@@ -120,11 +129,12 @@ QByteArray csvOf(const GradeReport &report)
                  sentencesFor(each, report.assignment.hint).join(QStringLiteral(" / "))),
              spreadsheetText(each.review.comment),
              each.review.isAccepted ? QStringLiteral("yes") : QStringLiteral("no"),
-             each.id}); // begins with a letter, a digit or _
+             each.id, // begins with a letter, a digit or _
+             sandboxText(each)});
     for (const QString &name : report.missing)
         writer->writeRow({spreadsheetText(name), QString(), pointsText(report.assignment.points()),
                           QStringLiteral("no grade"), QString(), QString(), QString(), QString(),
-                          QStringLiteral("no"), QString()});
+                          QStringLiteral("no"), QString(), QString()});
     writer->end();
     return csv;
 }

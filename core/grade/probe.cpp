@@ -3,6 +3,7 @@
 #include "core/grade/probesheet.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace pixelplumb {
 
@@ -19,14 +20,14 @@ bool showSame(const std::vector<Picture> &one, const std::vector<Picture> &other
     return std::ranges::equal(one, other, {}, &Picture::colours, &Picture::colours);
 }
 
-std::vector<Defect> allDefectsOf(std::span<const Scene> scenes)
+std::vector<Defect> allOf(std::span<const std::vector<Defect>> ofScenes)
 {
     std::vector<Defect> all;
-    for (const Scene &scene : scenes) {
-        for (Defect &defect : defectsFor(scene)) {
+    for (const std::vector<Defect> &ofScene : ofScenes) {
+        for (const Defect &defect : ofScene) {
             const bool isKnown = std::ranges::find(all, defect.id, &Defect::id) != all.end();
             if (!isKnown && !defect.isRightAlone)
-                all.push_back(std::move(defect));
+                all.push_back(defect);
         }
     }
     return all;
@@ -48,12 +49,15 @@ ProbeResult probe(std::span<const Scene> scenes)
     groups.front().alike.equalRight = true;
     for (const Scene &scene : scenes)
         groups.front().pictures.push_back(pictureOf(scene));
+    std::vector<std::vector<Defect>> ofScenes;
+    std::ranges::transform(scenes, std::back_inserter(ofScenes), defectsFor);
     ProbeResult result;
-    for (const Defect &defect : allDefectsOf(scenes)) {
+    for (const Defect &defect : allOf(ofScenes)) {
         ++result.defects;
         std::vector<Picture> pictures;
-        for (const Scene &scene : scenes)
-            pictures.push_back(pictureWith(scene, std::span(&defect, 1)));
+        for (std::size_t i = 0; i < scenes.size(); ++i)
+            pictures.push_back(
+                pictureWith(scenes[i], ownDefects(ofScenes[i], std::span(&defect, 1))));
         auto group = std::ranges::find_if(
             groups, [&](const PictureGroup &known) { return showSame(known.pictures, pictures); });
         if (group == groups.end())

@@ -42,10 +42,16 @@ std::optional<LateEnd> ProgramClock::look(std::chrono::milliseconds computed, Cl
     return std::nullopt;
 }
 
-bool hasComputedTooLong(int status, std::chrono::milliseconds computed, const ProgramLimits &limits)
+int signalIn(int status)
 {
     constexpr int ofShells = 128;
     const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status) - ofShells;
+    return signal > 0 && signal < NSIG ? signal : 0;
+}
+
+bool hasComputedTooLong(int status, std::chrono::milliseconds computed, const ProgramLimits &limits)
+{
+    const int signal = signalIn(status);
     return (signal == SIGXCPU || signal == SIGKILL)
         && 2 * computed >= std::chrono::seconds(limits.wholeSeconds());
 }

@@ -34,6 +34,10 @@ private:
     std::chrono::milliseconds m_computedBefore{0}; ///< at the last look
 };
 
+/// The signal that ended a program, by its status as of waitpid: what started it says so by an exit
+/// code from 129 on, as shells do. 0: none did.
+int signalIn(int status);
+
 /// Whether it ended as the kernel ends who computes too long, or as a shell does that ran such a
 /// one. Who does not heed SIGXCPU gets SIGKILL. The kernel ends it by a count in ticks of its
 /// clock, which on a busy machine is far from what it tells afterwards, `computed`: half of the

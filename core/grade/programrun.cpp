@@ -4,17 +4,18 @@
 #include "core/grade/descriptor.h"
 #include "core/grade/processtime.h"
 #include "core/grade/programclock.h"
+#include "core/grade/programcommand.h"
 #include "core/grade/programstart.h"
 #include "core/grade/workingfolder.h"
 
 #include <poll.h>
-#include <sys/mman.h>
 #include <sys/wait.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <memory>
 #include <optional>
 
 namespace pixelplumb {
@@ -26,23 +27,6 @@ using Clock = ProgramClock::Clock;
 constexpr qsizetype longestMessages = qsizetype(64) << 10;
 constexpr int stopLookedFor = 50; // ms
 constexpr auto longestEnding = std::chrono::seconds(10);
-
-/// The input as a file in memory: it need not be fed, whoever reads it or does not.
-Descriptor fileOf(const QByteArray &input)
-{
-    Descriptor file(memfd_create("input", MFD_CLOEXEC | MFD_ALLOW_SEALING));
-    qsizetype done = 0;
-    while (file.isOpen() && done < input.size()) {
-        const ssize_t written
-            = ::write(file.number(), input.constData() + done, std::size_t(input.size() - done));
-        if (written <= 0)
-            return Descriptor();
-        done += written;
-    }
-    lseek(file.number(), 0, SEEK_SET);
-    fcntl(file.number(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL);
-    return file;
-}
 
 QString sentenceOf(const StudentRun &run, const ProgramLimits &limits)
 {
@@ -70,41 +54,43 @@ QString sentenceOf(const StudentRun &run, const ProgramLimits &limits)
 /// One program, from its start to the end of all that came of it.
 class RunningProgram {
 public:
-    RunningProgram(const ProgramLimits &limits, std::stop_token stop)
+    RunningProgram(const ProgramLimits &limits, std::stop_token stop, Confinement confinement)
         : m_limits(limits)
         , m_stop(std::move(stop))
     {
+        if (confinement == Confinement::Sandbox)
+            return;
+        m_folder = std::make_unique<WorkingFolder>();
+        m_run.sandboxLack
+            = sandboxLack().isEmpty() ? QStringLiteral("none was asked for") : sandboxLack();
     }
 
     StudentRun run(const StudentProgram &student, const QByteArray &input)
     {
-        const WorkingFolder folder;
-        const Descriptor inputFile = fileOf(input);
-        if (!folder.isValid() || !inputFile.isOpen() || !m_output.isOpen() || !m_messages.isOpen()
-            || !m_control.isOpen() || !m_report.isOpen())
-            return notStarted(errno);
-        if (const int error = start(student, folder.path(), inputFile))
-            return notStarted(error);
+        const ProgramStart program(student, input, m_limits, m_folder.get());
+        if (!program.isReady() || !m_output.isOpen() || !m_messages.isOpen() || !m_control.isOpen()
+            || !m_report.isOpen())
+            return notStarted(errorText(errno));
+        if (const int error = start(program.plan()))
+            return notStarted(errorText(error));
         follow();
         conclude();
         return std::move(m_run);
     }
 
 private:
-    StudentRun notStarted(int error)
+    static QString errorText(int error) { return QString::fromLatin1(strerrordesc_np(error)); }
+
+    StudentRun notStarted(const QString &why)
     {
         m_run.end = ProgramEnd::NotStarted;
-        m_run.told = QStringLiteral("it could not be started: ")
-            + QString::fromLatin1(strerrordesc_np(error));
+        m_run.told = QStringLiteral("it could not be started: ") + why;
         return std::move(m_run);
     }
 
     /// The error, or 0.
-    int start(const StudentProgram &student, const QString &folder, const Descriptor &input)
+    int start(SupervisedStart plan)
     {
-        const ProgramStart program(student, folder, m_limits);
-        SupervisedStart plan = program.plan();
-        plan.input = input.number();
         plan.output = m_output.write.number();
         plan.messages = m_messages.write.number();
         plan.control = m_control.read.number();
@@ -150,7 +136,11 @@ private:
             }
         }
         readAll(); // what was on its way
-        while (waitpid(m_supervisor, nullptr, 0) < 0 && errno == EINTR) { }
+        int status = 0;
+        while (waitpid(m_supervisor, &status, 0) < 0 && errno == EINTR) { }
+        m_isUnwatched = WIFSIGNALED(status);
+        if (m_isUnwatched && m_folder)
+            m_folder->endProcesses();
     }
 
     /// Milliseconds.
@@ -204,10 +194,6 @@ private:
                 m_report.read.close();
             if (length != ssize_t(sizeof record))
                 return;
-            if (record.news == SupervisorNews::Isolated) {
-                m_run.isSandboxed = true;
-                continue;
-            }
             if (record.news == SupervisorNews::Computed) {
                 m_computed = std::chrono::milliseconds(record.value);
                 continue;
@@ -222,28 +208,36 @@ private:
     {
         if (!m_end && m_read > m_limits.output)
             m_end = ProgramEnd::Flooded;
-        if (m_startError)
-            m_run = notStarted(*m_startError);
-        else if (m_end)
+        const bool hasFailed = m_status && WIFEXITED(*m_status) && WEXITSTATUS(*m_status) != 0;
+        const QString fault
+            = hasFailed ? faultOfStart(WEXITSTATUS(*m_status), m_run.messages) : QString();
+        if (m_startError || !fault.isEmpty()) {
+            m_run = notStarted(m_startError ? errorText(*m_startError) : fault);
+            return;
+        }
+        m_run.code = m_status ? signalIn(*m_status) : SIGKILL;
+        if (m_end)
             m_run.end = *m_end;
         else if (m_status && hasComputedTooLong(*m_status, m_computed, m_limits))
             m_run.end = ProgramEnd::TimedOut;
-        else if (!m_status || WIFSIGNALED(*m_status)) // it may kill the supervisor
+        else if (m_run.code != 0)
             m_run.end = ProgramEnd::Crashed;
         else
-            m_run.end = WEXITSTATUS(*m_status) == 0 ? ProgramEnd::Finished : ProgramEnd::Failed;
-        if (m_run.end == ProgramEnd::Crashed)
-            m_run.code = m_status ? WTERMSIG(*m_status) : SIGKILL;
-        else if (m_run.end == ProgramEnd::Failed)
+            m_run.end = hasFailed ? ProgramEnd::Failed : ProgramEnd::Finished;
+        if (m_run.end == ProgramEnd::Failed)
             m_run.code = WEXITSTATUS(*m_status);
-        if (m_startError)
-            return;
+        else if (m_run.end != ProgramEnd::Crashed)
+            m_run.code = 0;
         m_run.isByClock = m_lateEnd && m_lateEnd->isByClock;
         m_run.isInAll = m_lateEnd && !m_lateEnd->isByClock;
         m_run.told = m_lateEnd ? m_lateEnd->told : sentenceOf(m_run, m_limits);
+        if (m_isUnwatched)
+            m_run.told += QStringLiteral("; what watched over it was killed: processes that it "
+                                         "started were ended as far as they were found");
     }
 
     StudentRun m_run;
+    std::unique_ptr<const WorkingFolder> m_folder; ///< null in the sandbox
     ProgramLimits m_limits;
     std::stop_token m_stop;
     Pipe m_output, m_messages, m_control, m_report;
@@ -253,6 +247,7 @@ private:
     Clock::time_point m_deadline; ///< of the program's next look, then of the supervisor
     std::int64_t m_read = 0; ///< bytes of stdout and stderr
     bool m_isEnding = false; ///< it is waited for the supervisor alone
+    bool m_isUnwatched = false; ///< it was killed
     std::optional<ProgramEnd> m_end; ///< where it is we who end it
     std::chrono::milliseconds m_computed{0};
     std::optional<int> m_status, m_startError;
@@ -282,9 +277,10 @@ QString nameOf(ProgramEnd end)
 }
 
 StudentRun runProgram(const StudentProgram &student, const QByteArray &input,
-                      const ProgramLimits &limits, const std::stop_token &stop)
+                      const ProgramLimits &limits, const std::stop_token &stop,
+                      Confinement confinement)
 {
-    return RunningProgram(limits, stop).run(student, input);
+    return RunningProgram(limits, stop, confinement).run(student, input);
 }
 
 } // namespace pixelplumb

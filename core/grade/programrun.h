@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/grade/sandbox.h"
 #include "core/grade/studentprogram.h"
 #include "core/scene/result.h"
 
@@ -27,7 +28,7 @@ struct ProgramLimits {
     }
     std::int64_t memory = std::int64_t(1) << 30; ///< addresses of each process; 0: no limit
     std::int64_t output = std::int64_t(64) << 20; ///< stdout and stderr together
-    std::int64_t files = std::int64_t(64) << 20; ///< in its folder; without sandbox: each file
+    std::int64_t files = std::int64_t(64) << 20; ///< in /tmp; without sandbox: each file
     std::int64_t processes = 64; ///< processes and threads at a time
 };
 
@@ -48,19 +49,21 @@ struct StudentRun {
     int code = 0; ///< the exit code where it failed, the signal where it crashed
     QByteArray output;
     QByteArray messages; ///< of stderr the first 64 KiB
-    bool isSandboxed = false; ///< no network, no process but its own, nothing to write to but its
-                              ///< folder
+    QString sandboxLack; ///< why it ran in no sandbox; empty: in one
     bool isByClock = false; ///< where it timed out: it had waited, not computed
     bool isInAll = false; ///< where it timed out: all its processes together had computed too long
     QString told; ///< a sentence: how it ended
+
+    bool isSandboxed() const { return sandboxLack.isEmpty(); }
 };
 
 /// Runs it in an empty folder, which is removed afterwards, with a bare environment and the input
-/// as stdin, and returns when it and every process that it started are gone. Namespaces of the
-/// kernel are the sandbox; where they are not allowed the limits hold alone, and it may do what the
-/// one who started it may. It may always read what that one may read. Several can run at once, each
-/// in a thread of its own.
+/// as stdin, and returns when it and every process that it started are gone. In the sandbox it sees
+/// what programs need to run, the files that it is shown and nobody else; with limits alone it may
+/// do what the one may as whom it runs: who started it, or, where that is root, a user of its own.
+/// Several can run at once, each in a thread of its own.
 StudentRun runProgram(const StudentProgram &student, const QByteArray &input,
-                      const ProgramLimits &limits = {}, const std::stop_token &stop = {});
+                      const ProgramLimits &limits = {}, const std::stop_token &stop = {},
+                      Confinement confinement = bestConfinement());
 
 } // namespace pixelplumb

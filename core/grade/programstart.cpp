@@ -1,56 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/programstart.h"
 
+#include "core/grade/programcommand.h"
+#include "core/grade/programuser.h"
+#include "core/grade/syscallfilter.h"
+#include "core/grade/workingfolder.h"
+
 #include <QFile>
 
-#include <unistd.h>
+#include <sys/mman.h>
 
-#include <atomic>
+#include <cerrno>
 
 namespace pixelplumb {
 
 namespace {
 
-constexpr rlim_t openFiles = 256;
-
-/// All processes and threads that there are: those of one user are no more.
-rlim_t presentProcesses()
+/// A file in memory: it need not be fed, whoever reads it or does not.
+Descriptor fileOf(const QByteArray &content)
 {
-    QFile load(QStringLiteral("/proc/loadavg"));
-    if (!load.open(QIODevice::ReadOnly))
-        return 0;
-    return rlim_t(load.readAll().split(' ').value(3).split('/').value(1).toULongLong());
+    Descriptor file(memfd_create("input", MFD_CLOEXEC | MFD_ALLOW_SEALING));
+    qsizetype done = 0;
+    while (file.isOpen() && done < content.size()) {
+        const ssize_t written = ::write(file.number(), content.constData() + done,
+                                        std::size_t(content.size() - done));
+        if (written <= 0)
+            return Descriptor();
+        done += written;
+    }
+    lseek(file.number(), 0, SEEK_SET);
+    fcntl(file.number(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL);
+    return file;
 }
 
-std::array<ResourceLimit, 6> resourceLimits(const ProgramLimits &limits)
+/// The tools that start it would take another file for a shell's script. What cannot be read is not
+/// asked.
+bool canBeStarted(const QString &program)
 {
-    return {{
-        {RLIMIT_CPU, rlim_t(limits.wholeSeconds())}, // of each process
-        {RLIMIT_AS, limits.memory > 0 ? rlim_t(limits.memory) : RLIM_INFINITY},
-        {RLIMIT_FSIZE, rlim_t(limits.files)},
-        {RLIMIT_NOFILE, openFiles},
-        {RLIMIT_CORE, 0},
-        {RLIMIT_MSGQUEUE, 0},
-    }};
+    QFile file(program);
+    if (!file.open(QIODevice::ReadOnly))
+        return true;
+    const QByteArray beginning = file.read(4);
+    return beginning.startsWith("#!") || beginning == "\177ELF";
 }
 
-/// False in a container that knows but some of the system's users: its root is none of them.
-bool knowsAllUsers()
+QStringList environmentIn(const QString &folder)
 {
-    QFile map(QStringLiteral("/proc/self/uid_map"));
-    return map.open(QIODevice::ReadOnly) && map.readAll().simplified() == "0 0 4294967295";
-}
-
-/// Where root starts it: a user for each run, so that what it starts is counted by itself.
-uid_t userOfRun()
-{
-    static std::atomic<uid_t> runs = 0;
-    constexpr uid_t first = 1'000'000'000; // far from those that systems give
-    constexpr uid_t each = 1000; // of a process that runs programs
-    constexpr pid_t processes = 1'000'000;
-    if (geteuid() != 0 || !knowsAllUsers())
-        return geteuid();
-    return first + uid_t(getpid() % processes) * each + runs++ % each;
+    return {QStringLiteral("PATH=/usr/local/bin:/usr/bin:/bin"), QStringLiteral("LC_ALL=C.UTF-8"),
+            QStringLiteral("HOME=") + folder, QStringLiteral("TMPDIR=") + folder};
 }
 
 } // namespace
@@ -64,37 +61,38 @@ ProgramStart::WordList::WordList(const QStringList &words)
     m_pointers.push_back(nullptr);
 }
 
-ProgramStart::ProgramStart(const StudentProgram &student, const QString &folder,
-                           const ProgramLimits &limits)
-    : m_file(QFile::encodeName(student.path))
-    , m_folder(QFile::encodeName(folder))
-    , m_arguments(QStringList{student.path} + student.arguments)
-    , m_environment({QStringLiteral("PATH=/usr/local/bin:/usr/bin:/bin"),
-                     QStringLiteral("LC_ALL=C.UTF-8"), QStringLiteral("HOME=") + folder,
-                     QStringLiteral("TMPDIR=") + folder})
+ProgramStart::ProgramStart(const StudentProgram &student, const QByteArray &input,
+                           const ProgramLimits &limits, const WorkingFolder *folder)
+    : m_input(fileOf(input))
 {
-    const uid_t user = userOfRun();
-    const bool isOwnUser = user != geteuid();
-    const gid_t group = isOwnUser ? user : getegid();
-    m_folderOptions = QStringLiteral("size=%1,nr_inodes=4096,mode=0700,uid=%2,gid=%3")
-                          .arg(limits.files)
-                          .arg(user)
-                          .arg(group)
-                          .toLatin1();
-    m_userMap = QStringLiteral("%1 %1 1").arg(user).toLatin1();
-    m_groupMap = QStringLiteral("%1 %1 1").arg(group).toLatin1();
-    m_plan.file = m_file.constData();
-    m_plan.arguments = m_arguments.pointers();
+    const ProgramUser user = ProgramUser::ofNextRun();
+    const QByteArray &filter = syscallFilter();
+    if (folder) {
+        m_folder = QFile::encodeName(folder->path());
+        m_command = WordList(limitedCommand(student, limits, user));
+        m_removal = WordList(folder->removal());
+        // The kernel does not write to it.
+        m_filter.filter = reinterpret_cast<sock_filter *>(const_cast<char *>(filter.constData()));
+        m_filter.len = static_cast<unsigned short>(filter.size() / qsizetype(sizeof(sock_filter)));
+        m_plan.removal = m_removal.pointers();
+        m_plan.filter = filter.isEmpty() ? nullptr : &m_filter;
+        m_isReady = m_input.isOpen() && folder->isReadyFor(user);
+    } else {
+        m_filterFile = fileOf(filter);
+        m_folder = "/";
+        m_command = WordList(sandboxedCommand(student, limits, user, m_filterFile.number()));
+        m_plan.passedOn = m_filterFile.number();
+        m_isReady = m_input.isOpen() && m_filterFile.isOpen();
+    }
+    if (!canBeStarted(student.path)) {
+        m_isReady = false;
+        errno = ENOEXEC;
+    }
+    m_environment = WordList(environmentIn(folder ? folder->path() : sandboxFolder()));
+    m_plan.command = m_command.pointers();
     m_plan.environment = m_environment.pointers();
     m_plan.folder = m_folder.constData();
-    m_plan.folderOptions = m_folderOptions.constData();
-    m_plan.userMap = m_userMap.constData();
-    m_plan.groupMap = m_groupMap.constData();
-    m_plan.user = user;
-    m_plan.group = group;
-    m_plan.limits = resourceLimits(limits);
-    m_plan.processes = rlim_t(limits.processes);
-    m_plan.otherProcesses = isOwnUser ? 0 : presentProcesses();
+    m_plan.input = m_input.number();
 }
 
 } // namespace pixelplumb

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/grade/descriptor.h"
 #include "core/grade/programrun.h"
 #include "core/grade/supervisor.h"
 
@@ -8,30 +9,42 @@
 
 namespace pixelplumb {
 
-/// Holds what a supervisor's start points to: words, paths and limits as system calls want them.
+class WorkingFolder;
+
+/// Holds what a supervisor's start points to: words, paths and files as system calls want them.
 class ProgramStart {
 public:
-    ProgramStart(const StudentProgram &student, const QString &folder, const ProgramLimits &limits);
+    /// In the sandbox, or where there is a folder in that.
+    ProgramStart(const StudentProgram &student, const QByteArray &input,
+                 const ProgramLimits &limits, const WorkingFolder *folder);
     Q_DISABLE_COPY_MOVE(ProgramStart)
 
-    /// Without descriptors. It points into this.
+    bool isReady() const { return m_isReady; } ///< else errno says why
+    /// Without pipes. It points into this.
     const SupervisedStart &plan() const { return m_plan; }
 
 private:
-    /// Ends with a null pointer.
+    /// Ends with a null pointer; no words, a null pointer alone.
     class WordList {
     public:
+        WordList() = default;
         explicit WordList(const QStringList &words);
-        char *const *pointers() const { return m_pointers.data(); }
+        ArgumentPointers pointers() const
+        {
+            return m_pointers.empty() ? nullptr : m_pointers.data();
+        }
 
     private:
         std::vector<QByteArray> m_words;
         std::vector<char *> m_pointers;
     };
 
-    QByteArray m_file, m_folder, m_folderOptions, m_userMap, m_groupMap;
-    WordList m_arguments, m_environment;
+    Descriptor m_input, m_filterFile;
+    QByteArray m_folder;
+    WordList m_command, m_environment, m_removal;
+    sock_fprog m_filter = {};
     SupervisedStart m_plan;
+    bool m_isReady = false;
 };
 
 } // namespace pixelplumb

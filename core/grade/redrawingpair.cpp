@@ -200,12 +200,14 @@ Redrawing redrawingBy(const ProgramWalk &walk, LevelOverflow overflow)
 
 std::optional<Redrawing> together(const Redrawing &one, const Redrawing &other)
 {
-    const bool areTwoEdgeTests = one.edgeTest && other.edgeTest;
-    if (areTwoEdgeTests)
-        return std::nullopt;
-    const bool isSecondFirst = (!one.walk && other.walk) || other.edgeTest;
-    if (isSecondFirst)
+    const auto findsSamples
+        = [](const Redrawing &each) { return each.walk != nullptr || each.edgeTest != nullptr; };
+    if (findsSamples(other) && !findsSamples(one))
         return together(other, one);
+    // A program finds its samples in one way; only walks can be merged to one.
+    const bool areTwoWays = findsSamples(one) && findsSamples(other) && !(one.walk && other.walk);
+    if (areTwoWays)
+        return std::nullopt;
     const bool isWrapping
         = one.overflow == LevelOverflow::Wraps || other.overflow == LevelOverflow::Wraps;
     const auto overflow = isWrapping ? LevelOverflow::Wraps : LevelOverflow::Clamps;

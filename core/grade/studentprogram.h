@@ -12,10 +12,19 @@ namespace pixelplumb {
 struct StudentProgram {
     QString path;
     QStringList arguments;
+    QStringList shown; ///< files and folders of its own that it is to read, beside the system's
 };
 
-/// The program that the first word names (a file, or what PATH holds), with the other words. The
-/// files that they name are inputs from then on.
-Result<StudentProgram> studentProgramOf(const QStringList &words);
+/// What of the files that its command names a program is shown.
+enum class ShownFiles {
+    WithFolders, ///< and all that lies in their folders: modules, tables
+    Alone,
+};
+
+/// The program that the first word names (a file, or what PATH holds), with the other words. Where
+/// a folder is the person's own, or holds others' too, only the file itself is shown. The files are
+/// inputs from then on.
+Result<StudentProgram> studentProgramOf(const QStringList &words,
+                                        ShownFiles shown = ShownFiles::WithFolders);
 
 } // namespace pixelplumb

@@ -2,21 +2,19 @@
 #include "core/grade/supervisor.h"
 
 #include <fcntl.h>
-#include <linux/capability.h>
-#include <linux/securebits.h>
+#include <linux/seccomp.h>
 #include <poll.h>
-#include <sched.h>
-#include <sys/mount.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <limits>
 
 namespace pixelplumb {
@@ -32,106 +30,28 @@ void tell(const SupervisedStart &start, SupervisorNews news, int value)
     [[maybe_unused]] const ssize_t written = ::write(start.report, &record, sizeof record);
 }
 
-int millisecondsOf(const rusage &used)
+long millisecondsOf(const rusage &used)
 {
     const auto inAll = [](const timeval &time) { return time.tv_sec * 1000 + time.tv_usec / 1000; };
-    return int(std::min<long>(inAll(used.ru_utime) + inAll(used.ru_stime),
-                              std::numeric_limits<int>::max()));
+    return inAll(used.ru_utime) + inAll(used.ru_stime);
 }
 
 /// Pipes of other runs must not be held open here.
-void closeAllBut(std::array<int, 5> kept)
+void closeAllBut(std::array<int, 6> kept)
 {
     std::sort(kept.begin(), kept.end());
     unsigned first = STDERR_FILENO + 1;
     for (const int descriptor : kept) {
+        if (descriptor < int(first))
+            continue;
         if (unsigned(descriptor) > first)
             close_range(first, unsigned(descriptor) - 1, 0);
-        first = std::max(first, unsigned(descriptor) + 1);
+        first = unsigned(descriptor) + 1;
     }
     close_range(first, ~0U, 0);
 }
 
-void writeTo(const char *path, const char *text)
-{
-    const int file = open(path, O_WRONLY | O_CLOEXEC);
-    [[maybe_unused]] const ssize_t written = ::write(file, text, std::strlen(text));
-    close(file);
-}
-
-/// Namespaces of processes, mounts, network and messages. Whoever is not root has to have a
-/// namespace of users for that, in which it is who it was.
-bool entersNamespaces(const SupervisedStart &start)
-{
-    constexpr int spaces = CLONE_NEWPID | CLONE_NEWNS | CLONE_NEWNET | CLONE_NEWIPC;
-    if (geteuid() == 0)
-        return unshare(spaces) == 0;
-    if (unshare(spaces | CLONE_NEWUSER) != 0)
-        return false;
-    writeTo("/proc/self/setgroups", "deny");
-    writeTo("/proc/self/uid_map", start.userMap);
-    writeTo("/proc/self/gid_map", start.groupMap);
-    return true;
-}
-
-/// All files can be read only; its folder is a bounded one in memory, which goes with it. Sockets
-/// are no files: those by which desktops and services are spoken to are hidden.
-bool closesFiles(const SupervisedStart &start)
-{
-    if (mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0)
-        return false;
-    constexpr unsigned long bare = MS_NOSUID | MS_NODEV;
-    mount("proc", "/proc", "proc", bare | MS_NOEXEC, nullptr); // else the old one, to be read only
-    for (const char *sockets : {"/run", "/tmp/.X11-unix", "/tmp/.ICE-unix"}) // or none is there
-        mount("tmpfs", sockets, "tmpfs", bare | MS_RDONLY, "mode=0755");
-    mount_attr readOnly = {};
-    readOnly.attr_set = MOUNT_ATTR_RDONLY | MOUNT_ATTR_NOSUID;
-    return mount_setattr(AT_FDCWD, "/", AT_RECURSIVE, &readOnly, sizeof readOnly) == 0
-        && mount("tmpfs", start.folder, "tmpfs", bare, start.folderOptions) == 0;
-}
-
-void setLimit(const ResourceLimit &limit)
-{
-    rlimit present = {};
-    if (getrlimit(__rlimit_resource(limit.resource), &present) != 0)
-        return;
-    const rlim_t least = std::min(limit.value, present.rlim_max);
-    // Who has computed enough is told first, so that its end can be told from others, then killed.
-    const bool isTold = limit.resource == RLIMIT_CPU && least < present.rlim_max;
-    present = {least, isTold ? least + 1 : least};
-    setrlimit(__rlimit_resource(limit.resource), &present);
-}
-
-/// Root becomes a user that has nothing, so that the limit on processes binds and no file of
-/// another can be written to; where there is no such user it keeps its name but no power. It may
-/// read on, or it could not read itself in a folder of root's.
-void leaveRoot(const SupervisedStart &start)
-{
-    if (geteuid() != 0)
-        return;
-    prctl(PR_SET_SECUREBITS, SECBIT_NOROOT | SECBIT_NOROOT_LOCKED);
-    if (start.user != 0) {
-        [[maybe_unused]] const int owned = chown(start.folder, start.user, start.group);
-        syscall(SYS_setgroups, 0, nullptr);
-        prctl(PR_SET_KEEPCAPS, 1);
-        syscall(SYS_setresgid, start.group, start.group, start.group);
-        syscall(SYS_setresuid, start.user, start.user, start.user);
-    }
-    // What may be started is asked before the start, and what may be done is taken away by it.
-    constexpr __u32 reads = 1U << CAP_DAC_READ_SEARCH;
-    constexpr __u32 starts = reads | 1U << CAP_DAC_OVERRIDE;
-    __user_cap_header_struct header = {_LINUX_CAPABILITY_VERSION_3, 0};
-    __user_cap_data_struct data[2] = {};
-    syscall(SYS_capget, &header, data);
-    data[0].permitted &= starts;
-    data[0].effective = data[0].permitted;
-    data[0].inheritable = data[0].permitted & reads;
-    data[1] = {};
-    syscall(SYS_capset, &header, data);
-    prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_RAISE, CAP_DAC_READ_SEARCH, 0, 0);
-}
-
-[[noreturn]] void startProgram(const SupervisedStart &start, rlim_t processes)
+[[noreturn]] void startProgram(const SupervisedStart &start)
 {
     for (int signal = 1; signal < NSIG; ++signal)
         ::signal(signal, SIG_DFL);
@@ -140,26 +60,57 @@ void leaveRoot(const SupervisedStart &start)
     sigprocmask(SIG_SETMASK, &none, nullptr);
     setpgid(0, 0);
     umask(S_IWGRP | S_IWOTH);
-    leaveRoot(start);
-    for (const ResourceLimit &limit : start.limits)
-        setLimit(limit);
-    setLimit({RLIMIT_NPROC, processes});
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-    if (chdir(start.folder) == 0 && dup2(start.input, STDIN_FILENO) >= 0
-        && dup2(start.output, STDOUT_FILENO) >= 0 && dup2(start.messages, STDERR_FILENO) >= 0)
-        execve(start.file, start.arguments, start.environment);
+    if (start.passedOn >= 0)
+        fcntl(start.passedOn, F_SETFD, 0);
+    else // bubblewrap does so by itself
+        prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+    const bool isReady = chdir(start.folder) == 0 && dup2(start.input, STDIN_FILENO) >= 0
+        && dup2(start.output, STDOUT_FILENO) >= 0 && dup2(start.messages, STDERR_FILENO) >= 0
+        && (!start.filter || prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, start.filter) == 0);
+    if (isReady)
+        execve(start.command[0], start.command, start.environment);
     tell(start, SupervisorNews::NotStarted, errno);
     _exit(127);
 }
 
-/// Reaps who has ended; true when nobody is left.
-bool isAlone()
-{
-    pid_t reaped = 0;
-    while ((reaped = waitpid(-1, nullptr, WNOHANG)) > 0) { }
-    return reaped < 0 && errno == ECHILD;
-}
+/// Takes leave of who has ended.
+class Reaper {
+public:
+    explicit Reaper(pid_t program)
+        : m_program(program)
+    {
+    }
+
+    /// True when nobody is left.
+    bool reap()
+    {
+        pid_t reaped = 0;
+        int status = 0;
+        rusage used = {};
+        while ((reaped = wait4(-1, &status, WNOHANG, &used)) > 0) {
+            m_computed += millisecondsOf(used);
+            if (reaped == m_program) {
+                m_hasEnded = true;
+                m_status = status;
+            }
+        }
+        return reaped < 0 && errno == ECHILD;
+    }
+    bool hasEnded() const { return m_hasEnded; } ///< the program
+    int status() const { return m_status; }
+    /// Of all that have ended, ms.
+    int computed() const
+    {
+        return int(std::min<long>(m_computed, std::numeric_limits<int>::max()));
+    }
+
+private:
+    pid_t m_program;
+    bool m_hasEnded = false;
+    int m_status = 0;
+    long m_computed = 0;
+};
 
 /// Kills the children that the kernel lists; those of the killed become ours, and are next.
 void killChildren()
@@ -183,39 +134,39 @@ void killChildren()
     }
 }
 
-void killAll(pid_t program)
+void killAll(pid_t program, Reaper &reaper)
 {
-    if (getpid() == 1) { // of a namespace of our own
-        kill(-1, SIGKILL);
-        return;
-    }
     kill(-program, SIGKILL);
-    for (int round = 0; round < killingRounds && !isAlone(); ++round) {
+    for (int round = 0; round < killingRounds && !reaper.reap(); ++round) {
         killChildren();
         poll(nullptr, 0, 1);
     }
 }
 
 /// Waits for the program's end, or for the other side of `control` to be closed.
-void watch(const SupervisedStart &start, pid_t program)
+void watch(const SupervisedStart &start, pid_t program, Reaper &reaper)
 {
     const int handle = int(syscall(SYS_pidfd_open, program, 0)); // -1 is passed over by poll
     std::array<pollfd, 2> awaited = {{{start.control, 0, 0}, {handle, POLLIN, 0}}};
-    for (;;) {
+    while (!reaper.hasEnded() && awaited[0].revents == 0) {
         poll(awaited.data(), awaited.size(), lookedAfter);
-        int status = 0;
-        pid_t ended = 0;
-        rusage used = {};
-        while ((ended = wait4(-1, &status, WNOHANG, &used)) > 0) {
-            if (ended == program) {
-                tell(start, SupervisorNews::Computed, millisecondsOf(used));
-                tell(start, SupervisorNews::Ended, status);
-                return;
-            }
-        }
-        if (awaited[0].revents != 0)
-            return;
+        reaper.reap();
     }
+    if (reaper.hasEnded())
+        tell(start, SupervisorNews::Ended, reaper.status());
+}
+
+/// Also where the one who started it all is gone.
+void remove(const SupervisedStart &start)
+{
+    if (!start.removal)
+        return;
+    const pid_t remover = fork();
+    if (remover == 0) {
+        execve(start.removal[0], start.removal, start.environment);
+        _exit(127);
+    }
+    while (waitpid(remover, nullptr, 0) < 0 && errno == EINTR) { }
 }
 
 } // namespace
@@ -223,35 +174,25 @@ void watch(const SupervisedStart &start, pid_t program)
 void supervise(const SupervisedStart &start)
 {
     setsid();
-    closeAllBut({start.input, start.output, start.messages, start.control, start.report});
-    const bool isApart = entersNamespaces(start);
-    const bool hasOwnUsers = isApart && geteuid() != 0;
+    ::signal(SIGPIPE, SIG_IGN); // where who started it is gone there is nobody to tell
+    closeAllBut(
+        {start.input, start.output, start.messages, start.passedOn, start.control, start.report});
     prctl(PR_SET_DUMPABLE, 0, 0, 0, 0); // the program may not look into its supervisor
-    if (isApart) {
-        // Who is the first in a namespace of processes takes all others with it.
-        const pid_t first = fork();
-        if (first != 0) {
-            close(start.output);
-            close(start.messages);
-            while (waitpid(first, nullptr, 0) < 0 && errno == EINTR) { }
-            _exit(0);
-        }
-        prctl(PR_SET_PDEATHSIG, SIGKILL);
-        if (closesFiles(start))
-            tell(start, SupervisorNews::Isolated, 0);
-    }
     prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
     const pid_t program = fork();
     if (program == 0)
-        startProgram(start, start.processes + (hasOwnUsers ? 0 : start.otherProcesses));
+        startProgram(start);
     close(start.output);
     close(start.messages);
     if (program < 0) {
         tell(start, SupervisorNews::NotStarted, errno);
-        _exit(0);
+    } else {
+        Reaper reaper(program);
+        watch(start, program, reaper);
+        killAll(program, reaper);
+        tell(start, SupervisorNews::Computed, reaper.computed());
     }
-    watch(start, program);
-    killAll(program);
+    remove(start);
     _exit(0);
 }
 

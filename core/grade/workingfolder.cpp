@@ -1,41 +1,116 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/workingfolder.h"
 
-#include <QFile>
+#include "core/grade/programuser.h"
 
-#include <filesystem>
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <ctime>
 
 namespace pixelplumb {
 
-namespace fs = std::filesystem;
-
 namespace {
 
-/// Folders may be closed to their owner.
-void openFolders(const fs::path &top)
+const QString nameStart = QStringLiteral("pixelplumb-program-");
+
+QStringList removalOf(const QString &folder)
 {
-    std::error_code ignored;
-    fs::permissions(top, fs::perms::owner_all, fs::perm_options::add, ignored);
-    for (fs::directory_iterator entry(top, ignored); entry != fs::directory_iterator();
-         entry.increment(ignored)) {
-        if (entry->symlink_status(ignored).type() == fs::file_type::directory)
-            openFolders(entry->path());
+    // Folders may be closed to their owner.
+    return {QStringLiteral("/bin/sh"), QStringLiteral("-c"),
+            QStringLiteral("rm -rf -- \"$1\" 2>/dev/null || "
+                           "{ chmod -R u+rwx -- \"$1\"; rm -rf -- \"$1\"; } 2>/dev/null"),
+            QStringLiteral("sh"), folder};
+}
+
+void remove(const QString &folder)
+{
+    const QStringList words = removalOf(folder);
+    QProcess::execute(words.front(), words.sliced(1));
+}
+
+/// A directory; not open where it is none, or a link to one.
+Descriptor opened(const QString &folder)
+{
+    return Descriptor(open(QFile::encodeName(folder).constData(),
+                           O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+}
+
+/// False where somebody else has it.
+bool lock(const Descriptor &folder) { return flock(folder.number(), LOCK_EX | LOCK_NB) == 0; }
+
+/// Nobody has it any more, and it is not just being made.
+bool isLeft(const Descriptor &folder)
+{
+    constexpr time_t makingTime = 60; // s
+    struct stat status = {};
+    return fstat(folder.number(), &status) == 0 && (status.st_uid == geteuid() || geteuid() == 0)
+        && time(nullptr) - status.st_mtime > makingTime && lock(folder);
+}
+
+void removeLeftFolders()
+{
+    const QDir all(QDir::tempPath());
+    for (const QString &name : all.entryList({nameStart + u'*'}, QDir::Dirs | QDir::NoSymLinks)) {
+        const Descriptor folder = opened(all.filePath(name));
+        if (folder.isOpen() && isLeft(folder))
+            remove(all.filePath(name));
     }
 }
 
 } // namespace
 
+WorkingFolder::WorkingFolder()
+{
+    static const bool isTidy = (removeLeftFolders(), true);
+    Q_UNUSED(isTidy)
+    QByteArray name
+        = QFile::encodeName(QDir::tempPath() + u'/' + nameStart + QStringLiteral("XXXXXX"));
+    if (!mkdtemp(name.data()))
+        return;
+    m_path = QFile::decodeName(name);
+    m_lock = opened(m_path);
+    lock(m_lock);
+}
+
 WorkingFolder::~WorkingFolder()
 {
-    if (!m_folder.isValid())
-        return;
-    const fs::path path(QFile::encodeName(m_folder.path()).toStdString());
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-    if (!ignored)
-        return;
-    openFolders(path);
-    fs::remove_all(path, ignored);
+    if (!m_path.isEmpty() && QFile::exists(m_path))
+        remove(m_path);
+}
+
+bool WorkingFolder::isReadyFor(const ProgramUser &user) const
+{
+    return !m_path.isEmpty()
+        && (!user.isOwn || chown(QFile::encodeName(m_path).constData(), user.id, user.id) == 0);
+}
+
+QStringList WorkingFolder::removal() const { return removalOf(m_path); }
+
+void WorkingFolder::endProcesses() const
+{
+    const QByteArray mark = QByteArray("TMPDIR=") + QFile::encodeName(m_path);
+    constexpr int rounds = 100; // one that is killed may have started the next one
+    bool hasFound = true;
+    for (int round = 0; round < rounds && hasFound; ++round) {
+        hasFound = false;
+        for (const QString &process : QDir(QStringLiteral("/proc")).entryList(QDir::Dirs)) {
+            const pid_t number = process.toInt();
+            QFile environment(QStringLiteral("/proc/%1/environ").arg(process));
+            const bool isOfProgram = number > 0 && environment.open(QIODevice::ReadOnly)
+                && environment.readAll().split('\0').contains(mark);
+            if (isOfProgram)
+                hasFound = kill(number, SIGKILL) == 0 || hasFound;
+        }
+    }
 }
 
 } // namespace pixelplumb

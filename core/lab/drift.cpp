@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/bounderrors.h"
-#include "core/lab/contenderfailure.h"
 #include "core/lab/sizestudy.h"
 #include "core/methods/method.h"
+#include "core/number/failure.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 
 #include "core/frame/framebuffer.h"
 #include "core/frame/writtenframe.h"
-#include "core/lab/contenderfailure.h"
 #include "core/lab/invariance.h"
 #include "core/measure/stopwatch.h"
+#include "core/number/failure.h"
 #include "core/runs/tracedscene.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lab/labrace.h"
 
-#include "core/lab/contenderfailure.h"
+#include "core/number/failure.h"
 #include "core/lab/drawsample.h"
 
 #include <algorithm>

@@ -3,11 +3,11 @@
 
 #include "core/frame/framebuffer.h"
 #include "core/frame/writtenframe.h"
-#include "core/lab/contenderfailure.h"
 #include "core/lab/familyaccuracy.h"
 #include "core/lab/labrace.h"
 #include "core/measure/stopwatch.h"
 #include "core/methods/method.h"
+#include "core/number/failure.h"
 #include "core/runs/scenepicture.h"
 
 #include <algorithm>

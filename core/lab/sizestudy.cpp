@@ -2,9 +2,9 @@
 #include "core/lab/sizestudy.h"
 
 #include "core/frame/framebuffer.h"
-#include "core/lab/contenderfailure.h"
 #include "core/lab/drawsample.h"
 #include "core/lab/familyshapes.h"
+#include "core/number/failure.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1431,6 +1431,10 @@
         <translation>Unentscheidbar: Was abweicht, liegt auf Kanten, wo Regeln verschieden sind, oder in dem, was Rundung in float32 bewirken darf.</translation>
     </message>
     <message>
+        <source>The search for defects ended in an error: %1.</source>
+        <translation>Die Suche nach Defekten endete mit einem Fehler: %1.</translation>
+    </message>
+    <message>
         <source>No known defect comes near.</source>
         <translation>Kein bekannter Defekt kommt in die Nähe.</translation>
     </message>
@@ -2618,6 +2622,14 @@
     <message>
         <source>%1 of %2 accepted%3 · J, K: next, previous · A: accept · C: comment · %4</source>
         <translation>%1 von %2 angenommen%3 · J, K: weiter, zurück · A: annehmen · C: Kommentar · %4</translation>
+    </message>
+    <message>
+        <source>What programs could do that ran in no sandbox</source>
+        <translation>Was Programme tun konnten, die in keiner Sandbox liefen</translation>
+    </message>
+    <message>
+        <source>No sandbox (%1): programs could use the network, read and change files, and end processes, as far as their user may.</source>
+        <translation>Keine Sandbox (%1): Programme konnten das Netz benutzen, Dateien lesen und ändern und Prozesse beenden, soweit ihr Benutzer das darf.</translation>
     </message>
 </context>
 <context>

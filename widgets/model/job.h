@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/number/failure.h"
 #include "core/number/jobprogress.h"
 
 #include <QFutureWatcher>
@@ -10,7 +11,6 @@
 #include <chrono>
 #include <functional>
 #include <memory>
-#include <new>
 #include <type_traits>
 #include <utility>
 
@@ -41,8 +41,8 @@ public:
     void setRest(std::chrono::milliseconds rest) { m_restTimer.setInterval(rest); }
 
     /// `work(listener)` runs in another thread, tells the listener how far it is and ends when that
-    /// says so; `take(outcome)` then runs in this one. An outcome that did not fit into memory is
-    /// a default one.
+    /// says so; `take(outcome)` then runs in this one. An outcome that did not fit into memory, or
+    /// did not come about by another error, is a default one.
     template <class Work, class Take>
     void start(Work work, Take take)
     {
@@ -50,11 +50,8 @@ public:
         enqueue([work = std::move(work),
                  take = std::move(take)](const ProgressListener &listener) -> Delivery {
             const auto outcome = std::make_shared<Outcome>();
-            try {
-                *outcome = work(listener);
-            } catch (const std::bad_alloc &) {
+            if (failureOf([&] { *outcome = work(listener); }))
                 *outcome = Outcome();
-            }
             return [take, outcome] { take(std::move(*outcome)); };
         });
     }

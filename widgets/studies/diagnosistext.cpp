@@ -14,6 +14,10 @@ QString diagnosisText(const Diagnosis &diagnosis)
         : DiagnosisView::tr(
             "Undecidable: what differs lies on edges, where rules differ, or within what "
             "rounding in float32 may do.");
+    if (diagnosis.failure)
+        return verdict + u' '
+            + DiagnosisView::tr("The search for defects ended in an error: %1.")
+                  .arg(*diagnosis.failure);
     if (diagnosis.candidates.empty())
         return diagnosis.verdict == DiagnosisVerdict::Wrong
             ? verdict + u' ' + DiagnosisView::tr("No known defect comes near.")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/diagnosisview.h"
 
+#include "core/number/failure.h"
 #include "widgets/look/elidingbox.h"
 #include "widgets/model/studentpicture.h"
 #include "widgets/studies/diagnosistext.h"
@@ -133,8 +134,10 @@ std::optional<DiagnosisView::Named> DiagnosisView::named(const Submission &submi
     std::erase_if(found.diagnosis.candidates, [&found](const DiagnosisCandidate &candidate) {
         return !isRelevant(candidate.distance, found.diagnosis.differing);
     });
-    for (const DiagnosisCandidate &candidate : found.diagnosis.candidates)
-        found.steps.push_back(partingStepOf(submission.scene, candidate.defects));
+    for (const DiagnosisCandidate &candidate : found.diagnosis.candidates) {
+        auto &step = found.steps.emplace_back();
+        failureOf([&] { step = partingStepOf(submission.scene, candidate.defects); });
+    }
     return found;
 }
 

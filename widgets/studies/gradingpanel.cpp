@@ -114,7 +114,10 @@ void GradingPanel::addTable(QBoxLayout *layout)
     m_table = new GradeTable(m_filter, this);
     m_summary = new ElidedLabel(this);
     m_summary->setObjectName(QStringLiteral("gradingSummary"));
+    m_confinement = named(new ElidedLabel(this), "gradingConfinement",
+                          tr("What programs could do that ran in no sandbox"));
     column->addWidget(m_table, 1);
+    column->addWidget(m_confinement);
     column->addWidget(m_summary);
     layout->addLayout(column, 3);
     for (const auto opening : {&QTableView::clicked, &QTableView::activated})
@@ -181,6 +184,11 @@ void GradingPanel::showSummary()
 {
     const GradeReport &report = m_book->report();
     m_review->setVisible(!m_book->results().isEmpty()); // else there is nothing to say of anyone
+    const QStringList lacks = sandboxLacks(report);
+    m_confinement->setVisible(!lacks.isEmpty());
+    m_confinement->setWholeText(tr("No sandbox (%1): programs could use the network, read and "
+                                   "change files, and end processes, as far as their user may.")
+                                    .arg(lacks.join(QStringLiteral("; "))));
     const auto accepted
         = std::ranges::count_if(report.submissions, [](const GradedSubmission &submission) {
               return submission.review.isAccepted;

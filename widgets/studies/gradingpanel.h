@@ -68,6 +68,7 @@ private:
     QLineEdit *m_words = nullptr;
     QComboBox *m_cluster = nullptr;
     GradeTable *m_table = nullptr;
+    ElidedLabel *m_confinement = nullptr;
     ElidedLabel *m_summary = nullptr;
     QTimer m_taking; ///< runs while another row is selected than the one in hand
 };

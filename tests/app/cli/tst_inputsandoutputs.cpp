@@ -69,12 +69,6 @@ enum class Way { Symlink, Hardlink };
 
 } // namespace
 
-} // namespace tst_inputsandoutputs
-
-Q_DECLARE_METATYPE(tst_inputsandoutputs::Way)
-
-namespace tst_inputsandoutputs {
-
 /// Whatever a command reads it never writes, by any name.
 class TestInputsAndOutputs : public QObject {
     Q_OBJECT

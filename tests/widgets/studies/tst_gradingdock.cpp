@@ -139,6 +139,32 @@ private slots:
         }
     }
 
+    void whatRanInNoSandboxIsTold()
+    {
+        const Classroom classroom;
+        bringResults(classroom);
+        const auto window = windowWithDock();
+        book(*window).open(classroom.results());
+        QTRY_COMPARE_WITH_TIMEOUT(table(*window)->model()->rowCount(), 3, longestWait);
+        const auto *told = named<ElidedLabel>(*window, "gradingConfinement");
+        QVERIFY(!told->isVisible());
+
+        GradedSubmission ran = book(*window).report().submissions.front();
+        ran.scenes.front().run = GradedRun{QStringLiteral("finished"),
+                                           QStringLiteral("it finished"),
+                                           {},
+                                           QStringLiteral("there is no bwrap")};
+        QFile file(submissionFileOf(classroom.results(), ran.id));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(writeGradedSubmission(ran));
+        file.close();
+        book(*window).open(classroom.results());
+
+        QTRY_VERIFY_WITH_TIMEOUT(told->isVisible(), longestWait);
+        QVERIFY2(told->text().contains("there is no bwrap"), qPrintable(told->text()));
+        QVERIFY(told->toolTip() == told->text());
+    }
+
     void whatHoldsNoGradesIsToldAsSuch()
     {
         const auto window = openedWindow();

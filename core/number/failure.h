@@ -4,17 +4,20 @@
 #include <QString>
 
 #include <exception>
+#include <new>
 #include <optional>
 
 namespace pixelplumb {
 
-/// Does some work of a contender: what it throws ends that contender, not the study. What was
-/// thrown; none where nothing was.
+/// Does a part of a longer work: what it throws ends that part alone. What was thrown; none where
+/// nothing was.
 template <class Work>
 std::optional<QString> failureOf(const Work &work)
 {
     try {
         work();
+    } catch (const std::bad_alloc &) {
+        return QStringLiteral("it does not fit into memory");
     } catch (const std::exception &exception) {
         return QString::fromLocal8Bit(exception.what());
     }

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/programcommand.h"
+
+#include "core/grade/programuser.h"
+#include "core/grade/showntext.h"
+
+#include <QDir>
+#include <QFile>
+#include <QStandardPaths>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr rlim_t openFiles = 256;
+
+/// All processes and threads that there are: those of one user are no more.
+rlim_t presentProcesses()
+{
+    QFile load(QStringLiteral("/proc/loadavg"));
+    if (!load.open(QIODevice::ReadOnly))
+        return 0;
+    return rlim_t(load.readAll().split(' ').value(3).split('/').value(1).toULongLong());
+}
+
+/// "--cpu=10:11": nobody gets more than is allowed here.
+QString limitWord(const char *name, __rlimit_resource resource, rlim_t soft, rlim_t hard)
+{
+    rlimit present = {RLIM_INFINITY, RLIM_INFINITY};
+    getrlimit(resource, &present);
+    const auto text = [&present](rlim_t limit) {
+        const rlim_t least = std::min(limit, present.rlim_max);
+        return least == RLIM_INFINITY ? QStringLiteral("unlimited") : QString::number(least);
+    };
+    return QStringLiteral("--%1=%2:%3").arg(QLatin1String(name), text(soft), text(hard));
+}
+
+QStringList limitWords(const ProgramLimits &limits, rlim_t processes)
+{
+    const auto word = [](const char *name, __rlimit_resource resource, rlim_t limit) {
+        return limitWord(name, resource, limit, limit);
+    };
+    const auto seconds = rlim_t(limits.wholeSeconds());
+    return {QStringLiteral("/usr/bin/prlimit"),
+            // Of each process. It is told first, so that its end can be told from others.
+            limitWord("cpu", RLIMIT_CPU, seconds, seconds + 1),
+            word("as", RLIMIT_AS, limits.memory > 0 ? rlim_t(limits.memory) : RLIM_INFINITY),
+            word("fsize", RLIMIT_FSIZE, rlim_t(limits.files)),
+            word("nofile", RLIMIT_NOFILE, openFiles), word("nproc", RLIMIT_NPROC, processes),
+            word("core", RLIMIT_CORE, 0), word("msgqueue", RLIMIT_MSGQUEUE, 0),
+            QStringLiteral("--")};
+}
+
+QStringList wordsOf(const StudentProgram &student)
+{
+    return QStringList{student.path} + student.arguments;
+}
+
+/// What programs need to run, and nothing of a person's: of /etc where the loader, alternatives
+/// and runtimes are told what lies where.
+QStringList systemFolders()
+{
+    QStringList folders;
+    for (const char *name : {"/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32",
+                             "/nix/store", "/gnu/store", "/etc/alternatives", "/etc/ld.so.cache",
+                             "/etc/ld.so.conf", "/etc/ld.so.conf.d", "/etc/localtime"})
+        folders += QString::fromLatin1(name);
+    const QDir settings(QStringLiteral("/etc"));
+    for (const QString &name :
+         settings.entryList({QStringLiteral("java-*"), QStringLiteral("mono")}, QDir::Dirs))
+        folders += settings.filePath(name);
+    return folders;
+}
+
+/// Our own programs: who runs them inside would hand in what they draw.
+QStringList hiddenFiles()
+{
+    const QString own = QFile::symLinkTarget(QStringLiteral("/proc/self/exe"));
+    QStringList files;
+    const QDir folder(QFileInfo(own).path());
+    for (const QString &name : folder.entryList({QStringLiteral("pixelplumb*")}, QDir::Files))
+        files += folder.filePath(name);
+    for (const char *name : {"pixelplumb", "pixelplumb-cli"})
+        files += QStandardPaths::findExecutable(QLatin1String(name));
+    files.removeAll(QString());
+    files.removeDuplicates();
+    return files;
+}
+
+bool isInOneOf(const QStringList &folders, const QString &path)
+{
+    return std::ranges::any_of(folders, [&path](const QString &folder) {
+        return path == folder || path.startsWith(folder + u'/');
+    });
+}
+
+/// What is seen in the sandbox: the system and the program's own files, to be read only, and
+/// folders in memory, of which each holds so many bytes at most.
+QStringList viewWords(const QStringList &shown, std::int64_t bytes)
+{
+    QStringList words;
+    QStringList seen = systemFolders();
+    for (const QString &path : seen)
+        words += {QStringLiteral("--ro-bind-try"), path, path};
+    words += {QStringLiteral("--proc"), QStringLiteral("/proc"), QStringLiteral("--dev"),
+              QStringLiteral("/dev"),   QStringLiteral("--dir"), QStringLiteral("/run")};
+    for (const char *folder : {"/dev/shm", "/tmp"})
+        words += {QStringLiteral("--perms"), QStringLiteral("1777"),    QStringLiteral("--size"),
+                  QString::number(bytes),    QStringLiteral("--tmpfs"), QLatin1String(folder)};
+    for (const QString &path : shown) {
+        if (!isInOneOf(seen, path))
+            words += {QStringLiteral("--ro-bind"), path, path};
+    }
+    seen += shown;
+    for (const QString &file : hiddenFiles()) {
+        if (isInOneOf(seen, file))
+            words += {QStringLiteral("--ro-bind"), QStringLiteral("/dev/null"), file};
+    }
+    return words + QStringList{QStringLiteral("--perms"),      QStringLiteral("0777"),
+                               QStringLiteral("--dir"),        sandboxFolder(),
+                               QStringLiteral("--remount-ro"), QStringLiteral("/dev"),
+                               QStringLiteral("--remount-ro"), QStringLiteral("/"),
+                               QStringLiteral("--chdir"),      sandboxFolder()};
+}
+
+/// What is separated, and what is left of root's powers until the user is changed.
+QStringList separationWords(const ProgramUser &user)
+{
+    QStringList words;
+    for (const char *space : {"ipc", "pid", "net", "uts", "cgroup-try"})
+        words += QStringLiteral("--unshare-") + QLatin1String(space);
+    if (!user.isOwn)
+        words += QStringLiteral("--unshare-user");
+    words += {QStringLiteral("--new-session"), QStringLiteral("--die-with-parent"),
+              QStringLiteral("--cap-drop"), QStringLiteral("ALL")};
+    for (const QString &capability : user.isOwn ? ProgramUser::capabilities() : QStringList())
+        words += {QStringLiteral("--cap-add"), capability};
+    return words;
+}
+
+} // namespace
+
+QStringList limitedCommand(const StudentProgram &student, const ProgramLimits &limits,
+                           const ProgramUser &user)
+{
+    // Where others run as the same user they are counted, too.
+    const rlim_t others = user.isOwn ? 0 : presentProcesses();
+    return user.command() + limitWords(limits, rlim_t(limits.processes) + others)
+        + wordsOf(student);
+}
+
+QStringList sandboxedCommand(const StudentProgram &student, const ProgramLimits &limits,
+                             const ProgramUser &user, int filter)
+{
+    return QStringList{bubblewrapPath()} + separationWords(user)
+        + viewWords(student.shown, limits.files)
+        + QStringList{QStringLiteral("--seccomp"), QString::number(filter), QStringLiteral("--")}
+    + (user.isOwn ? user.command() : QStringList()) + limitWords(limits, rlim_t(limits.processes))
+        + wordsOf(student);
+}
+
+QString bubblewrapPath() { return QStandardPaths::findExecutable(QStringLiteral("bwrap")); }
+
+QString sandboxFolder() { return QStringLiteral("/tmp/pixelplumb-program"); }
+
+QString faultOfStart(int exitCode, const QByteArray &messages)
+{
+    constexpr int ofTools = 1;
+    constexpr std::array ofExecution = {126, 127};
+    const bool isOfTools
+        = exitCode == ofTools || exitCode == ofExecution[0] || exitCode == ofExecution[1];
+    for (const char *tool : {"bwrap", "setpriv", "prlimit"}) {
+        const QByteArray beginning = QByteArray(tool) + ": ";
+        if (isOfTools && messages.startsWith(beginning))
+            return shownText(messages.left(messages.indexOf('\n')));
+    }
+    return {};
+}
+
+} // namespace pixelplumb

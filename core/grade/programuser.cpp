@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/programuser.h"
+
+#include <QFile>
+
+#include <linux/capability.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+
+namespace pixelplumb {
+
+namespace {
+
+QByteArray contentOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// Whether this process has the power, by its number.
+bool hasCapability(int capability)
+{
+    const QByteArray status = contentOf(QStringLiteral("/proc/self/status"));
+    const QByteArray key = "\nCapEff:";
+    const QByteArray mask = status.mid(status.indexOf(key) + key.size()).trimmed().left(16);
+    return (mask.toULongLong(nullptr, 16) >> capability & 1U) != 0;
+}
+
+/// Not in a container that knows but some of the system's users: its root is none of them.
+bool canChangeUser()
+{
+    constexpr std::array needed = {CAP_SETUID, CAP_SETGID, CAP_SETPCAP, CAP_CHOWN};
+    return geteuid() == 0 && std::ranges::all_of(needed, hasCapability)
+        && contentOf(QStringLiteral("/proc/self/uid_map")).simplified() == "0 0 4294967295";
+}
+
+} // namespace
+
+ProgramUser ProgramUser::ofNextRun()
+{
+    static std::atomic<uid_t> runs = 0;
+    constexpr uid_t first = 1'000'000'000; // far from those that systems give
+    constexpr uid_t each = 1000; // of a process that runs programs
+    constexpr pid_t processes = 1'000'000;
+    if (!canChangeUser())
+        return {geteuid(), false};
+    return {first + uid_t(getpid() % processes) * each + runs++ % each, true};
+}
+
+QStringList ProgramUser::command() const
+{
+    if (!isOwn)
+        return {};
+    const auto kept = hasCapability(CAP_DAC_READ_SEARCH) ? QStringLiteral("-all,+dac_read_search")
+                                                         : QStringLiteral("-all");
+    return {QStringLiteral("/usr/bin/setpriv"),
+            QStringLiteral("--reuid=%1").arg(id),
+            QStringLiteral("--regid=%1").arg(id),
+            QStringLiteral("--clear-groups"),
+            QStringLiteral("--inh-caps=") + kept,
+            QStringLiteral("--ambient-caps=") + kept,
+            QStringLiteral("--bounding-set=") + kept,
+            QStringLiteral("--securebits=+noroot,+noroot_locked"),
+            QStringLiteral("--")};
+}
+
+QStringList ProgramUser::capabilities()
+{
+    QStringList names = {QStringLiteral("CAP_SETUID"), QStringLiteral("CAP_SETGID"),
+                         QStringLiteral("CAP_SETPCAP")};
+    if (hasCapability(CAP_DAC_READ_SEARCH))
+        names += QStringLiteral("CAP_DAC_READ_SEARCH");
+    return names;
+}
+
+} // namespace pixelplumb

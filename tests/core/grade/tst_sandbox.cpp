@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/descriptor.h"
+#include "core/grade/programrun.h"
+#include "tests/support/programrun.h"
+#include "tests/support/submissions.h"
+#include "tests/support/testprogram.h"
+
+#include <QDir>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <arpa/inet.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+
+#include <csignal>
+#include <cstdlib>
+
+namespace tst_sandbox {
+
+using namespace pixelplumb;
+
+namespace {
+
+/// With NAME in the script for a name: a file that the command names would be shown to it.
+StudentRun runPython(QString script, Confinement confinement, const QString &name = {},
+                     const ProgramLimits &limits = {})
+{
+    script.replace(QStringLiteral("NAME"), name);
+    const auto program
+        = studentProgramOf({QStringLiteral("python3"), QStringLiteral("-c"), script});
+    return runProgram(*program, {}, limits, {}, confinement);
+}
+
+/// Something comes to it, or somebody.
+bool isReached(const Descriptor &descriptor)
+{
+    pollfd awaited = {descriptor.number(), POLLIN, 0};
+    return poll(&awaited, 1, 0) > 0;
+}
+
+/// A socket that listens; not open where that is not possible.
+template <class Address>
+Descriptor listenAt(const Address &address, socklen_t length)
+{
+    const auto *named = reinterpret_cast<const sockaddr *>(&address);
+    Descriptor made(socket(named->sa_family, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    const bool listens = bind(made.number(), named, length) == 0 && listen(made.number(), 4) == 0;
+    return listens ? std::move(made) : Descriptor();
+}
+
+Descriptor listenAtPath(const QByteArray &path)
+{
+    sockaddr_un address = {};
+    address.sun_family = AF_UNIX;
+    std::copy(path.begin(), path.end(), address.sun_path);
+    const auto length = socklen_t(offsetof(sockaddr_un, sun_path) + std::size_t(path.size()));
+    Descriptor listening = listenAt(address, length);
+    if (!path.startsWith('\0'))
+        chmod(path.constData(), 0777);
+    return listening;
+}
+
+/// On the loopback, with its port.
+std::pair<Descriptor, int> listenAtPort()
+{
+    sockaddr_in address = {};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    Descriptor listening = listenAt(address, sizeof address);
+    socklen_t length = sizeof address;
+    getsockname(listening.number(), reinterpret_cast<sockaddr *>(&address), &length);
+    return {std::move(listening), int(ntohs(address.sin_port))};
+}
+
+/// In a folder that everybody may look into, as those of the system are.
+std::unique_ptr<QTemporaryDir> openFolderIn(const QString &folder)
+{
+    auto made = std::make_unique<QTemporaryDir>(folder + QStringLiteral("/sandbox-test-XXXXXX"));
+    chmod(QFile::encodeName(made->path()).constData(), 0755);
+    return made;
+}
+
+constexpr const char *connecting = "import socket\n"
+                                   "name = 'NAME'.replace('@', '\\0')\n"
+                                   "if name.isdigit():\n"
+                                   "    socket.create_connection(('127.0.0.1', int(name)), 5)\n"
+                                   "else:\n"
+                                   "    socket.socket(socket.AF_UNIX).connect(name)\n"
+                                   "print('connected')\n";
+
+} // namespace
+
+/// Programs that try to leave the sandbox, by the ways of which we know; and, where there is no
+/// danger in it, that they do get out by these where there is none.
+class TestSandbox : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        if (!sandboxLack().isEmpty())
+            QSKIP(qPrintable(QStringLiteral("No sandbox here: ") + sandboxLack()));
+    }
+
+    void noSocketOutsideIsReached_data()
+    {
+        QTest::addColumn<QString>("place"); // a folder, @ for an abstract name, : for a port
+        QTest::newRow("in /tmp") << QDir::tempPath();
+        QTest::newRow("in /run") << QStringLiteral("/run");
+        QTest::newRow("in the home folder") << QDir::homePath();
+        QTest::newRow("by an abstract name") << QStringLiteral("@");
+        QTest::newRow("on the loopback device") << QStringLiteral(":");
+    }
+    void noSocketOutsideIsReached()
+    {
+        QFETCH(QString, place);
+        std::unique_ptr<QTemporaryDir> folder;
+        Descriptor listening;
+        QString name;
+        if (place == u':') {
+            auto [made, port] = listenAtPort();
+            listening = std::move(made);
+            name = QString::number(port);
+        } else if (place == u'@') {
+            name = QStringLiteral("@pixelplumb-test-%1").arg(getpid());
+            listening = listenAtPath(name.toUtf8().replace('@', '\0'));
+        } else {
+            folder = openFolderIn(place);
+            name = folder->filePath(QStringLiteral("socket"));
+            listening = listenAtPath(QFile::encodeName(name));
+        }
+        if (!listening.isOpen())
+            QSKIP("Nobody may listen there.");
+        const QString script = QString::fromLatin1(connecting);
+
+        const StudentRun inside = runPython(script, Confinement::Sandbox, name);
+
+        QCOMPARE(nameOf(inside.end), QStringLiteral("failed"));
+        QVERIFY(!isReached(listening));
+        const StudentRun outside = runPython(script, Confinement::LimitsAlone, name);
+        if (outside.output != "connected\n") // its user may not look into root's folder
+            QSKIP("Nor is it reached without a sandbox.");
+        QVERIFY(isReached(listening));
+    }
+
+    void noTerminalIsWrittenTo()
+    {
+        const Descriptor terminal(posix_openpt(O_RDWR | O_NOCTTY));
+        if (!terminal.isOpen() || grantpt(terminal.number()) != 0
+            || unlockpt(terminal.number()) != 0)
+            QSKIP("No terminal can be made.");
+        const QString name = QString::fromLocal8Bit(ptsname(terminal.number()));
+        const Descriptor held(open(ptsname(terminal.number()), O_RDWR | O_NOCTTY | O_CLOEXEC));
+        chmod(ptsname(terminal.number()), 0666);
+        const QString script = QStringLiteral(
+            "import fcntl, os, termios\n"
+            "for name in ['NAME', '/dev/tty', '/dev/console', 0, 1, 2]:\n"
+            "    try:\n"
+            "        file = os.open(name, os.O_RDWR | os.O_NOCTTY) if isinstance(name, str) else "
+            "name\n"
+            "        if isinstance(name, str): os.write(file, b'\\x1b]0;owned\\x07')\n"
+            "        fcntl.ioctl(file, termios.TIOCSTI, b'x')\n"
+            "    except OSError: pass\n");
+
+        runPython(script, Confinement::Sandbox, name);
+        QVERIFY(!isReached(terminal));
+        runPython(script, Confinement::LimitsAlone, name);
+        QVERIFY(isReached(terminal));
+    }
+
+    void noPipeOutsideIsWrittenTo()
+    {
+        const auto folder = openFolderIn(QDir::tempPath());
+        const QString name = folder->filePath(QStringLiteral("pipe"));
+        QCOMPARE(mkfifo(QFile::encodeName(name).constData(), 0666), 0);
+        chmod(QFile::encodeName(name).constData(), 0666);
+        const Descriptor reader(
+            open(QFile::encodeName(name).constData(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+        const QString script
+            = QStringLiteral("import os\n"
+                             "os.write(os.open('NAME', os.O_WRONLY | os.O_NONBLOCK), b'x')");
+
+        runPython(script, Confinement::Sandbox, name);
+        QVERIFY(!isReached(reader));
+        runPython(script, Confinement::LimitsAlone, name);
+        QVERIFY(isReached(reader));
+    }
+
+    void nobodyElseIsSentASignal()
+    {
+        QProcess witness;
+        witness.start(QStringLiteral("sleep"), {QStringLiteral("1000")});
+        QVERIFY(witness.waitForStarted());
+
+        const StudentRun run = runPython(
+            QStringLiteral("import os, signal\n"
+                           "seen = [int(each) for each in os.listdir('/proc') if each.isdigit()]\n"
+                           "for each in seen + [os.getppid(), NAME, %1]:\n"
+                           "    if each != os.getpid():\n"
+                           "        try: os.kill(each, signal.SIGKILL)\n"
+                           "        except OSError: pass\n"
+                           "try: os.kill(-1, signal.SIGKILL)\n"
+                           "except PermissionError: print('not all')\n")
+                .arg(getpid()),
+            Confinement::Sandbox, QString::number(witness.processId()));
+
+        // It may end the first process of its own namespace, and with that itself.
+        QVERIFY2(run.output == "not all\n" || run.end == ProgramEnd::Crashed, qPrintable(run.told));
+        QCOMPARE(witness.state(), QProcess::Running);
+        witness.kill();
+        QVERIFY(witness.waitForFinished());
+    }
+
+    void memoryThatNoProcessOwnsIsBounded()
+    {
+        ProgramLimits limits;
+        limits.files = 4 << 20;
+        const StudentRun run = runPython(
+            QStringLiteral(
+                "import ctypes, os\n"
+                "libc = ctypes.CDLL(None, use_errno=True)\n"
+                "print(libc.memfd_create(b'x', 0), libc.shmget(0, 1 << 28, 0o1600),\n"
+                "      libc.msgget(0, 0o1600), libc.unshare(0x10000000))\n"
+                "written = 0\n"
+                "for folder, _, _ in os.walk('/'):\n"
+                "    if folder.startswith('/proc'): continue\n"
+                "    for i in range(8):\n"
+                "        try:\n"
+                "            file = os.open(f'{folder}/{i}.large', os.O_CREAT | os.O_WRONLY)\n"
+                "            while True: written += os.write(file, bytes(1 << 16))\n"
+                "        except OSError: pass\n"
+                "print(written)\n"),
+            Confinement::Sandbox, {}, limits);
+
+        const QList<QByteArray> lines = run.output.split('\n');
+        QCOMPARE(lines.front(), QByteArray("-1 -1 -1 -1"));
+        const qint64 written = lines.value(1).toLongLong();
+        QVERIFY2(written >= limits.files && written <= 2 * limits.files, run.output.constData());
+    }
+
+    void filesOfOthersAreNotSeen()
+    {
+        const auto folder = openFolderIn(QDir::homePath());
+        const auto other = openFolderIn(QDir::tempPath());
+        if (!folder->isValid())
+            QSKIP("Nothing can be written to the home folder.");
+        const QStringList files = {folder->filePath(QStringLiteral("secret")),
+                                   other->filePath(QStringLiteral("secret")),
+                                   QStringLiteral("/etc/passwd"), QStringLiteral("/etc/hostname")};
+        QVERIFY(writeTo(files[0], "s") && writeTo(files[1], "s"));
+        const QString script = QStringLiteral(
+            "import os\n"
+            "print(*[name for name in 'NAME'.split() if os.path.exists(name)])\n"
+            "print(*os.listdir(os.environ['HOME']), *os.listdir('/run'), *os.listdir('.'))\n");
+
+        const StudentRun run = runPython(script, Confinement::Sandbox, files.join(u' '));
+
+        QCOMPARE(run.output, QByteArray("\n\n"));
+    }
+
+    void aProgramSeesItsFolderAndNoOther()
+    {
+        const auto folder = openFolderIn(QDir::tempPath());
+        const QString program = folder->filePath(QStringLiteral("ada/draw"));
+        QVERIFY(writeTo(program,
+                        "#!/bin/sh\ncat \"$(dirname \"$0\")/table\" 2>&1; cat \""
+                            + QFile::encodeName(folder->filePath(QStringLiteral("bob/table")))
+                            + "\" 2>/dev/null || echo hidden\n"));
+        chmod(QFile::encodeName(program).constData(), 0755);
+        QVERIFY(writeTo(folder->filePath(QStringLiteral("ada/table")), "her own\n"));
+        QVERIFY(writeTo(folder->filePath(QStringLiteral("bob/table")), "another's\n"));
+
+        const auto inFolder = studentProgramOf({program});
+        const auto alone = studentProgramOf({program}, ShownFiles::Alone);
+
+        QCOMPARE(runProgram(*inFolder, {}).output, QByteArray("her own\nhidden\n"));
+        const QByteArray output = runProgram(*alone, {}).output;
+        QVERIFY2(!output.contains("her own") && output.endsWith("hidden\n"), output.constData());
+    }
+
+    void ourOwnProgramsAreHiddenFromIt()
+    {
+        const QStringList words{"sh", "-c", "\"$0\" --version >&2 && echo ran; exit 3", program()};
+        const ProgramRun tried
+            = run(QStringList{"try", "--scene", defaultScene(), "--json", "--"} + words);
+
+        QVERIFY2(tried.output.contains("exit code 3"), tried.output.constData());
+        QVERIFY2(tried.output.contains("ermission denied"), tried.output.constData());
+    }
+};
+
+PIXELPLUMB_TEST(TestSandbox)
+
+} // namespace tst_sandbox
+
+#include "tst_sandbox.moc"
