@@ -54,11 +54,14 @@ QString clippingReason(const NeedsTally &tally, const QString &noun)
             .arg(tally.drawn)
             .arg(noun);
     const QString within = QStringLiteral("what is drawn lies within the frame");
-    return tally.outside == 0 ? within
-                              : within
-            + (tally.outside == 1
-                   ? QStringLiteral("; 1 covers no sample of it")
-                   : QStringLiteral("; %1 cover no sample of it").arg(tally.outside));
+    if (tally.outside == 0)
+        return within;
+    return within
+        + (tally.outside == 1
+               ? QStringLiteral("; 1 other %1 covers no sample of the frame").arg(noun)
+               : QStringLiteral("; %1 other %2s cover no sample of the frame")
+                     .arg(tally.outside)
+                     .arg(noun));
 }
 
 /// What is divided by w.
@@ -88,14 +91,16 @@ QString perspectiveReason(const NeedsTally &tally)
 {
     const std::size_t divided = tally.of[Effect::Perspective].primitives;
     if (divided > 0)
-        return QStringLiteral("w differs between the vertices of %1; only divided by it do these "
-                              "change evenly: %2")
+        return QStringLiteral("w differs between the vertices of %1, so these are divided by w "
+                              "before they are interpolated: %2")
             .arg(ofTriangles(divided, tally.drawnTriangles), carriedWords(tally.carried));
     if (tally.dividingNothing > 0)
         return QStringLiteral("w differs between the vertices of %1, but nothing else does that is "
                               "divided by it")
             .arg(ofTriangles(tally.dividingNothing, tally.drawnTriangles));
-    return QStringLiteral("w is the same at the three vertices of every triangle");
+    return tally.drawnTriangles == 0
+        ? QStringLiteral("no triangle is drawn")
+        : QStringLiteral("w is the same at the three vertices of every triangle");
 }
 
 QString textureReason(const NeedsTally &tally)

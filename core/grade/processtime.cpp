@@ -12,19 +12,13 @@ namespace pixelplumb {
 
 namespace {
 
-QByteArray contentOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 QString folderOf(pid_t process) { return QStringLiteral("/proc/%1").arg(process); }
 
 /// Its own and that of the children that it waited for, in ticks.
 std::int64_t ticksOf(pid_t process)
 {
     // Behind the name, which may hold anything: the state, and 14 … 17 of proc(5).
-    const QByteArray stat = contentOf(folderOf(process) + QStringLiteral("/stat"));
+    const QByteArray stat = procText(folderOf(process) + QStringLiteral("/stat"));
     const QList<QByteArray> fields = stat.mid(stat.lastIndexOf(')') + 2).split(' ');
     constexpr qsizetype firstTime = 14 - 3;
     std::int64_t ticks = 0;
@@ -37,7 +31,7 @@ void appendChildren(pid_t process, std::vector<pid_t> &processes)
 {
     const QString tasks = folderOf(process) + QStringLiteral("/task");
     for (const QString &task : QDir(tasks).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
-        const QByteArray children = contentOf(tasks + u'/' + task + QStringLiteral("/children"));
+        const QByteArray children = procText(tasks + u'/' + task + QStringLiteral("/children"));
         for (const QByteArray &child : children.simplified().split(' ')) {
             if (const pid_t number = child.toInt(); number > 0)
                 processes.push_back(number);
@@ -58,6 +52,12 @@ std::chrono::milliseconds computedBy(pid_t ancestor)
         appendChildren(process, processes);
     }
     return std::chrono::milliseconds(1000 * ticks / sysconf(_SC_CLK_TCK));
+}
+
+QByteArray procText(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 } // namespace pixelplumb

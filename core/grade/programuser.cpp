@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/programuser.h"
 
-#include <QFile>
+#include "core/grade/processtime.h"
 
 #include <linux/capability.h>
 #include <unistd.h>
@@ -14,16 +14,10 @@ namespace pixelplumb {
 
 namespace {
 
-QByteArray contentOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 /// Whether this process has the power, by its number.
 bool hasCapability(int capability)
 {
-    const QByteArray status = contentOf(QStringLiteral("/proc/self/status"));
+    const QByteArray status = procText(QStringLiteral("/proc/self/status"));
     const QByteArray key = "\nCapEff:";
     const QByteArray mask = status.mid(status.indexOf(key) + key.size()).trimmed().left(16);
     return (mask.toULongLong(nullptr, 16) >> capability & 1U) != 0;
@@ -34,7 +28,7 @@ bool canChangeUser()
 {
     constexpr std::array needed = {CAP_SETUID, CAP_SETGID, CAP_SETPCAP, CAP_CHOWN};
     return geteuid() == 0 && std::ranges::all_of(needed, hasCapability)
-        && contentOf(QStringLiteral("/proc/self/uid_map")).simplified() == "0 0 4294967295";
+        && procText(QStringLiteral("/proc/self/uid_map")).simplified() == "0 0 4294967295";
 }
 
 } // namespace

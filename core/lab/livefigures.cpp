@@ -95,12 +95,11 @@ QString LiveFigures::text() const
 {
     if (pixels == 0 && wrongPixels.value_or(0) == 0)
         return QStringLiteral("nothing to measure yet");
-    QString wrong = QStringLiteral("truth not known");
-    if (isProved)
-        wrong = QStringLiteral("0 wrong, proved");
-    else if (wrongPixels)
-        wrong = QStringLiteral("%1 wrong px, truth %2 px").arg(*wrongPixels).arg(pixels);
-    return perPixel ? wrong + QStringLiteral(" · ") + timeText() : wrong;
+    if (!wrongPixels)
+        return QStringLiteral("truth not known");
+    if (*wrongPixels == 0)
+        return QStringLiteral("All pixels correct");
+    return QStringLiteral("%1 px wrong, truth %2 px").arg(*wrongPixels).arg(pixels);
 }
 
 QString LiveFigures::timeText() const
@@ -112,10 +111,13 @@ QString LiveFigures::timeText() const
 
 QString LiveFigures::details() const
 {
+    QString shown = text();
+    if (isProved && wrongPixels == 0)
+        shown += QStringLiteral("\nThe method is proved to draw every pixel right.");
     if (!perPixel)
-        return text();
+        return shown;
     const auto number = [](double value) { return QString::number(value, 'f', 2); };
-    return text()
+    return shown
         + QStringLiteral("\nThe time is that of the plain kernel, the one that is stepped through, "
                          "on one thread:\nmedian of %1 rounds %2 ns a pixel, the middle half "
                          "%3 … %4, over %5 px of triangles, each as often as it is written.")

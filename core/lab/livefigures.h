@@ -22,11 +22,12 @@ struct LiveFigures {
     std::optional<Spread> perPixel;
     int rounds = 0;
 
-    /// "0 wrong, proved · plain kernel 1.10 ns a pixel", "68 wrong of 1320 px · …"
+    /// "All pixels correct", "68 px wrong, truth 1320 px"
     QString text() const;
     /// "plain kernel 1.10 ns a pixel"; empty where nothing was timed.
     QString timeText() const;
-    /// The same with kernel, rounds and spread, some lines.
+    /// The first with why it is so and, where something was timed, with kernel, time, rounds and
+    /// spread, some lines.
     QString details() const;
 
     friend bool operator==(const LiveFigures &, const LiveFigures &) = default;

@@ -63,6 +63,7 @@ Method offScreenBarycentricMethod()
                          "off-screen point r: f_bc(a)·f_bc(r) > 0; an edge whose line "
                          "passes through r is given to neither side.");
     method.fillRules = {FillRule::OffScreenPoint};
+    method.pseudocode = underRule(method.pseudocode, FillRule::OffScreenPoint);
     method.fillRuleReason
         = QStringLiteral("its test of the off-screen point is itself a fill rule");
     return method;

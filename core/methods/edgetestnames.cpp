@@ -63,6 +63,7 @@ QString EdgeTestNames::filled(QString text, std::size_t line) const
     const EdgeEnds ends = edgeEndsOf(m_form, line);
     text.replace(QStringLiteral("{edge}"), vertexLetter(ends.from) + vertexLetter(ends.to));
     text.replace(QStringLiteral("{facing}"), vertexName(ends.opposite));
+    text.replace(QStringLiteral("{letter}"), vertexLetter(ends.opposite));
     text.replace(QStringLiteral("{value}"),
                  m_form.isBarycentric() ? QStringLiteral("f{l}") : QStringLiteral("E{l}"));
     text.replace(QStringLiteral("{l}"),

@@ -21,14 +21,15 @@ public:
     /// What stands after a coordinate or a level of a vertex: "₀", "_a"; in files "_0", "_a".
     QString vertex(std::size_t vertex) const;
     QString vertexId(std::size_t vertex) const;
+    QString vertexLetter(std::size_t vertex) const; ///< "P₀", "a"
     /// The vertex in a sentence: "P₀"; with its letter "a = P₀".
     QString vertexName(std::size_t vertex) const;
     /// The weight of the vertex that faces a line: "α".
     QString weight(std::size_t line) const;
 
-    /// A text with {l} put in for the line, {from}, {to} and {opp} for its vertices, {w} for the
-    /// weight and {value} for its value; in sentences {edge} for the edge's name, "P₀P₁" or "bc",
-    /// and {facing} for that of the vertex that faces it.
+    /// A text with {l} put in for the line, {from}, {to} and {opp} for its vertices, {letter} for
+    /// the last one's letter, {w} for the weight and {value} for its value; in sentences {edge} for
+    /// the edge's name, "P₀P₁" or "bc", and {facing} for that of the vertex that faces it.
     QString filled(QString text, std::size_t line) const;
     QString filledId(QString text, std::size_t line) const;
 
@@ -39,8 +40,6 @@ public:
     QString levelFormula() const;
 
 private:
-    QString vertexLetter(std::size_t vertex) const; ///< "P₀", "a"
-
     EdgeTestForm m_form;
 };
 

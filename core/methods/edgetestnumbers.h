@@ -6,9 +6,14 @@
 
 namespace pixelplumb {
 
+class EdgeTestNames;
+
 /// The numbers of an edge test, by the names of the form's slides.
 NumberTable<EdgeTestSetUpState> edgeTestSetUpNumbers(const EdgeTestForm &form);
 NumberTable<EdgeTestSpanState> edgeTestSpanNumbers(const EdgeTestForm &form);
 NumberTable<EdgeTestSampleState> edgeTestSampleNumbers(const EdgeTestForm &form);
+
+/// Who owns a sample exactly on an edge, and by which numbers the fill rule decides that.
+void appendTies(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &names);
 
 } // namespace pixelplumb

@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/edgetestnames.h"
 #include "core/methods/pseudocode.h"
+#include "core/scan/edgetestsetup.h"
 
+#include <QStringList>
+
+/// The listings of the methods that test samples. A test runs every line from the box on: names are
+/// those of the numbers' tables, and what is done to one edge, weight or channel is done to the
+/// others "likewise".
 namespace pixelplumb {
 
 namespace {
+
+using enum Moment;
 
 /// How the numbers of an edge are found.
 QString linesText(const EdgeTestForm &form)
 {
     if (form.inside == InsideTest::Cramer)
-        return QStringLiteral("D ← x_AC·y_BC − x_BC·y_AC, the determinant");
+        return QStringLiteral("D ← x_AC·y_BC − x_BC·y_AC — the determinant");
     const QString edges
         = form.isBarycentric() ? QStringLiteral("f_bc, f_ca, f_ab") : QStringLiteral("E₀, E₁, E₂");
     switch (form.line) {
@@ -26,93 +35,244 @@ QString linesText(const EdgeTestForm &form)
     return edges + QStringLiteral(": a, b, c from the two ends of the edge");
 }
 
-QString testText(const EdgeTestForm &form)
-{
-    switch (form.inside) {
-    case InsideTest::Signs:
-        return QStringLiteral("if E₀, E₁ and E₂ are > 0, or 0 where the fill rule takes the edge:");
-    case InsideTest::UnitInterval:
-        return QStringLiteral("if α, β and γ are within [0, 1], 0 where the fill rule takes the "
-                              "edge:");
-    case InsideTest::NonNegative:
-        return QStringLiteral("if α, β and γ are > 0, or 0 where the fill rule takes the edge:");
-    case InsideTest::Cramer:
-        break;
+/// "x" by the loops' order.
+struct Axes {
+    QString along, across;
+
+    explicit Axes(const EdgeTestForm &form)
+        : along(form.order == LoopOrder::RowByRow ? QStringLiteral("x") : QStringLiteral("y"))
+        , across(form.order == LoopOrder::RowByRow ? QStringLiteral("y") : QStringLiteral("x"))
+    {
     }
-    return QStringLiteral("if u > 0, v > 0 and u + v < 1, or equal where the fill rule takes the "
-                          "edge:");
-}
+};
 
-QString valuesText(const EdgeTestForm &form)
-{
-    if (form.inside == InsideTest::Signs)
-        return QStringLiteral("E₀, E₁, E₂ ← at (x, y)");
-    if (form.inside == InsideTest::Cramer)
-        return QStringLiteral("u, v ← by two determinants over D; w ← 1 − u − v");
-    return QStringLiteral("α ← f_bc(x, y)/f_bc(a), β ← f_ca(x, y)/f_ca(b), γ ← f_ab(x, y)/f_ab(c)");
-}
+/// The listing of one form, line by line.
+class Listing {
+public:
+    explicit Listing(const EdgeTestForm &form)
+        : m_form(form)
+        , m_names(form)
+        , m_axes(form)
+    {
+    }
 
-QString incrementsText(const EdgeTestForm &form)
-{
-    return form.isBarycentric()
-        ? QStringLiteral("add to α, β, γ, R, G and B what a step along %1 adds")
-        : QStringLiteral("add to E₀, E₁ and E₂ what a step along %1 adds");
-}
+    Pseudocode written()
+    {
+        addSetUp();
+        if (m_form.evaluation == Evaluation::Increments)
+            addIncrementalLoops();
+        else
+            addLoops();
+        return std::move(m_code);
+    }
 
-QString colourText(const EdgeTestForm &form)
-{
-    if (form.inside == InsideTest::Cramer)
-        return QStringLiteral("R ← u·R_A + v·R_B + w·R_C; G and B likewise");
-    if (!form.isBarycentric())
-        return QStringLiteral("R ← E₀/F₀·R₂ + E₁/F₁·R₀ + E₂/F₂·R₁; G and B likewise");
-    return QStringLiteral("R ← α·R_a + β·R_b + γ·R_c; G and B likewise");
-}
+private:
+    void add(int depth, const QString &text, const std::vector<Moment> &moments)
+    {
+        m_code.push_back({depth, text, moments});
+    }
+
+    /// What is done for the line 0, and likewise for the two others.
+    QString alike(const QString &pattern, const QString &name) const
+    {
+        return m_names.filled(pattern, 0)
+            + QStringLiteral("; %1 and %2 likewise")
+                  .arg(m_names.filled(name, 1), m_names.filled(name, 2));
+    }
+    /// "E₀, E₁, E₂".
+    QString three(const QString &pattern) const
+    {
+        QStringList each;
+        for (std::size_t line = 0; line < 3; ++line)
+            each.append(m_names.filled(pattern, line));
+        return each.join(QStringLiteral(", "));
+    }
+    /// The numbers that increments reach: "α, β, γ, R, G, B".
+    QString stepped(const QString &weight, const QString &level) const
+    {
+        QStringList each = {three(weight)};
+        for (const QChar channel : channelLetters)
+            each.append(QString(level).replace(u'%', channel));
+        return each.join(QStringLiteral(", "));
+    }
+
+    void addSetUp()
+    {
+        add(0, linesText(m_form), {SetUp});
+        if (m_form.inside == InsideTest::Signs) {
+            add(0,
+                QStringLiteral("sidedness₀, sidedness₁, sidedness₂ ← E₀, E₁, E₂ at P₂, P₀, P₁ — "
+                               "the vertex opposite"),
+                {SetUp});
+            add(0,
+                QStringLiteral("where one is < 0: s ← −1, and a, b, c of that edge change their "
+                               "signs; F ← s·sidedness"),
+                {SetUp});
+        } else if (m_form.inside != InsideTest::Cramer) {
+            add(0, QStringLiteral("f_a, f_b, f_c ← f_bc at a, f_ca at b, f_ab at c"), {SetUp});
+        }
+        if (m_form.visited == VisitedSamples::Frame) {
+            add(0, QStringLiteral("box ← the whole frame"), {SetUp});
+        } else {
+            add(0,
+                QStringLiteral("box ← from the smallest to the largest x and y of the vertices, "
+                               "clipped to the frame"),
+                {SetUp});
+            m_code.back().varied
+                = {{VariantSet().with(Variant::RoundedBox),
+                    QStringLiteral("box ← from (int)(x_min + ½) to (int)(x_max − ½), y likewise, "
+                                   "clipped to the frame")}};
+        }
+        add(0, QStringLiteral("if no sample is to be drawn: done"), {Rejected});
+    }
+
+    void addLoops()
+    {
+        add(0, QStringLiteral("for each %1 of the box:").arg(m_axes.across), {Begin, Span});
+        add(1, QStringLiteral("for each %1 of the box:").arg(m_axes.along), {First, Next, Refused});
+        addValues();
+        addTest();
+        add(3, colourText(), {First, Next});
+        addPixel();
+    }
+
+    /// As the slide has currEELS beside currEE: the numbers of a line's start are kept, and each
+    /// line sets out from them.
+    void addIncrementalLoops()
+    {
+        const bool isRow = m_form.order == LoopOrder::RowByRow;
+        const QString start = isRow ? QStringLiteral("row") : QStringLiteral("column");
+        addStart();
+        add(0, QStringLiteral("for each %1 of the box:").arg(m_axes.across), {Begin, Span});
+        add(1, QStringLiteral("%1 ← %2 — back at the %3's start").arg(walked(), kept(), start),
+            {Begin, Span});
+        add(1, QStringLiteral("for each %1 of the box:").arg(m_axes.along), {First, Next, Refused});
+        addTest();
+        if (!m_form.isBarycentric())
+            add(3, colourText(), {First, Next});
+        addPixel();
+        add(2, QStringLiteral("add %1 to %2").arg(changes(m_axes.along), walked()),
+            {First, Next, Refused});
+        add(1, QStringLiteral("add %1 to %2").arg(changes(m_axes.across), kept()), {Span});
+    }
+
+    QString walked() const
+    {
+        return m_form.isBarycentric() ? stepped(QStringLiteral("{w}"), QStringLiteral("%"))
+                                      : three(QStringLiteral("E{l}"));
+    }
+    QString kept() const
+    {
+        return m_form.isBarycentric() ? stepped(QStringLiteral("{w}_s"), QStringLiteral("%_s"))
+                                      : three(QStringLiteral("e{l}"));
+    }
+    /// What one step along an axis adds.
+    QString changes(const QString &axis) const
+    {
+        if (m_form.isBarycentric())
+            return stepped(QStringLiteral("Δ{w}_") + axis, QStringLiteral("Δ%_") + axis);
+        return three(axis == QStringLiteral("x") ? QStringLiteral("a{l}") : QStringLiteral("b{l}"));
+    }
+
+    /// At the box's first sample.
+    void addStart()
+    {
+        const QString value = m_names.lineAt(QStringLiteral("x_min"), QStringLiteral("y_min"));
+        if (!m_form.isBarycentric()) {
+            add(0, alike(QStringLiteral("e{l} ← ") + value, QStringLiteral("e{l}")), {Begin});
+            return;
+        }
+        add(0, alike(QStringLiteral("{w}_s ← (%1)/f{opp}").arg(value), QStringLiteral("{w}_s")),
+            {Begin});
+        add(0, QStringLiteral("R_s ← α_s·R_a + β_s·R_b + γ_s·R_c; G_s and B_s likewise"), {Begin});
+    }
+
+    void addValues()
+    {
+        const std::vector<Moment> samples = {First, Next, Refused};
+        if (m_form.inside == InsideTest::Cramer) {
+            for (std::size_t line = 0; line < 3; ++line)
+                add(2,
+                    m_names.weightFormula(line).replace(QStringLiteral(" = "),
+                                                        QStringLiteral(" ← ")),
+                    samples);
+            return;
+        }
+        const QString value = m_names.lineAt(QStringLiteral("x"), QStringLiteral("y"));
+        add(2, alike(QStringLiteral("{value} ← ") + value, QStringLiteral("{value}")), samples);
+        if (m_form.isBarycentric())
+            add(2, alike(QStringLiteral("{w} ← {value}/f{opp}"), QStringLiteral("{w}")), samples);
+    }
+
+    void addTest()
+    {
+        add(2, testText(FillRule::Closed), {First, Next, Refused});
+        for (const FillRule rule : allFillRules)
+            m_code.back().ruled.push_back({rule, testText(rule)});
+    }
+
+    void addPixel()
+    {
+        add(3, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {First, Next});
+    }
+
+    QString colourText() const
+    {
+        return m_names.levelFormula()
+                   .replace(u'%', u'R')
+                   .replace(QStringLiteral(" = "), QStringLiteral(" ← "))
+            + QStringLiteral("; G and B likewise");
+    }
+
+    /// What makes a sample exactly on a line one of the triangle's.
+    QString tieText(FillRule rule) const
+    {
+        return rule == FillRule::OffScreenPoint ? QStringLiteral("{value}({letter})·{value}(r) > 0")
+                                                : QStringLiteral("tie{l} = 1");
+    }
+
+    QString testText(FillRule rule) const
+    {
+        const bool decidesTies = rule != FillRule::Closed && rule != FillRule::Open;
+        if (m_form.inside == InsideTest::Cramer)
+            return cramerText(rule);
+        const bool isBounded = m_form.inside == InsideTest::UnitInterval;
+        const QString name
+            = m_form.inside == InsideTest::Signs ? QStringLiteral("E{l}") : QStringLiteral("{w}");
+        const bool takesZero = rule == FillRule::Closed;
+        QString within = name + (takesZero ? QStringLiteral(" ≥ 0") : QStringLiteral(" > 0"));
+        if (isBounded)
+            within = (takesZero ? QStringLiteral("0 ≤ ") : QStringLiteral("0 < ")) + name
+                + QStringLiteral(" ≤ 1");
+        if (decidesTies)
+            within += QStringLiteral(", or %1 = 0 and %2").arg(name, tieText(rule));
+        return QStringLiteral("if ") + alike(within, name) + u':';
+    }
+
+    /// u, v and w have no cycle: the third test is that of the sum.
+    QString cramerText(FillRule rule) const
+    {
+        if (rule == FillRule::Closed)
+            return QStringLiteral("if u ≥ 0 and v ≥ 0 and u + v ≤ 1:");
+        if (rule == FillRule::Open)
+            return QStringLiteral("if u > 0 and v > 0 and u + v < 1:");
+        constexpr std::array inside
+            = {u"u > 0, or u = 0", u"v > 0, or v = 0", u"u + v < 1, or u + v = 1"};
+        QStringList tests;
+        for (std::size_t line = 0; line < 3; ++line)
+            tests.append(QString::fromUtf16(inside[line]) + QStringLiteral(" and ")
+                         + m_names.filled(tieText(rule), line));
+        return QStringLiteral("if ") + tests.join(QStringLiteral("; ")) + u':';
+    }
+
+    EdgeTestForm m_form;
+    EdgeTestNames m_names;
+    Axes m_axes;
+    Pseudocode m_code;
+};
 
 } // namespace
 
-Pseudocode edgeTestPseudocode(const EdgeTestForm &form)
-{
-    using enum Moment;
-    const bool isRow = form.order == LoopOrder::RowByRow;
-    const bool isIncremental = form.evaluation == Evaluation::Increments;
-    const QString along = isRow ? QStringLiteral("x") : QStringLiteral("y");
-    const QString across = isRow ? QStringLiteral("y") : QStringLiteral("x");
-    Pseudocode code = {{0, linesText(form), {SetUp}}};
-    if (form.inside == InsideTest::Signs)
-        code.push_back(
-            {0,
-             QStringLiteral("F₁, F₂, F₀ ← E₁, E₂, E₀ at P₀, P₁, P₂, the vertex opposite; where "
-                            "negative, flip E and F"),
-             {SetUp}});
-    if (form.visited == VisitedSamples::Frame)
-        code.push_back({0, QStringLiteral("box ← the whole frame"), {SetUp}});
-    else
-        code.push_back({0,
-                        QStringLiteral("box ← from the smallest to the largest x and y of the "
-                                       "vertices, clipped to the frame"),
-                        {SetUp},
-                        {},
-                        {{VariantSet().with(Variant::RoundedBox),
-                          QStringLiteral("box ← from (int)(x_min + ½) to (int)(x_max − ½), y "
-                                         "likewise, clipped to the frame")}}});
-    code.push_back({0, QStringLiteral("if no sample is to be drawn: done"), {Rejected}});
-    if (isIncremental)
-        code.push_back(
-            {0, valuesText(form) + QStringLiteral(" of the box's first sample"), {Begin}});
-    code.push_back({0, QStringLiteral("for each %1 of the box:").arg(across), {Begin, Span}});
-    if (isIncremental)
-        code.push_back({1, incrementsText(form).arg(across), {Span}});
-    code.push_back(
-        {1, QStringLiteral("for each %1 of the box:").arg(along), {First, Next, Refused}});
-    if (!isIncremental)
-        code.push_back({2, valuesText(form), {First, Next, Refused}});
-    code.push_back({2, testText(form), {First, Next, Refused}});
-    if (!(isIncremental && form.isBarycentric()))
-        code.push_back({3, colourText(form), {First, Next}});
-    code.push_back({3, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {First, Next}});
-    if (isIncremental)
-        code.push_back({2, incrementsText(form).arg(along), {First, Next, Refused}});
-    return code;
-}
+Pseudocode edgeTestPseudocode(const EdgeTestForm &form) { return Listing(form).written(); }
 
 } // namespace pixelplumb

@@ -35,7 +35,7 @@ struct EdgeTestRecording : EdgeTestNumbers<A> {
 
     static EdgeTestSetUpState stateOf(const SetUpInHand<SetUp> &step)
     {
-        return edgeTestStateOf<A>(step.setUp);
+        return edgeTestStateOf<A, form>(step.setUp);
     }
     static EdgeTestSpanState stateOf(const SpanInHand<SetUp, Span> &step)
     {

@@ -93,9 +93,25 @@ void appendLine(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &nam
         add(u"v{l}", u"y of the end of edge {edge} that is smaller in (x, y) order, px.", {},
             &EdgeTestLineState::v);
     }
-    if (!form.isBarycentric())
-        add(u"s{l}", u"−1 where the sides of edge {edge} were exchanged to be positive inside.", {},
-            &EdgeTestLineState::sign);
+    if (!form.isBarycentric()) {
+        const auto unflipped = [&](const QString &difference) {
+            return u'(' + difference + u')' + (form.line == LineForm::Solved ? divisor : QString());
+        };
+        const QString side
+            = names.lineAt(QStringLiteral("x{opp}"), QStringLiteral("y{opp}"))
+                  .replace(QStringLiteral("a{l}"), unflipped(QStringLiteral("y{to} − y{from}")))
+                  .replace(QStringLiteral("b{l}"), unflipped(QStringLiteral("x{from} − x{to}")))
+                  .replace(QStringLiteral("c{l}"),
+                           unflipped(QStringLiteral("x{to}·y{from} − "
+                                                    "x{from}·y{to}")));
+        add(u"sidedness{l}",
+            u"The edge function of {edge} at vertex {facing}, which faces it: below 0 the sides "
+            u"are "
+            u"to be exchanged.",
+            QStringLiteral("sidedness{l} = ") + side, &EdgeTestLineState::sidedness);
+        add(u"s{l}", u"−1 where the sides of edge {edge} were exchanged to be positive inside.",
+            QStringLiteral("s{l} = −1 if sidedness{l} < 0, else 1"), &EdgeTestLineState::sign);
+    }
     add(u"a{l}", u"Change of the edge function of {edge} for each step of x.",
         QStringLiteral("a{l} = ") + scaled(QStringLiteral("y{to} − y{from}")),
         &EdgeTestLineState::a);
@@ -189,18 +205,7 @@ NumberTable<EdgeTestSetUpState> edgeTestSetUpNumbers(const EdgeTestForm &form)
         appendCramer(table);
     for (std::size_t line = 0; line < 3 && form.inside != InsideTest::Cramer; ++line)
         appendLine(table, names, line);
-    for (std::size_t line = 0; line < 3; ++line)
-        table.push_back({{.id = names.filledId(QStringLiteral("tie{l}"), line),
-                          .title = names.filled(QStringLiteral("tie{l}"), line),
-                          .unit = {},
-                          .toolTip = names.filled(
-                              QStringLiteral("1: under the fill rule, a sample exactly on edge "
-                                             "{edge} is inside."),
-                              line),
-                          .formula = {}},
-                         [line](const EdgeTestSetUpState &state) {
-                             return Quantity::integer(state.ownsTie[line]);
-                         }});
+    appendTies(table, names);
     if (form.isBarycentric() && form.evaluation == Evaluation::Increments)
         appendRates(table, names);
     appendColours(table, names);

@@ -14,8 +14,11 @@ struct EdgeTestLineState {
     Quantity determinant; ///< of the solved form; 0 where the line passes through (0, 0)
     Quantity u, v; ///< the end point from which the form computes, px
     Quantity sign; ///< −1 after a flip, else 1
+    Quantity sidedness; ///< at the vertex that faces the edge, before a flip
     Quantity a, b, c;
     Quantity atOpposite;
+    /// At the off-screen point, and that times atOpposite; none where no rule asks for it.
+    Quantity atRulesPoint, tieProduct;
 
     /// Whether the solved form found no solution.
     bool passesOrigin() const { return determinant.toDouble() == 0; }
@@ -26,6 +29,9 @@ struct EdgeTestSetUpState {
     bool zeroArea = false;
     ThreeQuantities x, y; ///< of the vertices, px
     std::array<EdgeTestLineState, 3> lines;
+    FillRule rule = FillRule::Closed;
+    int down = -1; ///< the step of y that goes down as seen
+    Quantity rulesX, rulesY; ///< of the off-screen point, px; none where no rule asks for it
     std::array<bool, 3> ownsTie = {};
     Quantity xAC, yAC, xBC, yBC; ///< of Cramer's rule, px
     Quantity determinant; ///< |A − C, B − C|, px²
@@ -58,19 +64,44 @@ ThreeQuantities quantitiesIn(const std::array<typename A::Ratio, 3> &ratios)
 template <class A>
 EdgeTestLineState edgeTestStateOf(const EdgeLine<A> &edge, typename A::Number atOpposite)
 {
+    using Number = typename A::Number;
     const auto length
         = [](Lattice units) { return A::quantityOf(A::length(units), unitsPerPixel); };
-    return {A::quantityOf(edge.determinant, squareUnitsPerPixel),
-            length(edge.origin.x),
-            length(edge.origin.y),
-            Quantity::integer(edge.sign),
-            A::quantityOfRate(edge.a, edge.unit),
-            A::quantityOfRate(edge.b, edge.unit),
-            A::quantityOf(edge.c, edge.unit),
-            A::quantityOf(atOpposite, edge.unit)};
+    const Number sidedness = edge.sign < 0 ? Number(0) - atOpposite : atOpposite;
+    EdgeTestLineState state;
+    state.determinant = A::quantityOf(edge.determinant, squareUnitsPerPixel);
+    state.u = length(edge.origin.x);
+    state.v = length(edge.origin.y);
+    state.sign = Quantity::integer(edge.sign);
+    state.sidedness = A::quantityOf(sidedness, edge.unit);
+    state.a = A::quantityOfRate(edge.a, edge.unit);
+    state.b = A::quantityOfRate(edge.b, edge.unit);
+    state.c = A::quantityOf(edge.c, edge.unit);
+    state.atOpposite = A::quantityOf(atOpposite, edge.unit);
+    return state;
 }
 
-template <class A>
+/// What the rule off-screen-point looks at; left none under every other one.
+template <class A, EdgeTestForm form>
+void addTies(EdgeTestSetUpState &state, const EdgeTestSetUp<A> &setUp)
+{
+    state.rule = setUp.rule.rule;
+    state.down = setUp.rule.down();
+    state.ownsTie = setUp.ownsTie;
+    if (setUp.rule.rule != FillRule::OffScreenPoint || setUp.zeroArea)
+        return;
+    const LatticePoint &point = setUp.rule.offScreenPoint;
+    state.rulesX = A::quantityOf(A::length(point.x), unitsPerPixel);
+    state.rulesY = A::quantityOf(A::length(point.y), unitsPerPixel);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EdgeTestLineState &line = state.lines[i];
+        const EdgeLine<A> &edge = setUp.lines[i];
+        line.atRulesPoint = A::quantityOf(edge.template valueAt<form.line>(point), edge.unit);
+        line.tieProduct = productOf(line.atOpposite, line.atRulesPoint);
+    }
+}
+
+template <class A, EdgeTestForm form>
 EdgeTestSetUpState edgeTestStateOf(const EdgeTestSetUp<A> &setUp)
 {
     const auto length
@@ -83,7 +114,7 @@ EdgeTestSetUpState edgeTestStateOf(const EdgeTestSetUp<A> &setUp)
         state.y[i] = length(A::length(setUp.vertices[i].position.y));
         state.lines[i] = edgeTestStateOf(setUp.lines[i], setUp.atOpposite[i]);
     }
-    state.ownsTie = setUp.ownsTie;
+    addTies<A, form>(state, setUp);
     // Of Cramer's rule the lines bc and ca are what A − C and B − C span.
     const typename A::Number zero(0);
     state.xAC = length(zero - setUp.lines[1].b);

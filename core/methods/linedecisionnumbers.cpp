@@ -146,6 +146,19 @@ const NumberTable<DecisionSetUpState> &bresenhamSetUpNumbers()
                           .formula = QStringLiteral("p₀ = 2Δy − Δx"),
                           .group = Group::Decision},
                          [](const DecisionSetUpState &setUp) { return setUp.firstDecision; }});
+        const QString constant = QStringLiteral("c = 2Δy %1 2·Δx·y₀ − 2Δy·x₀ − Δx");
+        table.push_back(
+            {{.id = QStringLiteral("c"),
+              .title = QStringLiteral("c"),
+              .unit = {},
+              .toolTip = QStringLiteral("What of p_k = 2Δy·x_k − 2Δx·y_k + c no pixel changes; + "
+                                        "2Δx·y_k where the line falls."),
+              .formula = constant.arg(u'+'),
+              .group = Group::Decision},
+             [](const DecisionSetUpState &setUp) { return setUp.constant; },
+             [constant](NumberDescription &number, const DecisionSetUpState &setUp) {
+                 number.formula = constant.arg(setUp.falls ? u'−' : u'+');
+             }});
         return table;
     }();
     return numbers;

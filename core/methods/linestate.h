@@ -48,6 +48,10 @@ struct DecisionSetUpState {
     Quantity deltaX, deltaY; ///< Δx, Δy, px
     Quantity stayIncrement, moveIncrement; ///< 2Δy, 2Δy − 2Δx
     Quantity firstDecision; ///< p₀; of a line that may begin between pixels, none
+    /// c of p_k = 2Δy·x_k ∓ 2Δx·y_k + c, + where the line falls; none where there is no p₀. The
+    /// kernel has no use for it: from pixel to pixel it falls out.
+    Quantity constant;
+    bool falls = false;
 };
 
 struct DecisionState {
@@ -130,6 +134,9 @@ ParametricLineState lineStateOf(const ParametricLineSetUp<A> &setUp,
 
 inline DecisionSetUpState lineStateOf(const BresenhamSetUp &setUp)
 {
+    const Int128 across = setUp.acrossStep * 2 * Int128(setUp.deltaX) * setUp.start.y;
+    const Int128 constant
+        = setUp.firstDecision - Int128(setUp.stayIncrement) * setUp.start.x + across;
     return {setUp.axis,
             Quantity::integer(setUp.start.x),
             Quantity::integer(setUp.start.y),
@@ -139,7 +146,9 @@ inline DecisionSetUpState lineStateOf(const BresenhamSetUp &setUp)
             Quantity::integer(setUp.deltaY),
             Quantity::integer(setUp.stayIncrement),
             Quantity::integer(setUp.moveIncrement),
-            Quantity::integer(setUp.firstDecision)};
+            Quantity::integer(setUp.firstDecision),
+            Quantity::integer(constant),
+            setUp.acrossStep < 0};
 }
 inline DecisionState lineStateOf(const BresenhamSetUp &setUp, const BresenhamSpan &span)
 {
@@ -173,7 +182,9 @@ inline DecisionSetUpState lineStateOf(const SymmetricSetUp &setUp)
             pixels(setUp.deltaY),
             Quantity::rational(setUp.stayIncrement, unit),
             Quantity::rational(setUp.moveIncrement, unit),
-            {}};
+            {},
+            {},
+            setUp.acrossStep < 0};
 }
 inline DecisionState lineStateOf(const SymmetricSetUp &setUp, const SymmetricStep &step)
 {

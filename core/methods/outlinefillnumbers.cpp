@@ -2,9 +2,8 @@
 #include "core/methods/outlinefillnumbers.h"
 
 #include "core/methods/channelnumbers.h"
-#include "core/methods/edgewalknames.h"
 #include "core/methods/formulatext.h"
-#include "core/methods/lineendnumbers.h"
+#include "core/methods/outlinefillnames.h"
 #include "core/methods/placenumbers.h"
 #include "core/methods/units.h"
 
@@ -19,17 +18,42 @@ namespace {
 
 using Group = NumberGroup;
 
-/// "P₀P₁".
-QString edgeName(std::size_t edge)
+/// What led from the pixel before to the one that bounds the column; none at the edge's start.
+void appendDecision(NumberTable<OutlineSpanState> &table, const QString &bound, const QString &word,
+                    OutlineDecision OutlineSpanState::*decision,
+                    OutlinePixel OutlineFillSpan<AnyArithmetic>::*pixel)
 {
-    return QStringLiteral("P%1P%2").arg(vertexDigits[edge]).arg(vertexDigits[(edge + 1) % 3]);
-}
-
-/// Its length in steps of the midpoint algorithm: "Δ₀₁".
-QString lengthTitle(std::size_t edge)
-{
-    const auto [first, second] = std::minmax({edge, (edge + 1) % 3});
-    return QStringLiteral("Δ%1%2").arg(vertexDigits[first]).arg(vertexDigits[second]);
+    const QString across = QStringLiteral("a_") + bound;
+    const QString parameter = QStringLiteral("p_") + bound;
+    const auto formula = [=](const QString &length, const QString &shorter) {
+        return QStringLiteral("%1 = 2·%2·n_%3 − %4 − 2·%4·%5")
+            .arg(parameter, shorter, bound, length, across);
+    };
+    table.push_back(
+        {{.id = across,
+          .title = across,
+          .unit = unit::px(),
+          .toolTip = QStringLiteral("How far across the line had gone before the "
+                                    "decision that led to the %1 pixel.")
+                         .arg(word),
+          .formula = {},
+          .group = Group::Decision},
+         [decision](const OutlineSpanState &state) { return (state.*decision).across; }});
+    table.push_back(
+        {{.id = parameter,
+          .title = parameter,
+          .unit = {},
+          .toolTip = QStringLiteral("The decision parameter p_k that led to the %1 "
+                                    "pixel: below 0 the line stayed, else it went one "
+                                    "across. None at the edge's first pixel.")
+                         .arg(word),
+          .formula = formula(QStringLiteral("Δ"), QStringLiteral("δ")),
+          .group = Group::Decision},
+         [decision](const OutlineSpanState &state) { return (state.*decision).parameter; },
+         [=](NumberDescription &number, const OutlineSpanState &state) {
+             const std::size_t edge = (state.span.*pixel).edge;
+             number.formula = formula(lengthTitle(edge), acrossTitle(edge));
+         }});
 }
 
 /// Which pixel of which edge bounds the column.
@@ -134,64 +158,10 @@ QString pixelText(const OutlinePixel &pixel)
     return QStringLiteral("row %1, pixel %2 of %3")
         .arg(pixel.row)
         .arg(pixel.number)
-        .arg(edgeName(pixel.edge));
+        .arg(outlineEdgeName(pixel.edge));
 }
 
 } // namespace
-
-const NumberTable<OutlineFillSetUp> &outlineSetUpNumbers()
-{
-    using State = OutlineFillSetUp;
-    static const auto numbers = [] {
-        NumberTable<State> table;
-        for (int corner = 0; corner < 3; ++corner) {
-            const QString toolTip = QStringLiteral("of P%1, on a whole pixel.")
-                                        .arg(vertexDigits[std::size_t(corner)]);
-            table.push_back(endNumber<State>(u'x', corner, toolTip, [corner](const State &setUp) {
-                return pixels(setUp.corners[std::size_t(corner)].position.x);
-            }));
-            table.push_back(endNumber<State>(u'y', corner, toolTip, [corner](const State &setUp) {
-                return pixels(setUp.corners[std::size_t(corner)].position.y);
-            }));
-        }
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            appendChannels(
-                table,
-                {.id = QStringLiteral("%_") + QString::number(corner),
-                 .title = QString(u'%') + vertexDigits[corner],
-                 .unit = unit::levels(),
-                 .toolTip = QStringLiteral("Level of % at P") + vertexDigits[corner] + u'.',
-                 .formula = {}},
-                [corner](const State &setUp, std::size_t channel) {
-                    return Quantity::integer(setUp.corners[corner].colour.channels[channel]);
-                });
-        }
-        for (std::size_t edge = 0; edge < 3; ++edge) {
-            const QString axes = QStringLiteral("%1%2 − %1%3");
-            const auto along = [&](QChar axis) {
-                return axes.arg(axis).arg(vertexDigits[(edge + 1) % 3]).arg(vertexDigits[edge]);
-            };
-            const auto back = [&](QChar axis) {
-                return axes.arg(axis).arg(vertexDigits[edge]).arg(vertexDigits[(edge + 1) % 3]);
-            };
-            table.push_back(
-                {{.id = QStringLiteral("steps_%1").arg(edge),
-                  .title = lengthTitle(edge),
-                  .unit = unit::px(),
-                  .toolTip = QStringLiteral("The steps of the midpoint algorithm along %1: its "
-                                            "longer side.")
-                                 .arg(edgeName(edge)),
-                  .formula = lengthTitle(edge)
-                      + QStringLiteral(" = max(max(%1, %2), max(%3, %4))")
-                            .arg(along(u'x'), back(u'x'), along(u'y'), back(u'y'))},
-                 [edge](const State &setUp) {
-                     return Quantity::integer(setUp.edges[edge].line.deltaX);
-                 }});
-        }
-        return table;
-    }();
-    return numbers;
-}
 
 const NumberTable<OutlineSpanState> &outlineSpanNumbers()
 {
@@ -207,7 +177,9 @@ const NumberTable<OutlineSpanState> &outlineSpanNumbers()
                {scannedNumber(),
                 [](const State &state) { return Quantity::integer(state.span.column.x); }}};
         appendBound(table, low, QStringLiteral("lowest"), &Span::low);
+        appendDecision(table, low, QStringLiteral("lowest"), &State::lowDecision, &Span::low);
         appendBound(table, high, QStringLiteral("highest"), &Span::high);
+        appendDecision(table, high, QStringLiteral("highest"), &State::highDecision, &Span::high);
         table.push_back({columnPixelsNumber(), [](const State &state) {
                              return Quantity::integer(state.drawnSamples());
                          }});

@@ -10,10 +10,17 @@
 /// The numbers and words of an outline by the midpoint algorithm that is filled.
 namespace pixelplumb {
 
+/// The decision that led to a pixel of the outline; none at its edge's start.
+struct OutlineDecision {
+    Quantity across; ///< px that the line had gone across before
+    Quantity parameter; ///< p_k
+};
+
 struct OutlineSpanState {
     std::size_t primitive = 0;
     OutlineFillSetUp setUp;
     OutlineFillSpan<AnyArithmetic> span;
+    OutlineDecision lowDecision, highDecision;
 
     std::int64_t drawnSamples() const
     {
@@ -36,11 +43,27 @@ const NumberTable<OutlineSampleState> &outlineSampleNumbers();
 void tellOutline(StepWords &words, const OutlineFillSetUp &setUp);
 void tellOutline(StepWords &words, const OutlineSpanState &state);
 
+/// By the function that the kernel finds the pixel with.
+inline OutlineDecision outlineDecisionOf(const OutlineFillSetUp &setUp, const OutlinePixel &pixel)
+{
+    const BresenhamSetUp &line = setUp.edges[pixel.edge].line;
+    const BresenhamStep step = bresenhamStepAt(line, pixel.number);
+    if (step.isStart())
+        return {};
+    const bool moved = step.increment == line.moveIncrement;
+    const std::int64_t across = line.acrossStep * (step.place.across - line.start.y);
+    return {Quantity::integer(across - (moved ? 1 : 0)), Quantity::integer(step.decision)};
+}
+
 template <class A>
 OutlineSpanState outlineStateOf(const SpanInHand<OutlineFillSetUp, OutlineFillSpan<A>> &step)
 {
     const ColumnState<A> &column = step.span.column;
-    OutlineSpanState state{step.primitive, step.setUp, {step.span.low, step.span.high, {}}};
+    OutlineSpanState state{step.primitive,
+                           step.setUp,
+                           {step.span.low, step.span.high, {}},
+                           outlineDecisionOf(step.setUp, step.span.low),
+                           outlineDecisionOf(step.setUp, step.span.high)};
     ColumnState<AnyArithmetic> &shown = state.span.column;
     shown.x = column.x;
     shown.firstRow = column.firstRow;

@@ -5,6 +5,7 @@
 #include "core/methods/edgewalkform.h"
 #include "core/scan/edgetestform.h"
 #include "core/scan/interpolationnumbers.h"
+#include "core/scan/scansettings.h"
 #include "core/scan/variants.h"
 #include "core/trace/stepwords.h"
 
@@ -19,15 +20,26 @@ struct VariedLine {
     QString text;
 };
 
-/// A line of a method's pseudocode.
+/// What a line says under a fill rule.
+struct RuledLine {
+    FillRule rule = FillRule::Closed;
+    QString text;
+};
+
+/// A line of a method's pseudocode. What follows " — " explains it.
 struct PseudocodeLine {
     int depth = 0; ///< of its indentation
     QString text; ///< in the symbols of the method's numbers
     std::vector<Moment> moments; ///< the steps that do it; none of a line that only holds others
     std::optional<Effect> effect = {}; ///< the line is there where this runs
     std::vector<VariedLine> varied = {}; ///< the last one whose variants the run has, holds
+    std::vector<RuledLine> ruled
+        = {}; ///< that of the rule in force, holds; text is the closed one's
 };
 using Pseudocode = std::vector<PseudocodeLine>;
+
+/// The lines as they are under a rule.
+Pseudocode underRule(Pseudocode code, FillRule rule);
 
 /// Of the families of methods that differ in a form.
 Pseudocode edgeWalkPseudocode(const EdgeWalkForm &form);

@@ -50,6 +50,8 @@ double nearestDouble(const WideFraction &fraction)
     return fraction.numerator < 0 ? -nearest : nearest;
 }
 
+double withoutSignOfZero(double value) { return value == 0 ? 0 : value; }
+
 } // namespace
 
 Quantity Quantity::rational(Int128 numerator, Int128 denominator)
@@ -67,7 +69,7 @@ Quantity Quantity::of(float value)
 {
     Quantity quantity;
     quantity.m_kind = Kind::Float32;
-    quantity.m_binary = double(value);
+    quantity.m_binary = withoutSignOfZero(double(value));
     return quantity;
 }
 
@@ -75,7 +77,7 @@ Quantity Quantity::of(double value)
 {
     Quantity quantity;
     quantity.m_kind = Kind::Float64;
-    quantity.m_binary = value;
+    quantity.m_binary = withoutSignOfZero(value);
     return quantity;
 }
 
@@ -111,6 +113,18 @@ double errorOf(const Quantity &used, const Quantity &exact)
     const WideFraction b = exactlyOf(exact);
     return nearestDouble(
         {a.numerator * b.denominator - b.numerator * a.denominator, a.denominator * b.denominator});
+}
+
+Quantity productOf(const Quantity &a, const Quantity &b)
+{
+    constexpr Int128 largest = Int128(1) << 62;
+    const auto fits = [](const Quantity &number) {
+        return number.isRational() && absolute(number.numerator()) <= largest
+            && number.denominator() <= largest;
+    };
+    return fits(a) && fits(b) ? Quantity::rational(a.numerator() * b.numerator(),
+                                                   a.denominator() * b.denominator())
+                              : Quantity::of(a.toDouble() * b.toDouble());
 }
 
 QString toText(Int128 value)

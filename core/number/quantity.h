@@ -12,7 +12,8 @@
 namespace pixelplumb {
 
 /// A number as a kernel held it, in one shape for tables, formulas and files: a rational (exact and
-/// fixed-point arithmetic) or a binary floating-point value. Nothing is lost on the way in.
+/// fixed-point arithmetic) or a binary floating-point value. Nothing is lost on the way in but the
+/// sign of a zero, which no formula has.
 class Quantity {
 public:
     enum class Kind { None, Rational, Float32, Float64 };
@@ -62,6 +63,10 @@ private:
 
 /// used − exact, the double nearest to it: 0 where they are equal, and nowhere else.
 double errorOf(const Quantity &used, const Quantity &exact);
+
+/// a · b: exact where both are rational and 128 bits hold it, else in double. Of numbers that are
+/// there.
+Quantity productOf(const Quantity &a, const Quantity &b);
 
 /// The one spelling of a quantity in tables, files and on the command line: rationals as "17 3/8",
 /// floating point as the shortest decimal that reads back as the same value, none as "".

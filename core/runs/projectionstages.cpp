@@ -124,17 +124,17 @@ private:
         return line;
     }
 
-    /// Every point may name the camera's numbers, a corner those of the vertices that it is made
-    /// of.
+    /// Every point may name the numbers of the camera and of the lights, a corner those of the
+    /// vertices that it is made of.
     PointNames &namesOf(const QString &point)
     {
         const auto [entry, isNew] = m_names.try_emplace(point);
         PointNames &names = entry->second;
-        if (!isNew || point == cameraName())
+        if (!isNew || isShared(point))
             return names;
         for (const ProjectionStage &stage : m_stages.stages) {
             for (const StagePoint &each : stage.points) {
-                if (each.name == cameraName())
+                if (isShared(each.name))
                     names.add(each);
             }
         }
@@ -147,11 +147,19 @@ private:
 
     void addVertex(PointNames &names, std::size_t vertex) const
     {
-        const ClipPoint<double> &clip = m_stages.face.polygon[vertex].clip;
-        names.add(clipName(u'x', vertex), Quantity::of(clip.x));
-        names.add(clipName(u'y', vertex), Quantity::of(clip.y));
-        names.add(clipName(u'z', vertex), Quantity::of(clip.z));
-        names.add(clipName(u'w', vertex), Quantity::of(clip.w));
+        const ClipVertex<double> &from = m_stages.face.polygon[vertex];
+        const auto add = [&](QChar name, double value) {
+            names.add(clipName(name, vertex), Quantity::of(value));
+        };
+        add(u'x', from.clip.x);
+        add(u'y', from.clip.y);
+        add(u'z', from.clip.z);
+        add(u'w', from.clip.w);
+        add(u'u', from.texture[0]);
+        add(u'v', from.texture[1]);
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            add(channelLetters[channel], from.levels[channel]);
+        add(u'α', from.levels[3]);
     }
 
     const FaceStages &m_stages;

@@ -34,9 +34,9 @@ Triangle acrossEdge(const Triangle &triangle, const oracle::EdgeVerdict &edge)
 }
 
 /// The function a·x + b·y + c of the edge at a point, as the slides write it: f_bc.
-QString edgeFunctionAt(const LatticePoint &from, const LatticePoint &to, const LatticePoint &point)
+Quantity edgeFunctionAt(const LatticePoint &from, const LatticePoint &to, const LatticePoint &point)
 {
-    return term(Quantity::rational(-doubledArea(from, to, point), squareUnitsPerPixel));
+    return Quantity::rational(-doubledArea(from, to, point), squareUnitsPerPixel);
 }
 
 /// On which sides of an edge the off-screen point and the triangle lie: f_bc(a)·f_bc(r) > 0.
@@ -48,9 +48,12 @@ QString sidesText(const Triangle &triangle, const oracle::EdgeVerdict &edge,
     const auto functionAt = [&](const LatticePoint &point) {
         return edgeFunctionAt(position(edge.from), position(edge.to), point);
     };
-    return QStringLiteral("the edge's function is %1 at the off-screen point and %2 at the vertex "
-                          "that faces it")
-        .arg(functionAt(offScreenPoint), functionAt(position(3 - edge.from - edge.to)));
+    const Quantity atPoint = functionAt(offScreenPoint);
+    const Quantity atFacing = functionAt(position(3 - edge.from - edge.to));
+    return QStringLiteral("the edge's function is %1 at the off-screen point %2 and %3 at the "
+                          "vertex that faces it; their product, %4, is not above 0")
+        .arg(term(atPoint), pointText(offScreenPoint), term(atFacing),
+             term(productOf(atFacing, atPoint)));
 }
 
 } // namespace

@@ -63,7 +63,8 @@ Moment momentOf(const ScanTrace &trace, std::size_t stepIndex)
 Pseudocode pseudocodeOf(const TracedScene &traced, std::size_t primitive)
 {
     if (!traced.plan || traced.method->shadedPseudocode.empty())
-        return variedCode(traced.method->pseudocode, traced.scene.settings.variants);
+        return underRule(variedCode(traced.method->pseudocode, traced.scene.settings.variants),
+                         traced.scene.settings.fillRule);
     const EffectSet effects = effectsOf(*traced.plan, primitive);
     Pseudocode code = traced.method->shadedPseudocode;
     std::erase_if(code, [&effects](const PseudocodeLine &line) {

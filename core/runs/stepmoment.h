@@ -12,7 +12,8 @@ struct TracedScene;
 /// that list it are what the step does.
 Moment momentOf(const ScanTrace &trace, std::size_t stepIndex);
 
-/// The lines that run for a primitive: of effects, those of its batch alone.
+/// The lines that run for a primitive under the scene's variants and fill rule: of effects, those
+/// of its batch alone.
 Pseudocode pseudocodeOf(const TracedScene &traced, std::size_t primitive);
 
 } // namespace pixelplumb

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/number/three.h"
-#include "core/scan/boundaryrule.h"
 #include "core/scan/edgeteststate.h"
 
 namespace pixelplumb {
@@ -109,6 +108,7 @@ template <class A, EdgeTestForm form>
 {
     EdgeTestSetUp<A> setUp;
     setUp.vertices = triangle.vertices;
+    setUp.rule = rule;
     setUp.zeroArea = doubledArea(triangle) == 0;
     setUp.visited
         = form.visited == VisitedSamples::Frame ? samplesOf(frame) : boundingBoxOf(triangle);

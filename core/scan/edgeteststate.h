@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/frame/frameview.h"
+#include "core/scan/boundaryrule.h"
 #include "core/scan/edgetestform.h"
 
 #include <algorithm>
@@ -79,6 +80,7 @@ struct EdgeTestSetUp {
     std::array<EdgeLine<A>, 3> lines;
     std::array<Number, 3> atOpposite = {}; ///< each line's value at the vertex that faces it
     std::array<std::array<typename A::Level, 3>, 3> facing = {}; ///< that vertex's R G B
+    BoundaryRule rule = FillRule::Closed; ///< by which the next are decided
     std::array<bool, 3> ownsTie = {}; ///< whether a sample exactly on the line is inside
     // Where weights and colours are incremental: their changes for each step of x and of y.
     std::array<Ratio, 3> weightPerX = {}, weightPerY = {};

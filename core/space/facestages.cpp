@@ -2,20 +2,13 @@
 #include "core/space/facestages.h"
 
 #include "core/space/attributenumber.h"
+#include "core/space/stagelight.h"
 #include "core/space/stagenumbers.h"
 #include "core/space/stagepoints.h"
 
 namespace pixelplumb {
 
 namespace {
-
-QString subscripted(QChar letter, std::size_t index)
-{
-    QString name(letter);
-    for (const QChar digit : QString::number(index))
-        name += QChar(u'₀' + digit.digitValue());
-    return name;
-}
 
 /// The stages of one face, from its projection in doubles and without rounding.
 class StageWriter {
@@ -79,10 +72,18 @@ private:
             isFlat ? QStringLiteral("Light at the face's centre")
                    : QStringLiteral("Light at the vertices"),
             QStringLiteral("c·(ambient + Σ light·max(0, N·L))/255 + Σ light·specular/255·(N·H)ˢ"));
+        writeLights(stage.points.emplace_back(StagePoint{lightsPointName(), {}, {}}),
+                    m_scene.appearance, m_material);
         for (std::size_t i = 0; i < m_used.lit.size(); ++i) {
             StagePoint &point = stage.points.emplace_back(
                 StagePoint{isFlat ? QStringLiteral("centre") : faceVertexName(i), {}, {}});
-            writeLightPoint(point, m_scene.appearance, m_material, m_used.lit[i], m_exact.lit[i]);
+            if (isFlat) { // a vertex's stand in the stage before
+                StageNumberWriter numbers(point.numbers);
+                numbers.add(QString(), m_used.lit[i].point.place, &m_exact.lit[i].point.place);
+                numbers.add(QStringLiteral("_N"), m_used.lit[i].point.normal,
+                            &m_exact.lit[i].point.normal);
+            }
+            writeLightAt(point, m_scene.appearance, m_material, m_used.lit[i], m_exact.lit[i]);
         }
     }
 
@@ -91,7 +92,7 @@ private:
         ProjectionStage &stage
             = begin(QStringLiteral("Camera"),
                     QStringLiteral("x to the right, y up, the eye at 0, looking along −z"));
-        writeCameraPoint(stage.points.emplace_back(StagePoint{cameraName(), {}, {}}), m_scene);
+        writeCameraPoint(stage.points.emplace_back(StagePoint{cameraPointName(), {}, {}}), m_scene);
         const auto along = [](const char *axis) {
             return QStringLiteral("%_x·(x − E_x) + %_y·(y − E_y) + %_z·(z − E_z)")
                 .replace(u'%', QLatin1String(axis));
@@ -165,6 +166,7 @@ private:
                                    isPerspective ? QStringLiteral("near") : QStringLiteral("1")}
                     : ClipFormulas{of(u'x', corner.inside), of(u'y', corner.inside),
                                    of(u'z', corner.inside), of(u'w', corner.inside)});
+            writeCarried(point, corner, exact);
         }
     }
 
@@ -280,16 +282,5 @@ FaceStages stagesOf(const SpaceScene &scene, const TriangleSource &source, int w
 {
     return StageWriter(scene, scene.solids[source.solid], source.face, wExponent).written();
 }
-
-QString clipName(QChar coordinate, std::size_t vertex)
-{
-    return coordinate + QStringLiteral("_") + faceVertexName(vertex);
-}
-
-QString cameraName() { return QStringLiteral("the camera"); }
-
-QString faceVertexName(std::size_t vertex) { return subscripted(u'V', vertex); }
-
-QString clippedCornerName(std::size_t corner) { return subscripted(u'C', corner); }
 
 } // namespace pixelplumb

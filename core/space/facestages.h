@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/space/projection.h"
+#include "core/space/stagenames.h"
 
 #include <QString>
 
@@ -42,16 +43,7 @@ struct FaceStages {
     std::vector<SnappedCorner> corners; ///< of the clipped polygon, as kernels get them
 };
 
-/// "x_V₁": a clip coordinate of a vertex, as the polygon's formulas call it.
-QString clipName(QChar coordinate, std::size_t vertex);
-/// The name of the point, in the stage “Camera”, that has the camera's own numbers.
-QString cameraName();
-
 /// source: a face of the scene; its piece does not matter.
 FaceStages stagesOf(const SpaceScene &scene, const TriangleSource &source, int wExponent);
-
-/// "V₀": the name of a face's vertex; "C₀": of a clipped polygon's corner.
-QString faceVertexName(std::size_t vertex);
-QString clippedCornerName(std::size_t corner);
 
 } // namespace pixelplumb

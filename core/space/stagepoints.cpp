@@ -50,37 +50,25 @@ void writeCameraPoint(StagePoint &point, const SpaceScene &scene)
                               : QStringLiteral("1/(far − near)"));
 }
 
-void writeLightPoint(StagePoint &point, const Appearance &appearance, const Material &material,
-                     const LitColour<double> &used, const LitColour<ExactReal> &exact)
+void writeCarried(StagePoint &point, const ClippedCorner<double> &corner,
+                  const ClippedCorner<ExactReal> *exact)
 {
     StageNumberWriter numbers(point.numbers);
-    for (std::size_t i = 0; i < appearance.lights.size(); ++i) {
-        const Light &light = appearance.lights[i];
-        const auto usedTerm = lightTerm(appearance, light, material.shininess, used.point);
-        const auto exactTerm = lightTerm(appearance, light, material.shininess, exact.point);
-        const auto usedVectors = lightVectors(appearance, light, used.point);
-        const auto exactVectors = lightVectors(appearance, light, exact.point);
-        if (i == 0) {
-            numbers.add(QStringLiteral("_n"), usedVectors.normal, &exactVectors.normal);
-            numbers.add(QStringLiteral("_V"), usedVectors.toViewer, &exactVectors.toViewer);
-        }
-        numbers.add(QStringLiteral("_L%1").arg(i), usedVectors.toLight, &exactVectors.toLight);
-        numbers.add(QStringLiteral("_H%1").arg(i), usedVectors.halfway, &exactVectors.halfway);
-        const QString which = QStringLiteral(", light %1").arg(i);
-        numbers.add(QStringLiteral("max(0, N·L)") + which, usedTerm.diffuse, exactTerm.diffuse,
-                    QStringLiteral("max(0, x_n·x_L%1 + y_n·y_L%1 + z_n·z_L%1)").arg(i));
-        numbers.add(QStringLiteral("(N·H)ˢ") + which, usedTerm.specular, exactTerm.specular,
-                    usedTerm.diffuse > 0
-                        ? QStringLiteral("max(0, x_n·x_H%1 + y_n·y_H%1 + z_n·z_H%1)^%2")
-                              .arg(i)
-                              .arg(material.shininess)
-                        : QStringLiteral("0"));
-    }
-    const auto usedLevels = litLevels(appearance, material, used.colour, used.point);
-    const auto exactLevels = litLevels(appearance, material, exact.colour, exact.point);
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-        numbers.add(QString(channelLetters[channel]), usedLevels[channel], exactLevels[channel]);
-    }
+    const auto add = [&](QChar name, double used, const ExactReal *exactly) {
+        const QString inside = clipName(name, corner.inside);
+        numbers.add(
+            QString(name), used, exactly,
+            corner.isCut()
+                ? QStringLiteral("%1 + t·(%2 − %1)").arg(inside, clipName(name, corner.outside))
+                : inside);
+    };
+    const ClipVertex<double> &vertex = corner.vertex;
+    add(u'u', vertex.texture[0], exact ? &exact->vertex.texture[0] : nullptr);
+    add(u'v', vertex.texture[1], exact ? &exact->vertex.texture[1] : nullptr);
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        add(channelLetters[channel], vertex.levels[channel],
+            exact ? &exact->vertex.levels[channel] : nullptr);
+    add(u'α', vertex.levels[3], exact ? &exact->vertex.levels[3] : nullptr);
 }
 
 void writeSnappedPoint(StagePoint &point, const SnappedCorner &corner,
@@ -106,14 +94,18 @@ void writeSnappedPoint(StagePoint &point, const SnappedCorner &corner,
     numbers.add(QStringLiteral("w"), value(attributes.w), exact ? &exactW : nullptr,
                 attributes.w > 1 ? QStringLiteral("⌊%1 + ½⌋/16777216").arg(scaled) : QString());
     numbers.add(QStringLiteral("u"), value(attributes.texture[0]),
-                exact ? &exact->vertex.texture[0] : nullptr);
+                exact ? &exact->vertex.texture[0] : nullptr,
+                QStringLiteral("⌊16777216·u′ + ½⌋/16777216"));
     numbers.add(QStringLiteral("v"), value(attributes.texture[1]),
-                exact ? &exact->vertex.texture[1] : nullptr);
+                exact ? &exact->vertex.texture[1] : nullptr,
+                QStringLiteral("⌊16777216·v′ + ½⌋/16777216"));
     for (std::size_t channel = 0; channel < 3; ++channel) {
         numbers.add(QString(channelLetters[channel]), vertex.colour.channels[channel],
-                    exact ? &exact->vertex.levels[channel] : nullptr);
+                    exact ? &exact->vertex.levels[channel] : nullptr,
+                    QStringLiteral("⌊%1′ + ½⌋").arg(channelLetters[channel]));
     }
-    numbers.add(QStringLiteral("α"), attributes.alpha, exact ? &exact->vertex.levels[3] : nullptr);
+    numbers.add(QStringLiteral("α"), attributes.alpha, exact ? &exact->vertex.levels[3] : nullptr,
+                QStringLiteral("⌊α′ + ½⌋"));
 }
 
 } // namespace pixelplumb

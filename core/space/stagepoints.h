@@ -12,9 +12,10 @@ namespace pixelplumb {
 /// The camera's own numbers, from which those of all stages are worked out.
 void writeCameraPoint(StagePoint &point, const SpaceScene &scene);
 
-/// The light at a vertex or at a face's centre: n, L, V and H, the terms of each light, the levels.
-void writeLightPoint(StagePoint &point, const Appearance &appearance, const Material &material,
-                     const LitColour<double> &used, const LitColour<ExactReal> &exact);
+/// What a corner of the clipped polygon has of its vertex, or of the two ends of the edge that is
+/// cut: u, v, the levels and the alpha.
+void writeCarried(StagePoint &point, const ClippedCorner<double> &corner,
+                  const ClippedCorner<ExactReal> *exact);
 
 /// A corner of the clipped polygon without rounding.
 struct ExactCorner {

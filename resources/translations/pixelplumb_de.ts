@@ -1206,11 +1206,15 @@
         <translation>Wahrheit nicht bekannt</translation>
     </message>
     <message>
-        <source>%1 wrong, proved</source>
-        <translation>%1 falsch, bewiesen</translation>
+        <source>All pixels correct</source>
+        <translation>Alle Pixel richtig</translation>
     </message>
     <message>
-        <source>%1 wrong px, truth %2 px</source>
+        <source>The method is proved to draw every pixel right.</source>
+        <translation>Dass das Verfahren jedes Pixel richtig zeichnet, ist bewiesen.</translation>
+    </message>
+    <message>
+        <source>%1 px wrong, truth %2 px</source>
         <translation>%1 px falsch, Wahrheit %2 px</translation>
     </message>
     <message>
@@ -2933,12 +2937,12 @@
         <translation>Haltepunkt auf der Spalte</translation>
     </message>
     <message>
-        <source>Hold Shift</source>
-        <translation>Umschalt halten</translation>
+        <source>Hold Shift alone</source>
+        <translation>Umschalt allein halten</translation>
     </message>
     <message>
-        <source>See the truth</source>
-        <translation>Die Wahrheit sehen</translation>
+        <source>See the truth, after %1 s</source>
+        <translation>Nach %1 s die Wahrheit sehen</translation>
     </message>
     <message>
         <source>Esc</source>
@@ -5565,6 +5569,13 @@
     </message>
 </context>
 <context>
+    <name>pixelplumb::PredictVeil</name>
+    <message>
+        <source>This panel shows the finished picture. Predict hides it until the run has come to its end (F5), or Predict is closed.</source>
+        <translation>Hier steht das fertige Bild. „Vorhersagen“ verdeckt es, bis der Lauf am Ende ist (F5) oder „Vorhersagen“ geschlossen wird.</translation>
+    </message>
+</context>
+<context>
     <name>pixelplumb::PredictWords</name>
     <message>
         <source>%1 is the whole number nearest to %2</source>
@@ -6480,6 +6491,14 @@
     <message>
         <source>Wrong pixels and time of the method in hand</source>
         <translation>Falsche Pixel und Zeit des aktuellen Verfahrens</translation>
+    </message>
+    <message>
+        <source>Submission: %1</source>
+        <translation>Abgabe: %1</translation>
+    </message>
+    <message>
+        <source>The method itself: %1</source>
+        <translation>Das Verfahren selbst: %1</translation>
     </message>
     <message>
         <source>as forced: %1</source>

@@ -19,7 +19,7 @@ public:
 
     std::optional<NumberRange> result()
     {
-        const NumberRange range = sum();
+        const NumberRange range = choice();
         if (m_failed || m_place != m_text.size() || std::isnan(range.least)
             || std::isnan(range.greatest))
             return std::nullopt;
@@ -55,6 +55,29 @@ private:
         m_failed = !takes(character) || m_failed;
     }
 
+    /// "1 if 3 > 2, else 0": both where what is known does not tell.
+    NumberRange choice()
+    {
+        const NumberRange value = sum();
+        skipBlanks();
+        if (!takesWord(u"if "))
+            return value;
+        const NumberRange left = sum();
+        skipBlanks();
+        const bool isLess = takes(u'<');
+        m_failed = m_failed || (!isLess && !takes(u'>'));
+        const NumberRange right = sum();
+        expect(u',');
+        m_failed = !takesWord(u" else ") || m_failed;
+        const NumberRange other = sum();
+        const NumberRange &small = isLess ? left : right;
+        const NumberRange &large = isLess ? right : left;
+        if (small.greatest < large.least)
+            return value;
+        if (small.least >= large.greatest)
+            return other;
+        return {std::min(value.least, other.least), std::max(value.greatest, other.greatest)};
+    }
     NumberRange sum()
     {
         NumberRange value = product();

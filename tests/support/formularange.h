@@ -15,7 +15,8 @@ namespace pixelplumb {
 class FormulaRange {
 public:
     /// Works out + − · / mod ² ^ √ ( ) ⌈ ⌉ ⌊ ⌋ (int) min( , ) max( , ) cos sin, ½, decimals and
-    /// mixed numbers ("-17 3/8"). None where words or names are left in the text or a divisor is 0.
+    /// mixed numbers ("-17 3/8"), and "1 if 3 > 2, else 0". None where words or names are left in
+    /// the text or a divisor is 0.
     static std::optional<FormulaRange> of(const QString &text, Arithmetic arithmetic);
     /// The same in numbers that wrap, as fixed-point numbers do where an operation leaves their
     /// range. What is computed in integers beside them does not.

@@ -30,7 +30,8 @@ public:
         std::shared_ptr<const ScenePicture> picture = nullptr;
         /// What forcing changes, in place of what differs from the truth; null where nothing does.
         std::shared_ptr<const DifferenceMap> changes = nullptr;
-        /// A student's picture, in place of all of these; decided at every position.
+        /// A student's picture, in place of all of these; decided at every position where there is
+        /// no run.
         std::shared_ptr<const PictureJudgement> judgement = nullptr;
 
         const DifferenceMap &differences() const
@@ -41,7 +42,7 @@ public:
         }
         std::size_t decidedAt(std::int64_t x, std::int64_t y) const
         {
-            return traced && !judgement ? traced->decidedAt(x, y) : 0;
+            return traced ? traced->decidedAt(x, y) : 0;
         }
         friend bool operator==(const Source &, const Source &) = default;
     };

@@ -5,6 +5,7 @@
 #include "widgets/canvas/canvasmouse.h"
 #include "widgets/canvas/canvasview.h"
 #include "widgets/canvas/imagehandles.h"
+#include "widgets/look/displayoptions.h"
 #include "widgets/model/playhead.h"
 
 #include <QGuiApplication>
@@ -15,8 +16,6 @@
 namespace pixelplumb {
 
 namespace {
-
-constexpr int peekDelay = 180; ///< ms: Shift with another key is not a wish to peek
 
 /// The direction of an arrow key on the screen, y downward; none for other keys.
 std::optional<QPoint> directionOf(int key)

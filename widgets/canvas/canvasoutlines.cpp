@@ -192,6 +192,18 @@ void addOutlines(CanvasScene &scene, const CanvasSources &sources, const CanvasV
     };
     for (const int primitive : choice.primitives(primitivesInHand(sources, hand.hovered))) {
         addOutline(scene, primitive, sources, view);
+        if (!choice.hasHandles(primitive)) {
+            std::vector<std::optional<VertexRef>> inHand = {document.selectedVertex()};
+            if (hand.hovered != inHand.front())
+                inHand.push_back(hand.hovered);
+            for (const std::optional<VertexRef> &ref : inHand) {
+                const auto vertex
+                    = ref && ref->primitive == primitive ? document.vertexAt(*ref) : std::nullopt;
+                if (vertex)
+                    addHandle(*ref, *vertex);
+            }
+            continue;
+        }
         const std::vector<Vertex> vertices = document.verticesOf(primitive);
         for (std::size_t i = 0; i < vertices.size(); ++i)
             addHandle({primitive, int(i)}, vertices[i]);
@@ -219,8 +231,11 @@ std::optional<VertexRef> vertexAt(const QPointF &position, const CanvasSources &
             const LatticePoint place = sources.document->atFrameInHand(vertices[i].position);
             if (!box.contains(place))
                 continue;
-            const bool hasHandle = !choice.isCrowded() || inHand.holds(primitive);
-            nearest.offer({primitive, int(i)}, view.positionOf(place) - position,
+            const VertexRef ref{primitive, int(i)};
+            const bool hasHandle = ref == inHand.selected
+                || (choice.hasHandles(primitive)
+                    && (!choice.isCrowded() || inHand.holds(primitive)));
+            nearest.offer(ref, view.positionOf(place) - position,
                           hasHandle ? handleHitRadius : bareHitRadius);
         }
     };

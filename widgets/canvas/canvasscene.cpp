@@ -60,7 +60,9 @@ public:
         if (!m_options.areDifferencesShown() || m_isTruth)
             return;
         if (m_judgement && m_judgement->frame == m_view.mapping().frame()) {
-            m_scene.marked = CanvasDifferences::Source{.judgement = m_judgement};
+            // What is missing or extra ahead of the step in hand would tell what is asked for.
+            const auto paced = m_playhead.isAheadHidden() ? m_playhead.sharedTraced() : nullptr;
+            m_scene.marked = CanvasDifferences::Source{.traced = paced, .judgement = m_judgement};
             return;
         }
         m_scene.marked = preview ? CanvasDifferences::Source{nullptr, m_previewer->picture()}

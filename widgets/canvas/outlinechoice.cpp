@@ -32,6 +32,22 @@ SceneBox sceneBoxOf(const QRectF &view, const ViewMapping &mapping)
         {std::max(first.x, last.x) + offset + device, std::max(first.y, last.y) + offset + device}};
 }
 
+/// A primitive with its number of vertices in view.
+struct OutlineChoice::Counted {
+    int primitive = 0;
+    std::size_t vertices = 0;
+};
+
+void OutlineChoice::take(const Counted &counted)
+{
+    m_inView.push_back(counted.primitive);
+    if (counted.vertices > mostHandles)
+        m_bare.push_back(counted.primitive);
+    else
+        m_verticesInView += counted.vertices;
+    m_isCrowded = m_inView.size() > mostInView || m_verticesInView > mostVertices;
+}
+
 void OutlineChoice::lookUp(const SceneDocument &document, const ViewMapping &mapping,
                            const QRectF &view)
 {
@@ -41,19 +57,34 @@ void OutlineChoice::lookUp(const SceneDocument &document, const ViewMapping &map
     m_mapping = mapping;
     m_view = view;
     m_inView.clear();
+    m_bare.clear();
+    m_verticesInView = 0;
+    m_isCrowded = false;
     const Scene &scene = document.scene();
     SceneBox box = sceneBoxOf(
         view.adjusted(-handleMargin, -handleMargin, handleMargin, handleMargin), mapping);
     box.least = document.fromFrameInHand(box.least);
     box.greatest = document.fromFrameInHand(box.greatest);
-    for (std::size_t i = 0; i < scene.triangles.size() && m_inView.size() <= mostInView; ++i) {
+    for (std::size_t i = 0; i < scene.triangles.size() && !m_isCrowded; ++i) {
         if (box.touches(scene.triangles[i]))
-            m_inView.push_back(int(i));
+            take({int(i), 3});
     }
-    // A shape may reach far beyond its vertices, so each counts as in view.
-    for (std::size_t i = 0; i < scene.shapes.size() && m_inView.size() <= mostInView; ++i)
-        m_inView.push_back(int(scene.triangles.size() + i));
-    m_isCrowded = m_inView.size() > mostInView;
+    // A shape may reach far beyond its vertices, so each counts as in view. Which of them have no
+    // handles is known of all.
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+        const std::vector<Vertex> &vertices = scene.shapes[i].vertices;
+        const auto seen = std::ranges::count_if(
+            vertices, [&box](const Vertex &vertex) { return box.contains(vertex.position); });
+        if (!m_isCrowded)
+            take({int(scene.triangles.size() + i), std::size_t(seen)});
+        else if (std::size_t(seen) > mostHandles)
+            m_bare.push_back(int(scene.triangles.size() + i));
+    }
+}
+
+bool OutlineChoice::hasHandles(int primitive) const
+{
+    return !std::ranges::binary_search(m_bare, primitive);
 }
 
 std::vector<int> OutlineChoice::primitives(const InHand &inHand) const

@@ -151,7 +151,7 @@ void KeysDialog::fill(const QList<QMenu *> &menus)
             m_actions += action;
             new QTreeWidgetItem(
                 m_rows,
-                {tr("%1 ▸ %2").arg(withoutMnemonic(menu->title()), withoutMnemonic(action->text())),
+                {tr("%1 ▸ %2").arg(withoutMnemonic(menu->title()), listedText(*action)),
                  shownKeys(*action)});
         }
     }
@@ -207,7 +207,7 @@ void KeysDialog::offerKeys(const QList<QKeySequence> &keys)
             m_message->setText(
                 tr("%1 is the key of “%2”: take another, or take that one's key "
                    "away first.")
-                    .arg(key.toString(QKeySequence::NativeText), withoutMnemonic(other->text())));
+                    .arg(key.toString(QKeySequence::NativeText), listedText(*other)));
             return;
         }
     }
@@ -226,9 +226,8 @@ void KeysDialog::giveKeys(QAction *action, const QList<QKeySequence> &keys)
     if (action == actionInHand())
         m_key->setKeySequence(action->shortcut());
     m_message->setText(
-        keys.isEmpty()
-            ? tr("“%1” has no key.").arg(withoutMnemonic(action->text()))
-            : tr("“%1” has the key %2.").arg(withoutMnemonic(action->text()), shownKeys(*action)));
+        keys.isEmpty() ? tr("“%1” has no key.").arg(listedText(*action))
+                       : tr("“%1” has the key %2.").arg(listedText(*action), shownKeys(*action)));
 }
 
 } // namespace pixelplumb

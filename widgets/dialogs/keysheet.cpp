@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/dialogs/keysheet.h"
 
+#include "widgets/look/displayoptions.h"
 #include "widgets/look/menuaction.h"
 
 #include <QBoxLayout>
@@ -37,7 +38,7 @@ QString rowsOf(const QMenu *menu)
             continue;
         const bool isCanvasKey = action->shortcutContext() != Qt::WindowShortcut
             && action->shortcutContext() != Qt::ApplicationShortcut;
-        rows += row(keys.join(QLatin1String(", ")), plainText(action->text()),
+        rows += row(keys.join(QLatin1String(", ")), listedText(*action).toHtmlEscaped(),
                     isCanvasKey ? KeySheet::tr("in the canvas") : QString());
     }
     return rows;
@@ -64,7 +65,8 @@ QString mouseRows()
         + row(KeySheet::tr("Click, drag on the ruler"), KeySheet::tr("Go to the column"))
         + row(KeySheet::tr("Right or double click on the ruler"),
               KeySheet::tr("Breakpoint on the column"))
-        + row(KeySheet::tr("Hold Shift"), KeySheet::tr("See the truth"))
+        + row(KeySheet::tr("Hold Shift alone"),
+              KeySheet::tr("See the truth, after %1 s").arg(double(peekDelay.count()) / 1000))
         + row(KeySheet::tr("Esc"), KeySheet::tr("Give up the drag, or the vertices that wait"));
 }
 

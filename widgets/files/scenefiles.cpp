@@ -170,7 +170,6 @@ void SceneFiles::loadDefault()
             return;
         }
         replaceBy(std::move(reading->scene), {});
-        emit begun();
     }
 }
 

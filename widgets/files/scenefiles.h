@@ -26,7 +26,7 @@ class SceneFiles : public QObject {
     Q_OBJECT
 
 public:
-    /// The scene with which the program starts and "new" begins.
+    /// The scene with which the program starts.
     static QString defaultScenePath();
 
     SceneFiles(SceneDocument *document, RecentFiles *recent, QWidget *window);
@@ -78,7 +78,7 @@ signals:
     void replacing();
     void pathChanged();
     void loaded();
-    void begun(); ///< after loaded(): at the first scene or an empty one, a person begins to draw
+    void begun(); ///< after loaded(): the scene is empty, a person begins to draw
     void loadingFailed(); ///< after a complaint, or cancelled: the document is as it was
     void complaint(const QString &text);
     void notice(const QString &text);

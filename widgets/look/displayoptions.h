@@ -6,12 +6,17 @@
 #include <QObject>
 #include <QStringList>
 
+#include <chrono>
 #include <optional>
 
 namespace pixelplumb {
 
 /// How the bytes in cells are written: 0 … 255 or 00 … ff.
 enum class ByteNotation { Decimal, Hexadecimal };
+
+/// How long Shift is held alone before the canvas shows the truth: longer than a hand needs to get
+/// from Shift to the key that it presses with it.
+inline constexpr std::chrono::milliseconds peekDelay(700);
 
 /// What the views draw over the frame. Shared by the canvas, the pixel grid and the menus.
 class DisplayOptions : public QObject {

@@ -48,7 +48,8 @@ public:
     void drawGrid();
     void drawOutline(const std::array<LatticePoint, 3> &corners, const EdgeRoles &roles);
     /// The curve that a shape stands for, a Bézier curve's control polygon, and how the corner of a
-    /// circle's box belongs to it.
+    /// circle's box belongs to it. Where it would be so dense that it hides the picture, the bounds
+    /// of its vertices, dashed.
     void drawShapeOutline(const Shape &shape);
     /// The edges and the corners C₀, C₁, … of a polygon that clipping made, and between its corners
     /// those of the fan of triangles that is drawn.
@@ -89,6 +90,8 @@ public:
 private:
     static constexpr double handleRadius = 5; ///< logical pixels
 
+    void drawOutlineLines(const std::vector<QLineF> &lines, double length);
+    void drawBounds(const std::vector<QPointF> &points); ///< at least one
     QColor casing() const;
     void fillDevice(const QRect &device, const QColor &colour);
     /// A bound's symbol with its subscript: y_B, x_L.

@@ -21,6 +21,12 @@ constexpr double outlineWidth = 1.5;
 constexpr double clippedWidth = 2.5; ///< of the polygon that clipping made
 constexpr double offScreenSize = 7; ///< of the off-screen point's mark, from its middle
 constexpr double largestCurve = 1e6;
+/// Of all lines of one outline that are seen. More hide the picture, and take longer than a hand
+/// waits: some 0.2 ms for 700 px of one line, twenty times that for 700 px of one stroke along a
+/// path that crosses itself.
+constexpr double longestOutline = 60'000;
+constexpr double longestStroke = 4'000;
+constexpr std::size_t mostOutlineLines = 1'000; ///< of curves, the pieces that they are drawn by
 
 std::vector<QPointF> positionsOf(const Shape &shape, const ViewMapping &mapping)
 {
@@ -121,11 +127,17 @@ bool hasCurves(const QPainterPath &path)
     return false;
 }
 
-/// What of a path lies in a rectangle, as polylines: painters lose precision far outside. Its
-/// extent may be zero in either direction, as a level line's is.
-QPainterPath visiblePart(const QPainterPath &path, const QRectF &rect)
+/// What of a path lies in a rectangle: painters lose precision far outside. Its extent may be zero
+/// in either direction, as a level line's is.
+struct VisibleLines {
+    std::vector<QLineF> lines; ///< one after the other along the path
+    double length = 0; ///< of all, logical pixels
+    bool isTooDense = false; ///< there are more; those are not all
+};
+
+VisibleLines visibleLines(const QPainterPath &path, const QRectF &rect)
 {
-    QPainterPath visible;
+    VisibleLines visible;
     // Where curves are larger, their pieces are not straight to a pixel any more.
     const QRectF extent = path.boundingRect();
     if (std::max(extent.width(), extent.height()) > largestCurve && hasCurves(path))
@@ -135,20 +147,66 @@ QPainterPath visiblePart(const QPainterPath &path, const QRectF &rect)
             const std::optional<QLineF> piece = clipped({polygon[i - 1], polygon[i]}, rect);
             if (!piece)
                 continue;
-            if (visible.isEmpty() || visible.currentPosition() != piece->p1())
-                visible.moveTo(piece->p1());
-            visible.lineTo(piece->p2());
+            visible.lines.push_back(*piece);
+            visible.length += piece->length();
+            visible.isTooDense
+                = visible.lines.size() > mostOutlineLines || visible.length > longestOutline;
+            if (visible.isTooDense)
+                return visible;
         }
     }
     return visible;
 }
 
+QPainterPath joined(const std::vector<QLineF> &lines)
+{
+    QPainterPath path;
+    for (const QLineF &line : lines) {
+        if (path.isEmpty() || path.currentPosition() != line.p1())
+            path.moveTo(line.p1());
+        path.lineTo(line.p2());
+    }
+    return path;
+}
+
 } // namespace
+
+/// One stroke along the whole path has the better joints and takes far longer.
+void FramePainter::drawOutlineLines(const std::vector<QLineF> &lines, double length)
+{
+    QColor around = casing();
+    around.setAlphaF(0.8F);
+    m_painter.setRenderHint(QPainter::Antialiasing);
+    m_painter.setBrush(Qt::NoBrush);
+    for (const QPen &pen : {QPen(around, outlineWidth + 2),
+                            QPen(signColour(Sign::VertexMark, m_palette), outlineWidth)}) {
+        m_painter.setPen(pen);
+        if (length <= longestStroke)
+            m_painter.drawPath(joined(lines));
+        else
+            m_painter.drawLines(lines.data(), int(lines.size()));
+    }
+}
+
+void FramePainter::drawBounds(const std::vector<QPointF> &points)
+{
+    const auto [left, right] = std::ranges::minmax(points, {}, &QPointF::x);
+    const auto [top, bottom] = std::ranges::minmax(points, {}, &QPointF::y);
+    const std::array corners = {QPointF(left.x(), top.y()), QPointF(right.x(), top.y()),
+                                QPointF(right.x(), bottom.y()), QPointF(left.x(), bottom.y())};
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        drawCased({corners[i], corners[(i + 1) % corners.size()]},
+                  signColour(Sign::VertexMark, m_palette), outlineWidth, Qt::DashLine);
+}
 
 void FramePainter::drawShapeOutline(const Shape &shape)
 {
     const std::vector<QPointF> points = positionsOf(shape, m_mapping);
-    if (shape.kind == PrimitiveKind::Bezier) {
+    const QRectF seen = m_view.adjusted(-9, -9, 9, 9);
+    const VisibleLines visible = visibleLines(curveOf(shape, points), seen);
+    if (visible.isTooDense)
+        return drawBounds(points);
+    if (shape.kind == PrimitiveKind::Bezier && points.size() <= mostOutlineLines) {
         for (const std::span<const QPointF> piece : piecesOf(shape, points)) {
             for (std::size_t i = 1; i < piece.size(); ++i)
                 drawCased({piece[i - 1], piece[i]}, signColour(Sign::VertexMark, m_palette), 1,
@@ -162,15 +220,7 @@ void FramePainter::drawShapeOutline(const Shape &shape)
             drawCased({points[1], touching}, signColour(Sign::VertexMark, m_palette), 1,
                       Qt::DotLine);
     }
-    const QPainterPath path = visiblePart(curveOf(shape, points), m_view.adjusted(-9, -9, 9, 9));
-    QColor around = casing();
-    around.setAlphaF(0.8F);
-    m_painter.setRenderHint(QPainter::Antialiasing);
-    m_painter.setBrush(Qt::NoBrush);
-    m_painter.setPen(QPen(around, outlineWidth + 2));
-    m_painter.drawPath(path);
-    m_painter.setPen(QPen(signColour(Sign::VertexMark, m_palette), outlineWidth));
-    m_painter.drawPath(path);
+    drawOutlineLines(visible.lines, visible.length);
 }
 
 void FramePainter::drawClippedPolygon(const std::vector<LatticePoint> &corners)

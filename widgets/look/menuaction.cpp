@@ -5,6 +5,12 @@
 
 namespace pixelplumb {
 
+namespace {
+
+constexpr const char *listedTextProperty = "listedText";
+
+} // namespace
+
 QList<QAction *> actionsIn(const QMenu &menu)
 {
     QList<QAction *> all;
@@ -23,6 +29,17 @@ QString withoutMnemonic(QString text)
     if (text.endsWith(QChar(0x2026))) // …
         text.chop(1);
     return text.trimmed(); // some languages set it apart
+}
+
+QString listedText(const QAction &action)
+{
+    const QVariant fixed = action.property(listedTextProperty);
+    return withoutMnemonic(fixed.isValid() ? fixed.toString() : action.text());
+}
+
+void setListedText(QAction *action, const QString &text)
+{
+    action->setProperty(listedTextProperty, text);
 }
 
 QString tipWithKey(const QString &tip, const QKeySequence &key)

@@ -25,6 +25,11 @@ QList<QAction *> actionsIn(const QMenu &menu);
 /// "&Open…" as it is read: "Open".
 QString withoutMnemonic(QString text);
 
+/// What lists of keys call an action: as withoutMnemonic(), but for one whose text in its menu says
+/// what it would do now, such as "Undo place vertex". That one is called as it was last set here.
+QString listedText(const QAction &action);
+void setListedText(QAction *action, const QString &text);
+
 /// "Play (Space)"; without a key the tip alone.
 QString tipWithKey(const QString &tip, const QKeySequence &key);
 /// Gives the action other keys; a tool tip that ends with its first key ends with the new one.

@@ -42,7 +42,8 @@ public:
     const std::vector<Vertex> &pendingVertices() const { return m_pending; }
     QUndoStack *undoStack() { return &m_undoStack; }
     /// Whether closing would lose something: the primitives, settings or waiting vertices are not
-    /// those that were saved. Vertices that were discarded or undone leave nothing behind.
+    /// those that were saved. Vertices that were discarded or undone leave nothing behind, and
+    /// another method is another way to look at the same scene.
     bool isModified() const { return m_state != m_savedState || m_pending != m_savedPending; }
 
     Snap snap() const { return m_snap; }

@@ -4,6 +4,7 @@
 #include "widgets/look/methodtitle.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
+#include "widgets/model/sceneedit.h"
 
 #include <algorithm>
 
@@ -61,7 +62,8 @@ void SceneDocument::setMethod(const std::string &method)
     after.method = method;
     if (kindPlacedWith(*chosen) != placedKind())
         after.pending.clear();
-    edit(tr("change method"), before, after);
+    m_undoStack.push(new SceneEdit(*this, tr("change method"), before, after, std::nullopt,
+                                   SceneEdit::Of::View));
     tellAdaptation(asked);
     if (antialiasesLines(*chosen) && antialiasingOf(m_scene.appearance) == Antialiasing::None)
         emit notice(

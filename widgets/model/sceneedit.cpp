@@ -6,13 +6,14 @@
 namespace pixelplumb {
 
 SceneEdit::SceneEdit(SceneDocument &document, const QString &text, ScenePiece before,
-                     ScenePiece after, const std::optional<Drag> &drag)
+                     ScenePiece after, const std::optional<Drag> &drag, Of of)
     : QUndoCommand(text)
     , m_document(&document)
     , m_before(std::move(before))
     , m_after(std::move(after))
     , m_stateBefore(document.m_state)
-    , m_stateAfter(m_before.hasSceneOf(m_after) ? m_stateBefore : ++document.m_lastState)
+    , m_stateAfter(of == Of::View || m_before.hasSceneOf(m_after) ? m_stateBefore
+                                                                  : ++document.m_lastState)
     , m_drag(drag)
 {
 }

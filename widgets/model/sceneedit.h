@@ -18,9 +18,13 @@ struct Drag {
 /// Any change of a document: a piece of it before and after.
 class SceneEdit final : public QUndoCommand {
 public:
+    /// What closing without saving would lose: a change of the scene, or nothing but another way to
+    /// look at it, by another method and with the settings that this one keeps.
+    enum class Of { Scene, View };
+
     /// Edits of the same drag become one.
     SceneEdit(SceneDocument &document, const QString &text, ScenePiece before, ScenePiece after,
-              const std::optional<Drag> &drag = std::nullopt);
+              const std::optional<Drag> &drag = std::nullopt, Of of = Of::Scene);
 
     void redo() override { m_document->exchange(m_before, m_after, m_stateAfter); }
     void undo() override { m_document->exchange(m_after, m_before, m_stateBefore); }

@@ -39,10 +39,12 @@ void EditMenu::addUndo()
     QUndoStack *stack = m_parts.document->undoStack();
     QAction *undo = stack->createUndoAction(this, tr("&Undo"));
     undo->setObjectName(QStringLiteral("undo"));
+    setListedText(undo, tr("&Undo"));
     undo->setShortcut(QKeySequence::Undo);
     addAction(undo);
     QAction *redo = stack->createRedoAction(this, tr("&Redo"));
     redo->setObjectName(QStringLiteral("redo"));
+    setListedText(redo, tr("&Redo"));
     redo->setShortcuts({Qt::CTRL | Qt::SHIFT | Qt::Key_Z, Qt::CTRL | Qt::Key_Y});
     addAction(redo);
 }

@@ -56,6 +56,11 @@ namespace pixelplumb {
 
 namespace {
 
+/// Asked for by the window itself, so that no panel that is opened, dragged or reset can make the
+/// window larger than a person has made it: panels that do not fit have less room than they ask
+/// for.
+constexpr QSize leastSize(800, 500);
+
 ColumnPlaces columnPlacesOf(const Canvas &canvas)
 {
     const double origin = canvas.positionOf(QPoint(0, 0)).x();
@@ -70,6 +75,7 @@ MainWindow::MainWindow(QWidget *parent)
 {
     setObjectName(QStringLiteral("mainWindow"));
     setAcceptDrops(true);
+    setMinimumSize(leastSize);
     m_palettes = new PaletteSwitch(this);
     makeParts();
     makeCentre();
@@ -224,10 +230,9 @@ void MainWindow::connectParts()
     connect(m_parts.files, &SceneFiles::replacing, m_parts.playhead,
             [this] { m_parts.playhead->setTraced(nullptr); });
     connect(m_parts.files, &SceneFiles::replacing, m_parts.effects, &EffectSwitches::reset);
-    connect(m_parts.files, &SceneFiles::begun, m_parts.canvas, [canvas = m_parts.canvas] {
-        canvas->setTool(CanvasTool::Draw);
-        canvas->fitToView();
-    });
+    connect(m_parts.files, &SceneFiles::loaded, m_parts.canvas, &Canvas::fitToView);
+    connect(m_parts.files, &SceneFiles::begun, m_parts.canvas,
+            [canvas = m_parts.canvas] { canvas->setTool(CanvasTool::Draw); });
     for (const auto come : {&SceneFiles::begun, &SceneFiles::loaded})
         connect(m_parts.files, come, this, &MainWindow::giveKeysToTheScene);
     connect(m_parts.files, &SceneFiles::loaded, this, [this] {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/window/methodbar.h"
 
+#include "core/methods/method.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/elidingbox.h"
 #include "widgets/look/methodsummary.h"
@@ -24,15 +25,18 @@ namespace {
 /// titles.
 constexpr int shownTitleLength = 15;
 
+QString methodNote(const QString &text)
+{
+    return MethodBar::tr("The method %1").arg(withTitles(text));
+}
+
 /// Grey, with what the method objects to it, if it does.
 void setObjection(QComboBox *box, int row, const QString &objection, const QString &meaning)
 {
     auto *model = qobject_cast<QStandardItemModel *>(box->model());
     QStandardItem *item = model->item(row);
     item->setEnabled(objection.isEmpty());
-    item->setToolTip(toolTipHtml(
-        {objection.isEmpty() ? meaning
-                             : MethodBar::tr("The method %1").arg(withTitles(objection))}));
+    item->setToolTip(toolTipHtml({objection.isEmpty() ? meaning : methodNote(objection)}));
 }
 
 QString meaningOf(Arithmetic arithmetic)
@@ -80,11 +84,18 @@ QString meaningOf(ByteRounding rounding)
     return {};
 }
 
-/// Fills a box with all values of a setting and says which ones the method refuses.
+/// Shows all values of a setting in its box, says which ones the method refuses, and greys the box
+/// where none of them would change anything.
 template <class Choices, class Choice>
-void showChoices(QComboBox *box, const Choices &choices, const Method *method,
-                 const ScanSettings &settings, Choice ScanSettings::*member)
+void showChoices(const MethodBar::Setting &shown, const Choices &choices, const Scene &scene,
+                 Choice ScanSettings::*member)
 {
+    QComboBox *box = shown.box;
+    const Method *method = methodNamed(QString::fromStdString(scene.method));
+    const ScanSettings &settings = scene.settings;
+    const QString idle = idleReason(shown.setting, scene);
+    box->setEnabled(idle.isEmpty());
+    box->setToolTip(idle.isEmpty() ? shown.meaning : methodNote(idle));
     for (int row = 0; row < int(choices.size()); ++row) {
         ScanSettings chosen = settings;
         chosen.*member = choices[std::size_t(row)];
@@ -109,12 +120,12 @@ MethodBar::MethodBar(SceneDocument *document, QWidget *parent)
     m_layout->addWidget(m_method); // without a label: a method's title says what it is
     m_method->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_method->setMinimumContentsLength(shownTitleLength);
-    m_arithmetic = addBox(QStringLiteral("arithmeticBox"), tr("Arithmetic"),
-                          tr("What the increments are computed in"));
-    m_fillRule = addBox(QStringLiteral("fillRuleBox"), tr("Fill rule"),
-                        tr("Who owns a sample that lies exactly on an edge"));
-    m_rounding = addBox(QStringLiteral("roundingBox"), tr("Rounding"),
-                        tr("How a colour level becomes a byte"));
+    m_arithmetic = addSetting(DrawingSetting::Arithmetic, QStringLiteral("arithmeticBox"),
+                              tr("Arithmetic"), tr("What the increments are computed in"));
+    m_fillRule = addSetting(DrawingSetting::FillRule, QStringLiteral("fillRuleBox"),
+                            tr("Fill rule"), tr("Who owns a sample that lies exactly on an edge"));
+    m_rounding = addSetting(DrawingSetting::Rounding, QStringLiteral("roundingBox"), tr("Rounding"),
+                            tr("How a colour level becomes a byte"));
     addMethods();
     addSettings();
     connect(document, &SceneDocument::sceneChanged, this, &MethodBar::followScene);
@@ -131,15 +142,16 @@ QComboBox *MethodBar::makeBox(const QString &name, const QString &label, const Q
     return box;
 }
 
-QComboBox *MethodBar::addBox(const QString &name, const QString &label, const QString &toolTip)
+MethodBar::Setting MethodBar::addSetting(DrawingSetting setting, const QString &name,
+                                         const QString &label, const QString &meaning)
 {
-    QComboBox *box = makeBox(name, label, toolTip);
+    QComboBox *box = makeBox(name, label, meaning);
     auto *text = new QLabel(label, this);
     text->setBuddy(box);
     m_layout->addSpacing(4);
     m_layout->addWidget(text);
     m_layout->addWidget(box);
-    return box;
+    return {setting, box, meaning};
 }
 
 void MethodBar::addMethods()
@@ -173,9 +185,9 @@ void MethodBar::addSettings()
             m_document->setSettings(settings);
         });
     };
-    fill(m_arithmetic, allArithmetics, &ScanSettings::arithmetic);
-    fill(m_fillRule, allFillRules, &ScanSettings::fillRule);
-    fill(m_rounding, allByteRoundings, &ScanSettings::rounding);
+    fill(m_arithmetic.box, allArithmetics, &ScanSettings::arithmetic);
+    fill(m_fillRule.box, allFillRules, &ScanSettings::fillRule);
+    fill(m_rounding.box, allByteRoundings, &ScanSettings::rounding);
 }
 
 void MethodBar::followScene()
@@ -185,9 +197,9 @@ void MethodBar::followScene()
     m_method->setCurrentIndex(m_method->findData(QString::fromStdString(scene.method)));
     m_method->setToolTip(chosen ? methodTitle(*chosen) + u'\n' + methodSummary(*chosen)
                                 : QString());
-    showChoices(m_arithmetic, allArithmetics, chosen, scene.settings, &ScanSettings::arithmetic);
-    showChoices(m_fillRule, allFillRules, chosen, scene.settings, &ScanSettings::fillRule);
-    showChoices(m_rounding, allByteRoundings, chosen, scene.settings, &ScanSettings::rounding);
+    showChoices(m_arithmetic, allArithmetics, scene, &ScanSettings::arithmetic);
+    showChoices(m_fillRule, allFillRules, scene, &ScanSettings::fillRule);
+    showChoices(m_rounding, allByteRoundings, scene, &ScanSettings::rounding);
 }
 
 } // namespace pixelplumb

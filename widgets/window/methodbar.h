@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/methods/method.h"
+#include "core/runs/idlesetting.h"
 
+#include <QString>
 #include <QWidget>
 
 class QBoxLayout;
@@ -13,16 +14,25 @@ namespace pixelplumb {
 class SceneDocument;
 
 /// How the scene is drawn: the method and its arithmetic, fill rule and rounding. The choices are
-/// the scene's and go through its undo stack; what a method refuses cannot be chosen and says why.
+/// the scene's and go through its undo stack; what a method refuses, or what would change nothing,
+/// cannot be chosen and says why.
 class MethodBar : public QWidget {
     Q_OBJECT
 
 public:
+    /// A setting's box, with what its tool tip says where there is a choice.
+    struct Setting {
+        DrawingSetting setting = DrawingSetting::Arithmetic;
+        QComboBox *box = nullptr;
+        QString meaning;
+    };
+
     explicit MethodBar(SceneDocument *document, QWidget *parent = nullptr);
 
 private:
     QComboBox *makeBox(const QString &name, const QString &label, const QString &toolTip);
-    QComboBox *addBox(const QString &name, const QString &label, const QString &toolTip);
+    Setting addSetting(DrawingSetting setting, const QString &name, const QString &label,
+                       const QString &meaning);
     void addMethods();
     void addSettings();
     void followScene();
@@ -30,9 +40,9 @@ private:
     SceneDocument *m_document;
     QBoxLayout *m_layout;
     QComboBox *m_method = nullptr;
-    QComboBox *m_arithmetic = nullptr;
-    QComboBox *m_fillRule = nullptr;
-    QComboBox *m_rounding = nullptr;
+    Setting m_arithmetic;
+    Setting m_fillRule;
+    Setting m_rounding;
 };
 
 } // namespace pixelplumb

@@ -37,9 +37,15 @@ MethodMenu::MethodMenu(const WindowParts &parts, QWidget *window)
     setToolTipsVisible(true);
     addMethods(parts.canvas);
     addSeparator();
-    addSettings("arithmeticMenu", tr("&Arithmetic"), allArithmetics, &ScanSettings::arithmetic);
-    addSettings("fillRuleMenu", tr("&Fill rule"), allFillRules, &ScanSettings::fillRule);
-    addSettings("roundingMenu", tr("&Rounding"), allByteRoundings, &ScanSettings::rounding);
+    greyWhereIdle(
+        addSettings("arithmeticMenu", tr("&Arithmetic"), allArithmetics, &ScanSettings::arithmetic),
+        DrawingSetting::Arithmetic);
+    greyWhereIdle(
+        addSettings("fillRuleMenu", tr("&Fill rule"), allFillRules, &ScanSettings::fillRule),
+        DrawingSetting::FillRule);
+    greyWhereIdle(
+        addSettings("roundingMenu", tr("&Rounding"), allByteRoundings, &ScanSettings::rounding),
+        DrawingSetting::Rounding);
     addVariants();
 }
 
@@ -107,9 +113,23 @@ void MethodMenu::addMethods(Canvas *canvas)
     }
 }
 
+/// With the reason, where no other choice would change anything.
+void MethodMenu::greyWhereIdle(QMenu *menu, DrawingSetting setting)
+{
+    QAction *entry = menu->menuAction();
+    const auto update = [this, entry, setting] {
+        const QString reason = idleReason(setting, m_document->scene());
+        entry->setEnabled(reason.isEmpty());
+        entry->setToolTip(reason.isEmpty() ? entry->text()
+                                           : tr("The method %1").arg(withTitles(reason)));
+    };
+    connect(m_document, &SceneDocument::sceneChanged, entry, update);
+    update();
+}
+
 template <class Choices, class Member>
-void MethodMenu::addSettings(const char *name, const QString &title, const Choices &choices,
-                             Member member)
+QMenu *MethodMenu::addSettings(const char *name, const QString &title, const Choices &choices,
+                               Member member)
 {
     QMenu *menu = addMenu(title);
     menu->setObjectName(QLatin1String(name));
@@ -138,6 +158,7 @@ void MethodMenu::addSettings(const char *name, const QString &title, const Choic
         connect(m_document, &SceneDocument::sceneChanged, action, update);
         update();
     }
+    return menu;
 }
 
 } // namespace pixelplumb

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/runs/idlesetting.h"
 #include "widgets/window/windowparts.h"
 
 #include <QMenu>
@@ -20,7 +21,9 @@ private:
     /// Departures from the right algorithm, any of them together.
     void addVariants();
     template <class Choices, class Member>
-    void addSettings(const char *name, const QString &title, const Choices &choices, Member member);
+    QMenu *addSettings(const char *name, const QString &title, const Choices &choices,
+                       Member member);
+    void greyWhereIdle(QMenu *menu, DrawingSetting setting);
 
     SceneDocument *m_document;
 };

@@ -79,6 +79,7 @@ constexpr Qt::DockWidgetArea rightArea = Qt::RightDockWidgetArea;
 constexpr Qt::DockWidgetArea bottomArea = Qt::BottomDockWidgetArea;
 constexpr auto shownAtFirst = Panel::AtFirst::Shown;
 constexpr auto hiddenAtFirst = Panel::AtFirst::Hidden;
+constexpr auto finished = Panel::Tells::Finished;
 
 constexpr Panel table[] = {
     {"formulaDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Formula"), follower<FormulaPanel>,
@@ -94,7 +95,7 @@ constexpr Panel table[] = {
     {"precisionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Precision"),
      follower<PrecisionPanel>, bottomArea, hiddenAtFirst},
     {"hardCasesDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Hard cases"),
-     follower<HardCasesPanel>, leftArea, hiddenAtFirst},
+     follower<HardCasesPanel>, leftArea, hiddenAtFirst, finished},
     {"performanceDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Performance"),
      follower<PerformancePanel>, leftArea, hiddenAtFirst},
     {"operationsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Operations"),
@@ -110,11 +111,11 @@ constexpr Panel table[] = {
     {"predictDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Predict"), predict, leftArea,
      hiddenAtFirst},
     {"motionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Motion"), motion, bottomArea,
-     hiddenAtFirst},
+     hiddenAtFirst, finished},
     {"primitivesDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Primitives"), primitives,
      leftArea, hiddenAtFirst},
     {"submissionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Submission"), submission,
-     leftArea, hiddenAtFirst},
+     leftArea, hiddenAtFirst, finished},
     {"gradingDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Grading"), grading, bottomArea,
      hiddenAtFirst},
     {"editsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Edits"), edits, leftArea,

@@ -16,12 +16,16 @@ namespace pixelplumb {
 /// and what "reset the layout" does, come from the table.
 struct Panel {
     enum class AtFirst { Shown, Hidden };
+    /// Whether it shows no more of the run than the steps up to the one in hand, or the finished
+    /// picture as well. The latter is hidden while Predict asks what lies ahead.
+    enum class Tells { SoFar, Finished };
 
     const char *dock; ///< its dock's object name
     const char *title; ///< to be translated in the context of WindowDocks
     QWidget *(*make)(const WindowParts &parts);
     Qt::DockWidgetArea area; ///< at the first start; hidden ones share a place
     AtFirst atFirst;
+    Tells tells = Tells::SoFar;
 };
 
 std::span<const Panel> panels();

@@ -22,7 +22,7 @@ void keepWide(QLabel *label, const QString &widest)
 
 } // namespace
 
-StatusFields::StatusFields(Playhead *playhead, QWidget *parent)
+StatusFields::StatusFields(const Playhead *playhead, const StudentPicture *student, QWidget *parent)
     : QWidget(parent)
     , m_playhead(playhead)
     , m_row(new QHBoxLayout(this))
@@ -35,7 +35,7 @@ StatusFields::StatusFields(Playhead *playhead, QWidget *parent)
     m_step = addField(QStringLiteral("statusStep"));
     m_settings = addField(QStringLiteral("statusSettings"));
     addLine();
-    m_row->addWidget(new StatusFigures(playhead, this), 1);
+    m_row->addWidget(new StatusFigures(playhead, student, this), 1);
     connect(playhead, &Playhead::tracedChanged, this, &StatusFields::takeTrace);
     connect(playhead, &Playhead::positionChanged, this, [this] { refresh(); });
     connect(playhead, &Playhead::pickedPixelChanged, this, [this] { refresh(); });

@@ -12,6 +12,7 @@ class QLabel;
 namespace pixelplumb {
 
 class Playhead;
+class StudentPicture;
 
 /// The status bar's fields: the pixel under the mouse or picked, the column and the step in hand,
 /// under which rules, what they cost and get wrong. Each is as wide as the widest text that it will
@@ -20,7 +21,8 @@ class StatusFields : public QWidget {
     Q_OBJECT
 
 public:
-    explicit StatusFields(Playhead *playhead, QWidget *parent = nullptr);
+    StatusFields(const Playhead *playhead, const StudentPicture *student,
+                 QWidget *parent = nullptr);
 
 public slots:
     /// The pixel under the mouse; without one the picked pixel is shown.
@@ -33,7 +35,7 @@ private:
     void refresh();
     QString pixelText() const;
 
-    Playhead *m_playhead;
+    const Playhead *m_playhead;
     QBoxLayout *m_row;
     QLabel *m_pixel;
     QLabel *m_column;

@@ -5,6 +5,8 @@
 #include "widgets/look/corewords.h"
 #include "widgets/model/measuringpool.h"
 #include "widgets/model/playhead.h"
+#include "widgets/model/studentpicture.h"
+#include "widgets/studies/submissiontext.h"
 
 namespace pixelplumb {
 
@@ -16,9 +18,11 @@ constexpr auto pauseBetween = 300ms; ///< a drag asks at each move
 
 } // namespace
 
-StatusFigures::StatusFigures(Playhead *playhead, QWidget *parent)
+StatusFigures::StatusFigures(const Playhead *playhead, const StudentPicture *student,
+                             QWidget *parent)
     : ElidedLabel(parent)
     , m_playhead(playhead)
+    , m_student(student)
     , m_job(nullptr, measuringPool())
 {
     setObjectName(QStringLiteral("statusFigures"));
@@ -28,6 +32,25 @@ StatusFigures::StatusFigures(Playhead *playhead, QWidget *parent)
         m_isStale = true;
         measure();
     });
+    connect(student, &StudentPicture::judged, this, &StatusFigures::showVerdict);
+}
+
+void StatusFigures::tell(const QString &figures, const QString &details)
+{
+    m_figures = figures;
+    m_details = details;
+    showVerdict();
+}
+
+void StatusFigures::showVerdict()
+{
+    if (const auto &judgement = m_student->judgement()) {
+        setWholeText(tr("Submission: %1").arg(verdictText(judgement->diff)));
+        setToolTip(m_details.isEmpty() ? QString() : tr("The method itself: %1").arg(m_details));
+        return;
+    }
+    setWholeText(m_figures);
+    setToolTip(m_details);
 }
 
 void StatusFigures::measure()
@@ -38,20 +61,20 @@ void StatusFigures::measure()
     // A run that was too large to be recorded is too large to be drawn beside the window.
     if (!traced || traced->trace->isCut()) {
         m_job.cancel();
-        setWholeText({});
+        tell({}, {});
         return;
     }
     m_isStale = false;
     if (!m_job.isRunning())
-        setWholeText(measuringNote());
+        tell(measuringNote(), {});
     m_job.start(
         [traced](const ProgressListener &listener) { return liveFiguresOf(traced, listener); },
         [this, isForced = traced->scene.appearance.forced != EffectForcing{}](
             const std::optional<LiveFigures> &figures) {
             const QString separator = QStringLiteral(" · ");
             const QString text = figures ? coreWords(figures->text(), separator) : QString();
-            setWholeText(isForced ? tr("as forced: %1").arg(text) : text);
-            setToolTip(figures ? coreWords(figures->details(), separator) : QString());
+            tell(isForced ? tr("as forced: %1").arg(text) : text,
+                 figures ? coreWords(figures->details(), separator) : QString());
         });
 }
 

@@ -7,14 +7,18 @@
 namespace pixelplumb {
 
 class Playhead;
+class StudentPicture;
 
-/// What the method and the arithmetic in hand get wrong of this scene, and what they take
-/// (objectName "statusFigures"). Measured beside the GUI thread, and only while it is seen.
+/// What the method and the arithmetic in hand get wrong of this scene, and in the tool tip what
+/// they take (objectName "statusFigures"). Measured beside the GUI thread, and only while it is
+/// seen. While a student's picture is judged the verdict on that stands here instead: one verdict
+/// is told at a time.
 class StatusFigures : public ElidedLabel {
     Q_OBJECT
 
 public:
-    explicit StatusFigures(Playhead *playhead, QWidget *parent = nullptr);
+    StatusFigures(const Playhead *playhead, const StudentPicture *student,
+                  QWidget *parent = nullptr);
 
     bool isMeasuring() const { return m_job.isRunning(); }
 
@@ -23,8 +27,13 @@ protected:
 
 private:
     void measure();
+    void tell(const QString &figures, const QString &details);
+    void showVerdict();
 
-    Playhead *m_playhead;
+    const Playhead *m_playhead;
+    const StudentPicture *m_student;
+    QString m_figures; ///< of the method
+    QString m_details;
     bool m_isStale = true;
     Job m_job;
 };

@@ -9,6 +9,7 @@
 #include "widgets/studies/submissionpanel.h"
 #include "widgets/window/dockroom.h"
 #include "widgets/window/panels.h"
+#include "widgets/window/predictveil.h"
 
 #include <QAction>
 #include <QGuiApplication>
@@ -94,6 +95,8 @@ void WindowDocks::add(const Panel &panel, const WindowParts &parts)
     auto *dock = new QDockWidget(tr(panel.title), m_window);
     dock->setObjectName(QLatin1String(panel.dock));
     dock->setWidget(panel.make(parts));
+    if (panel.tells == Panel::Tells::Finished)
+        new PredictVeil(parts.playhead, dock->widget());
     QDockWidget::DockWidgetFeatures features
         = QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable;
     if (canFloat())

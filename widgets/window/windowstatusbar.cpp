@@ -54,7 +54,7 @@ JobBar *WindowStatusBar::addJob(const Job &job, const JobBar::Names &names)
 
 void WindowStatusBar::addFields(const WindowParts &parts)
 {
-    auto *fields = new StatusFields(parts.playhead);
+    auto *fields = new StatusFields(parts.playhead, parts.student);
     addWidget(fields, 1);
     connect(parts.canvas, &Canvas::hovered, fields, &StatusFields::setHovered);
 }

@@ -56,7 +56,7 @@ private slots:
                 p.triangles[0] = triangleAt({{{-9, 2}, {-2, 2}, {-9, 10}}});
             },
             Effect::Clipping, no, 0,
-            "what is drawn lies within the frame; 1 covers no sample of it");
+            "what is drawn lies within the frame; 1 other triangle covers no sample of the frame");
         add(
             "the box alone crosses the border",
             [](Primitives &p) {
@@ -142,9 +142,8 @@ private slots:
                 setColour(p, 0);
             },
             Effect::Perspective, yes, 1,
-            "w differs between the vertices of 1 of 2 triangles; only divided by it do these "
-            "change "
-            "evenly: colours");
+            "w differs between the vertices of 1 of 2 triangles, so these are divided by w before "
+            "they are interpolated: colours");
         add(
             "w and u differ",
             [](Primitives &p) {
@@ -152,9 +151,11 @@ private slots:
                 setTexture(p, 0);
             },
             Effect::Perspective, yes, 1,
-            "w differs between the vertices of 1 of 2 triangles; only divided by it do these "
-            "change "
-            "evenly: u and v");
+            "w differs between the vertices of 1 of 2 triangles, so these are divided by w before "
+            "they are interpolated: u and v");
+        add(
+            "no triangle, no w", [](Primitives &p) { p.triangles.clear(); }, Effect::Perspective,
+            no, 0, "no triangle is drawn");
 
         add("no texture", none, Effect::Texture, no, 0, "no triangle's material has a texture");
         add(

@@ -343,7 +343,9 @@ private slots:
         QVERIFY(!rounded->isProved);
         QVERIFY(*rounded->wrongPixels > 0);
         QVERIFY(exact->perPixel.has_value());
-        QVERIFY(exact->text().startsWith(QStringLiteral("0 wrong, proved · plain kernel ")));
+        QCOMPARE(exact->text(), QStringLiteral("All pixels correct"));
+        QVERIFY(exact->details().contains(QStringLiteral("proved to draw every pixel right")));
+        QVERIFY(!rounded->details().contains(QStringLiteral("proved")));
         QVERIFY(exact->details().contains(QStringLiteral("median of ")));
         QVERIFY(!ended);
     }
@@ -371,7 +373,7 @@ private slots:
         QCOMPARE(figures->text(), QStringLiteral("truth not known"));
         QVERIFY(!figures->perPixel);
         const auto ofRun = liveFiguresOf(traceScene(scene));
-        QCOMPARE(ofRun->text(), QStringLiteral("0 wrong px, truth 8 px"));
+        QCOMPARE(ofRun->text(), QStringLiteral("All pixels correct"));
     }
 
     void whatAProvedMethodRefusesIsWrong()
@@ -392,7 +394,7 @@ private slots:
         QVERIFY(*refused->wrongPixels > 0);
         QCOMPARE(refused->pixels, *refused->wrongPixels);
         scene.method = "polygon-parity";
-        QCOMPARE(liveFiguresOf(traceScene(scene))->text(), QStringLiteral("0 wrong, proved"));
+        QCOMPARE(liveFiguresOf(traceScene(scene))->text(), QStringLiteral("All pixels correct"));
     }
 
     void theSceneInHandIsTimedAsTheStudyTimesIt()

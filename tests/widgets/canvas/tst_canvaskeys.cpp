@@ -4,6 +4,7 @@
 #include "tests/support/testprogram.h"
 
 #include <QAccessible>
+#include <QElapsedTimer>
 #include <QLineEdit>
 #include <QTest>
 
@@ -44,10 +45,17 @@ void TestCanvasKeys::showsTheTruthWhileShiftIsHeld()
 void TestCanvasKeys::aShortcutWithShiftDoesNotPeek()
 {
     CanvasBench bench(firstScene());
+    QElapsedTimer held;
+    held.start();
     QTest::keyPress(&bench.canvas, Qt::Key_Shift, Qt::ShiftModifier);
+    // As long as a slow hand takes to get to the other key.
+    QTest::qWait(450);
+    if (held.elapsed() >= peekDelay.count())
+        QSKIP("the machine is too busy to hold a key for half a second");
     QVERIFY(!bench.canvas.isTruthVisible());
-    QTest::keyClick(&bench.canvas, Qt::Key_F10, Qt::ShiftModifier);
-    QTest::qWait(300);
+    QTest::keyPress(&bench.canvas, Qt::Key_F10, Qt::ShiftModifier);
+    QTest::keyRelease(&bench.canvas, Qt::Key_F10, Qt::ShiftModifier);
+    QTest::qWait(int(peekDelay.count()) + 100); // Shift is still held
     QVERIFY(!bench.canvas.isTruthVisible());
 }
 

@@ -49,6 +49,7 @@ private slots:
     void unsavedChangesAskBeforeTheWindowCloses()
     {
         const auto window = openedWindow();
+        action(*window, "drawTool")->trigger();
         clickPixel(*window, {10, 40});
         int questions = 0;
         auto answer = UnsavedChanges::Cancel;
@@ -166,7 +167,6 @@ private slots:
     {
         const auto window = openedWindow();
         const Canvas &canvas = *window->parts().canvas;
-        QVERIFY(canvas.tool() == CanvasTool::Draw);
         const QString example = resource(QStringLiteral("/scenes/sliver.json"));
         window->parts().files->openFile(example);
         QVERIFY(canvas.tool() == CanvasTool::Inspect);
@@ -179,8 +179,86 @@ private slots:
         scene.triangles = {triangleAt(1, 1, 9, 2, 5, 12)};
         QVERIFY(window->parts().files->showScene(scene)); // a case
         QVERIFY(canvas.tool() == CanvasTool::Inspect);
+        action(*window, "newScene")->trigger();
         action(*window, "openDefaultScene")->trigger();
-        QVERIFY(canvas.tool() == CanvasTool::Draw);
+        QVERIFY(canvas.tool() == CanvasTool::Inspect);
+    }
+
+    /// The window opens in the middle of a run, which is there to be looked at.
+    void theFirstClickPicksAPixelAndKeysOfMethodsLeaveNothingToSave()
+    {
+        const auto window = openedWindow();
+        const Playhead &playhead = *window->parts().playhead;
+        const std::size_t position = playhead.position();
+
+        clickPixel(*window, {20, 12});
+
+        QCOMPARE(playhead.pickedPixel(), std::optional(QPoint(20, 12)));
+        QCOMPARE(playhead.position(), position);
+        QVERIFY(window->parts().document->pendingVertices().empty());
+        const std::string first = window->parts().document->scene().method;
+        for (int digit = Qt::Key_9; digit >= Qt::Key_2; --digit) {
+            QTest::keyClick(window->parts().canvas, Qt::Key(digit));
+            QVERIFY(window->parts().document->scene().method != first);
+            QVERIFY2(!window->isWindowModified(), QByteArray::number(digit - Qt::Key_0));
+        }
+        QVERIFY(window->parts().document->undoStack()->canUndo());
+        window->parts().files->askAboutChanges = [] {
+            QTest::qFail("asks about a change that nobody made", __FILE__, __LINE__);
+            return UnsavedChanges::Discard;
+        };
+        QVERIFY(window->close());
+    }
+
+    /// What is saved by then is the method in hand, and a change of the scene is a change still.
+    void aSceneIsSavedWithItsMethodAndChangesCountAfterAnotherOne()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("scene.json"));
+        const auto window = openedWindow();
+        SceneDocument &document = *window->parts().document;
+        document.setMethod("row-walk");
+        QVERIFY(window->parts().files->saveTo(path));
+        QCOMPARE(readSceneFile(path)->scene.method, std::string("row-walk"));
+
+        document.setMethod("column-scan");
+        QVERIFY(!document.isModified());
+        document.setVertexColour({0, 0}, {{1, 2, 3}});
+        document.setMethod("row-walk");
+        QVERIFY(document.isModified());
+        document.undoStack()->undo();
+        document.undoStack()->undo();
+        QVERIFY(!document.isModified());
+    }
+
+    void aSceneThatIsOpenedIsSeenWholeAlsoWhenItIsOfTheSameSize()
+    {
+        const auto window = openedWindow();
+        Canvas &canvas = *window->parts().canvas;
+        const ViewMapping whole = canvas.mapping();
+        const auto zoomIn = [&canvas] {
+            canvas.setZoom(4 * canvas.zoom());
+            QTest::keyClick(&canvas, Qt::Key_Right, Qt::AltModifier);
+        };
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("scene.json"));
+        QVERIFY(window->parts().files->saveTo(path));
+
+        zoomIn();
+        QVERIFY(canvas.mapping() != whole);
+        window->parts().files->openFile(path);
+        QCOMPARE(canvas.mapping(), whole);
+        zoomIn();
+        action(*window, "openDefaultScene")->trigger();
+        QCOMPARE(canvas.mapping(), whole);
+        zoomIn();
+        Scene same = window->parts().document->scene();
+        same.triangles.front().vertices[0].colour = {{9, 9, 9}};
+        QVERIFY(window->parts().files->showScene(same)); // a case
+        QCOMPARE(canvas.mapping(), whole);
+        zoomIn();
+        action(*window, "newScene")->trigger();
+        QCOMPARE(canvas.mapping(), whole);
     }
 
     void everyExampleHasALineAndAPictureAndOpens()
@@ -286,6 +364,7 @@ private slots:
         if (hasDocuments)
             QVERIFY(QDir(home.path()).mkdir(QStringLiteral("Documents")));
         const auto window = openedWindow();
+        action(*window, "drawTool")->trigger();
         clickPixel(*window, {10, 40});
         QString proposal;
         QTimer::singleShot(0, window.get(), [&proposal] {

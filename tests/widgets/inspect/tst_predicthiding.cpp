@@ -4,6 +4,7 @@
 #include "core/runs/tracedscene.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
+#include "tests/support/scanning.h"
 #include "tests/support/testprogram.h"
 #include "tests/support/windowsteps.h"
 #include "widgets/canvas/canvas.h"
@@ -11,12 +12,16 @@
 #include "widgets/inspect/pixelgrid.h"
 #include "widgets/inspect/pixelhistorypanel.h"
 #include "widgets/inspect/predictpanel.h"
+#include "widgets/look/messagebar.h"
+#include "widgets/look/signs.h"
 #include "widgets/model/columntablemodel.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
+#include "widgets/model/studentpicture.h"
 #include "widgets/stepping/scrubber.h"
 
 #include <QClipboard>
+#include <QDockWidget>
 #include <QHelpEvent>
 #include <QLabel>
 #include <QTest>
@@ -289,7 +294,116 @@ private slots:
                     .contains(QStringLiteral("step in hand")));
     }
 
+    /// Of every panel: of the pixels that are still ahead none stands in it, in its colour.
+    void noPanelShowsAPixelThatIsAhead()
+    {
+        m_window = openedWindow(twoTriangles());
+        SceneDocument &document = *m_window->parts().document;
+        document.setMotion(Motion{latticePixel(2, 1), 5});
+        QVERIFY(waitForRun(*m_window));
+        const TracedScene &traced = *playhead().traced();
+        playhead().seek(playhead().end());
+        const QImage finished = playhead().frame()->image().copy();
+        m_window->parts().student->paste(finished, QStringLiteral("all of it"));
+        QTRY_VERIFY(m_window->parts().student->judgement());
+        playhead().seek(traced.trace->indexOfSetUp(1));
+        const QSet<QRgb> ahead = coloursIn(finished) - coloursIn(playhead().frame()->image());
+        QVERIFY(ahead.size() > 50);
+        m_window->resize(1900, 1200);
+        const auto shown = [&] {
+            QStringList told;
+            for (QDockWidget *dock : m_window->findChildren<QDockWidget *>()) {
+                m_window->parts().messageBar->hide();
+                named<QAction>(*m_window, qPrintable(dock->objectName() + "Toggle"))
+                    ->setEnabled(true);
+                dock->show();
+                dock->raise();
+                QTest::qWait(150); // studies draw beside the window
+                if (pixelsOf(ahead, dock->widget()->grab().toImage()) > 20)
+                    told += dock->objectName();
+            }
+            return told;
+        };
+
+        dockNamed("predictDock")->close();
+        QVERIFY2(shown().contains("submissionDock"), "the check sees what is shown");
+        playhead().seek(traced.trace->indexOfSetUp(1));
+        dockNamed("predictDock")->show();
+        QTRY_VERIFY(playhead().isAheadHidden());
+        QCOMPARE(shown(), QStringList());
+        for (const char *dock : {"submissionDock", "motionDock", "hardCasesDock"}) {
+            QVERIFY2(!dockNamed(dock)->widget()->isEnabled(), dock);
+            dockNamed(dock)->raise();
+            QVERIFY2(named<QWidget>(*dockNamed(dock), "predictVeil")->isVisible(), dock);
+        }
+        action(*m_window, "runToEnd")->trigger();
+        QVERIFY(shown().contains("submissionDock"));
+        QVERIFY(!named<QWidget>(*dockNamed("submissionDock"), "predictVeil")->isVisible());
+    }
+
+    /// A pixel that a student's picture lacks is one that the method paints.
+    void theMarksOfAStudentsPictureEndAtTheStepInHand()
+    {
+        m_window = openedWindow(twoTriangles());
+        QImage empty = playhead().frame()->image().copy();
+        empty.fill(Qt::black);
+        m_window->parts().student->paste(empty, QStringLiteral("nothing"));
+        QTRY_VERIFY(m_window->parts().student->judgement());
+        playhead().seek(playhead().traced()->trace->indexOfSetUp(1));
+        const Canvas &canvas = *m_window->parts().canvas;
+        const QPoint pixel(30, 20); // of the second triangle
+        const auto isMarked = [&] {
+            const QImage seen = m_window->parts().canvas->grab().toImage();
+            const QRect cell = canvas.mapping().cellOf(pixel).toAlignedRect();
+            const QRgb missing = signColour(Sign::Missing, canvas.palette()).rgb();
+            for (int y = cell.top(); y <= cell.bottom(); ++y) {
+                for (int x = cell.left(); x <= cell.right(); ++x) {
+                    if (seen.pixel(x, y) == missing)
+                        return true;
+                }
+            }
+            return false;
+        };
+
+        QVERIFY(isMarked());
+        showPanel();
+        QVERIFY(!isMarked());
+        action(*m_window, "runToEnd")->trigger();
+        QVERIFY(isMarked());
+    }
+
 private:
+    /// The second in colours that no part of the window has.
+    static Scene twoTriangles()
+    {
+        Scene scene;
+        scene.triangles = {triangleAt(2, 2, 14, 4, 8, 14), triangleAt(20, 10, 60, 14, 34, 42)};
+        const std::array<Colour, 3> colours = {{{{251, 7, 133}}, {{23, 247, 91}}, {{87, 19, 253}}}};
+        for (std::size_t i = 0; i < 3; ++i) {
+            scene.triangles[0].vertices[i].colour = {{9, 9, 9}};
+            scene.triangles[1].vertices[i].colour = colours[i];
+        }
+        return scene;
+    }
+    static QSet<QRgb> coloursIn(const QImage &image)
+    {
+        QSet<QRgb> colours;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x)
+                colours.insert(image.pixel(x, y) | 0xff000000);
+        }
+        return colours;
+    }
+    static int pixelsOf(const QSet<QRgb> &colours, const QImage &image)
+    {
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x)
+                count += colours.contains(image.pixel(x, y) | 0xff000000) ? 1 : 0;
+        }
+        return count;
+    }
+    QDockWidget *dockNamed(const char *name) { return named<QDockWidget>(*m_window, name); }
     Playhead &playhead() { return *m_window->parts().playhead; }
     ColumnTable *table() { return named<ColumnTable>(*m_window, "columnTable"); }
     static Scene defaultScene() { return openedWindow()->parts().document->scene(); }

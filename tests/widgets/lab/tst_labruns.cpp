@@ -134,7 +134,7 @@ private slots:
         request.rounds = 100'000;
         m_lab->setRequest(request);
         const auto *figures = named<QLabel>(*m_window, "statusFigures");
-        QTRY_VERIFY_WITH_TIMEOUT(figures->text().contains("ns a pixel"), longest);
+        QTRY_VERIFY_WITH_TIMEOUT(figures->toolTip().contains("ns a pixel"), longest);
         click("labRun");
         QTRY_VERIFY_WITH_TIMEOUT(m_lab->results(), longest);
 

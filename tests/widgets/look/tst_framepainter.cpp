@@ -8,6 +8,8 @@
 #include "widgets/look/framepainter.h"
 
 #include <QPainter>
+#include <QPicture>
+#include <QRandomGenerator>
 #include <QTest>
 
 #include <cmath>
@@ -41,6 +43,19 @@ struct Sheet {
         return false;
     }
 
+    /// Whether ink stands at a tenth of the sample points from one to another, as along a dashed
+    /// line.
+    bool hasInkAlong(const QPointF &from, const QPointF &to) const
+    {
+        constexpr int looks = 200;
+        int found = 0;
+        for (int i = 0; i <= looks; ++i) {
+            const QPointF place = from + (to - from) * i / looks;
+            found += hasInkAt(place.x(), place.y()) ? 1 : 0;
+        }
+        return found > looks / 10;
+    }
+
     ViewMapping mapping;
     QImage picture;
     QPainter painter;
@@ -66,6 +81,16 @@ Shape pathAt(const std::vector<LatticePoint> &controls)
     for (std::size_t next = 3; next < controls.size(); next += 3)
         path.laterContours.push_back(next);
     return path;
+}
+
+/// From (5, 5) to (35, 25), which are among them.
+std::vector<LatticePoint> randomCorners(int count)
+{
+    QRandomGenerator random(1);
+    std::vector<LatticePoint> corners = {latticePixel(5, 5), latticePixel(35, 25)};
+    while (int(corners.size()) < count)
+        corners.push_back(latticePixel(5 + random.bounded(31), 5 + random.bounded(21)));
+    return corners;
 }
 
 } // namespace
@@ -115,6 +140,56 @@ private slots:
         Sheet sheet(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));
         sheet.frame.drawShapeOutline(shape);
         QVERIFY(sheet.hasInkAt(place.x(), place.y()));
+    }
+
+    /// What hides the picture, and would take seconds to paint, is drawn as its bounds: the number
+    /// of painted elements is bounded, whatever the shape's.
+    void aDenseOutlineIsDrawnAsItsBounds_data()
+    {
+        QTest::addColumn<int>("corners");
+        QTest::addColumn<bool>("isCurved");
+        QTest::newRow("30,000 corners") << 30'000 << false;
+        QTest::newRow("100,000 corners") << 100'000 << false;
+        QTest::newRow("10,000 control points") << 10'002 << true;
+    }
+    void aDenseOutlineIsDrawnAsItsBounds()
+    {
+        QFETCH(int, corners);
+        QFETCH(bool, isCurved);
+        Shape shape = isCurved ? pathAt(randomCorners(corners)) : polygonAt(randomCorners(corners));
+        Sheet sheet(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));
+        QPicture record;
+        QPainter recorder(&record);
+        FramePainter(recorder, sheet.mapping, sheet.palette, view).drawShapeOutline(shape);
+        recorder.end();
+
+        QVERIFY2(record.size() < 4'000, qPrintable(QString::number(record.size()))); // bytes
+        sheet.frame.drawShapeOutline(shape);
+        QVERIFY(sheet.hasInkAlong({5, 5}, {35, 5}));
+        QVERIFY(sheet.hasInkAlong({35, 5}, {35, 25}));
+    }
+
+    /// Up close, and where it is short, an outline of many lines is drawn as it is.
+    void anOutlineThatIsNotDenseIsDrawnWhateverItsCorners()
+    {
+        Sheet sheet(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));
+        std::vector<LatticePoint> corners;
+        for (int i = 0; i < 900; ++i) {
+            const double angle = i * 2 * M_PI / 900;
+            corners.push_back({Lattice(std::lround((20 + 10 * std::cos(angle)) * unitsPerPixel)),
+                               Lattice(std::lround((15 + 10 * std::sin(angle)) * unitsPerPixel))});
+        }
+        sheet.frame.drawShapeOutline(polygonAt(corners));
+        QVERIFY(sheet.hasInkAt(30, 15));
+        QVERIFY(sheet.hasInkAt(20, 25));
+        QVERIFY(!sheet.hasInkAlong({10, 5}, {15, 5})); // its bounds
+
+        Sheet closeUp(ViewMapping(frameOf(4000, 4000), {1, 1}, {0, 0}, 1));
+        std::vector<LatticePoint> most = {latticePixel(10, 3990), latticePixel(600, 3990)};
+        for (int i = 0; i < 50'000; ++i)
+            most.push_back(latticePixel(2000 + i % 1900, 10 + i % 3000));
+        closeUp.frame.drawShapeOutline(polygonAt(most));
+        QVERIFY(closeUp.hasInkAlong({20, 3990}, {590, 3990}));
     }
 
     void theCornerOfACirclesBoxHangsOnTheCurve_data()

@@ -6,6 +6,7 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/dialogs/keysheet.h"
 #include "widgets/look/appearance.h"
+#include "widgets/look/displayoptions.h"
 #include "widgets/look/signs.h"
 #include "widgets/window/mainwindow.h"
 #include "widgets/window/panels.h"
@@ -167,6 +168,7 @@ private slots:
         for (const QAction *action : m_window->menuBar()->actions())
             menus += action->menu();
         const QString sheet = keySheetHtml(menus);
+        QVERIFY(sheet.contains(QStringLiteral("after %1 s").arg(double(peekDelay.count()) / 1000)));
         for (const QAction *action : menuActions()) {
             for (const QKeySequence &key : action->shortcuts())
                 QVERIFY2(sheet.contains(key.toString(QKeySequence::NativeText).toHtmlEscaped()),

@@ -102,6 +102,7 @@ private slots:
     void theNextClickTellsInsteadOfDoing()
     {
         const auto window = openedWindow();
+        action(*window, "drawTool")->trigger();
         QTest::keyClick(window.get(), Qt::Key_F1, Qt::ShiftModifier);
         QVERIFY(QWhatsThis::inWhatsThisMode());
 

@@ -4,7 +4,9 @@
 #include "tests/support/testprogram.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/dialogs/keysdialog.h"
+#include "widgets/dialogs/keysheet.h"
 #include "widgets/look/displayoptions.h"
+#include "widgets/look/menuaction.h"
 #include "widgets/model/playhead.h"
 #include "widgets/window/helpmenu.h"
 
@@ -241,10 +243,29 @@ private slots:
         QVERIFY(methods->currentText() + speed->text() != before);
     }
 
+    /// What Undo would take back stands in the menu, where it is looked for.
+    void listsOfKeysCallUndoByItsName()
+    {
+        const auto window = openedWindow();
+        action(*window, "drawTool")->trigger();
+        clickPixel(*window, {12, 40});
+        QCOMPARE(withoutMnemonic(action(*window, "undo")->text()), "Undo place vertex");
+
+        const auto *help = named<HelpMenu>(*window, "helpMenu");
+        QVERIFY(keySheetHtml(help->menus()).contains("<td>Undo</td>"));
+        QVERIFY(!keySheetHtml(help->menus()).contains("Undo place vertex"));
+        const KeysDialog dialog(help->menus(), window.get());
+        QVERIFY(rowOf(dialog, "Edit ▸ Undo"));
+        QTest::keyClick(window->parts().canvas, Qt::Key_Escape);
+        QVERIFY(keySheetHtml(help->menus()).contains("<td>Undo</td>"));
+    }
+
     void pAndVChooseTheToolInTheCanvas()
     {
         const auto window = openedWindow();
         Canvas *canvas = window->parts().canvas;
+        QVERIFY(action(*window, "inspectTool")->isChecked());
+        QTest::keyClick(canvas, Qt::Key_P);
         QVERIFY(action(*window, "drawTool")->isChecked());
         QTest::keyClick(canvas, Qt::Key_V);
         QVERIFY(canvas->tool() == CanvasTool::Inspect);

@@ -234,6 +234,73 @@ private slots:
         }
     }
 
+    /// Everything that brings a panel into the window: by its key, floating and back, dragged to
+    /// every side, all at once, and the layout reset.
+    void noPanelMakesTheWindowLargerThanItsScreen_data() { addSizes(); }
+    void noPanelMakesTheWindowLargerThanItsScreen()
+    {
+        QFETCH(QSize, size);
+        const auto window = windowOf(size);
+        const auto isAsLarge = [&window, &size](const QString &afterWhat) {
+            settle();
+            const bool fits = window->size() == size
+                && window->minimumSize().boundedTo(size) == window->minimumSize();
+            if (!fits)
+                qWarning("%s: %d × %d", qPrintable(afterWhat), window->width(), window->height());
+            return fits;
+        };
+        const QList<QDockWidget *> docks = window->findChildren<QDockWidget *>();
+        for (QDockWidget *dock : docks) {
+            QAction *toggle = named<QAction>(*window, qPrintable(dock->objectName() + "Toggle"));
+            if (!toggle->isChecked())
+                toggle->trigger();
+            QVERIFY(isAsLarge(dock->objectName() + " is opened beside all before it"));
+        }
+        for (QDockWidget *dock : docks) {
+            dock->setFloating(true);
+            QVERIFY(isAsLarge(dock->objectName() + " floats"));
+            QVERIFY2(dock->minimumSizeHint().boundedTo(size) == dock->minimumSizeHint(),
+                     qPrintable(dock->objectName()));
+            dock->close();
+            QVERIFY(isAsLarge(dock->objectName() + " is closed"));
+            named<QAction>(*window, qPrintable(dock->objectName() + "Toggle"))->trigger();
+            dock->setFloating(false);
+            QVERIFY(isAsLarge(dock->objectName() + " is back"));
+        }
+        for (const Qt::DockWidgetArea area : {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea,
+                                              Qt::TopDockWidgetArea, Qt::BottomDockWidgetArea}) {
+            for (QDockWidget *dock : docks) { // each beside all others, none behind a tab
+                window->addDockWidget(area, dock);
+                dock->show();
+                QVERIFY(isAsLarge(dock->objectName() + " is dragged"));
+            }
+            QVERIFY(window->parts().canvas->isVisible());
+        }
+        action(*window, "resetLayout")->trigger();
+        QVERIFY(isAsLarge(QStringLiteral("the layout is reset")));
+        for (const char *name : {"zoomIn", "zoomIn", "zoomOut", "zoomToOne", "zoomToFit"}) {
+            action(*window, name)->trigger();
+            QVERIFY(isAsLarge(QLatin1String(name)));
+        }
+        QCOMPARE(hiddenParts(*window).join(u' '), QString());
+    }
+
+    void aPanelThatWasDraggedOutAndTheKeysAfterItLeaveTheWindowAsLargeAsItIs_data() { addSizes(); }
+    void aPanelThatWasDraggedOutAndTheKeysAfterItLeaveTheWindowAsLargeAsItIs()
+    {
+        QFETCH(QSize, size);
+        const auto window = windowOf(size);
+        action(*window, "operationsDockToggle")->trigger();
+        named<QDockWidget>(*window, "operationsDock")->setFloating(true);
+        settle();
+        action(*window, "compareDockToggle")->trigger();
+        settle();
+        QCOMPARE(window->size(), size);
+        action(*window, "resetLayout")->trigger();
+        settle();
+        QCOMPARE(window->size(), size);
+    }
+
     void theWindowStaysAsWideAsItIsBesideACompanyOfPanes_data() { addSizes(); }
     void theWindowStaysAsWideAsItIsBesideACompanyOfPanes()
     {

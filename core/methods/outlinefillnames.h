@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/edgewalknames.h"
+
+#include <algorithm>
+
+/// What the edges of an outline by the midpoint algorithm are called, and their two lengths.
+namespace pixelplumb {
+
+/// "P₀P₁".
+inline QString outlineEdgeName(std::size_t edge)
+{
+    return QStringLiteral("P%1P%2").arg(vertexDigits[edge]).arg(vertexDigits[(edge + 1) % 3]);
+}
+
+/// Its length in steps of the midpoint algorithm: "Δ₀₁".
+inline QString lengthTitle(std::size_t edge)
+{
+    const auto [first, second] = std::minmax({edge, (edge + 1) % 3});
+    return QStringLiteral("Δ%1%2").arg(vertexDigits[first]).arg(vertexDigits[second]);
+}
+
+/// Its steps across: "δ₀₁".
+inline QString acrossTitle(std::size_t edge) { return lengthTitle(edge).replace(u'Δ', u'δ'); }
+
+} // namespace pixelplumb

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/space/stagelight.h"
+
+#include "core/space/attributenumber.h"
+#include "core/space/stagenumbers.h"
+
+#include <QStringList>
+
+#include <functional>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr std::array<QChar, 3> axes = {u'x', u'y', u'z'};
+
+/// A component of a vector, by its axis.
+using Component = std::function<QString(QChar axis)>;
+
+/// "x_N/√(x_N² + y_N² + z_N²)"; a vector without a length stays 0.
+QString unitFormula(const SpaceVector<double> &unit, QChar axis, const Component &component)
+{
+    if (unit.isZero())
+        return QStringLiteral("0");
+    // A sum or a difference stands in parentheses already.
+    QStringList squares;
+    for (const QChar each : axes)
+        squares.append(component(each) + u'²');
+    return component(axis) + QStringLiteral("/√(") + squares.join(QStringLiteral(" + ")) + u')';
+}
+
+void addUnit(StageNumberWriter &numbers, const QString &subscript, const SpaceVector<double> &used,
+             const SpaceVector<ExactReal> &exact, const Component &component)
+{
+    const auto formula = [&](QChar axis) { return unitFormula(used, axis, component); };
+    numbers.add(axes[0] + subscript, used.x, exact.x, formula(axes[0]));
+    numbers.add(axes[1] + subscript, used.y, exact.y, formula(axes[1]));
+    numbers.add(axes[2] + subscript, used.z, exact.z, formula(axes[2]));
+}
+
+/// "S_0" where a light stands, "d_0" the direction in which it shines.
+QString sourceName(const Light &light, std::size_t index)
+{
+    return (light.kind == Light::Kind::Positional ? QStringLiteral("S_%1") : QStringLiteral("d_%1"))
+        .arg(index);
+}
+
+/// From the point to a place, or the direction itself.
+Component wayTo(Light::Kind kind, const QString &name)
+{
+    return [=](QChar axis) {
+        return kind == Light::Kind::Positional ? QStringLiteral("(%1%2 − %2)").arg(name).arg(axis)
+                                               : name + axis;
+    };
+}
+
+Component against(const QString &direction)
+{
+    return [=](QChar axis) { return QStringLiteral("(−%1%2)").arg(direction).arg(axis); };
+}
+
+/// "light_0R·NL_0 + light_1R·NL_1".
+QString sumOverLights(std::size_t count, QChar channel, const QString &term)
+{
+    QStringList products;
+    for (std::size_t i = 0; i < count; ++i)
+        products.append(QStringLiteral("light_%1%2·%3_%1").arg(i).arg(channel).arg(term));
+    return products.join(QStringLiteral(" + "));
+}
+
+} // namespace
+
+void writeLights(StagePoint &point, const Appearance &appearance, const Material &material)
+{
+    StageNumberWriter numbers(point.numbers);
+    const auto given
+        = [&](const QString &name, double value) { numbers.add(name, value, ExactReal(value)); };
+    const auto vector = [&](const QString &name, const std::array<Attribute, 3> &at) {
+        const auto used = spaceVectorOf<double>(at);
+        given(name + axes[0], used.x);
+        given(name + axes[1], used.y);
+        given(name + axes[2], used.z);
+    };
+    const auto colour = [&](const QString &name, const Colour &levels) {
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            given(name + channelLetters[channel], levels.channels[channel]);
+    };
+    vector(QStringLiteral("viewer_"), appearance.viewer);
+    colour(QStringLiteral("ambient_"), appearance.ambient);
+    colour(QStringLiteral("specular_"), material.specular);
+    for (std::size_t i = 0; i < appearance.lights.size(); ++i) {
+        vector(sourceName(appearance.lights[i], i), appearance.lights[i].at);
+        colour(QStringLiteral("light_%1").arg(i), appearance.lights[i].colour);
+    }
+}
+
+void writeLightAt(StagePoint &point, const Appearance &appearance, const Material &material,
+                  const LitColour<double> &used, const LitColour<ExactReal> &exact)
+{
+    StageNumberWriter numbers(point.numbers);
+    for (std::size_t i = 0; i < appearance.lights.size(); ++i) {
+        const Light &light = appearance.lights[i];
+        const auto usedTerm = lightTerm(appearance, light, material.shininess, used.point);
+        const auto exactTerm = lightTerm(appearance, light, material.shininess, exact.point);
+        const auto usedVectors = lightVectors(appearance, light, used.point);
+        const auto exactVectors = lightVectors(appearance, light, exact.point);
+        if (i == 0) {
+            addUnit(numbers, QStringLiteral("_n"), usedVectors.normal, exactVectors.normal,
+                    [](QChar axis) { return axis + QStringLiteral("_N"); });
+            addUnit(numbers, QStringLiteral("_V"), usedVectors.toViewer, exactVectors.toViewer,
+                    wayTo(appearance.viewerKind, QStringLiteral("viewer_")));
+        }
+        const QString source = sourceName(light, i);
+        addUnit(numbers, QStringLiteral("_L%1").arg(i), usedVectors.toLight, exactVectors.toLight,
+                light.kind == Light::Kind::Positional ? wayTo(light.kind, source)
+                                                      : against(source));
+        addUnit(numbers, QStringLiteral("_H%1").arg(i), usedVectors.halfway, exactVectors.halfway,
+                [i](QChar axis) { return QStringLiteral("(%1_L%2 + %1_V)").arg(axis).arg(i); });
+        numbers.add(QStringLiteral("NL_%1").arg(i), usedTerm.diffuse, exactTerm.diffuse,
+                    QStringLiteral("max(0, x_n·x_L%1 + y_n·y_L%1 + z_n·z_L%1)").arg(i));
+        numbers.add(QStringLiteral("highlight_%1").arg(i), usedTerm.specular, exactTerm.specular,
+                    usedTerm.diffuse > 0
+                        ? QStringLiteral("max(0, x_n·x_H%1 + y_n·y_H%1 + z_n·z_H%1)^%2")
+                              .arg(i)
+                              .arg(material.shininess)
+                        : QStringLiteral("0"));
+    }
+    const auto usedLevels = litLevels(appearance, material, used.colour, used.point);
+    const auto exactLevels = litLevels(appearance, material, exact.colour, exact.point);
+    const std::size_t lights = appearance.lights.size();
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        const QChar letter = channelLetters[channel];
+        const QString base = QStringLiteral("base_") + letter;
+        const QString level = QStringLiteral("I_") + letter;
+        numbers.add(base, used.colour.channels[channel], ExactReal(exact.colour.channels[channel]));
+        numbers.add(level, usedLevels[channel], exactLevels[channel],
+                    QStringLiteral("(%1·(ambient_%2 + %3) + specular_%2·(%4))/255")
+                        .arg(base)
+                        .arg(letter)
+                        .arg(sumOverLights(lights, letter, QStringLiteral("NL")),
+                             sumOverLights(lights, letter, QStringLiteral("highlight"))));
+        numbers.add(QStringLiteral("s_") + letter, levelByte(usedLevels[channel]),
+                    ExactReal(levelByte(exactLevels[channel])),
+                    QStringLiteral("min(255, ⌊%1 + ½⌋)").arg(level));
+    }
+}
+
+} // namespace pixelplumb

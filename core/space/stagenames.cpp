@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/space/stagenames.h"
+
+namespace pixelplumb {
+
+namespace {
+
+QString subscripted(QChar letter, std::size_t index)
+{
+    QString name(letter);
+    for (const QChar digit : QString::number(index))
+        name += QChar(u'₀' + digit.digitValue());
+    return name;
+}
+
+} // namespace
+
+QString faceVertexName(std::size_t vertex) { return subscripted(u'V', vertex); }
+
+QString clippedCornerName(std::size_t corner) { return subscripted(u'C', corner); }
+
+QString cameraPointName() { return QStringLiteral("the camera"); }
+
+QString lightsPointName() { return QStringLiteral("the lights"); }
+
+bool isShared(const QString &point)
+{
+    return point == cameraPointName() || point == lightsPointName();
+}
+
+QString clipName(QChar coordinate, std::size_t vertex)
+{
+    return coordinate + QStringLiteral("_") + faceVertexName(vertex);
+}
+
+} // namespace pixelplumb
