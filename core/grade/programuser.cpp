@@ -14,7 +14,7 @@ namespace pixelplumb {
 
 namespace {
 
-QByteArray contentOf(const QString &path)
+QByteArray procFile(const QString &path)
 {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
@@ -23,7 +23,7 @@ QByteArray contentOf(const QString &path)
 /// Whether this process has the power, by its number.
 bool hasCapability(int capability)
 {
-    const QByteArray status = contentOf(QStringLiteral("/proc/self/status"));
+    const QByteArray status = procFile(QStringLiteral("/proc/self/status"));
     const QByteArray key = "\nCapEff:";
     const QByteArray mask = status.mid(status.indexOf(key) + key.size()).trimmed().left(16);
     return (mask.toULongLong(nullptr, 16) >> capability & 1U) != 0;
@@ -34,7 +34,7 @@ bool canChangeUser()
 {
     constexpr std::array needed = {CAP_SETUID, CAP_SETGID, CAP_SETPCAP, CAP_CHOWN};
     return geteuid() == 0 && std::ranges::all_of(needed, hasCapability)
-        && contentOf(QStringLiteral("/proc/self/uid_map")).simplified() == "0 0 4294967295";
+        && procFile(QStringLiteral("/proc/self/uid_map")).simplified() == "0 0 4294967295";
 }
 
 } // namespace
@@ -73,6 +73,8 @@ QStringList ProgramUser::capabilities()
                          QStringLiteral("CAP_SETPCAP")};
     if (hasCapability(CAP_DAC_READ_SEARCH))
         names += QStringLiteral("CAP_DAC_READ_SEARCH");
+    if (hasCapability(CAP_DAC_OVERRIDE))
+        names += QStringLiteral("CAP_DAC_OVERRIDE");
     return names;
 }
 
