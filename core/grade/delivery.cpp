@@ -2,7 +2,6 @@
 #include "core/grade/delivery.h"
 
 #include "core/grade/showntext.h"
-#include "core/grade/studentoutput.h"
 #include "core/grade/trial.h"
 
 #include <algorithm>

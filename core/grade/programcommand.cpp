@@ -151,7 +151,7 @@ QStringList limitedCommand(const StudentProgram &student, const ProgramLimits &l
 {
     // Where others run as the same user they are counted, too.
     const rlim_t others = user.isOwn ? 0 : presentProcesses();
-    return user.command() + limitWords(limits, rlim_t(limits.processes) + others)
+    return limitWords(limits, rlim_t(limits.processes) + others) + user.command()
         + wordsOf(student);
 }
 
@@ -161,8 +161,7 @@ QStringList sandboxedCommand(const StudentProgram &student, const ProgramLimits 
     return QStringList{bubblewrapPath()} + separationWords(user)
         + viewWords(student.shown, limits.files)
         + QStringList{QStringLiteral("--seccomp"), QString::number(filter), QStringLiteral("--")}
-    + (user.isOwn ? user.command() : QStringList()) + limitWords(limits, rlim_t(limits.processes))
-        + wordsOf(student);
+    + limitWords(limits, rlim_t(limits.processes)) + user.command() + wordsOf(student);
 }
 
 QString bubblewrapPath() { return QStandardPaths::findExecutable(QStringLiteral("bwrap")); }

@@ -8,7 +8,7 @@ namespace pixelplumb {
 struct ProgramUser;
 
 /// The words that start a student's program within its limits, as that user, wherever it stands:
-/// those of setpriv and prlimit.
+/// those of prlimit and setpriv.
 QStringList limitedCommand(const StudentProgram &student, const ProgramLimits &limits,
                            const ProgramUser &user);
 /// The same in the sandbox: those of bubblewrap before them. `filter` is a descriptor, open at the

@@ -67,6 +67,8 @@ QStringList ProgramUser::capabilities()
                          QStringLiteral("CAP_SETPCAP")};
     if (hasCapability(CAP_DAC_READ_SEARCH))
         names += QStringLiteral("CAP_DAC_READ_SEARCH");
+    if (hasCapability(CAP_DAC_OVERRIDE))
+        names += QStringLiteral("CAP_DAC_OVERRIDE");
     return names;
 }
 

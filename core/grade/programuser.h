@@ -16,9 +16,9 @@ struct ProgramUser {
 
     static ProgramUser ofNextRun();
 
-    /// The words before a command by which root becomes that user; empty where it stays who it is.
-    /// One power of root's is left, to read on, where it has that: the program could not read
-    /// itself in a folder of root's.
+    /// The words right before a program by which root becomes that user; empty where it stays who
+    /// it is. What may be started is asked with root's power, and then that is taken away but for
+    /// one, to read on: the program could not read itself in a folder of root's.
     QStringList command() const;
     /// The names of the powers that this takes.
     static QStringList capabilities();

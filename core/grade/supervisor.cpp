@@ -157,7 +157,7 @@ void watch(const SupervisedStart &start, pid_t program, Reaper &reaper)
 }
 
 /// Also where the one who started it all is gone.
-void remove(const SupervisedStart &start)
+void runRemoval(const SupervisedStart &start)
 {
     if (!start.removal)
         return;
@@ -192,7 +192,7 @@ void supervise(const SupervisedStart &start)
         killAll(program, reaper);
         tell(start, SupervisorNews::Computed, reaper.computed());
     }
-    remove(start);
+    runRemoval(start);
     _exit(0);
 }
 
