@@ -87,7 +87,7 @@ inline Triangle triangleOf(const std::array<LatticePoint, 3> &points)
 }
 
 /// Positions in lattice units, for failure messages.
-inline std::string toString(const Triangle &triangle)
+inline std::string textOfTriangle(const Triangle &triangle)
 {
     std::string text = "units of 1/256 px:";
     for (const Vertex &vertex : triangle.vertices)

@@ -88,8 +88,10 @@ private slots:
     void aDrawingIsNoTexture()
     {
         const QString drawing = m_folder.filePath(QStringLiteral("drawing.svg"));
-        QVERIFY(!writeFile(drawing, R"(<svg xmlns="http://www.w3.org/2000/svg" width="4" height="4"
-            xmlns:xlink="http://www.w3.org/1999/xlink"><image xlink:href="/dev/zero"/></svg>)"));
+        QVERIFY(!writeFile(drawing,
+                           "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"4\" height=\"4\" "
+                           "xmlns:xlink=\"http://www.w3.org/1999/xlink\"><image "
+                           "xlink:href=\"/dev/zero\"/></svg>"));
         const Result<SceneReading> reading
             = readScene(R"({ "pixelplumb": 1, "frame": { "width": 8, "height": 8 },
                 "materials": { "a": { "texture": "drawing.svg" } }, "primitives": [] })",

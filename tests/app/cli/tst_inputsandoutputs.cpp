@@ -259,9 +259,11 @@ private slots:
     {
         QFETCH(QStringList, arguments);
         QFETCH(QString, input);
-        QVERIFY(!writeFile(path("plain.json"), R"({ "pixelplumb": 1,
-            "frame": { "width": 8, "height": 8 }, "primitives": [
-            { "triangle": [[0, 0], [7, 0], [0, 5]], "colors": ["#ff0000", "#00ff00", "#0000ff"] } ] })"));
+        QVERIFY(!writeFile(path("plain.json"),
+                           "{ \"pixelplumb\": 1, "
+                           "\"frame\": { \"width\": 8, \"height\": 8 }, \"primitives\": [ "
+                           "{ \"triangle\": [[0, 0], [7, 0], [0, 5]], \"colors\": [\"#ff0000\", "
+                           "\"#00ff00\", \"#0000ff\"] } ] }"));
         const QList<QByteArray> before = inputs();
 
         const ProgramRun run = runHere(arguments, QStringLiteral("\"$0\" \"$@\" >> ") + input);

@@ -38,7 +38,7 @@ bool drawsTheTruth(const Method &method, const Triangle &triangle, const ScanSet
     truth.drawTruth(triangle, settings);
     if (drawn == truth)
         return true;
-    qWarning("%s", toString(triangle).c_str());
+    qWarning("%s", textOfTriangle(triangle).c_str());
     return false;
 }
 
@@ -215,11 +215,11 @@ private slots:
                 }
                 for (std::int64_t y = 2; y < 22; ++y) {
                     const bool isFilled = y >= lowest && y <= highest;
-                    QVERIFY2((drawn.at(x, y) != 0) == isFilled, toString(triangle).c_str());
+                    QVERIFY2((drawn.at(x, y) != 0) == isFilled, textOfTriangle(triangle).c_str());
                     beyondTheTruth += isFilled && truth.at(x, y) == 0;
                     // Of whole pixels it has all that the truth has.
                     QVERIFY2(round % 2 != 0 || isFilled || truth.at(x, y) == 0,
-                             toString(triangle).c_str());
+                             textOfTriangle(triangle).c_str());
                 }
             }
         }

@@ -227,7 +227,7 @@ private slots:
                                          settingsWith(variants, Arithmetic::Exact, rule));
                     };
                     QVERIFY2(drawn(only(Variant::NoEdgePreStep)) == drawn({}),
-                             toString(triangle).c_str());
+                             textOfTriangle(triangle).c_str());
                 }
             }
         }
