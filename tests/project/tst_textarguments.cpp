@@ -36,8 +36,8 @@ std::pair<QString, qsizetype> bracketed(const QString &text, qsizetype open)
         const QChar character = text[place];
         if (isQuoted) {
             place += character == u'\\' ? 1 : 0;
-            isQuoted = character != u'"';
-        } else if (character == u'"') {
+            isQuoted = character != u'\"';
+        } else if (character == u'\"') {
             isQuoted = true;
         } else if (character == u'(') {
             ++depth;
