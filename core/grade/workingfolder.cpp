@@ -26,8 +26,8 @@ QStringList removalOf(const QString &folder)
 {
     // Folders may be closed to their owner.
     return {QStringLiteral("/bin/sh"), QStringLiteral("-c"),
-            QStringLiteral("rm -rf -- \"$1\" 2>/dev/null || "
-                           "{ chmod -R u+rwx -- \"$1\"; rm -rf -- \"$1\"; } 2>/dev/null"),
+            QStringLiteral("/bin/rm -rf -- \"$1\" 2>/dev/null || "
+                           "{ /bin/chmod -R u+rwx -- \"$1\"; /bin/rm -rf -- \"$1\"; } 2>/dev/null"),
             QStringLiteral("sh"), folder};
 }
 

@@ -230,7 +230,7 @@ void MainWindow::connectParts()
     connect(m_parts.files, &SceneFiles::replacing, m_parts.playhead,
             [this] { m_parts.playhead->setTraced(nullptr); });
     connect(m_parts.files, &SceneFiles::replacing, m_parts.effects, &EffectSwitches::reset);
-    connect(m_parts.files, &SceneFiles::loaded, m_parts.canvas, &Canvas::fitToView);
+    connect(m_parts.files, &SceneFiles::replacing, m_parts.canvas, &Canvas::fitToView);
     connect(m_parts.files, &SceneFiles::begun, m_parts.canvas,
             [canvas = m_parts.canvas] { canvas->setTool(CanvasTool::Draw); });
     for (const auto come : {&SceneFiles::begun, &SceneFiles::loaded})

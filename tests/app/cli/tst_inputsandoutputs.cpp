@@ -24,9 +24,9 @@ namespace {
 const QByteArray scene = R"({ "pixelplumb": 1, "frame": { "width": 8, "height": 8 },
     "camera": { "eye": [0, 0, 4], "fieldOfView": 40, "near": 1, "far": 10 },
     "materials": { "a": { "texture": "texture.png" } },
-    "primitives": [ { "mesh": "mesh.obj", "material": "a" },
-                    { "triangle": [[0, 0], [7, 0], [0, 5]],
-                      "colors": ["#ff0000", "#00ff00", "#0000ff"] } ] })";
+    "primitives": [ { "triangle": [[0, 0], [7, 0], [0, 5]],
+                      "colors": ["#ff0000", "#00ff00", "#0000ff"] },
+                    { "mesh": "mesh.obj", "material": "a" } ] })";
 const QByteArray mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 const QByteArray assignment = R"({ "pixelplumbAssignment": 1, "name": "One",
     "scenes": [ { "name": "one", "scene": "scene.json" } ] })";

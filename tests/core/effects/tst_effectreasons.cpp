@@ -155,7 +155,7 @@ private slots:
             "they are interpolated: u and v");
         add(
             "no triangle, no w", [](Primitives &p) { p.triangles.clear(); }, Effect::Perspective,
-            no, 0, "no triangle is drawn");
+            no, 0, "nothing reaches the frame");
 
         add("no texture", none, Effect::Texture, no, 0, "no triangle's material has a texture");
         add(

@@ -164,11 +164,12 @@ private slots:
             = {triangleAtUnits(latticePixel(0, 0), latticePixel(6, 0), latticePixel(0, 6))};
         const auto traced = traceScene(scene);
 
-        QCOMPARE(
-            pixelHistory(*traced, 3, 0).front().reason,
-            QStringLiteral("The sample lies exactly on P₀P₁, and the rule off-screen-point "
-                           "gives it to the other side: the edge's function is 6 at the off-screen "
-                           "point and −36 at the vertex that faces it."));
+        QCOMPARE(pixelHistory(*traced, 3, 0).front().reason,
+                 QStringLiteral(
+                     "The sample lies exactly on P₀P₁, and the rule off-screen-point "
+                     "gives it to the other side: the edge's function is 6 at the off-screen "
+                     "point (−1, −1) and −36 at the vertex that faces it; their product, −216, "
+                     "is not above 0."));
         const SetUpRecord setUp = traced->trace->setUp(0);
         const NamedNumbers numbers(traced->trace->numbers().setUp, setUp.cells);
         QCOMPARE(numbers[QStringLiteral("f_c")], Quantity::integer(-36));

@@ -34,9 +34,9 @@ private slots:
         row("empty", "", "the input is empty; expected JSON");
         row("a key twice, once by its codes",
             R"({ "pixelplumb": 1, "frame": { "width": 8, "w\u0069dth": 9, "height": 8 } })",
-            "frame.width: the key is there twice; expected every key once");
+            "line 1, column 57, frame.width: the key is there twice; expected every key once");
         row("a key twice, both by codes", R"({ "\u0061": 1, "\u0061": 2 })",
-            "a: the key is there twice; expected every key once");
+            "line 1, column 26, a: the key is there twice; expected every key once");
         row("blank", " \n ", "the input is empty; expected JSON");
         row("an array", "[1]",
             "line 1, column 1, pixelplumb: no format number: this is no Pixelplumb scene; expected "

@@ -313,6 +313,8 @@ private slots:
         const auto shown = [&] {
             QStringList told;
             for (QDockWidget *dock : m_window->findChildren<QDockWidget *>()) {
+                if (dock == dockNamed("predictDock"))
+                    continue; // seen, it hides what is ahead
                 m_window->parts().messageBar->hide();
                 named<QAction>(*m_window, qPrintable(dock->objectName() + "Toggle"))
                     ->setEnabled(true);

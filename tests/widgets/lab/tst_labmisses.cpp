@@ -138,7 +138,7 @@ private slots:
         }
         const auto *canvas = named<Canvas>(*m_window, "canvas");
         QVERIFY(canvas->view().contains(canvas->positionOf(pixel)));
-        QVERIFY(canvas->zoom() >= 8);
+        QVERIFY2(canvas->zoom() >= 8, qPrintable(QString::number(canvas->zoom())));
         QCOMPARE(m_window->size(), sizeOnSmallScreen);
         const QString place = QStringLiteral("(%1, %2)").arg(pixel.x()).arg(pixel.y());
         QVERIFY(named<QLabel>(*m_window, "pixelHistoryHeading")->text().contains(place));

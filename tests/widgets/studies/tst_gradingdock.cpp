@@ -348,7 +348,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
 
         emit named<GradingPanel>(*window, "grading")
-            ->openRequested({smallScene(), {}, "bob · small", "it is 20 × 20 pixels"});
+            ->openRequested({smallScene(), {}, {}, "bob · small", "it is 20 × 20 pixels"});
 
         QVERIFY(!window->parts().student->judgement());
         QCOMPARE(named<QLabel>(*window, "submissionVerdict")->text(),

