@@ -49,14 +49,15 @@ QString sourceName(const Light &light, std::size_t index)
 Component wayTo(Light::Kind kind, const QString &name)
 {
     return [=](QChar axis) {
-        return kind == Light::Kind::Positional ? QStringLiteral("(%1%2 − %2)").arg(name).arg(axis)
-                                               : name + axis;
+        return kind == Light::Kind::Positional
+            ? QStringLiteral("(%1%2 − %2)").arg(name, QString(axis))
+            : name + axis;
     };
 }
 
 Component against(const QString &direction)
 {
-    return [=](QChar axis) { return QStringLiteral("(−%1%2)").arg(direction).arg(axis); };
+    return [=](QChar axis) { return QStringLiteral("(−%1%2)").arg(direction, QString(axis)); };
 }
 
 /// "light_0R·NL_0 + light_1R·NL_1".

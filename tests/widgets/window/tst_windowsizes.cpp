@@ -122,7 +122,7 @@ private slots:
     void theFirstWindowIsNoLargerThanTheScreen()
     {
         const MainWindow window;
-        const QSize room = window.screen()->availableSize().expandedTo(window.minimumSizeHint());
+        const QSize room = window.screen()->availableSize().expandedTo(window.minimumSize());
 
         QCOMPARE(window.size().boundedTo(room), window.size());
     }
