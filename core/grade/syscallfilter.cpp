@@ -64,12 +64,19 @@ void denySharedMemory(FilterRules &rules)
         rules.deny(seccomp_syscall_resolve_name(call), EPERM);
 }
 
+/// A condition on an argument of a call, by its place from 0. The macros of seccomp.h are C's.
+scmp_arg_cmp argument(unsigned place, scmp_compare comparison, scmp_datum_t datum,
+                      scmp_datum_t second = 0)
+{
+    return {place, comparison, datum, second};
+}
+
 /// In a namespace of users whoever made it may mount, and make devices of the network.
 void denyNamespaces(FilterRules &rules)
 {
     rules.deny(SCMP_SYS(clone3), ENOSYS); // its flags are in memory: clone has them at hand
     for (const int call : {SCMP_SYS(clone), SCMP_SYS(unshare)})
-        rules.denyWhere(call, EPERM, SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_NEWUSER, CLONE_NEWUSER));
+        rules.denyWhere(call, EPERM, argument(0, SCMP_CMP_MASKED_EQ, CLONE_NEWUSER, CLONE_NEWUSER));
     for (const char *call : {"setns", "mount", "umount2", "pivot_root", "fsopen", "move_mount",
                              "open_tree", "mount_setattr"})
         rules.deny(seccomp_syscall_resolve_name(call), EPERM);
@@ -89,18 +96,18 @@ void denyShared(FilterRules &rules)
             = domain == AF_UNIX || domain == AF_INET || domain == AF_INET6 || domain == AF_NETLINK;
         if (!isSeparate)
             rules.denyWhere(SCMP_SYS(socket), EAFNOSUPPORT,
-                            SCMP_A0_32(SCMP_CMP_EQ, unsigned(domain)));
+                            argument(0, SCMP_CMP_EQ, unsigned(domain)));
     }
-    rules.denyWhere(SCMP_SYS(socket), EAFNOSUPPORT, SCMP_A0_32(SCMP_CMP_GT, unsigned(lastDomain)));
+    rules.denyWhere(SCMP_SYS(socket), EAFNOSUPPORT, argument(0, SCMP_CMP_GT, unsigned(lastDomain)));
 }
 
 /// Where there is no namespace of processes, a signal to all would end who started the program.
 void denyDisturbing(FilterRules &rules)
 {
-    rules.denyWhere(SCMP_SYS(kill), EPERM, SCMP_A0_32(SCMP_CMP_EQ, ~0U));
+    rules.denyWhere(SCMP_SYS(kill), EPERM, argument(0, SCMP_CMP_EQ, ~0U));
     constexpr unsigned consoleInput = 0x541C; // TIOCLINUX: pastes into a console
     for (const unsigned request : {unsigned(TIOCSTI), consoleInput})
-        rules.denyWhere(SCMP_SYS(ioctl), EPERM, SCMP_A1_32(SCMP_CMP_EQ, request));
+        rules.denyWhere(SCMP_SYS(ioctl), EPERM, argument(1, SCMP_CMP_EQ, request));
 }
 
 QByteArray makeFilter()
