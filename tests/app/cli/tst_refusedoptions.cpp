@@ -52,7 +52,7 @@ private slots:
         row("a picture of no name", {"diagnose", "", "--scene", scene},
             "PICTURE is empty: what a program drew of each scene");
         row("a scene of no name among others", {"render", "", scene, "--ascii"},
-            "“”: names no file; expected the name of one, or - for standard input");
+            "SCENE is empty: scene files (JSON), or - for standard input");
         row("a study of no scene", {"lab", ""}, "SCENE is empty: a scene file");
         row("a method of no name", {"methods", ""}, "NAME is empty: One method, whole");
         row("probes of no scene", {"probes", "", "--candidates", "1"},
