@@ -6,6 +6,7 @@
 #include "tests/support/scanning.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/windowsteps.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/files/examplefolder.h"
 #include "widgets/files/scenefiles.h"
