@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lab/labrace.h"
 
-#include "core/number/failure.h"
 #include "core/lab/drawsample.h"
+#include "core/number/failure.h"
 
 #include <algorithm>
 

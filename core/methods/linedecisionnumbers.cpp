@@ -153,11 +153,11 @@ const NumberTable<DecisionSetUpState> &bresenhamSetUpNumbers()
               .unit = {},
               .toolTip = QStringLiteral("What of p_k = 2Δy·x_k − 2Δx·y_k + c no pixel changes; + "
                                         "2Δx·y_k where the line falls."),
-              .formula = constant.arg(u'+'),
+              .formula = constant.arg(QChar(u'+')),
               .group = Group::Decision},
              [](const DecisionSetUpState &setUp) { return setUp.constant; },
              [constant](NumberDescription &number, const DecisionSetUpState &setUp) {
-                 number.formula = constant.arg(setUp.falls ? u'−' : u'+');
+                 number.formula = constant.arg(QChar(setUp.falls ? u'−' : u'+'));
              }});
         return table;
     }();

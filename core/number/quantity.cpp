@@ -122,9 +122,9 @@ Quantity productOf(const Quantity &a, const Quantity &b)
         return number.isRational() && absolute(number.numerator()) <= largest
             && number.denominator() <= largest;
     };
-    return fits(a) && fits(b) ? Quantity::rational(a.numerator() * b.numerator(),
-                                                   a.denominator() * b.denominator())
-                              : Quantity::of(a.toDouble() * b.toDouble());
+    return fits(a) && fits(b)
+        ? Quantity::rational(a.numerator() * b.numerator(), a.denominator() * b.denominator())
+        : Quantity::of(a.toDouble() * b.toDouble());
 }
 
 QString toText(Int128 value)
