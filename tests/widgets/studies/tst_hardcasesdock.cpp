@@ -185,7 +185,8 @@ private slots:
                                  30000);
 
         grabbed(*m_window, QStringLiteral("hardcases"));
-        // The list's middle is its chosen row, in another colour.
+        // Not hardCasesTree: it was found on #0e2130 in the light palette, and nobody knows why
+        // yet.
         QTRY_COMPARE(readingFault(*named<QWidget>(*m_window, "hardCaseWords")), QString());
     }
 
