@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/effects/shadedfill.h"
+#include "core/scan/exactarithmetic.h"
 
 #include <array>
 #include <utility>

@@ -8,6 +8,8 @@
 
 #include <QHash>
 
+#include <utility>
+
 namespace pixelplumb {
 
 /// What a scene takes from other files, pictures and meshes: each read once, found beside the
@@ -15,9 +17,9 @@ namespace pixelplumb {
 class ReferredFiles {
 public:
     /// The folder of the scene's file; empty where there is none: the current one.
-    explicit ReferredFiles(const QString &folder, const ProgressListener &listener = {})
-        : m_folder(folder)
-        , m_listener(listener)
+    explicit ReferredFiles(QString folder, ProgressListener listener = {})
+        : m_folder(std::move(folder))
+        , m_listener(std::move(listener))
     {
     }
 
