@@ -263,4 +263,33 @@ QString FormulaRange::text() const
         .arg(double(m_range.greatest), 0, 'g', 17);
 }
 
+namespace {
+
+/// "y_B ← y_B′ + m₀₂": what stands on the left, and what on the right.
+std::pair<QString, QString> sidesOf(const QString &symbols)
+{
+    for (const QChar sign : {QChar(u'←'), QChar(u'=')}) {
+        if (const qsizetype place = symbols.indexOf(sign); place >= 0)
+            return {symbols.first(place).trimmed(), symbols.sliced(place + 1).trimmed()};
+    }
+    return {symbols, symbols};
+}
+
+} // namespace
+
+QString formulaFault(const FormulaLine &line, const std::optional<FormulaRange> &range,
+                     Arithmetic arithmetic)
+{
+    const auto [left, right] = sidesOf(line.symbols);
+    if (left == right)
+        return QStringLiteral("says nothing");
+    if (!range)
+        return QStringLiteral("cannot be worked out");
+    if (range->holds(line.used))
+        return QString();
+    const auto wrapped = FormulaRange::wrappedOf(line.substituted, arithmetic);
+    return wrapped && wrapped->holds(line.used) ? QString()
+                                                : QStringLiteral("gives ") + range->text();
+}
+
 } // namespace pixelplumb

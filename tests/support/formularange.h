@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/number/quantity.h"
+#include "core/runs/explanation.h"
 #include "tests/support/rangearithmetic.h"
 
 #include <QString>
@@ -37,5 +38,10 @@ private:
 
     NumberRange m_range;
 };
+
+/// What is wrong with a formula that comes out within the range, where there is one; empty where
+/// nothing is.
+QString formulaFault(const FormulaLine &line, const std::optional<FormulaRange> &range,
+                     Arithmetic arithmetic);
 
 } // namespace pixelplumb

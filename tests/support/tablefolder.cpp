@@ -51,7 +51,7 @@ struct Table {
     QByteArray json;
 };
 
-QString faultOf(const Table &table, const TracedScene &traced, TraceLevel level)
+QString faultOfTable(const Table &table, const TracedScene &traced, TraceLevel level)
 {
     const QStringList names = traceColumnNames(traced.trace->numbers(), level);
     // No cell of these tables holds a line's end.
@@ -70,11 +70,21 @@ Table tableOf(const TracedScene &traced, TraceLevel level)
 
 } // namespace
 
+QString TableFolder::faultOf(const TracedScene &traced) const
+{
+    for (const TraceLevel level : allLevels) {
+        const QString fault = faultOfTable(tableOf(traced, level), traced, level);
+        if (!fault.isEmpty())
+            return fault;
+    }
+    return {};
+}
+
 QString TableFolder::faultOfKept(const TracedScene &traced, const QString &name)
 {
     for (const TraceLevel level : allLevels) {
         const Table table = tableOf(traced, level);
-        const QString fault = faultOf(table, traced, level);
+        const QString fault = faultOfTable(table, traced, level);
         if (!fault.isEmpty())
             return fault;
         const QString path = m_folder.filePath(QStringLiteral("%1-%2").arg(name).arg(int(level)));

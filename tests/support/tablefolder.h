@@ -12,7 +12,9 @@ namespace pixelplumb {
 class TableFolder {
 public:
     /// Why one of a run's tables, of any level and format, cannot be written or read; empty where
-    /// all can be. Those that are CSV or JSON are kept for python3 as NAME-LEVEL.
+    /// all can be.
+    QString faultOf(const TracedScene &traced) const;
+    /// The same; those that are CSV or JSON are kept for python3 as NAME-LEVEL.
     QString faultOfKept(const TracedScene &traced, const QString &name);
     /// Why python3 cannot read all that was kept; empty where it can.
     QString faultByPython() const;

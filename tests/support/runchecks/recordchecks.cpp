@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/runchecks/runcheck.h"
+#include "tests/support/spread.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Of a run's spans, those whose words are asked for.
+constexpr std::size_t mostSpans = 12;
+
+/// Whether the words describe these numbers, each in its place.
+bool describe(const StepWords &words, const std::vector<NumberDescription> &numbers)
+{
+    return std::ranges::equal(words.numbers, numbers, {}, &NumberDescription::id,
+                              &NumberDescription::id);
+}
+
+QString cellFault(const CheckedRun &run)
+{
+    const ScanTrace &trace = *run.traced->trace;
+    const TraceNumbers &numbers = trace.numbers();
+    for (std::size_t i = 0; i < trace.primitiveCount(); ++i) {
+        if (trace.setUp(i).cells.size() != numbers.setUp.size()
+            || !describe(trace.setUpWords(i), numbers.setUp))
+            return QStringLiteral("set-up %1").arg(i);
+    }
+    for (std::size_t span = 0; span < trace.spanCount(); ++span) {
+        if (trace.span(span).cells.size() != numbers.span.size())
+            return QStringLiteral("span %1").arg(span);
+        for (const SampleRecord &sample : trace.samples(span)) {
+            if (sample.cells.size() != numbers.sample.size())
+                return QStringLiteral("sample (%1, %2)").arg(sample.x).arg(sample.y);
+        }
+    }
+    for (const std::size_t span : spreadOver(trace.spanCount(), mostSpans)) {
+        if (!describe(trace.spanWords(span), numbers.span))
+            return QStringLiteral("words of span %1").arg(span);
+        if (trace.firstSampleOf(span) < trace.endSampleOf(span)
+            && !describe(trace.sampleWords(span, 0), numbers.sample))
+            return QStringLiteral("words of a sample of span %1").arg(span);
+    }
+    return {};
+}
+
+/// Whether a sample stands at the place in its column or row that its order tells.
+bool isInOrder(const SampleRecord &sample, const SpanRecord &span, std::size_t place)
+{
+    const bool isRow = span.place.axis == SpanAxis::Row;
+    return (isRow ? sample.x : sample.y) == span.firstDrawn + std::int64_t(place)
+        && (isRow ? sample.y : sample.x) == span.place.coordinate;
+}
+
+QString sampleFault(const CheckedRun &run)
+{
+    const ScanTrace &trace = *run.traced->trace;
+    // With effects a pixel may be visited for several samples.
+    if (run.traced->plan)
+        return {};
+    for (std::size_t span = 0; span < trace.spanCount(); ++span) {
+        const SpanRecord record = trace.span(span);
+        const std::vector<SampleRecord> samples = trace.samples(span);
+        const bool isOrdered = record.place.axis != SpanAxis::Free
+            && run.traced->primitives.isTriangle(record.primitive);
+        if (samples.size() != trace.endSampleOf(span) - trace.firstSampleOf(span)
+            || (isOrdered && std::int64_t(samples.size()) != record.drawnSamples()))
+            return QStringLiteral("span %1 has %2 samples").arg(span).arg(samples.size());
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const PixelChange &change = trace.changes()[trace.firstSampleOf(span) + i];
+            if (samples[i].x != change.x || samples[i].y != change.y
+                || (samples[i].fate == SampleFate::Written) != change.isWritten()
+                || (isOrdered && !isInOrder(samples[i], record, i)))
+                return QStringLiteral("sample %1 of span %2").arg(i).arg(span);
+        }
+    }
+    return {};
+}
+
+QString indexFault(const CheckedRun &run)
+{
+    const ScanTrace &trace = *run.traced->trace;
+    std::size_t samples = 0;
+    for (std::size_t index = 0; index < trace.stepCount(); ++index) {
+        const TraceStep step = trace.stepAt(index);
+        bool isRight = trace.samplesDoneAt(index) == samples;
+        switch (step.kind) {
+        case StepKind::SetUp:
+            isRight = isRight && trace.indexOfSetUp(step.primitive) == index;
+            break;
+        case StepKind::Span:
+            isRight = isRight && trace.indexOfSpan(step.span) == index
+                && trace.primitiveOf(step.span) == step.primitive;
+            break;
+        case StepKind::Sample:
+            isRight = isRight && trace.indexOfSample(step.sample) == index
+                && trace.spanOf(step.sample) == step.span && step.sample == samples;
+            ++samples;
+            break;
+        }
+        if (!isRight)
+            return QStringLiteral("step %1").arg(index);
+    }
+    return samples == trace.sampleCount() ? QString() : QStringLiteral("%1 samples").arg(samples);
+}
+
+} // namespace
+
+std::vector<RunCheck> recordChecks()
+{
+    return {{QStringLiteral("every record has a cell and words for each number"), cellFault},
+            {QStringLiteral("the samples of a span are its changes, in their order"), sampleFault},
+            {QStringLiteral("the index of a step leads back to the step"), indexFault}};
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/casestorun.h"
+#include "tests/support/runchecks/runcheck.h"
+#include "tests/support/tablefolder.h"
+
+namespace pixelplumb {
+
+namespace {
+
+/// One run in so many is kept for another program to read; all of them where all cases are run.
+constexpr std::size_t keptShare = 4;
+
+} // namespace
+
+RunCheck tableCheck(TableFolder &folder)
+{
+    const auto runs = std::make_shared<std::size_t>(0);
+    return {QStringLiteral("every table of the run can be read"),
+            [&folder, runs](const CheckedRun &run) {
+                // Their tables are those of the tests of effects and of the trace command.
+                if (run.traced->plan)
+                    return QString();
+                return (*runs)++ % keptShare == 0 || areAllCasesRun()
+                    ? folder.faultOfKept(*run.traced, run.name)
+                    : folder.faultOf(*run.traced);
+            }};
+}
+
+} // namespace pixelplumb
