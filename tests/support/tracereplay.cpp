@@ -3,22 +3,7 @@
 
 #include "core/frame/framebuffer.h"
 
-#include <QTest>
-
 namespace pixelplumb {
-
-void addMethodsOf(MethodFamily family)
-{
-    QTest::addColumn<QString>("method");
-    QTest::addColumn<Arithmetic>("arithmetic");
-    for (const Method &method : methods()) {
-        if (method.family != family)
-            continue;
-        for (const Arithmetic arithmetic : method.arithmetics)
-            QTest::addRow("%s %s", qPrintable(method.id), nameOf(arithmetic).data())
-                << method.id << arithmetic;
-    }
-}
 
 QImage replayed(const ScanTrace &trace, const FrameSpec &frame)
 {

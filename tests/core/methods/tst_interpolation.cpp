@@ -190,18 +190,6 @@ private slots:
         }
     }
 
-    void exactPicturesAreTheTruth()
-    {
-        for (std::uint32_t seed = 0; seed < std::uint32_t(fewerIfSanitized(300)); ++seed) {
-            for (const char *form : forms) {
-                for (const FillRule rule : rules) {
-                    const auto traced = tracedBy(anyScene(seed), form, rule);
-                    QVERIFY2(traced->differences.total() == 0, qPrintable(QString::number(seed)));
-                }
-            }
-        }
-    }
-
     void aSegmentIsColouredAlongItself_data()
     {
         QTest::addColumn<std::int64_t>("toX");
@@ -404,37 +392,6 @@ private slots:
             const QStringList names = namesOf(traced->trace->numbers().sample);
             for (const char *channel : {"z", "u", "v", "N_x"})
                 QVERIFY2(!names.contains(QLatin1String(channel)), channel);
-        }
-    }
-
-    void cellsAreAsTheColumnsSayAndTracingChangesNoPicture()
-    {
-        for (std::uint32_t seed = 0; seed < 40; ++seed) {
-            for (const char *form : forms) {
-                for (const Arithmetic arithmetic :
-                     {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64}) {
-                    const auto traced
-                        = tracedBy(anyScene(seed), form, FillRule::Closed, arithmetic);
-                    const ScanTrace &trace = *traced->trace;
-                    const TraceNumbers &numbers = trace.numbers();
-                    QCOMPARE(trace.setUp(0).cells.size(), numbers.setUp.size());
-                    FrameBuffer replayed(traced->scene.frame);
-                    for (std::size_t span = 0; span < trace.spanCount(); ++span) {
-                        QCOMPARE(trace.span(span).cells.size(), numbers.span.size());
-                        for (const SampleRecord &sample : trace.samples(span)) {
-                            QCOMPARE(sample.cells.size(), numbers.sample.size());
-                            const auto byte = [&](std::size_t i) {
-                                return int(std::clamp<std::int64_t>(sample.level[i], 0, 255));
-                            };
-                            *replayed.view().at(sample.x, sample.y)
-                                = qRgb(byte(0), byte(1), byte(2));
-                        }
-                    }
-                    FrameBuffer plain(traced->scene.frame);
-                    drawScene(traced->scene, plain);
-                    QVERIFY(replayed.copy() == plain.copy());
-                }
-            }
         }
     }
 };

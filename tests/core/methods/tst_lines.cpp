@@ -197,34 +197,6 @@ private slots:
         }
     }
 
-    void tracingChangesNothingAndReplays_data() { addMethodsOf(MethodFamily::Lines); }
-    void tracingChangesNothingAndReplays()
-    {
-        QFETCH(QString, method);
-        QFETCH(Arithmetic, arithmetic);
-        QRandomGenerator random(5);
-        Scene scene;
-        scene.frame = frameOf(60, 50, -10, -5);
-        scene.method = method.toStdString();
-        scene.settings.arithmetic = arithmetic;
-        for (int i = 0; i < 12; ++i)
-            scene.shapes.push_back(randomLine(random, 60 * unitsPerPixel));
-        FrameBuffer drawn(scene.frame);
-        drawScene(scene, drawn);
-
-        const auto traced = traceScene(scene);
-
-        const ScanTrace &trace = *traced->trace;
-        QCOMPARE(replayed(trace, scene.frame), drawn.copy());
-        QCOMPARE(trace.primitiveCount(), std::size_t(12));
-        for (std::size_t span = 0; span < trace.spanCount(); ++span) {
-            const SpanRecord record = trace.span(span);
-            QCOMPARE(record.cells.size(), traced->method->numbers.span.size());
-            QCOMPARE(std::int64_t(trace.samples(span).size()), record.drawnSamples());
-        }
-        QCOMPARE(trace.setUp(0).cells.size(), traced->method->numbers.setUp.size());
-    }
-
     // Drawing takes each line's own integers, a trace the widest of all.
     void aLineBesideAVeryLongOneIsDrawnAsItIsTraced()
     {

@@ -179,34 +179,6 @@ private slots:
         }
     }
 
-    void tracingChangesNoPictureAndReplaysEachRow()
-    {
-        for (std::uint32_t seed = 0; seed < std::uint32_t(fewerIfSanitized(100)); ++seed) {
-            Dice dice(seed);
-            const Shape shape = anyPolygon(dice, 24 * 16, 16);
-            for (const Arithmetic arithmetic : allArithmetics) {
-                const Scene scene = sceneOf({shape}, frameOf(24, 24), "polygon-parity", arithmetic);
-                const auto traced = traceScene(scene);
-                const ScanTrace &trace = *traced->trace;
-                QString replayed(24 * 25, u'.');
-                for (int row = 0; row < 24; ++row)
-                    replayed[row * 25 + 24] = u'\n';
-                for (std::size_t span = 0; span < trace.spanCount(); ++span) {
-                    const auto samples = trace.samples(span);
-                    QCOMPARE(samples.size(), trace.endSampleOf(span) - trace.firstSampleOf(span));
-                    QCOMPARE(trace.span(span).cells.size(), traced->method->numbers.span.size());
-                    for (const SampleRecord &sample : samples) {
-                        QCOMPARE(sample.cells.size(), traced->method->numbers.sample.size());
-                        if (sample.fate == SampleFate::Written)
-                            replayed[int(23 - sample.y) * 25 + int(sample.x)] = u'#';
-                    }
-                }
-                QCOMPARE(replayed, drawn(scene));
-                QCOMPARE(trace.setUp(0).cells.size(), traced->method->numbers.setUp.size());
-            }
-        }
-    }
-
     void eachCrossingIsItsBasePlusItsRiseTimesItsSlope()
     {
         const auto traced = traceScene(

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/tracedscene.h"
-#include "core/scene/scenefile.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/shapes.h"
-#include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>
@@ -110,14 +107,6 @@ private slots:
         // 3/10 of them, as of lines: see resources/misprints.md.
         const double share = double(thin) / double(rounded);
         QVERIFY2(share > 0.65 && share < 0.75, qPrintable(QString::number(share)));
-    }
-
-    void theExampleSceneIsDrawnTrue()
-    {
-        const auto reading = readSceneFile(resource(QStringLiteral("/scenes/curves.json")));
-        const auto traced = traceScene(reading->scene);
-        QCOMPARE(traced->differences.count(Difference::Missing), std::int64_t(0));
-        QCOMPARE(traced->differences.count(Difference::Extra), std::int64_t(0));
     }
 
     void aHugeCurveIsDrawnTrueWhereItPassesTheFrame()

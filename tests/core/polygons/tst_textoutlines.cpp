@@ -175,19 +175,6 @@ private slots:
         QVERIFY(farthest > 1); // or the bound is not tested
     }
 
-    void tracingChangesNoPictureInAnyArithmetic()
-    {
-        for (const Arithmetic arithmetic : allArithmetics) {
-            const Scene scene = sceneOf({textOf("Ag8%", latticePixel(2, 9), 30 * 256)},
-                                        frameOf(100, 40), "text-outlines", arithmetic);
-            FrameBuffer frame(scene.frame);
-            const auto trace
-                = methodNamed(u"text-outlines")
-                      ->trace(primitivesOnSamples(scene), scene.settings, frame.view(), {});
-            QCOMPARE(pictureOf(frame), drawn(scene));
-        }
-    }
-
     void aTextBeyondTheLatticeIsRefused()
     {
         const auto rejectionOfText = [](const Shape &text) {

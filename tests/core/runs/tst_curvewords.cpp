@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/formulatext.h"
 #include "core/runs/formulaexplanation.h"
-#include "core/runs/sceneplan.h"
 #include "core/runs/tracedscene.h"
-#include "core/scene/scenefile.h"
 #include "tests/support/shapes.h"
-#include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 
-#include <QDir>
 #include <QRegularExpression>
 #include <QTest>
 
@@ -223,32 +219,6 @@ private slots:
             for (const LatticePoint &pixel : named)
                 QVERIFY2(truth.isWritten(pixel.x, pixel.y), qPrintable(sentence));
         });
-    }
-
-    void onlyMethodsThatTestSamplesSaySo()
-    {
-        const auto isDecision
-            = [](const NumberDescription &number) { return number.group == NumberGroup::Decision; };
-        const QDir folder(resource(QStringLiteral("/scenes")));
-        for (const QString &name : folder.entryList({QStringLiteral("*.json")})) {
-            Scene scene = readSceneFile(folder.filePath(name))->scene;
-            for (const Method &method : methods()) {
-                scene.method = method.id.toStdString();
-                scene.settings.arithmetic = method.arithmetics.front();
-                scene.settings.fillRule = method.fillRules.front();
-                if (!planOf(scene).isPlain())
-                    continue;
-                const auto traced = traceScene(scene);
-                for (std::size_t span = 0; span < traced->trace->spanCount(); span += 7) {
-                    const QString sentence = ToldSpan{*traced, span}.sentence();
-                    QVERIFY(!sentence.isEmpty());
-                    if (sentence.contains(QStringLiteral("tested one by one")))
-                        QVERIFY2(method.draws(PrimitiveKind::Triangle)
-                                     && std::ranges::any_of(method.numbers.sample, isDecision),
-                                 qPrintable(method.id));
-                }
-            }
-        }
     }
 };
 

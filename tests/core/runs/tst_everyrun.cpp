@@ -11,9 +11,6 @@
 #include <algorithm>
 #include <map>
 
-Q_DECLARE_METATYPE(const pixelplumb::Method *)
-Q_DECLARE_METATYPE(std::function<void(pixelplumb::CheckedRun &)>)
-
 namespace tst_everyrun {
 
 using namespace pixelplumb;
@@ -39,9 +36,7 @@ public:
         QString text;
         for (const auto &[sentence, finding] : m_findings)
             text += QStringLiteral("\nNot so: %1. In %2 runs, first in %3")
-                        .arg(sentence)
-                        .arg(finding.count)
-                        .arg(finding.first);
+                        .arg(sentence, QString::number(finding.count), finding.first);
         return text;
     }
 

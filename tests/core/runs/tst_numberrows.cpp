@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/formulaexplanation.h"
-#include "core/runs/sceneplan.h"
+#include "core/export/traceexport.h"
 #include "core/runs/tracedscene.h"
-#include "core/scan/choicenames.h"
-#include "core/scene/scenefile.h"
-#include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 
-#include <QDir>
 #include <QRegularExpression>
 #include <QSet>
 #include <QTest>
@@ -19,85 +14,6 @@ namespace tst_numberrows {
 using namespace pixelplumb;
 
 namespace {
-
-/// The examples that call for effects.
-std::vector<Scene> scenesWithEffects()
-{
-    std::vector<Scene> all;
-    const QDir folder(resource(QStringLiteral("/scenes")));
-    for (const QString &name : folder.entryList({QStringLiteral("*.json")})) {
-        Scene scene = readSceneFile(folder.filePath(name))->scene;
-        if (!planOf(scene).isPlain())
-            all.push_back(std::move(scene));
-    }
-    return all;
-}
-
-/// The program's examples that call for nothing beyond colour, and a scene of several kinds with
-/// triangles that have no area.
-std::vector<Scene> scenes()
-{
-    std::vector<Scene> all;
-    const QDir folder(resource(QStringLiteral("/scenes")));
-    for (const QString &name : folder.entryList({QStringLiteral("*.json")}))
-        if (Scene scene = readSceneFile(folder.filePath(name))->scene; planOf(scene).isPlain())
-            all.push_back(std::move(scene));
-    const auto triangle = [](std::array<LatticePoint, 3> points) {
-        return Triangle{
-            {{{points[0], {{255, 0, 0}}}, {points[1], {{0, 255, 0}}}, {points[2], {{0, 0, 255}}}}}};
-    };
-    Scene mixed = all.front();
-    mixed.triangles
-        = {triangle({latticePixel(1, 1), latticePixel(9, 9), latticePixel(5, 5)}),
-           triangle({latticePixel(3, 1), latticePixel(3, 8), latticePixel(3, 5)}),
-           triangle({latticePixel(2, 6), latticePixel(9, 6), latticePixel(2, 6)}),
-           triangle({latticePixel(4, 4), latticePixel(4, 4), latticePixel(4, 4)}),
-           triangle({LatticePoint{100, 300}, LatticePoint{2600, 900}, LatticePoint{700, 2500}}),
-           triangle({latticePixel(-70000, 2), latticePixel(70000, 3), latticePixel(0, 70000)})};
-    all.push_back(mixed);
-    return all;
-}
-
-QStringList idsOf(const std::vector<NumberDescription> &numbers)
-{
-    QStringList ids;
-    for (const NumberDescription &number : numbers)
-        ids.append(number.id);
-    return ids;
-}
-
-/// Some thirty of a run's spans are looked at.
-std::size_t strideOf(const ScanTrace &trace) { return 1 + trace.spanCount() / 30; }
-
-/// Whether the words describe these numbers, each in its place.
-bool describe(const StepWords &words, const std::vector<NumberDescription> &numbers)
-{
-    return idsOf(words.numbers) == idsOf(numbers);
-}
-
-/// Calls `check` with the run of each scene under one method, in each of its arithmetics and, in
-/// the first of them, under each of its rules.
-template <class Check>
-void forEachRun(const QString &id, const Check &check, const std::vector<Scene> &all = scenes())
-{
-    const Method &method = *methodNamed(id);
-    for (Scene scene : all) {
-        scene.method = id.toStdString();
-        for (const Arithmetic arithmetic : method.arithmetics) {
-            for (const FillRule rule : method.fillRules) {
-                if (arithmetic != method.arithmetics.front() && rule != method.fillRules.front())
-                    continue;
-                scene.settings.arithmetic = arithmetic;
-                scene.settings.fillRule = rule;
-                if (!objectionTo(scene).isEmpty())
-                    continue;
-                TraceOptions options;
-                options.sampleLimit = 2000;
-                check(*traceScene(scene, options));
-            }
-        }
-    }
-}
 
 /// The two edges that a triangle's column or row crosses at the sample line, by their positions
 /// there, px: an independent statement of the bounds.
@@ -150,72 +66,31 @@ private:
     }
 
 private slots:
-    void everyRecordHasACellForEachDescription_data() { addMethods(); }
-    void everyRecordHasACellForEachDescription()
-    {
-        QFETCH(QString, id);
-        const auto check = [](const TracedScene &traced) {
-            const ScanTrace &trace = *traced.trace;
-            const TraceNumbers &numbers = trace.numbers();
-            for (std::size_t i = 0; i < trace.primitiveCount(); ++i) {
-                QCOMPARE(trace.setUp(i).cells.size(), numbers.setUp.size());
-                QVERIFY(describe(trace.setUpWords(i), numbers.setUp));
-            }
-            for (std::size_t span = 0; span < trace.spanCount(); span += strideOf(trace)) {
-                QCOMPARE(trace.span(span).cells.size(), numbers.span.size());
-                QVERIFY(describe(trace.spanWords(span), numbers.span));
-                for (const SampleRecord &sample : trace.samples(span))
-                    QCOMPARE(sample.cells.size(), numbers.sample.size());
-                if (trace.firstSampleOf(span) < trace.endSampleOf(span))
-                    QVERIFY(describe(trace.sampleWords(span, 0), numbers.sample));
-            }
-        };
-        forEachRun(id, check);
-        forEachRun(id, check, scenesWithEffects());
-    }
-
-    void everyStepIsExplained_data() { addMethods(); }
-    void everyStepIsExplained()
-    {
-        QFETCH(QString, id);
-        forEachRun(id, [](const TracedScene &traced) {
-            const ScanTrace &trace = *traced.trace;
-            for (std::size_t step = 0; step < trace.stepCount();
-                 step += trace.stepAt(step).kind == StepKind::SetUp ? 1 : 11) {
-                const Explanation explanation = explainStep(traced, step);
-                QVERIFY(!explanation.heading.isEmpty());
-                QVERIFY(!explanation.sentence.isEmpty());
-            }
-        });
-    }
-
-    void titlesFollowTheSettingsAlone_data() { addMethods(); }
-    void titlesFollowTheSettingsAlone()
-    {
-        QFETCH(QString, id);
-        forEachRun(id, [](const TracedScene &traced) {
-            QStringList titles;
-            for (std::size_t span = 0; span < traced.trace->spanCount();
-                 span += strideOf(*traced.trace)) {
-                QStringList here;
-                for (const NumberDescription &number : traced.trace->spanWords(span).numbers)
-                    here.append(number.title);
-                if (span == 0)
-                    titles = here;
-                QCOMPARE(here, titles);
-            }
-        });
-    }
-
     void everyNumberHasItsOwnNameInFiles_data() { addMethods(); }
     void everyNumberHasItsOwnNameInFiles()
     {
         QFETCH(QString, id);
         const Method &method = *methodNamed(id);
-        for (const auto *numbers :
-             {&method.numbers.setUp, &method.numbers.span, &method.numbers.sample}) {
-            const QStringList ids = idsOf(*numbers);
-            QCOMPARE(QSet<QString>(ids.begin(), ids.end()).size(), ids.size());
+        // What a sample's table says of every method; a method may describe the same numbers.
+        const QSet<QString> shared
+            = {QStringLiteral("primitive"), QStringLiteral("x"), QStringLiteral("y"),
+               QStringLiteral("R"),         QStringLiteral("G"), QStringLiteral("B")};
+        for (const auto &[level, numbers] :
+             {std::pair(TraceLevel::SetUp, &method.numbers.setUp),
+              std::pair(TraceLevel::Column, &method.numbers.span),
+              std::pair(TraceLevel::Pixel, &method.numbers.sample)}) {
+            const QStringList ofAllMethods = traceColumnNames({}, level);
+            QStringList own;
+            for (const NumberDescription &number : *numbers) {
+                QVERIFY2(!own.contains(number.id), qPrintable(number.id));
+                QVERIFY2(shared.contains(number.id) || !ofAllMethods.contains(number.id),
+                         qPrintable(number.id));
+                own.append(number.id);
+            }
+            QStringList all = traceColumnNames(method.numbers, level);
+            QCOMPARE(all.removeDuplicates(), qsizetype(0));
+            for (const QString &name : own)
+                QVERIFY2(all.contains(name), qPrintable(name));
         }
     }
 

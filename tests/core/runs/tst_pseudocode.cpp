@@ -20,13 +20,6 @@ using namespace pixelplumb;
 
 namespace {
 
-void addMethods()
-{
-    QTest::addColumn<const Method *>("method");
-    for (const Method &method : methods())
-        QTest::newRow(qPrintable(method.id)) << &method;
-}
-
 std::vector<NamedScene> scenesWithEffects()
 {
     std::vector<NamedScene> scenes;
@@ -100,24 +93,12 @@ QStringList boundFormulas(const StepWords &words)
 
 } // namespace
 
-/// The pseudocode of every method is what its kernel does.
+/// The pseudocode of every method is what its kernel does; that each step does a line of it and
+/// each line is done is checked of every run (tst_everyrun).
 class TestPseudocode : public QObject {
     Q_OBJECT
 
 private slots:
-    void everyStepDoesALineAndEveryLineIsDone_data() { addMethods(); }
-    void everyStepDoesALineAndEveryLineIsDone()
-    {
-        QFETCH(const Method *, method);
-        std::set<QString> done;
-        for (const auto &[name, scene] : scenesForEveryMethod()) {
-            collectLines(*tracedBy(*method, method->arithmetics.front(), scene), name, done);
-            if (QTest::currentTestFailed())
-                return;
-        }
-        QCOMPARE(linesNotIn(method->pseudocode, done), QStringList());
-    }
-
     void everyEffectThatRunsHasItsLines_data()
     {
         QTest::addColumn<const Method *>("method");

@@ -212,20 +212,6 @@ private slots:
         QVERIFY(sentence(ShapeFill::NonZero).contains(QStringLiteral("Non-zero decides")));
     }
 
-    void coordinatesThatAreNotTheScenesAreSaidToBe()
-    {
-        Scene scene = defaultSceneIn(Arithmetic::Exact);
-        const auto notice = QStringLiteral("½ px less than the scene's");
-        QVERIFY(!setUpOf(scene).sentence.contains(notice));
-        scene.frame.pixelCentre = PixelCentre::Half;
-        for (const Method &method : methods()) {
-            scene.method = method.id.toStdString();
-            scene.settings = method.adapted(scene.settings);
-            const QString sentence = explainStep(*traceScene(scene), 0).sentence;
-            QVERIFY2(sentence.contains(notice), qPrintable(method.id + u' ' + sentence));
-        }
-    }
-
     void aSegmentWhoseFirstTwoVerticesShareAColumnIsAllSecondHalf()
     {
         for (const char *id : {"column-scan", "interpolate-bilinear"}) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/tracedscene.h"
-#include "core/trace/tracecursor.h"
 #include "tests/support/testprogram.h"
 #include "tests/support/trianglepictures.h"
 
@@ -11,21 +10,6 @@ namespace tst_triangletraces {
 using namespace pixelplumb;
 
 namespace {
-
-/// A row for each method, arithmetic and fill rule.
-void addAllRows()
-{
-    QTest::addColumn<QString>("id");
-    QTest::addColumn<ScanSettings>("settings");
-    for (const Method *method : triangleMethods()) {
-        for (const Arithmetic arithmetic : method->arithmetics) {
-            for (const FillRule rule : method->fillRules) {
-                const ScanSettings settings{arithmetic, rule, ByteRounding::Truncate};
-                QTest::newRow(rowName(*method, settings).c_str()) << method->id << settings;
-            }
-        }
-    }
-}
 
 Scene tracedSceneOf(const QString &id, const ScanSettings &settings)
 {
@@ -83,58 +67,6 @@ private slots:
             }
         }
         QVERIFY(unbounded > 0);
-    }
-
-    void tracingDoesNotChangeTheFrame_data() { addAllRows(); }
-    void tracingDoesNotChangeTheFrame()
-    {
-        QFETCH(QString, id);
-        QFETCH(ScanSettings, settings);
-        const Scene scene = tracedSceneOf(id, settings);
-        FrameBuffer drawn(scene.frame), recorded(scene.frame);
-        drawScene(scene, drawn);
-        const auto trace
-            = methodNamed(id)->trace(primitivesOnSamples(scene), settings, recorded.view(), {});
-        QCOMPARE(recorded.copy(), drawn.copy());
-        TraceCursor cursor(*trace, scene.frame);
-        cursor.seek(trace->stepCount());
-        QCOMPARE(cursor.frame().copy(), drawn.copy());
-        const QImage blank = FrameBuffer(scene.frame).copy();
-        cursor.seek(0);
-        QCOMPARE(cursor.frame().copy(), blank);
-    }
-
-    void keepsEverySampleAndANumberForEveryColumn_data() { addAllRows(); }
-    void keepsEverySampleAndANumberForEveryColumn()
-    {
-        QFETCH(QString, id);
-        QFETCH(ScanSettings, settings);
-        const Method &method = *methodNamed(id);
-        const auto traced = traceScene(tracedSceneOf(id, settings));
-        const ScanTrace &trace = *traced->trace;
-        QCOMPARE(trace.primitiveCount(), traced->primitives.size());
-        QVERIFY(trace.writtenCount() > 100);
-        for (std::size_t primitive = 0; primitive < trace.primitiveCount(); ++primitive) {
-            QCOMPARE(trace.setUp(primitive).cells.size(), method.numbers.setUp.size());
-        }
-        for (std::size_t span = 0; span < trace.spanCount(); ++span) {
-            const SpanRecord record = trace.span(span);
-            QCOMPARE(record.cells.size(), method.numbers.span.size());
-            const std::vector<SampleRecord> samples = trace.samples(span);
-            QCOMPARE(samples.size(), std::size_t(record.drawnSamples()));
-            for (std::size_t i = 0; i < samples.size(); ++i) {
-                const PixelChange &change = trace.changes()[trace.firstSampleOf(span) + i];
-                const bool isRow = record.place.axis == SpanAxis::Row;
-                QCOMPARE(samples[i].x, std::int64_t(change.x));
-                QCOMPARE(samples[i].y, std::int64_t(change.y));
-                QCOMPARE(samples[i].fate == SampleFate::Written, change.isWritten());
-                // What shows which samples are still to come counts on their ascending order.
-                QCOMPARE(isRow ? samples[i].x : samples[i].y, record.firstDrawn + std::int64_t(i));
-                QCOMPARE(isRow ? samples[i].y : samples[i].x, record.place.coordinate);
-                QVERIFY(samples[i].cells.empty()
-                        || samples[i].cells.size() == method.numbers.sample.size());
-            }
-        }
     }
 
     void barycentricOverAllPixelsVisitsThemAll()

@@ -44,8 +44,8 @@ QString faultOf(const CheckedRun &run, Tally &tally)
             const QString fault = formulaFault(line, range, arithmetic);
             if (!fault.isEmpty() && faults.size() < mostFaults)
                 faults += QStringLiteral("%1: %2 %3, not %4, at step %5")
-                              .arg(line.symbols, line.substituted, fault, toText(line.used))
-                              .arg(each.index);
+                              .arg(line.symbols, line.substituted, fault, toText(line.used),
+                                   QString::number(each.index));
             if (run.origin != RunOrigin::Scene)
                 continue;
             ++tally.count;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/method.h"
+#include "core/runs/sceneplan.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/sanitized.h"
@@ -10,45 +11,73 @@
 
 #include <QTest>
 
+#include <algorithm>
+
 namespace tst_everystepinwindow {
 
 using namespace pixelplumb;
 
-/// Every method beside every scene, its own kind or not, the arithmetics in turn, stepped through
-/// in the window: a method may have nothing to draw, but the window always has something to say.
+/// Every method beside a scene that has primitives of all kinds, and every scene under a method
+/// that draws it and one that draws others, the arithmetics in turn, stepped through in the window:
+/// a method may have nothing to draw, but the window always has something to say. What it says is
+/// checked of every run without a window (tst_everyrun).
 class TestEveryStepInWindow : public QObject {
     Q_OBJECT
 
 private slots:
     void init() { m_settings.clear(); }
 
-    void everyMethodCanBeSteppedInTheWindow_data()
+    void everyMethodCanBeSteppedInTheWindow()
+    {
+        const Scene &mixed
+            = std::ranges::find(m_scenes, QStringLiteral("mixed"), &NamedScene::first)->second;
+        const auto window = openedWindow(mixed);
+        std::size_t turn = 0;
+        constexpr std::size_t share = isSanitized ? 3 : 1;
+        for (std::size_t i = 0; i < methods().size(); i += share)
+            QCOMPARE(faultUnder(*window, methods()[i], turn++), QString());
+    }
+
+    void everySceneCanBeSteppedInTheWindow_data()
     {
         QTest::addColumn<std::size_t>("scene");
         for (std::size_t i = 0; i < m_scenes.size(); ++i)
             QTest::newRow(qPrintable(m_scenes[i].first)) << i;
     }
-    void everyMethodCanBeSteppedInTheWindow()
+    void everySceneCanBeSteppedInTheWindow()
     {
         QFETCH(std::size_t, scene);
         const auto window = openedWindow(m_scenes[scene].second);
-        SceneDocument &document = *window->parts().document;
-        std::size_t turn = scene;
-        constexpr std::size_t share = isSanitized ? 3 : 1;
-        for (std::size_t i = scene % share; i < methods().size(); i += share) {
-            const Method &method = methods()[i];
-            document.setMethod(method.id.toStdString());
-            ScanSettings settings = method.adapted(document.scene().settings);
-            settings.arithmetic = method.arithmetics[turn++ % method.arithmetics.size()];
-            document.setSettings(settings);
-            QVERIFY2(waitForRun(*window), qPrintable(method.id));
-            const QString fault = faultInSteps(*window);
-            QVERIFY2(fault.isEmpty(), qPrintable(fault));
-            QVERIFY(!window->grab().isNull());
+        // One method of each sort, another from scene to scene.
+        for (const bool draws : {true, false}) {
+            Scene drawn = m_scenes[scene].second;
+            for (std::size_t i = 0; i < methods().size(); ++i) {
+                const Method &method = methods()[(scene + i) % methods().size()];
+                drawn.method = method.id.toStdString();
+                if (drawsAnyOf(drawn) != draws)
+                    continue;
+                QCOMPARE(faultUnder(*window, method, scene), QString());
+                break;
+            }
         }
     }
 
 private:
+    /// What the window lacks at the steps of its scene under a method; empty where nothing.
+    static QString faultUnder(MainWindow &window, const Method &method, std::size_t turn)
+    {
+        SceneDocument &document = *window.parts().document;
+        document.setMethod(method.id.toStdString());
+        ScanSettings settings = method.adapted(document.scene().settings);
+        settings.arithmetic = method.arithmetics[turn % method.arithmetics.size()];
+        document.setSettings(settings);
+        if (!waitForRun(window))
+            return method.id + QStringLiteral(": no run");
+        const QString fault = faultInSteps(window);
+        window.grab(); // painting must not fail
+        return fault;
+    }
+
     IsolatedSettings m_settings;
     const std::vector<NamedScene> m_scenes = scenesForEveryMethod();
 };

@@ -46,7 +46,7 @@ std::vector<NamedScene> casesToOpen()
 
 /// Every hard case under a third of the methods, its own kind or not, and every method beside a
 /// third of the cases, stepped through in the window. The arithmetics take turns, too;
-/// tst_exportedcases has every case under every method.
+/// tst_everyrun has every case under every method.
 class TestHardCasesInWindow : public QObject {
     Q_OBJECT
 

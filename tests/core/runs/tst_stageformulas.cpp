@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/formulaexplanation.h"
+#include "core/runs/tracedscene.h"
+#include "core/scene/scenefile.h"
+#include "tests/support/formularange.h"
+#include "tests/support/sourcetree.h"
+#include "tests/support/spacescenes.h"
+#include "tests/support/spread.h"
+#include "tests/support/testprogram.h"
+
+#include <QSet>
+#include <QTest>
+
+namespace tst_stageformulas {
+
+using namespace pixelplumb;
+
+namespace {
+
+/// Of a run: its first step, its last and others evenly between them.
+constexpr std::size_t mostSteps = 280;
+
+Scene exampleNamed(const QString &name)
+{
+    return readSceneFile(resource(QStringLiteral("/scenes/")) + name)->scene;
+}
+
+} // namespace
+
+/// Of the stages of a lit sample and of those from space to the frame each has its formulas; that
+/// the others come out at the numbers beside them is checked of every run (tst_everyrun).
+class TestStageFormulas : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theStagesOfALitSampleHaveFormulas_data()
+    {
+        QTest::addColumn<QString>("id");
+        for (const char *id : {"column-scan", "interpolate-bilinear", "interpolate-plane",
+                               "interpolate-barycentric"})
+            QTest::newRow(id) << QString::fromLatin1(id);
+    }
+    void theStagesOfALitSampleHaveFormulas()
+    {
+        QFETCH(QString, id);
+        Scene scene = exampleNamed(QStringLiteral("lit-sphere.json"));
+        scene.method = id.toStdString();
+        const auto traced = traceScene(scene);
+        QSet<QString> shown;
+        for (const std::size_t step : spreadOver(traced->trace->stepCount(), mostSteps)) {
+            for (const FormulaLine &line : explainStep(*traced, step).lines)
+                shown.insert(line.symbols);
+        }
+        QStringList expected = {
+            QStringLiteral("|N| = √(N_x² + N_y² + N_z²)"),
+            QStringLiteral("n_y = N_y/|N|"),
+            QStringLiteral("V_z = (E_z − p_z)/√((E_x − p_x)² + (E_y − p_y)² + (E_z − p_z)²)"),
+            QStringLiteral("L_0x = (−d_0x)/√((−d_0x)² + (−d_0y)² + (−d_0z)²)"),
+            QStringLiteral("L_1x = (S_1x − p_x)/√((S_1x − p_x)² + (S_1y − p_y)² + (S_1z − p_z)²)"),
+            QStringLiteral("NL_1 = max(0, n_x·L_1x + n_y·L_1y + n_z·L_1z)"),
+            QStringLiteral("H_0y = (L_0y + V_y)/√((L_0x + V_x)² + (L_0y + V_y)² + (L_0z + V_z)²)"),
+            QStringLiteral("NH_0 = max(0, n_x·H_0x + n_y·H_0y + n_z·H_0z)"),
+            QStringLiteral("highlight_0 = NH_0^shininess"),
+            QStringLiteral("I_R = base_R·(ambient_R + light_0R·NL_0 + light_1R·NL_1)/255 + "
+                           "specular_R·(light_0R·highlight_0 + light_1R·highlight_1)/255"),
+            QStringLiteral("s_R = min(255, ⌊I_R + ½⌋)"),
+            QStringLiteral("y_T ← y_T′ + m₀₂"),
+            QStringLiteral("m₀₁ = (y₁ − y₀)/(x₁ − x₀)")};
+        if (!id.contains(QStringLiteral("plane")) && !id.contains(QStringLiteral("barycentric")))
+            expected
+                += {QStringLiteral("q_B ← q_B′ + δq₀₂"), QStringLiteral("q_T ← q₀ + (x − x₀)·δq₀₂"),
+                    QStringLiteral("N_xwB ← N_xwB′ + δN_xw₀₂"),
+                    QStringLiteral("δq₁₂ = (q₂ − q₁)/(x₂ − x₁)")};
+        for (const QString &formula : expected)
+            QVERIFY2(shown.contains(formula), qPrintable(formula));
+    }
+
+    void everyFormulaOfTheWayFromSpaceComesOutAtTheNumberBesideIt_data()
+    {
+        QTest::addColumn<Projection>("projection");
+        QTest::addColumn<FrameOrigin>("origin");
+        QTest::addColumn<Shading>("shading");
+        QTest::newRow("perspective, lit at the vertices")
+            << Projection::Perspective << FrameOrigin::BottomLeft << Shading::Gouraud;
+        QTest::newRow("perspective, lit at the samples")
+            << Projection::Perspective << FrameOrigin::TopLeft << Shading::Phong;
+        QTest::newRow("orthographic, lit once a face")
+            << Projection::Orthographic << FrameOrigin::BottomLeft << Shading::Flat;
+    }
+    void everyFormulaOfTheWayFromSpaceComesOutAtTheNumberBesideIt()
+    {
+        QFETCH(Projection, projection);
+        QFETCH(FrameOrigin, origin);
+        QFETCH(Shading, shading);
+        Scene scene = sceneOf({triangle3({-1, -0.5, 2}, {1, -0.5, 2}, {0, 1, 5.5}),
+                               solidOf(SolidKind::Sphere), solidOf(SolidKind::Patch)});
+        scene.camera->projection = projection;
+        scene.camera->eye = {0.3, 0.4, 4.7};
+        scene.frame.origin = origin;
+        scene.appearance.shading = shading;
+        scene.appearance.lights
+            = {{Light::Kind::Directional, {-attributeOne, -attributeOne, 0}, {}},
+               {Light::Kind::Positional, {0, attributeOne, attributeOne}, {}}};
+        const auto traced = traceScene(scene);
+        QSet<QString> stages;
+        QSet<QString> formulas;
+        std::size_t cuts = 0;
+        for (std::size_t primitive = 0; primitive < traced->trace->primitiveCount();
+             primitive += 3) {
+            const std::size_t step = traced->trace->indexOfSetUp(primitive);
+            for (const StageFormulas &stage : explainStep(*traced, step).stages) {
+                stages.insert(stage.stage);
+                cuts += stage.note.contains(QStringLiteral("the near plane cuts")) ? 1 : 0;
+                for (const FormulaLine &line : stage.lines) {
+                    if (line.substituted.isEmpty())
+                        continue;
+                    formulas.insert(line.symbols);
+                    const QString fault = formulaFault(
+                        line, FormulaRange::of(line.substituted, Arithmetic::Float64),
+                        Arithmetic::Float64);
+                    QVERIFY2(fault.isEmpty(),
+                             qPrintable(QStringLiteral("%1, %2: %3: %4 %5, not %6")
+                                            .arg(stage.stage, stage.point, line.symbols,
+                                                 line.substituted, fault, toText(line.used))));
+                }
+            }
+        }
+        QCOMPARE(stages.size(), shading == Shading::Phong ? 7 : 8);
+        QVERIFY(cuts > 0);
+        for (const char *formula :
+             {"x_view = right_x·(x − E_x) + right_y·(y − E_y) + right_z·(z − E_z)",
+              "z_clip = scale_z·(−z_view − near)", "x_device = x_clip/w",
+              "x = x_first + (x_device + 1)/2·width − ½", "x = ⌊256·x′ + ½⌋/256",
+              "t = z_V₁/(z_V₁ − z_V₂)"})
+            QVERIFY2(formulas.contains(QString::fromUtf8(formula)), formula);
+    }
+
+    void aNameThatIsNoNumberIsNoticed()
+    {
+        QVERIFY(FormulaRange::of(QStringLiteral("(9 1/2) + 3·2²"), Arithmetic::Exact));
+        for (const char *text : {"(9 1/2) + ΔR", "p_k₊₁", "", "3 +", "(4", "1/0", "R′ + 2"})
+            QVERIFY2(!FormulaRange::of(QString::fromUtf8(text), Arithmetic::Exact), text);
+    }
+};
+
+PIXELPLUMB_TEST(TestStageFormulas)
+
+} // namespace tst_stageformulas
+
+#include "tst_stageformulas.moc"
