@@ -112,7 +112,7 @@ QString LiveFigures::timeText() const
 QString LiveFigures::details() const
 {
     QString shown = text();
-    if (isProved && wrongPixels == 0)
+    if (isProved && pixels > 0 && wrongPixels == 0)
         shown += QStringLiteral("\nThe method is proved to draw every pixel right.");
     if (!perPixel)
         return shown;

@@ -86,6 +86,21 @@ void specifyRate(const EdgeWalkNames &names, NumberDescription &description,
     description = names.filled(std::move(description));
 }
 
+/// Whether each level is computed from the triangle's first vertex, and none from the one before.
+bool isDirect(const EdgeWalkNames &names, const EdgeWalkStart &start)
+{
+    return names.form().walk == WalkForm::Direct && (start.hasPlane || start.isVertical);
+}
+
+/// The level at @ on the span.
+QString directLevel(const EdgeWalkStart &start)
+{
+    return start.hasPlane
+        ? QStringLiteral("%₀ + ((%₁ − %₀)·(y₂ − y₀) − (%₂ − %₀)·(y₁ − y₀))/A·(x − x₀) + "
+                         "Δ%·(@ − y₀)")
+        : QStringLiteral("%₀ + (@ − y₀)·Δ%");
+}
+
 /// What the levels of a span start from.
 QString startFormula(const EdgeWalkNames &names, const EdgeWalkStart &start, const QString &title)
 {
@@ -97,11 +112,8 @@ QString startFormula(const EdgeWalkNames &names, const EdgeWalkStart &start, con
             ? QStringLiteral("%_{lo} + ({a}_start − %1)·Δ%")
                   .arg(names.coveredSample(SpanBound::Lower, start.covered))
             : QStringLiteral("%_{lo}");
-    else if (names.form().walk == WalkForm::Direct && start.hasPlane)
-        formula = QStringLiteral("%₀ + ((%₁ − %₀)·(y₂ − y₀) − (%₂ − %₀)·(y₁ − y₀))/A·(x − x₀) + "
-                                 "Δ%·(@ − y₀)");
-    else if (names.form().walk == WalkForm::Direct && start.isVertical)
-        formula = QStringLiteral("%₀ + (@ − y₀)·Δ%");
+    else if (isDirect(names, start))
+        formula = directLevel(start);
     else if (!hasRate(names, start))
         formula = QStringLiteral("%_{lo}");
     return names.filled(title + formula.replace(u'@', first));
@@ -174,6 +186,9 @@ NumberTable<EdgeWalkSampleState> edgeWalkSampleNumbers(const EdgeWalkForm &form)
         [=](NumberDescription &description, const EdgeWalkSampleState &state) {
             if (state.isFirst)
                 description.formula = startFormula(names, state.start, title);
+            else if (isDirect(names, state.start))
+                description.formula = names.filled(
+                    title + directLevel(state.start).replace(u'@', QStringLiteral("y")));
             description.startFormula.clear();
         });
     return table;

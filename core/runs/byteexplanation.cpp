@@ -13,12 +13,13 @@ namespace {
 constexpr std::array channelSubjects
     = {NumberSubject::Red, NumberSubject::Green, NumberSubject::Blue};
 
-/// "⌊R + ½⌋", with the clamp where it was needed; % stands for the level.
-QString byteFormula(ByteRounding rounding, std::int64_t level)
+/// "⌊R + ½⌋", with the clamp where it was needed; % stands for the channel. A float's kernel cuts
+/// towards zero: below zero its level is 0 where the floor is −1.
+QString byteFormula(ByteRounding rounding, const Quantity &channel, std::int64_t level)
 {
-    const QString rounded
-        = rounding == ByteRounding::Nearest ? QStringLiteral("⌊% + ½⌋") : QStringLiteral("⌊%⌋");
-    if (level < 0)
+    const bool isNearest = rounding == ByteRounding::Nearest;
+    const QString rounded = isNearest ? QStringLiteral("⌊% + ½⌋") : QStringLiteral("⌊%⌋");
+    if (level < 0 || channel.toDouble() + (isNearest ? 0.5 : 0.0) < 0)
         return QStringLiteral("max(0, ") + rounded + u')';
     return level > 255 ? QStringLiteral("min(255, ") + rounded + u')' : rounded;
 }
@@ -69,7 +70,8 @@ void appendRounding(Explanation &explanation, ByteRounding rounding, const Sampl
         if (sample.colour[channel].isNone())
             continue;
         const auto filled = [&](const QString &level) {
-            return byteFormula(rounding, sample.level[channel]).replace(u'%', level);
+            return byteFormula(rounding, sample.colour[channel], sample.level[channel])
+                .replace(u'%', level);
         };
         FormulaLine byte;
         byte.subject = channelSubjects[channel];

@@ -54,25 +54,36 @@ private slots:
         QTest::addColumn<WalkLines>("lines");
         QTest::addColumn<Mistakes>("mistakes");
         QTest::addColumn<QString>("ids");
-        const auto add = [](WalkLines lines, const Mistakes &mistakes, const char *ids) {
-            QTest::addRow("%s, %s", ids, lines == WalkLines::Rows ? "rows" : "columns")
-                << lines << mistakes << QString::fromLatin1(ids);
+        struct Program {
+            WalkLines lines;
+            Mistakes mistakes;
+            QString ids;
         };
+        std::vector<Program> programs;
         using enum WalkMistake;
         for (const WalkLines lines : {WalkLines::Columns, WalkLines::Rows}) {
-            add(lines, {SpanDivisorPlusOne, LastSpanMissing},
+            const auto add = [&](const Mistakes &mistakes, const char *ids) {
+                programs.push_back({lines, mistakes, QString::fromLatin1(ids)});
+            };
+            add({SpanDivisorPlusOne, LastSpanMissing},
                 lines == WalkLines::Columns
                     ? "colour-divisor-plus-one and last-span-missing"
                     : "colour-divisor-plus-one and first-span-missing"); // from above
-            add(lines, {WholeSlopes, SpanDivisorPlusOne},
-                "colour-divisor-plus-one and whole-slopes");
-            add(lines, {WholeEdgeColours, ColoursBetweenSamples},
+            add({WholeSlopes, SpanDivisorPlusOne}, "colour-divisor-plus-one and whole-slopes");
+            add({WholeEdgeColours, ColoursBetweenSamples},
                 "colours-between-samples and whole-edge-colours");
-            add(lines, {NoEdgeColourPreStep, NoSecondHalf},
+            add({NoEdgeColourPreStep, NoSecondHalf},
                 lines == WalkLines::Columns
                     ? "colours-without-edge-pre-step and second-half-missing"
                     : "colours-without-edge-pre-step and first-half-and-middle-missing");
         }
+        const auto walkOf = [](const Program &program) {
+            return program.lines == WalkLines::Rows ? QStringLiteral("rows")
+                                                    : QStringLiteral("columns");
+        };
+        for (const Program &program : casesToRun(programs, walkOf))
+            QTest::addRow("%s, %s", qPrintable(program.ids), qPrintable(walkOf(program)))
+                << program.lines << program.mistakes << program.ids;
     }
     void aProgramWithTwoMistakesIsNamed()
     {

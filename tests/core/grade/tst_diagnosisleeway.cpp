@@ -182,11 +182,12 @@ private slots:
     {
         QFETCH(Arithmetic, arithmetic);
         const auto scenes = probeScenes();
-        for (const QByteArrayList &pair :
-             std::vector<QByteArrayList>{{"no-colour-pre-step", "half-pixel-down"},
-                                         {"no-edge-pre-step", "last-sample-missing"},
-                                         {"vertices-truncated", "upside-down"},
-                                         {"ends-nearest", "channels-bgr-in-place-of-rgb"}}) {
+        const std::vector<QByteArrayList> pairs
+            = {{"no-colour-pre-step", "half-pixel-down"},
+               {"no-edge-pre-step", "last-sample-missing"},
+               {"vertices-truncated", "upside-down"},
+               {"ends-nearest", "channels-bgr-in-place-of-rgb"}};
+        for (const QByteArrayList &pair : casesToRun(pairs)) {
             const auto diagnosis = diagnose(submissionsIn(arithmetic, scenes, pair));
             const QString told = idsOf(*diagnosis).join(u' ');
             QVERIFY2(diagnosis->isExplained(), qPrintable(pair.join(' ')));

@@ -102,7 +102,8 @@ private slots:
         }
         int failedSearches = 0;
         int otherErrors = 0;
-        for (int pieces = 0; pieces < 60 && failedSearches < 2; ++pieces) {
+        // Before the search, a class is read and judged in some hundred pieces.
+        for (int pieces = 1; pieces < 1 << 16 && failedSearches < 2; pieces *= 2) {
             const QString results = folder.filePath(QStringLiteral("results-%1").arg(pieces));
             const GradingOrder order{subs, results, QStringLiteral("1"), 1};
             const ProgressListener limiting = [&](const JobProgress &progress) {

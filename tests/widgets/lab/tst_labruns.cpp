@@ -147,7 +147,7 @@ private slots:
         QCOMPARE(figures->text(), QStringLiteral("Waiting for another measurement …"));
 
         click("labCancel");
-        QTRY_VERIFY_WITH_TIMEOUT(figures->text().contains("ns a pixel"), longest);
+        QTRY_VERIFY_WITH_TIMEOUT(figures->toolTip().contains("ns a pixel"), longest);
         QVERIFY(figures->toolTip().contains("plain kernel"));
         QVERIFY(figures->toolTip().contains("median of "));
         QVERIFY(figures->toolTip().contains("middle half"));
