@@ -200,16 +200,25 @@ Result<SceneReading> readSceneAt(const QString &path)
 Result<Scene> underOptions(const CommandLine &line, SceneReading reading, const QString &path)
 {
     Scene scene = std::move(reading.scene);
-    const auto method = chosenMethod(line, QString::fromStdString(scene.method));
+    auto method = chosenMethod(line, QString::fromStdString(scene.method));
     if (!method)
         return method.error();
-    scene.settings = settledFor(**method, scene.settings, reading.open);
     const auto arithmetic = chosenArithmetic(line, scene.settings.arithmetic);
     const auto fillRule = chosenFillRule(line, scene.settings.fillRule);
+    if (const auto error = firstError(arithmetic, fillRule))
+        return *error;
+    OpenSettings open = reading.open;
+    open.arithmetic = open.arithmetic && !line.isSet(arithmeticOption);
+    open.fillRule = open.fillRule && !line.isSet(fillRuleOption);
+    scene.settings.arithmetic = *arithmetic;
+    scene.settings.fillRule = *fillRule;
+    if (open.method && !line.isSet(methodOption))
+        method = &methodFor(scene, open);
+    scene.settings = settledFor(**method, scene.settings, open);
     const auto rounding = chosen(line, roundingOption, allByteRoundings, scene.settings.rounding);
     const auto variants = chosenVariants(line, scene.settings.variants);
     const auto forced = chosenForcing(line);
-    if (const auto error = firstError(arithmetic, fillRule, rounding, variants, forced))
+    if (const auto error = firstError(rounding, variants, forced))
         return *error;
     if (line.isSet(frameOption)) {
         if (!scene.motion)
@@ -224,7 +233,8 @@ Result<Scene> underOptions(const CommandLine &line, SceneReading reading, const 
         scene = sceneAtFrame(scene, int(**frame));
     }
     scene.method = (*method)->id.toStdString();
-    scene.settings = {*arithmetic, *fillRule, *rounding, *variants};
+    scene.settings.rounding = *rounding;
+    scene.settings.variants = *variants;
     scene.appearance.forced = *forced;
     return scene;
 }

@@ -52,7 +52,8 @@ struct ShadedEdge {
     }
 };
 
-/// The columns of one triangle that has an area, with what their samples are shaded from. Bounds
+/// The columns of one triangle, or of its segment where it has no area and the rule is closed, with
+/// what their samples are shaded from. Bounds
 /// are walked in A: exactly, or as the column scan in float32 walks them. `Fill` is called with
 /// each column that has samples in the frame, after its observer.
 template <InterpolationForm Form, class N, class A, class Fill>
@@ -64,6 +65,7 @@ public:
                FrameView frame, Fill fill)
         : m_triangle(triangle)
         , m_setUp(setUp)
+        , m_rule(rule, frame.origin, frame.offScreenPoint)
         , m_intervals(columnIntervals(rule))
         , m_frame(frame)
         , m_fill(fill)
@@ -79,6 +81,10 @@ public:
             = std::min(endSampleAt(at(2).x, m_intervals.columns), m_frame.endColumn());
         if (first >= end || isAboveOrBelowFrame())
             return false;
+        if (m_setUp.zeroArea) {
+            scanSegment(first, end);
+            return true;
+        }
         const std::int64_t middle = std::clamp(ceilPixel(at(1).x), first, end);
         Walker longEdge = walkerOn(0, 2, first);
         scanHalf(ColumnHalf::First, first, middle, 0, 1, longEdge);
@@ -149,13 +155,41 @@ private:
         if (first >= end)
             return;
         Walker shortEdge = walkerOn(from, to, first);
+        const Interval rows = rowsBeside(from, to);
         for (std::int64_t x = first; x < end; ++x) {
-            scanColumn(half, x, shortEdge, longEdge);
-            for (Walker *walker : {&shortEdge, &longEdge}) {
-                walker->bound.stepToNextColumn();
-                walker->channels.stepToNextColumn(m_setUp.effects);
-            }
+            scanColumn(half, rows, x, shortEdge, longEdge);
+            step(shortEdge);
+            step(longEdge);
         }
+    }
+
+    void step(Walker &walker) const
+    {
+        walker.bound.stepToNextColumn();
+        walker.channels.stepToNextColumn(m_setUp.effects);
+    }
+
+    /// Both bounds are L₀₂; a vertical segment goes from P0 to P2 in one column.
+    void scanSegment(std::int64_t first, std::int64_t end)
+    {
+        const bool isVertical = at(0).x == at(2).x;
+        const ColumnHalf half = at(0).x == at(1).x ? ColumnHalf::Second : ColumnHalf::First;
+        Walker lower = walkerOn(0, 2, first);
+        Walker upper = walkerOn(isVertical ? 2 : 0, 2, first);
+        for (std::int64_t x = first; x < end; ++x) {
+            scanColumn(half, m_intervals.rows, x, lower, upper);
+            step(lower);
+            step(upper);
+        }
+    }
+
+    /// Which rows belong to the columns between the long edge and a short one.
+    Interval rowsBeside(std::size_t from, std::size_t to) const
+    {
+        const Lattice shortRise = at(to).y - at(from).y;
+        const Lattice longRise = at(2).y - at(0).y;
+        return m_setUp.longEdge == LongEdge::Above ? rowsBetween(m_rule, shortRise, longRise)
+                                                   : rowsBetween(m_rule, longRise, shortRise);
     }
 
     /// As the column scan has it: under the closed rule a column reaches from the one bound to the
@@ -172,7 +206,7 @@ private:
         return m_setUp.longEdge;
     }
 
-    void scanColumn(ColumnHalf half, std::int64_t x, const Walker &shortEdge,
+    void scanColumn(ColumnHalf half, Interval rows, std::int64_t x, const Walker &shortEdge,
                     const Walker &longEdge)
     {
         Column column;
@@ -185,8 +219,8 @@ private:
         const Walker &top = longAbove ? longEdge : shortEdge;
         const auto &low = column.lower = bottom.bound.y;
         const auto &high = column.upper = top.bound.y;
-        column.firstRow = ownsFirst(m_intervals.rows) ? A::ceil(low) : A::floor(low) + 1;
-        column.endRow = ownsLast(m_intervals.rows) ? A::floor(high) + 1 : A::ceil(high);
+        column.firstRow = ownsFirst(rows) ? A::ceil(low) : A::floor(low) + 1;
+        column.endRow = ownsLast(rows) ? A::floor(high) + 1 : A::ceil(high);
         column.firstDrawn = std::max<std::int64_t>(column.firstRow, m_frame.firstRow);
         column.endDrawn = std::min(column.endRow, m_frame.endRow());
         if constexpr (Form == InterpolationForm::Bilinear)
@@ -221,6 +255,7 @@ private:
 
     const Triangle &m_triangle;
     const ShadedSetUp<N> &m_setUp;
+    BoundaryRule m_rule;
     ScanIntervals m_intervals;
     FrameView m_frame;
     Fill m_fill;

@@ -24,7 +24,6 @@ Method bilinearRowsInterpolationMethod()
                                    "LH and RH edges, as a function of y”)");
     method.summary = QStringLiteral("Interpolates down the left and the right edge and then along "
                                     "the row, each by adding a rate; what is covered is exact.");
-    method.fillRules = {FillRule::Closed, FillRule::TopLeft, FillRule::Open};
     return method;
 }
 

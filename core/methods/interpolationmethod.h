@@ -51,9 +51,16 @@ Method plainInterpolationMethod()
     method.effects = {Effect::SmoothColour, Effect::Clipping};
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64};
     method.stableArithmetics = {Arithmetic::Exact};
-    method.fillRules = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::Open};
     method.spanAxis = axisOf(Form);
-    method.fillRuleReason = spanRuleReason(method.spanAxis);
+    if (method.spanAxis == SpanAxis::Row) {
+        method.fillRules = {FillRule::Closed, FillRule::TopLeft, FillRule::Open};
+        method.fillRuleReason = spanRuleReason(method.spanAxis);
+        return method;
+    }
+    method.fillRules
+        = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::TopLeft, FillRule::Open};
+    method.fillRuleReason = QStringLiteral("a column's bounds tell how their edges run, but not "
+                                           "on which side the off-screen point lies");
     return method;
 }
 

@@ -112,6 +112,20 @@ InterpolationSetUpState interpolationStateOf(const InterpolationSetUp<Number, ch
     return state;
 }
 
+/// Which of its bounds belong to a column, or a row. Under top-left that is a matter of a column's
+/// edges, and is seen by the samples that it covers.
+template <InterpolationForm Form, class Number, std::size_t channelsInAll>
+Interval coveredBy(const InterpolationColumn<Number, channelsInAll> &column, FillRule rule)
+{
+    if (axisOf(Form) == SpanAxis::Row || rule != FillRule::TopLeft)
+        return columnIntervals(rule).rows;
+    const bool coversLower = column.firstRow == column.lower.ceil();
+    const bool coversUpper = column.endRow == column.upper.floor() + 1;
+    if (coversLower)
+        return coversUpper ? Interval::Closed : Interval::ClosedOpen;
+    return coversUpper ? Interval::OpenClosed : Interval::Open;
+}
+
 /// How a column's, or a row's, walk along the edges is told, as the edge walks
 /// tell theirs.
 template <InterpolationForm Form, class Number, std::size_t channelsInAll>
@@ -133,7 +147,7 @@ EdgeWalkSpanState interpolationWalkOf(
     walk.start = {!setUp.zeroArea, setUp.zeroArea && p0.x == p2.x && p0.y != p2.y,
                   step.span.firstDrawn != step.span.firstRow,
                   Quantity::of(step.span.yBottom) == Quantity::of(step.span.yTop),
-                  columnIntervals(step.settings.fillRule).rows};
+                  coveredBy<Form>(step.span, step.settings.fillRule)};
     walk.column.x = step.span.x;
     walk.column.half = step.span.half;
     const SortedEdge shortEdge

@@ -36,13 +36,6 @@ QString objectionToShapes(const Method &method, const Scene &scene)
 
 } // namespace
 
-bool mayCallForEffects(const Scene &scene)
-{
-    return !scene.attributes.empty() || scene.hasSolids()
-        || scene.appearance.antialiasing != Antialiasing::None
-        || scene.appearance.forced != EffectForcing{};
-}
-
 EffectPlan planOf(const Scene &scene)
 {
     return planFor(primitivesOnSamples(scene), scene.settings, windowOf(scene.frame));

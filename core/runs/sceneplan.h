@@ -6,10 +6,6 @@
 
 namespace pixelplumb {
 
-/// Whether the scene has anything for which more than colour may be called: most have not, and are
-/// not asked what they need.
-bool mayCallForEffects(const Scene &scene);
-
 /// What the scene's triangles, its solids' among them, and its shapes need, and what is run.
 EffectPlan planOf(const Scene &scene);
 

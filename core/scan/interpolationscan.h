@@ -30,7 +30,8 @@ public:
                       Observer observer)
         : m_triangle(triangle)
         , m_settings(settings)
-        , m_intervals(axisOf(Form) == SpanAxis::Row ? rowIntervals({settings, frame})
+        , m_rule(settings, frame)
+        , m_intervals(axisOf(Form) == SpanAxis::Row ? rowIntervals(m_rule)
                                                     : columnIntervals(settings.fillRule))
         , m_frame(frame)
         , m_observer(observer)
@@ -158,7 +159,21 @@ private:
                         scan.m_observer);
         };
         for (std::int64_t x = first; x < end; ++x)
-            scan.scanColumn(half, x, lower, upper, fill);
+            scan.scanColumn(half, scan.m_intervals.rows, x, lower, upper, fill);
+    }
+
+    /// Which rows belong to the columns between the long edge and a short one.
+    Interval rowsBeside(const Corners &shortEdge) const
+    {
+        if (axisOf(Form) == SpanAxis::Row)
+            return m_intervals.rows;
+        const auto riseOf = [this](const Corners &edge) {
+            return at(edge[1]).position.y - at(edge[0]).position.y;
+        };
+        const Lattice shortRise = riseOf(shortEdge);
+        const Lattice longRise = riseOf({0, 2});
+        return m_setUp.longEdge == LongEdge::Above ? rowsBetween(m_rule, shortRise, longRise)
+                                                   : rowsBetween(m_rule, longRise, shortRise);
     }
 
     [[gnu::always_inline]] void scanHalf(ColumnHalf half, std::int64_t first, std::int64_t end,
@@ -170,23 +185,24 @@ private:
         const bool longAbove = m_setUp.longEdge == LongEdge::Above;
         Walker &bottom = longAbove ? shortWalker : longWalker;
         Walker &top = longAbove ? longWalker : shortWalker;
+        const Interval rows = rowsBeside(shortEdge);
         const auto fill = [&](Column &column) {
             fillInterpolated<Form>(m_setUp, column, m_settings.rounding, m_frame, m_observer);
         };
         for (std::int64_t x = first; x < end; ++x)
-            scanColumn(half, x, bottom, top, fill);
+            scanColumn(half, rows, x, bottom, top, fill);
     }
 
     template <class Fill>
-    [[gnu::always_inline]] void scanColumn(ColumnHalf half, std::int64_t x, Walker &bottom,
-                                           Walker &top, const Fill &fill)
+    [[gnu::always_inline]] void scanColumn(ColumnHalf half, Interval rows, std::int64_t x,
+                                           Walker &bottom, Walker &top, const Fill &fill)
     {
         [[maybe_unused]] const WorkScope span(m_observer, WorkStage::Span);
         Column column;
         column.x = x;
         column.half = half;
-        column.firstRow = ownsFirst(m_intervals.rows) ? bottom.y.ceil() : bottom.y.floor() + 1;
-        column.endRow = ownsLast(m_intervals.rows) ? top.y.floor() + 1 : top.y.ceil();
+        column.firstRow = ownsFirst(rows) ? bottom.y.ceil() : bottom.y.floor() + 1;
+        column.endRow = ownsLast(rows) ? top.y.floor() + 1 : top.y.ceil();
         column.firstDrawn = std::max<std::int64_t>(column.firstRow, m_frame.firstRow);
         column.endDrawn = std::min(column.endRow, m_frame.endRow());
         if constexpr (isBilinear(Form)) {
@@ -215,6 +231,7 @@ private:
 
     const Triangle &m_triangle;
     ScanSettings m_settings;
+    BoundaryRule m_rule;
     ScanIntervals m_intervals;
     View m_frame;
     Observer m_observer;

@@ -36,7 +36,8 @@ struct ScanIntervals {
     Interval rows = Interval::Closed;
 };
 
-/// Of the columns from left to right; closed, open or half-open-column.
+/// Of the columns from left to right; closed, open or half-open-column. Of top-left the columns
+/// alone: its rows depend on the edges.
 constexpr ScanIntervals columnIntervals(FillRule rule)
 {
     if (rule == FillRule::Closed)
@@ -44,6 +45,21 @@ constexpr ScanIntervals columnIntervals(FillRule rule)
     if (rule == FillRule::Open)
         return {Interval::Open, Interval::Open};
     return {Interval::ClosedOpen, Interval::ClosedOpen};
+}
+
+/// The rows of a column between two edges, whose rises from left to right are given. Only top-left
+/// looks at these: displaced to the right, a sample on a falling edge lies above it, on a rising
+/// one below; on a level edge the smaller displacement, down as seen, decides. The columns are
+/// those of columnIntervals().
+constexpr Interval rowsBetween(const BoundaryRule &rule, Lattice lowerRise, Lattice upperRise)
+{
+    if (rule.rule != FillRule::TopLeft)
+        return columnIntervals(rule.rule).rows;
+    const bool ownsLower = lowerRise < 0 || (lowerRise == 0 && rule.down() > 0);
+    const bool ownsUpper = upperRise > 0 || (upperRise == 0 && rule.down() < 0);
+    if (ownsLower)
+        return ownsUpper ? Interval::Closed : Interval::ClosedOpen;
+    return ownsUpper ? Interval::OpenClosed : Interval::Open;
 }
 
 /// Of the rows from the highest y to the lowest, which then are columns; closed, open or top-left.

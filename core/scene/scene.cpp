@@ -54,6 +54,13 @@ std::size_t Scene::hiddenCount() const
     return hidden.size() + std::size_t(std::ranges::count_if(solids, &Solid::isHidden));
 }
 
+bool mayCallForEffects(const Scene &scene)
+{
+    return !scene.attributes.empty() || scene.hasSolids()
+        || scene.appearance.antialiasing != Antialiasing::None
+        || scene.appearance.forced != EffectForcing{};
+}
+
 Primitives primitivesOnSamples(const Scene &scene)
 {
     return primitivesOnSamples(scene, {}).value();

@@ -42,6 +42,10 @@ struct Scene {
     friend bool operator==(const Scene &, const Scene &) = default;
 };
 
+/// Whether the scene has anything for which more than colour may be called: most have not, and are
+/// not asked what they need.
+bool mayCallForEffects(const Scene &scene);
+
 /// The scene's primitives in sample coordinates: pixel (x, y) is the sample at (x, y).
 Primitives primitivesOnSamples(const Scene &scene);
 /// None where the listener, who hears of solids how many faces are projected, ended it.

@@ -50,8 +50,9 @@ private:
 
 struct Method;
 
-/// Which settings a scene file does not name; they are as the method has them.
+/// What a scene file does not name: settings are as the method has them, the method is chosen.
 struct OpenSettings {
+    bool method = true;
     bool arithmetic = true;
     bool fillRule = true;
 };
@@ -59,6 +60,12 @@ struct OpenSettings {
 /// The settings of a scene drawn by a method: of those that are left open exact and closed, or the
 /// method's first where it keeps neither.
 ScanSettings settledFor(const Method &method, ScanSettings settings, const OpenSettings &open);
+
+/// The method of a scene that names none: the first that draws its first primitive, antialiased
+/// where that is a line or curve and the scene asks for it, under the settings that are named, and
+/// with effects where the scene carries what may call for them. Where no method can all of it, the
+/// first that draws the primitive under the settings, or at all.
+const Method &methodFor(const Scene &scene, const OpenSettings &open);
 
 /// A scene file as it was read.
 struct SceneReading {
@@ -68,8 +75,8 @@ struct SceneReading {
 };
 
 /// Reads a scene in JSON: "pixelplumb", "frame" with "width" and "height", and "primitives" must be
-/// there; everything else has a default: the method is the first that draws the first primitive,
-/// arithmetic and fill rule are exact and closed, or the method's first where it keeps neither.
+/// there; everything else has a default: the method is methodFor() the scene, arithmetic and fill
+/// rule are exact and closed, or the method's first where it keeps neither.
 /// Unknown and repeated keys are errors. The listener hears how many bytes are read while a large
 /// text is read piece by piece; when it ends the reading, an error says so. Pictures and meshes are
 /// found in the folder of the scene; empty: the current one. Their names in the scene are absolute.

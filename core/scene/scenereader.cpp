@@ -152,14 +152,18 @@ private:
         }
     }
 
-    /// The method that the scene names, or the first that draws its first primitive, antialiased
-    /// where it is a line or curve and the scene asks for it.
+    /// The method that the scene names, or methodFor() it.
     void chooseMethod(const JsonNode &root)
     {
         Scene &scene = m_inHand.reading.scene;
         const JsonNode node = root[QStringLiteral("method")];
-        const Method *method = &firstMethodFor(scene);
-        if (!node.isMissing()) {
+        OpenSettings &open = m_inHand.reading.open;
+        open = {node.isMissing(), root[QStringLiteral("arithmetic")].isMissing(),
+                root[QStringLiteral("fillRule")].isMissing()};
+        const Method *method = nullptr;
+        if (open.method) {
+            method = &methodFor(scene, open);
+        } else {
             method = methodNamed(m_json.string(node));
             if (method == nullptr) {
                 QStringList ids;
@@ -170,9 +174,6 @@ private:
             }
         }
         scene.method = method->id.toStdString();
-        OpenSettings &open = m_inHand.reading.open;
-        open = {root[QStringLiteral("arithmetic")].isMissing(),
-                root[QStringLiteral("fillRule")].isMissing()};
         scene.settings = settledFor(*method, scene.settings, open);
         if (const QString refusal = method->refusal(scene.settings); !refusal.isEmpty())
             m_json.fail(refusedNode(*method, root), refusal, {});
@@ -186,13 +187,6 @@ private:
             return root[QStringLiteral("arithmetic")];
         return root[method.supports(settings.fillRule) ? QStringLiteral("variants")
                                                        : QStringLiteral("fillRule")];
-    }
-
-    static const Method &firstMethodFor(const Scene &scene)
-    {
-        if (!scene.hasTriangles() && !scene.isEmpty())
-            return pixelplumb::firstMethodFor(scene.shapes.front(), scene.appearance);
-        return pixelplumb::firstMethodFor(PrimitiveKind::Triangle);
     }
 
     JsonReader &m_json;
@@ -228,18 +222,6 @@ std::optional<Result<SceneReading>> readByPieces(const QByteArray &text,
 }
 
 } // namespace
-
-ScanSettings settledFor(const Method &method, ScanSettings settings, const OpenSettings &open)
-{
-    const ScanSettings byDefault;
-    if (open.arithmetic)
-        settings.arithmetic = method.supports(byDefault.arithmetic) ? byDefault.arithmetic
-                                                                    : method.arithmetics.front();
-    if (open.fillRule)
-        settings.fillRule
-            = method.supports(byDefault.fillRule) ? byDefault.fillRule : method.fillRules.front();
-    return settings;
-}
 
 QString SnapReport::message() const
 {

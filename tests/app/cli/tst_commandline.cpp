@@ -147,7 +147,7 @@ private slots:
         row("fill rule", {"trace", defaultScene(), "--fill-rule", "half-open"},
             "--fill-rule: unknown name “half-open”");
         row("rule that the method does not keep",
-            {"trace", defaultScene(), "--fill-rule", "top-left"},
+            {"trace", defaultScene(), "--method", "column-scan", "--fill-rule", "top-left"},
             "cannot keep the fill rule “top-left”: a column ends at its two bounds whatever edge "
             "they "
             "belong to; it keeps closed, half-open-column, open");

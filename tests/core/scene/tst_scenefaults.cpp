@@ -96,7 +96,8 @@ private slots:
             "line 1, column 70, frame.background: “#f0203080” is not opaque, and only triangles "
             "are blended; expected alpha ff, or #rrggbb without alpha");
         row("rule that the method does not keep",
-            sceneWith(R"("fillRule": "off-screen-point", "primitives": [])"),
+            sceneWith(
+                R"("fillRule": "off-screen-point", "method": "column-scan", "primitives": [])"),
             "line 4, column 13, fillRule: method “column-scan” cannot keep the fill rule "
             "“off-screen-point”: "
             "a column ends at its two bounds whatever edge they belong to; it keeps closed, "

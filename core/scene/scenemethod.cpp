@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/method.h"
+#include "core/scene/scenefile.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Whether the method draws the scene's first primitive; an empty scene is one for triangles.
+bool drawsFirst(const Method &method, const Scene &scene)
+{
+    if (scene.hasTriangles() || scene.isEmpty())
+        return method.draws(PrimitiveKind::Triangle);
+    return method.draws(scene.shapes.front());
+}
+
+/// Whether it can what the scene may call for at that primitive.
+bool canEffects(const Method &method, const Scene &scene, Arithmetic arithmetic)
+{
+    if (!scene.hasTriangles())
+        return scene.isEmpty()
+            || method.objection(scene.shapes.front(), scene.appearance).isEmpty();
+    const std::vector<Arithmetic> &shading = method.shadingArithmetics;
+    return !mayCallForEffects(scene)
+        || (method.drawEffects
+            && (shading.empty() || std::ranges::find(shading, arithmetic) != shading.end()));
+}
+
+} // namespace
+
+ScanSettings settledFor(const Method &method, ScanSettings settings, const OpenSettings &open)
+{
+    const ScanSettings byDefault;
+    if (open.arithmetic)
+        settings.arithmetic = method.supports(byDefault.arithmetic) ? byDefault.arithmetic
+                                                                    : method.arithmetics.front();
+    if (open.fillRule)
+        settings.fillRule
+            = method.supports(byDefault.fillRule) ? byDefault.fillRule : method.fillRules.front();
+    return settings;
+}
+
+const Method &methodFor(const Scene &scene, const OpenSettings &open)
+{
+    const Method *keeping = nullptr;
+    const Method *drawing = nullptr;
+    for (const Method &method : methods()) {
+        if (!drawsFirst(method, scene))
+            continue;
+        drawing = drawing ? drawing : &method;
+        const ScanSettings settings = settledFor(method, scene.settings, open);
+        if (!method.objection(settings).isEmpty())
+            continue;
+        keeping = keeping ? keeping : &method;
+        if (canEffects(method, scene, settings.arithmetic))
+            return method;
+    }
+    return keeping ? *keeping : drawing ? *drawing : methods().front();
+}
+
+} // namespace pixelplumb
