@@ -3,6 +3,8 @@
 #include "core/export/numbertext.h"
 #include "core/scene/colourtext.h"
 
+#include <algorithm>
+
 namespace pixelplumb::cli {
 
 namespace {
@@ -33,14 +35,19 @@ QString spanText(const PixelAttempt &attempt)
     return text;
 }
 
-/// The exact level is that of a triangle's plane; the truth of a shape is its pixels.
+/// The level and the byte that was written. The exact level is that of a triangle; the truth of a
+/// shape is its pixels. A mean of samples has no level.
 QString channelText(const PixelAttempt &attempt, std::size_t channel)
 {
     const Quantity &used = attempt.sample->colour[channel];
     const Quantity &exact = attempt.exactColour[channel];
-    QString text = QStringLiteral("    %1 = %2 → %3")
-                       .arg(QString(channelLetters[channel]), toText(used),
-                            QString::number(unpacked(attempt.change.after).channels[channel]));
+    const std::int64_t level = std::clamp<std::int64_t>(attempt.sample->level[channel], 0, 255);
+    const int byte = unpacked(attempt.change.after).channels[channel];
+    QString text = QStringLiteral("    ") + channelLetters[channel];
+    if (!used.isNone())
+        text += QStringLiteral(" = %1 → %2").arg(toText(used), QString::number(level));
+    if (used.isNone() || level != byte)
+        text += QStringLiteral(" → %1").arg(byte);
     if (exact.isNone())
         return text;
     return text

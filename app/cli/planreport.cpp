@@ -36,6 +36,12 @@ QString triangleRange(const EffectBatch &batch)
     return QStringLiteral("%1 … %2").arg(batch.first).arg(batch.first + batch.count - 1);
 }
 
+/// Of triangles, lines or curves: where several run it, it is the same.
+Antialiasing antialiasingOf(const EffectPlan &plan)
+{
+    return std::max(plan.antialiasing, plan.strokeAntialiasing);
+}
+
 QString samplesText(Antialiasing antialiasing)
 {
     switch (antialiasing) {
@@ -124,7 +130,7 @@ QStringList textOf(const PlanReport &report)
     }
     QStringList lines = aligned(rows, {3, 4});
     lines.append(QString());
-    lines.append(samplesText(plan.antialiasing));
+    lines.append(samplesText(antialiasingOf(plan)));
     lines.append(batchesText(plan.batches));
     if (report.timing)
         lines.append(textOf(*report.timing));
@@ -162,7 +168,7 @@ QJsonObject jsonOf(const PlanReport &report)
                                    {QStringLiteral("effects"), names}});
     }
     return {{QStringLiteral("effects"), effects},
-            {QStringLiteral("antialiasing"), samplesText(plan.antialiasing)},
+            {QStringLiteral("antialiasing"), samplesText(antialiasingOf(plan))},
             {QStringLiteral("batches"), batches}};
 }
 

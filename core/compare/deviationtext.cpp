@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/deviation.h"
-#include "core/oracle/oracle.h"
 #include "core/scan/choicenames.h"
 
 #include <QStringList>
@@ -55,8 +54,9 @@ QString coloursText(const Deviation &deviation, const JudgedRun &run, std::int64
         const std::size_t span = trace.spanOf(*visit);
         used = trace.samples(span)[*visit - trace.firstSampleOf(span)].colour;
     }
-    if (run.primitives->isTriangle(*deviation.primitive) && !run.traced->plan)
-        exact = oracle::colourAt(run.primitives->triangles[*deviation.primitive], x, y);
+    // With effects the bytes are not those of the levels.
+    if (!run.traced->plan)
+        exact = exactLevelsAt(*run.traced, *deviation.primitive, x, y);
     QStringList parts;
     for (std::size_t channel = 0; channel < 3; ++channel) {
         if (drawn.channels[channel] == truth.channels[channel])

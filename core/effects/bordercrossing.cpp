@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/bordercrossing.h"
 
-#include "core/scan/edgeteststate.h"
+#include "core/effects/edgepixels.h"
+#include "core/effects/strokestrip.h"
 
 #include <algorithm>
 
@@ -20,14 +21,62 @@ BorderCrossing crossingOfBox(const SampleBox &box, const FrameView &frame)
     return isWhole ? BorderCrossing::Within : BorderCrossing::MayCross;
 }
 
-/// Whether an edge of the triangle has the frame's first and last samples all on its outer side.
-bool isApart(const Triangle &triangle, const FrameView &frame)
+/// The samples of a pixel, from its own.
+std::span<const LatticePoint> samplesOfPixel(Antialiasing antialiasing)
 {
+    static constexpr std::array<LatticePoint, 1> own = {};
+    static constexpr std::array<LatticePoint, 4> corners = {{{-halfPixel, -halfPixel},
+                                                             {halfPixel, -halfPixel},
+                                                             {-halfPixel, halfPixel},
+                                                             {halfPixel, halfPixel}}};
+    if (antialiasing == Antialiasing::Area)
+        return corners;
+    const std::span<const LatticePoint> pattern = samplePattern(antialiasing);
+    return pattern.empty() ? std::span<const LatticePoint>(own) : pattern;
+}
+
+/// The pixels with a sample, or where areas are covered a part, within the triangle's bounding box.
+SampleBox drawnBoxOf(const Triangle &triangle, Antialiasing antialiasing)
+{
+    if (antialiasing == Antialiasing::Area) {
+        const auto [least, greatest] = boundingCornersOf(triangle);
+        return {floorPixel(least.x + halfPixel), ceilPixel(greatest.x - halfPixel) + 1,
+                floorPixel(least.y + halfPixel), ceilPixel(greatest.y - halfPixel) + 1};
+    }
+    SampleBox box;
+    for (const LatticePoint &sample : samplesOfPixel(antialiasing)) {
+        const SampleBox seen = boundingBoxOf(seenFrom(triangle, sample));
+        if (seen.isEmpty())
+            continue;
+        box = box.isEmpty()
+            ? seen
+            : SampleBox{std::min(box.firstX, seen.firstX), std::max(box.endX, seen.endX),
+                        std::min(box.firstY, seen.firstY), std::max(box.endY, seen.endY)};
+    }
+    return box;
+}
+
+/// Whether an edge of the triangle has all samples of the frame on its outer side.
+bool isApart(const Triangle &triangle, const FrameView &frame, Antialiasing antialiasing)
+{
+    Lattice left = 0, right = 0, low = 0, high = 0; // of a pixel's samples
+    for (const LatticePoint &sample : samplesOfPixel(antialiasing)) {
+        left = std::min(left, sample.x);
+        right = std::max(right, sample.x);
+        low = std::min(low, sample.y);
+        high = std::max(high, sample.y);
+    }
+    const auto cornerAt = [](std::int64_t x, std::int64_t y, Lattice alongX, Lattice alongY) {
+        const LatticePoint sample = latticePixel(x, y);
+        return LatticePoint{sample.x + alongX, sample.y + alongY};
+    };
+    const std::int64_t lastColumn = frame.endColumn() - 1;
+    const std::int64_t lastRow = frame.endRow() - 1;
     const std::array<LatticePoint, 4> corners
-        = {latticePixel(frame.firstColumn, frame.firstRow),
-           latticePixel(frame.endColumn() - 1, frame.firstRow),
-           latticePixel(frame.firstColumn, frame.endRow() - 1),
-           latticePixel(frame.endColumn() - 1, frame.endRow() - 1)};
+        = {cornerAt(frame.firstColumn, frame.firstRow, left, low),
+           cornerAt(lastColumn, frame.firstRow, right, low),
+           cornerAt(frame.firstColumn, lastRow, left, high),
+           cornerAt(lastColumn, lastRow, right, high)};
     const Int128 area = doubledArea(triangle);
     for (std::size_t i = 0; i < 3 && area != 0; ++i) {
         const LatticePoint &a = triangle.vertices[i].position;
@@ -74,19 +123,30 @@ SampleBox boxAround(const Shape &shape)
 
 } // namespace
 
-BorderCrossing borderCrossingOf(const Triangle &triangle, const FrameView &frame)
+BorderCrossing borderCrossingOf(const Triangle &triangle, const SampledFrame &where)
 {
-    const BorderCrossing crossing = crossingOfBox(boundingBoxOf(triangle), frame);
+    const Antialiasing antialiasing = where.antialiasingOf(triangle);
+    if (doubledArea(triangle) == 0 && where.rule != FillRule::Closed)
+        return BorderCrossing::Outside;
+    const BorderCrossing crossing = crossingOfBox(drawnBoxOf(triangle, antialiasing), where.frame);
     if (crossing != BorderCrossing::MayCross)
         return crossing;
-    return isApart(triangle, frame) ? BorderCrossing::Outside : BorderCrossing::Crosses;
+    return isApart(triangle, where.frame, antialiasing) ? BorderCrossing::Outside
+                                                        : BorderCrossing::Crosses;
 }
 
-BorderCrossing borderCrossingOf(const Shape &shape, const FrameView &frame)
+BorderCrossing borderCrossingOf(const Shape &shape, const SampledFrame &where)
 {
     if (shape.vertices.empty())
         return BorderCrossing::Outside;
-    const BorderCrossing crossing = crossingOfBox(boxAround(shape), frame);
+    const FrameView &frame = where.frame;
+    SampleBox box = boxAround(shape);
+    if (where.antialiasing != Antialiasing::None && isStroke(shape)) {
+        // Half a pixel's width and half a pixel's square, either along a diagonal at most.
+        constexpr std::int64_t beside = 2;
+        box = {box.firstX - beside, box.endX + beside, box.firstY - beside, box.endY + beside};
+    }
+    const BorderCrossing crossing = crossingOfBox(box, frame);
     if (crossing != BorderCrossing::MayCross || shape.kind == PrimitiveKind::Text)
         return crossing;
     // From a vertex within to one beyond it crosses somewhere; a circle's vertices are none of its

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/frame/frameview.h"
-#include "core/geometry/shape.h"
+#include "core/effects/framereach.h"
 
 namespace pixelplumb {
 
 /// Where a primitive is, seen from the frame's border.
 enum class BorderCrossing : std::uint8_t {
-    Within, ///< every sample of it is the frame's
+    Within, ///< every sample, every pixel that it has a part of, is the frame's
     Crosses,
     MayCross, ///< by its bounding box; where its line runs was not looked at
-    Outside, ///< no sample of the frame is within its bounding box
+    Outside, ///< nothing of the frame is within its bounding box
 };
 
-/// Exact: whether the triangle meets the frame's samples and has a box beyond them.
-BorderCrossing borderCrossingOf(const Triangle &triangle, const FrameView &frame);
-BorderCrossing borderCrossingOf(const Shape &shape, const FrameView &frame);
+/// Exact: whether the triangle meets the frame's samples and has a box beyond them. Where pixels
+/// have more than one sample these count, where areas are covered all that a pixel has of it.
+BorderCrossing borderCrossingOf(const Triangle &triangle, const SampledFrame &where);
+/// An antialiased line or curve is one pixel wide.
+BorderCrossing borderCrossingOf(const Shape &shape, const SampledFrame &where);
 
 } // namespace pixelplumb

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/depthcandidates.h"
 
-#include "core/effects/framereach.h"
+#include "core/effects/triangleneeds.h"
 
 #include <limits>
 
@@ -9,10 +9,33 @@ namespace pixelplumb {
 
 namespace {
 
-std::array<Attribute, 3> depthsOf(const TriangleAttributes &attributes)
+std::array<Attribute, 3> depthsOf(const Triangle &triangle, const TriangleAttributes &attributes)
 {
     const auto &vertices = attributes.vertices;
-    return {vertices[0].z, vertices[1].z, vertices[2].z};
+    std::array<Attribute, 3> z = {vertices[0].z, vertices[1].z, vertices[2].z};
+    if (doubledArea(triangle) == 0) {
+        const std::array<int, 3> order = sortedByColumn(triangle);
+        z[std::size_t(order[1])] = z[std::size_t(order[0])];
+    }
+    return z;
+}
+
+/// Positive, as kernels take them.
+std::array<Attribute, 3> divisorsOf(const TriangleAttributes &attributes)
+{
+    std::array<Attribute, 3> w;
+    for (std::size_t i = 0; i < 3; ++i)
+        w[i] = std::max<Attribute>(1, attributes.vertices[i].w);
+    return w;
+}
+
+/// Whether areas are drawn up to the horizon of the triangle's plane alone.
+bool hasHorizon(const Triangle &triangle, const TriangleAttributes *attributes,
+                const Appearance &appearance, const SampledFrame &where)
+{
+    return attributes && where.antialiasingOf(triangle) == Antialiasing::Area
+        && appearance.forced[Effect::Perspective] != Forcing::Off
+        && needsOf(triangle, attributes, appearance).effects.perspective;
 }
 
 Lattice marginOf(Antialiasing antialiasing)
@@ -60,29 +83,33 @@ void setDepthLevels(DepthCandidates &candidates)
 
 } // namespace
 
-DepthCandidates depthCandidatesOf(const Primitives &primitives, const FrameView &frame,
-                                  Antialiasing antialiasing)
+DepthCandidates depthCandidatesOf(const Primitives &primitives, const SampledFrame &where)
 {
     const std::size_t count = primitives.triangles.size();
-    const Lattice margin = marginOf(antialiasing);
+    const Lattice margin = marginOf(where.antialiasing);
     const auto sideOf = [margin](std::int32_t pixels) {
         return std::int32_t((pixels - 1) * unitsPerPixel + 2 * margin);
     };
-    DepthCandidates candidates{sideOf(frame.width), sideOf(frame.height), {}, {}, {}};
+    DepthCandidates candidates{
+        sideOf(where.frame.width), sideOf(where.frame.height), {}, {}, {}, {}};
     candidates.boxes.reserve(count);
     candidates.triangles.reserve(count);
     candidates.z.reserve(count);
-    auto attributes = primitives.attributes.begin();
+    candidates.w.reserve(count);
+    auto next = primitives.attributes.begin();
     for (std::size_t i = 0; i < count; ++i) {
-        std::array<Attribute, 3> z = {};
-        if (attributes != primitives.attributes.end() && attributes->triangle == i)
-            z = depthsOf(*attributes++);
+        const bool hasAttributes = next != primitives.attributes.end() && next->triangle == i;
+        const TriangleAttributes *attributes = hasAttributes ? &*next++ : nullptr;
         const Triangle &triangle = primitives.triangles[i];
-        if (reachOf(triangle, frame, antialiasing).isEmpty() || doubledArea(triangle) == 0)
+        if (reachOf(triangle, where).isEmpty())
             continue;
-        candidates.boxes.push_back(boxWithin(triangle, frame, margin));
+        candidates.boxes.push_back(boxWithin(triangle, where.frame, margin));
         candidates.triangles.push_back(std::uint32_t(i));
-        candidates.z.push_back(z);
+        candidates.z.push_back(attributes ? depthsOf(triangle, *attributes)
+                                          : std::array<Attribute, 3>{});
+        candidates.w.push_back(hasHorizon(triangle, attributes, primitives.appearance, where)
+                                   ? divisorsOf(*attributes)
+                                   : std::array<Attribute, 3>{});
     }
     setDepthLevels(candidates);
     return candidates;

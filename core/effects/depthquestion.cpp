@@ -16,23 +16,20 @@ namespace {
 constexpr std::int64_t meetingCost = 6;
 constexpr std::int64_t planesCost = 20;
 constexpr std::int64_t behindCost = 140;
-constexpr std::int64_t sampleCost = 10;
 constexpr std::int64_t leastBudget = 1'000'000;
 constexpr std::int64_t budgetPerTriangle = 260;
-/// How many samples are looked at, of pairs one after another, for a witness.
-constexpr int mostSamples = 50'000;
+/// How many rows and samples are looked at, of pairs one after another, for witnesses: some
+/// milliseconds. Pairs that come after them are in question by their planes alone.
+constexpr int mostSteps = 20'000;
 
 /// Compares the triangles of each tile, two by two.
 class PairComparison {
 public:
-    PairComparison(const Primitives &primitives, const ScanSettings &settings,
-                   const FrameView &frame, Antialiasing antialiasing,
+    PairComparison(const Primitives &primitives, const SampledFrame &where,
                    const DepthCandidates &candidates)
         : m_primitives(primitives)
         , m_candidates(candidates)
-        , m_rule(settings, frame)
-        , m_frame(frame)
-        , m_antialiasing(antialiasing)
+        , m_where(where)
         , m_tiles(candidates.boxes, candidates.width, candidates.height)
         , m_inQuestion(candidates.boxes.size(), false)
         , m_budget(leastBudget + budgetPerTriangle * std::int64_t(candidates.boxes.size()))
@@ -48,6 +45,7 @@ public:
             m_inQuestion.assign(m_inQuestion.size(), true);
         setGround(isComplete);
         takeQuestions();
+        m_answer.antialiasing = m_where.antialiasing;
         return m_answer;
     }
 
@@ -78,18 +76,18 @@ private:
     SettledPairs settledPairs() const
     {
         // A plane counts at samples outside of its triangle, too, where areas are covered.
-        return {m_mayOverlap && m_antialiasing != Antialiasing::Area, isCalledFor()};
+        return {m_mayOverlap && !isByArea(), isCalledFor()};
     }
 
     void compare(std::size_t earlier, std::size_t later)
     {
         if (m_inQuestion[earlier] && m_inQuestion[later] && isCalledFor())
             return;
-        const bool inOrder = m_candidates.farthest(later) <= m_candidates.nearest(earlier);
-        if (m_antialiasing == Antialiasing::Area
-            && !(m_candidates.isFlat(earlier) && m_candidates.isFlat(later)))
-            question(earlier, later);
-        else if (!inOrder || !m_mayOverlap)
+        const bool hasOneOrder
+            = !isByArea() || (m_candidates.isFlat(earlier) && m_candidates.isFlat(later));
+        const bool inOrder
+            = hasOneOrder && m_candidates.farthest(later) <= m_candidates.nearest(earlier);
+        if (!inOrder || !m_mayOverlap)
             compareOverlap(earlier, later, inOrder);
     }
 
@@ -110,34 +108,44 @@ private:
 
     PlaneOrder orderOf(std::size_t earlier, std::size_t later) const
     {
-        // What the pixel's square has of a triangle is blended: they overlap where boxes do.
-        if (m_antialiasing == Antialiasing::Area)
+        // Pixels have parts of both where their boxes meet, and segments no planes: their samples
+        // tell.
+        const DepthTriangle early = depthTriangle(earlier);
+        const DepthTriangle late = depthTriangle(later);
+        if (isByArea() || doubledArea(*early.triangle) == 0 || doubledArea(*late.triangle) == 0)
             return PlaneOrder::Behind;
-        return planeOrderOf(depthTriangle(earlier), depthTriangle(later), m_rule.rule);
+        return planeOrderOf(early, late, m_where.rule);
     }
 
-    /// Somewhere the later one lies behind, or may.
+    /// Somewhere the later one lies behind, or may: whether it does where it is drawn.
     void question(std::size_t earlier, std::size_t later)
     {
-        if (!isCalledFor() && m_samples < mostSamples) {
-            const WitnessSearch search = searchWitness(depthTriangle(earlier), depthTriangle(later),
-                                                       sharedReach(earlier, later), m_rule,
-                                                       m_primitives.appearance.depthFormat);
-            m_samples += search.samples;
-            m_answer.operations += sampleCost * search.samples;
-            if (search.wasComplete && !search.found && m_antialiasing == Antialiasing::None) {
-                m_onlyBetweenSamples = true;
-                return;
-            }
-            if (search.found)
-                m_answer.verdict = Verdict::CalledFor;
-            if (search.found || m_answer.verdict == Verdict::NotCalledFor)
-                keepExample(earlier, later, search.found.value_or(SamplePlace{}));
+        WitnessSearch search;
+        if (m_steps < mostSteps)
+            search = searchWitness(depthTriangle(earlier), depthTriangle(later), m_where,
+                                   edgePixels(), m_primitives.appearance.depthFormat,
+                                   {sharedReach(earlier, later), mostSteps - m_steps});
+        m_steps += search.steps;
+        if (search.wasComplete && !search.found) {
+            m_onlyBetweenSamples = true;
+            return;
         }
-        if (!isCalledFor())
+        if (!isCalledFor() && (search.found || m_answer.verdict == Verdict::NotCalledFor))
+            keepExample(earlier, later, search.found.value_or(SamplePlace{}));
+        if (search.found)
+            m_answer.verdict = Verdict::CalledFor;
+        else if (!isCalledFor())
             m_answer.verdict = Verdict::NotRuledOut;
         m_inQuestion[earlier] = true;
         m_inQuestion[later] = true;
+    }
+
+    /// The pixels that have more than one sample; made for the first pair that asks.
+    const EdgePixels *edgePixels()
+    {
+        if (!m_edges && !samplePattern(m_where.antialiasing).empty())
+            m_edges.emplace(m_primitives.triangles, m_where.frame);
+        return m_edges ? &*m_edges : nullptr;
     }
 
     void keepExample(std::size_t earlier, std::size_t later, const SamplePlace &place)
@@ -175,22 +183,22 @@ private:
         }
     }
 
+    bool isByArea() const { return m_where.antialiasing == Antialiasing::Area; }
     bool isCalledFor() const { return m_answer.verdict == Verdict::CalledFor; }
     DepthTriangle depthTriangle(std::size_t i) const
     {
-        return {&m_primitives.triangles[m_candidates.triangles[i]], m_candidates.z[i]};
+        return {&m_primitives.triangles[m_candidates.triangles[i]], m_candidates.z[i],
+                m_candidates.w[i]};
     }
     SampleBox sharedReach(std::size_t a, std::size_t b) const
     {
-        return intersection(reachOf(*depthTriangle(a).triangle, m_frame, Antialiasing::None),
-                            reachOf(*depthTriangle(b).triangle, m_frame, Antialiasing::None));
+        return intersection(reachOf(*depthTriangle(a).triangle, m_where),
+                            reachOf(*depthTriangle(b).triangle, m_where));
     }
 
     const Primitives &m_primitives;
     const DepthCandidates &m_candidates;
-    BoundaryRule m_rule;
-    FrameView m_frame;
-    Antialiasing m_antialiasing;
+    SampledFrame m_where;
     DepthTiles m_tiles;
     TileBoxes m_boxes; ///< of the tile in hand
     std::vector<bool> m_inQuestion; ///< by candidate
@@ -198,7 +206,8 @@ private:
     DepthAnswer m_answer;
     bool m_mayOverlap = false;
     bool m_onlyBetweenSamples = false;
-    int m_samples = 0; ///< looked at
+    std::optional<EdgePixels> m_edges;
+    int m_steps = 0; ///< of searches for witnesses
 };
 
 } // namespace
@@ -212,12 +221,14 @@ DepthAnswer depthQuestion(const Primitives &primitives, const ScanSettings &sett
                           const FrameView &frame, Antialiasing antialiasing)
 {
     DepthAnswer answer;
+    answer.antialiasing = antialiasing;
     if (primitives.appearance.depth != DepthUse::Auto || primitives.triangles.size() < 2)
         return answer;
     answer.ground = DepthAnswer::Ground::SameDepth;
     if (haveOneDepth(primitives))
         return answer;
-    const DepthCandidates candidates = depthCandidatesOf(primitives, frame, antialiasing);
+    const SampledFrame where = {frame, settings.fillRule, antialiasing};
+    const DepthCandidates candidates = depthCandidatesOf(primitives, where);
     answer.ground = DepthAnswer::Ground::FewTriangles;
     if (candidates.boxes.size() < 2)
         return answer;
@@ -225,7 +236,7 @@ DepthAnswer depthQuestion(const Primitives &primitives, const ScanSettings &sett
     const bool planesEndAtEdges = antialiasing != Antialiasing::Area;
     if (planesEndAtEdges && areInOrder(candidates))
         return answer;
-    return PairComparison(primitives, settings, frame, antialiasing, candidates).answer();
+    return PairComparison(primitives, where, candidates).answer();
 }
 
 } // namespace pixelplumb

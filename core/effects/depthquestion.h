@@ -11,7 +11,7 @@ namespace pixelplumb {
 struct DepthAnswer {
     /// What settled the question.
     enum class Ground : std::uint8_t {
-        FewTriangles, ///< none or one that has area reaches the frame
+        FewTriangles, ///< none or one is drawn in the frame
         SameDepth, ///< all z are equal
         InOrder, ///< each is nearer than all before it, or as near
         Apart, ///< no two overlap
@@ -26,6 +26,7 @@ struct DepthAnswer {
     Verdict verdict = Verdict::NotCalledFor;
     std::size_t earlier = 0, later = 0; ///< of a witness, or where none was found: the triangles
     SamplePlace place; ///< of a witness
+    Antialiasing antialiasing = Antialiasing::None; ///< at whose samples it was asked
     std::int64_t overlaps = 0; ///< pairs of triangles whose planes were compared where they overlap
     /// Those that lie behind an earlier one somewhere, or before a later one, or may; by triangle.
     /// Any other triangle may be drawn without depth. Empty where there are none.

@@ -29,8 +29,11 @@ QString depthReason(const DepthAnswer &answer)
         return QStringLiteral(
             "where triangles overlap or touch, the later one is nearer or as near");
     case Ground::NoSample:
-        return QStringLiteral("at every sample that two triangles cover, the later one is nearer "
-                              "or as near");
+        return answer.antialiasing == Antialiasing::Area
+            ? QStringLiteral("at the centre of every pixel that two triangles share, the later one "
+                             "is nearer or as near")
+            : QStringLiteral("at every sample that two triangles cover, the later one is nearer "
+                             "or as near");
     case Ground::Witness:
         return QStringLiteral("at pixel (%1, %2) triangle %3 lies behind triangle %4, which is "
                               "drawn before it")
@@ -40,8 +43,8 @@ QString depthReason(const DepthAnswer &answer)
                    .arg(answer.earlier)
             + inQuestionWords(answer);
     case Ground::NoWitness:
-        return QStringLiteral("triangle %1 lies behind triangle %2, which is drawn before it, "
-                              "between samples; no sample was found where it does")
+        return QStringLiteral("triangle %1 lies behind triangle %2, which is drawn before it, but "
+                              "not at the samples that could be looked at while the picture waits")
                    .arg(answer.later)
                    .arg(answer.earlier)
             + inQuestionWords(answer);

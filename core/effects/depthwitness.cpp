@@ -1,96 +1,159 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/depthwitness.h"
 
-#include "core/number/wideinteger.h"
-#include "core/scan/edgetestsetup.h"
-#include "core/scan/planearithmetic.h"
+#include "core/effects/drawnplane.h"
+
+#include <array>
+#include <vector>
 
 namespace pixelplumb {
 
 namespace {
 
-using Exact = ExactPlane<Int128>;
+/// Samples that pixels have.
+struct PixelSamples {
+    enum class Of : std::uint8_t { AllPixels, EdgePixels, OtherPixels };
 
-/// A triangle whose coverage and depth are asked for sample by sample.
-class SampledTriangle {
+    LatticePoint place; ///< in the pixel
+    Of of = Of::AllPixels;
+};
+
+/// Of pixels without an edge first: most have none.
+std::vector<PixelSamples> samplesOfPixels(Antialiasing antialiasing)
+{
+    const std::span<const LatticePoint> pattern = samplePattern(antialiasing);
+    std::vector<PixelSamples> samples;
+    samples.push_back(
+        {{0, 0}, pattern.empty() ? PixelSamples::Of::AllPixels : PixelSamples::Of::OtherPixels});
+    for (const LatticePoint &place : pattern)
+        samples.push_back({place, PixelSamples::Of::EdgePixels});
+    return samples;
+}
+
+/// What a depth buffer of so many bits keeps: ⌊z·(2^n − 1) + ½⌋ of z within 0 … 1.
+Int256 depthLevel(const DrawnPlane &plane, const SamplePlace &at, DepthFormat format)
+{
+    const Int256 largest = (Int256(1) << int(format)) - 1;
+    const Int256 numerator = plane.depth.at(at.x, at.y);
+    const Int256 one = plane.denominator * attributeOne;
+    if (numerator <= 0)
+        return 0;
+    if (numerator >= one)
+        return largest;
+    return (2 * numerator * largest + one) / (2 * one);
+}
+
+/// Two triangles as one sample of the pixels has them.
+class DrawnPair {
 public:
-    SampledTriangle(const DepthTriangle &triangle, const BoundaryRule &rule)
-        : m_setUp(edgeTestSetUp<Exact, canonicalEdgeEquationsForm>(*triangle.triangle, rule, {}))
-        , m_z(triangle.z)
+    DrawnPair(const DepthTriangle &earlier, const DepthTriangle &later, const PixelSamples &samples,
+              const SampledFrame &where)
+        : m_earlier(earlier, samples.place, where)
+        , m_later(later, samples.place, where)
+        , m_behind(m_later.depth * m_earlier.denominator
+                   + m_earlier.depth * Int256(-m_later.denominator))
     {
     }
 
-    /// Moves to a sample; whether it is covered.
-    bool moveTo(const SamplePlace &sample)
+    /// Whether the later one may be farther somewhere in the window: a linear form is largest at a
+    /// corner.
+    bool mayBeBehind(const SampleBox &window) const
     {
-        const LatticePoint point = latticePixel(sample.x, sample.y);
-        for (std::size_t line = 0; line < 3; ++line) {
-            m_values[line] = m_setUp.lines[line].valueAt<canonicalEdgeEquationsForm.line>(point);
-            if (!Exact::isInside(m_values[line], m_setUp.ownsTie[line]))
+        for (const std::int64_t x : {window.firstX, window.endX - 1}) {
+            for (const std::int64_t y : {window.firstY, window.endY - 1}) {
+                if (m_behind.at(x, y) > 0)
+                    return true;
+            }
+        }
+        return false;
+    }
+    /// Keeps of a row where both are drawn and the later one is farther.
+    void keepBehind(RowPixels &columns, std::int64_t row) const
+    {
+        m_earlier.keepDrawn(columns, row);
+        if (!columns.isEmpty())
+            m_later.keepDrawn(columns, row);
+        if (!columns.isEmpty())
+            columns.keepPositive(m_behind, row);
+    }
+    /// Of one that is farther: whether the depth buffer keeps it so.
+    bool isKeptBehind(const SamplePlace &at, DepthFormat format) const
+    {
+        return format == DepthFormat::Exact
+            || depthLevel(m_later, at, format) > depthLevel(m_earlier, at, format);
+    }
+
+private:
+    DrawnPlane m_earlier, m_later;
+    PixelForm<Int256> m_behind; ///< above 0 where the later one is farther
+};
+
+/// Goes through the rows of a window for one sample of its pixels after the other.
+class Search {
+public:
+    Search(const EdgePixels *edges, DepthFormat format, const WitnessWindow &window)
+        : m_edges(edges)
+        , m_format(format)
+        , m_window(window)
+    {
+    }
+
+    /// False where it has ended: with a witness, or before its time.
+    bool goOn(const DrawnPair &pair, PixelSamples::Of of)
+    {
+        ++m_search.steps;
+        if (!pair.mayBeBehind(m_window.pixels))
+            return true;
+        for (std::int64_t y = m_window.pixels.firstY; y < m_window.pixels.endY; ++y) {
+            if (++m_search.steps > m_window.mostSteps)
                 return false;
+            RowPixels columns = {m_window.pixels.firstX, m_window.pixels.endX};
+            pair.keepBehind(columns, y);
+            for (std::int64_t x = columns.first; x < columns.end; ++x) {
+                if (++m_search.steps > m_window.mostSteps)
+                    return false;
+                if (!isOf(of, x, y) || !pair.isKeptBehind({x, y}, m_format))
+                    continue;
+                m_search.found = SamplePlace{x, y};
+                return false;
+            }
         }
         return true;
     }
-    /// The depth there is numerator / denominator.
-    Int256 numerator() const
+
+    WitnessSearch done(bool wasComplete)
     {
-        return Int256(m_values[0] * m_z[2] + m_values[1] * m_z[0] + m_values[2] * m_z[1]);
+        m_search.wasComplete = wasComplete || m_search.found;
+        return m_search;
     }
-    Int256 denominator() const { return Int256(m_setUp.atOpposite[0]); }
 
 private:
-    EdgeTestSetUp<Exact> m_setUp;
-    std::array<Attribute, 3> m_z;
-    std::array<Int128, 3> m_values = {};
+    bool isOf(PixelSamples::Of of, std::int64_t x, std::int64_t y) const
+    {
+        return of == PixelSamples::Of::AllPixels
+            || m_edges->contains(x, y) == (of == PixelSamples::Of::EdgePixels);
+    }
+
+    const EdgePixels *m_edges;
+    DepthFormat m_format;
+    WitnessWindow m_window;
+    WitnessSearch m_search;
 };
-
-/// What a depth buffer of so many bits keeps: ⌊z·(2^n − 1) + ½⌋ of z within 0 … 1.
-Int256 depthLevel(const SampledTriangle &triangle, DepthFormat format)
-{
-    const Int256 largest = (Int256(1) << int(format)) - 1;
-    const Int256 one = triangle.denominator() * attributeOne;
-    if (triangle.numerator() <= 0)
-        return 0;
-    if (triangle.numerator() >= one)
-        return largest;
-    return (2 * triangle.numerator() * largest + one) / (2 * one);
-}
-
-bool isFarther(const SampledTriangle &later, const SampledTriangle &earlier, DepthFormat format)
-{
-    if (format != DepthFormat::Exact)
-        return depthLevel(later, format) > depthLevel(earlier, format);
-    return later.numerator() * earlier.denominator() > earlier.numerator() * later.denominator();
-}
 
 } // namespace
 
 WitnessSearch searchWitness(const DepthTriangle &earlier, const DepthTriangle &later,
-                            const SampleBox &window, const BoundaryRule &rule, DepthFormat format)
+                            const SampledFrame &where, const EdgePixels *edges, DepthFormat format,
+                            const WitnessWindow &window)
 {
-    WitnessSearch search;
-    search.wasComplete = true;
-    if (window.isEmpty())
-        return search;
-    // Prime to the sizes that scenes like, and odd: rows and columns are not missed in step.
-    constexpr std::int64_t mostAlongASide = 61;
-    const auto stepOf
-        = [&](std::int64_t count) { return count <= mostAlongASide ? 1 : count / mostAlongASide; };
-    const std::int64_t stepX = stepOf(window.endX - window.firstX);
-    const std::int64_t stepY = stepOf(window.endY - window.firstY);
-    search.wasComplete = stepX == 1 && stepY == 1;
-    SampledTriangle early(earlier, rule);
-    SampledTriangle late(later, rule);
-    for (std::int64_t y = window.firstY + stepY / 2; y < window.endY; y += stepY) {
-        for (std::int64_t x = window.firstX + stepX / 2; x < window.endX; x += stepX) {
-            ++search.samples;
-            if (early.moveTo({x, y}) && late.moveTo({x, y}) && isFarther(late, early, format)) {
-                search.found = SamplePlace{x, y};
-                return search;
-            }
-        }
+    Search search(edges, format, window);
+    if (window.pixels.isEmpty())
+        return search.done(true);
+    for (const PixelSamples &samples : samplesOfPixels(where.antialiasing)) {
+        if (!search.goOn(DrawnPair(earlier, later, samples, where), samples.of))
+            return search.done(false);
     }
-    return search;
+    return search.done(true);
 }
 
 } // namespace pixelplumb

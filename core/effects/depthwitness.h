@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/effects/edgepixels.h"
+#include "core/effects/framereach.h"
 #include "core/effects/planeorder.h"
 #include "core/geometry/appearance.h"
-#include "core/scan/boundaryrule.h"
-#include "core/scan/edgeteststate.h"
 
 #include <optional>
 
@@ -18,17 +18,26 @@ struct SamplePlace {
     friend bool operator==(const SamplePlace &, const SamplePlace &) = default;
 };
 
-/// What was found of two triangles, looking at samples.
+/// What was found of two triangles, looking at what is drawn of them.
 struct WitnessSearch {
-    /// A sample that both cover and at which the later one is farther, by exact numbers and by what
-    /// the depth buffer keeps of them.
+    /// A pixel at a sample of which both are drawn and the later one is farther, by exact numbers
+    /// and by what the depth buffer keeps of them. Where areas are covered depths are those at the
+    /// pixel's centre, also beside a triangle.
     std::optional<SamplePlace> found;
-    bool wasComplete = false; ///< every sample of the window was looked at
-    int samples = 0; ///< that were looked at
+    bool wasComplete = false; ///< nothing of the window was left out
+    int steps = 0; ///< rows and pixels that were looked at
 };
 
-/// Looks at the samples of a window; of a large one at some, evenly spread.
+/// Where two triangles are looked at, and how closely.
+struct WitnessWindow {
+    SampleBox pixels;
+    int mostSteps = 0; ///< after which the search ends
+};
+
+/// Looks at the samples of a window row by row. `edges` are the pixels that have 4 or 16 samples;
+/// null where none have.
 WitnessSearch searchWitness(const DepthTriangle &earlier, const DepthTriangle &later,
-                            const SampleBox &window, const BoundaryRule &rule, DepthFormat format);
+                            const SampledFrame &where, const EdgePixels *edges, DepthFormat format,
+                            const WitnessWindow &window);
 
 } // namespace pixelplumb

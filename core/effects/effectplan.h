@@ -78,11 +78,28 @@ struct EffectBatch {
 struct EffectPlan {
     PerEffect<EffectVerdict> verdicts;
     std::vector<EffectBatch> batches; ///< of the triangles; together all of them, in order
-    Antialiasing antialiasing = Antialiasing::None;
+    Antialiasing antialiasing = Antialiasing::None; ///< of the triangles
+    Antialiasing strokeAntialiasing = Antialiasing::None; ///< of lines and curves
+    bool smoothLines = false; ///< lines go from the one end's colour to the other's
+    bool vertexLight = false; ///< light is in the vertices' colours, from set-up on
 
-    /// What some batch, or the antialiasing, does.
-    bool runs(Effect effect) const;
-    /// True where today's plain kernels draw all of it.
+    /// Whether it is done anywhere.
+    bool runs(Effect effect) const
+    {
+        return runsOnTriangles(effect) || (effect == Effect::SmoothColour && smoothLines)
+            || (effect == Effect::Light && vertexLight)
+            || (effect == Effect::Antialiasing && strokeAntialiasing != Antialiasing::None);
+    }
+    /// The same of what a kernel of triangles does at their samples.
+    bool runsOnTriangles(Effect effect) const;
+    /// Whether the same is done, whatever the verdicts say.
+    bool runsAs(const EffectPlan &other) const
+    {
+        return batches == other.batches && antialiasing == other.antialiasing
+            && strokeAntialiasing == other.strokeAntialiasing && smoothLines == other.smoothLines
+            && vertexLight == other.vertexLight;
+    }
+    /// True where today's plain kernels draw all triangles.
     bool isPlain() const
     {
         return antialiasing == Antialiasing::None

@@ -27,6 +27,8 @@ QString smoothColourReason(const NeedsTally &tally, const QString &noun)
     const std::size_t smooth = tally.of[Effect::SmoothColour].primitives;
     if (smooth > 0)
         return QStringLiteral("%1 vertex colours that differ").arg(has(smooth, tally.drawn, noun));
+    if (tally.ownColours > 0)
+        return QStringLiteral("no triangle and no line has vertex colours that differ");
     return tally.drawn == 1 ? QStringLiteral("the vertex colours are equal")
                             : QStringLiteral("the vertex colours are equal in each of %1 %2s")
                                   .arg(tally.drawn)
@@ -115,27 +117,33 @@ QString textureReason(const NeedsTally &tally)
         .arg(has(textured, tally.drawnTriangles, triangleWord()), names.join(QStringLiteral(", ")));
 }
 
+/// Where light is computed.
+QString shadingWords(Shading shading)
+{
+    switch (shading) {
+    case Shading::Flat:
+        return QStringLiteral("flat shading: once a triangle, in set-up");
+    case Shading::Gouraud:
+        return QStringLiteral("Gouraud shading: at the vertices, in set-up");
+    case Shading::Phong:
+        break;
+    }
+    return QStringLiteral("Phong shading: at every sample");
+}
+
 QString lightReason(const NeedsTally &tally, const Appearance &appearance)
 {
     const std::size_t lit = tally.of[Effect::Light].primitives;
     if (lit > 0) {
         const std::size_t lights = appearance.lights.size();
-        return QStringLiteral("%1 normals, and %2 (Phong shading: at every sample)")
+        return QStringLiteral("%1 normals, and %2 (%3)")
             .arg(has(lit, tally.drawnTriangles, triangleWord()),
                  lights == 1 ? QStringLiteral("a light is on")
-                             : QStringLiteral("%1 lights are on").arg(lights));
+                             : QStringLiteral("%1 lights are on").arg(lights),
+                 shadingWords(appearance.shading));
     }
-    if (appearance.lights.empty())
-        return QStringLiteral("no light is on");
-    switch (appearance.shading) {
-    case Shading::Flat:
-        return QStringLiteral("flat shading: light is in the colours, once a triangle");
-    case Shading::Gouraud:
-        return QStringLiteral("Gouraud shading: light is in the colours of the vertices");
-    case Shading::Phong:
-        return QStringLiteral("no triangle has normals");
-    }
-    return {};
+    return appearance.lights.empty() ? QStringLiteral("no light is on")
+                                     : QStringLiteral("no triangle has normals");
 }
 
 /// Under the closed rule both triangles of a shared edge are painted over its samples, which shows
@@ -199,6 +207,11 @@ QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing)
         return QStringLiteral("the scene asks for one sample a pixel");
     if (tally.drawnTriangles + tally.drawnStrokes == 0)
         return QStringLiteral("no triangle, line or curve is drawn");
+    if (tally.of[Effect::Antialiasing].primitives == 0)
+        return antialiasing == Antialiasing::Area
+            ? QStringLiteral("no edge parts a pixel of the frame: each is covered whole or not at "
+                             "all")
+            : QStringLiteral("no edge meets a pixel of the frame: all samples of each are alike");
     switch (antialiasing) {
     case Antialiasing::None:
         break;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/frame/frameview.h"
 #include "core/geometry/shape.h"
 #include "core/scan/edgeteststate.h"
 
@@ -8,9 +9,24 @@ namespace pixelplumb {
 
 /// What of the frame a triangle may touch, from above and without scanning it.
 
+/// Where triangles are drawn: who owns a sample on an edge, and which samples a pixel has. What is
+/// asked of their geometry is asked of these.
+struct SampledFrame {
+    FrameView frame;
+    FillRule rule = FillRule::Closed;
+    Antialiasing antialiasing = Antialiasing::None;
+
+    /// A triangle without area has a segment, which is drawn at the pixels' own samples.
+    Antialiasing antialiasingOf(const Triangle &triangle) const
+    {
+        return doubledArea(triangle) == 0 ? Antialiasing::None : antialiasing;
+    }
+};
+
 /// The pixels of the frame within the triangle's bounding box. Where pixels have more than one
-/// sample, those whose closed square meets the box.
-SampleBox reachOf(const Triangle &triangle, const FrameView &frame, Antialiasing antialiasing);
+/// sample, those whose closed square meets the box. None of a triangle without area where the rule
+/// does not paint it.
+SampleBox reachOf(const Triangle &triangle, const SampledFrame &where);
 /// How many of them it may cover: no more than its reach, and no more than A + P/2 + 1 of any
 /// convex figure of area A and perimeter P (Nosarzewska 1948). Where pixels have more than one
 /// sample that figure is the triangle widened by half a pixel's square on every side.
@@ -21,5 +37,13 @@ std::int64_t mostPixelsOf(const Triangle &triangle, const SampleBox &reach,
 std::int64_t mostPixelsOf(const Shape &stroke, const FrameView &frame);
 /// Through how many of them an edge may pass.
 std::int64_t mostEdgePixelsOf(const Triangle &triangle, const SampleBox &reach);
+
+/// Whether an edge of a triangle that has an area meets a pixel of the frame: with 4 or 16 samples
+/// its closed square, where areas are covered so that some of the square lies to each side. Exact;
+/// where none does, antialiasing changes nothing.
+bool hasEdgePixels(const Triangle &triangle, const SampledFrame &where);
+/// The same of the border of a line or curve one pixel wide. Of a curve the joints of its pieces
+/// count, too.
+bool hasEdgePixels(const Shape &stroke, const SampledFrame &where);
 
 } // namespace pixelplumb

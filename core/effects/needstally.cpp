@@ -2,7 +2,7 @@
 #include "core/effects/needstally.h"
 
 #include "core/effects/bordercrossing.h"
-#include "core/effects/framereach.h"
+#include "core/effects/linecolours.h"
 #include "core/effects/strokestrip.h"
 
 #include <algorithm>
@@ -14,46 +14,46 @@ namespace {
 /// Adds one primitive after the other.
 class NeedsCount {
 public:
-    NeedsCount(const Primitives &primitives, const FrameView &frame)
+    NeedsCount(const Primitives &primitives, const SampledFrame &where)
         : m_appearance(primitives.appearance)
         , m_cutAtNear(primitives.cutAtNear)
-        , m_frame(frame)
+        , m_where(where)
+        , m_asked{where.frame, where.rule, primitives.appearance.antialiasing}
     {
     }
 
     void add(std::size_t index, const Triangle &triangle, const TriangleAttributes *attributes)
     {
-        const SampleBox reach = reachOf(triangle, m_frame, m_appearance.antialiasing);
+        const SampleBox reach = reachOf(triangle, m_where);
         if (reach.isEmpty()) {
             ++m_tally.outside;
             return;
         }
         ++m_tally.drawn;
         ++m_tally.drawnTriangles;
-        const std::int64_t pixels = mostPixelsOf(triangle, reach, m_appearance.antialiasing);
-        addClipping(borderCrossingOf(triangle, m_frame), pixels, isCutAtNear(index));
+        const std::int64_t pixels = mostPixelsOf(triangle, reach, m_where.antialiasingOf(triangle));
+        addClipping(borderCrossingOf(triangle, m_where), pixels, isCutAtNear(index));
         const TriangleNeeds needs = needsOf(triangle, attributes, m_appearance);
         const auto addIf = [&](bool isNeeded, Effect effect) {
             if (isNeeded)
                 m_tally.of[effect].add(pixels);
         };
         addIf(needs.effects.smooth, Effect::SmoothColour);
-        if (m_appearance.antialiasing == Antialiasing::Area)
-            m_tally.of[Effect::Antialiasing].add(pixels);
-        else if (m_appearance.antialiasing != Antialiasing::None)
-            m_tally.of[Effect::Antialiasing].add(mostEdgePixelsOf(triangle, reach));
+        if (hasEdgePixels(triangle, m_asked))
+            m_tally.of[Effect::Antialiasing].add(
+                mostEdgePixelsOf(triangle, reachOf(triangle, m_asked)));
         if (!attributes)
             return;
         addIf(needs.effects.perspective, Effect::Perspective);
         addIf(needs.effects.texture, Effect::Texture);
-        addIf(needs.effects.light, Effect::Light);
+        addIf(needs.effects.light || needs.vertexLight, Effect::Light);
         addIf(needs.effects.blending, Effect::Blending);
         addDetails(triangle, *attributes, needs);
     }
 
     void add(const Shape &shape)
     {
-        const BorderCrossing crossing = borderCrossingOf(shape, m_frame);
+        const BorderCrossing crossing = borderCrossingOf(shape, m_where);
         if (crossing == BorderCrossing::Outside) {
             ++m_tally.outside;
             return;
@@ -62,19 +62,24 @@ public:
         addClipping(crossing, pixelsOfFrame(), false);
         const auto differs
             = [&](const Vertex &vertex) { return vertex.colour != shape.vertices.front().colour; };
-        if (std::ranges::any_of(shape.vertices, differs))
-            m_tally.of[Effect::SmoothColour].add(pixelsOfFrame());
+        if (isSmoothLine(shape))
+            m_tally.of[Effect::SmoothColour].add(mostPixelsOf(shape, m_where.frame));
+        else if (std::ranges::any_of(shape.vertices, differs))
+            ++m_tally.ownColours;
         if (!isStroke(shape))
             return;
         ++m_tally.drawnStrokes;
-        if (m_appearance.antialiasing != Antialiasing::None)
-            m_tally.of[Effect::Antialiasing].add(mostPixelsOf(shape, m_frame));
+        if (hasEdgePixels(shape, m_asked))
+            m_tally.of[Effect::Antialiasing].add(mostPixelsOf(shape, m_where.frame));
     }
 
     const NeedsTally &tally() const { return m_tally; }
 
 private:
-    std::int64_t pixelsOfFrame() const { return std::int64_t(m_frame.width) * m_frame.height; }
+    std::int64_t pixelsOfFrame() const
+    {
+        return std::int64_t(m_where.frame.width) * m_where.frame.height;
+    }
 
     bool isCutAtNear(std::size_t triangle) const
     {
@@ -120,15 +125,16 @@ private:
 
     const Appearance &m_appearance;
     const std::vector<std::size_t> &m_cutAtNear;
-    FrameView m_frame;
+    SampledFrame m_where;
+    SampledFrame m_asked; ///< with the antialiasing that the appearance says
     NeedsTally m_tally;
 };
 
 } // namespace
 
-NeedsTally tallyNeeds(const Primitives &primitives, const FrameView &frame)
+NeedsTally tallyNeeds(const Primitives &primitives, const SampledFrame &where)
 {
-    NeedsCount count(primitives, frame);
+    NeedsCount count(primitives, where);
     auto attributes = primitives.attributes.begin();
     for (std::size_t i = 0; i < primitives.triangles.size(); ++i) {
         const bool hasAttributes

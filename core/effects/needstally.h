@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/effects/framereach.h"
 #include "core/effects/triangleneeds.h"
 
 namespace pixelplumb {
@@ -20,6 +21,7 @@ struct NeedsTally {
 
     PerEffect<Touched> of; ///< all effects but depth
     std::size_t drawn = 0; ///< primitives that reach the frame; the others need nothing
+    std::size_t ownColours = 0; ///< drawn shapes whose points have each its own
     std::size_t drawnTriangles = 0;
     std::size_t drawnStrokes = 0; ///< lines and curves that antialiasing can draw
     std::size_t outside = 0;
@@ -34,6 +36,7 @@ struct NeedsTally {
     std::vector<const Triangle *> blended;
 };
 
-NeedsTally tallyNeeds(const Primitives &primitives, const FrameView &frame);
+/// Whether antialiasing is needed is asked of what the appearance says, all else of what is drawn.
+NeedsTally tallyNeeds(const Primitives &primitives, const SampledFrame &where);
 
 } // namespace pixelplumb

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/effects/framereach.h"
+#include "core/effects/bordercrossing.h"
+#include "core/effects/linecolours.h"
 #include "core/effects/requirements.h"
 #include "core/effects/triangleneeds.h"
+#include "core/space/vertexlight.h"
 
 #include <algorithm>
 
@@ -35,7 +37,7 @@ DepthTest depthTestOf(DepthFormat format)
     return format == DepthFormat::Exact ? DepthTest::Number : DepthTest::Levels;
 }
 
-/// Whether depth runs for a triangle, before triangles are gathered.
+/// Whether depth runs for a triangle.
 bool runsDepth(const Appearance &appearance, const DepthAnswer &depth, std::size_t triangle)
 {
     switch (appearance.forced[Effect::Depth]) {
@@ -57,19 +59,17 @@ bool runsDepth(const Appearance &appearance, const DepthAnswer &depth, std::size
     return false;
 }
 
-/// Gathers triangles in order. What reaches no pixel joins whatever stands beside it. Depth does
-/// not part a run: where one triangle needs it, it runs for all of the run, because those that are
-/// not in question pass its test wherever they would have been drawn.
+/// Gathers triangles in order: a run has one set of effects. What reaches no pixel joins whatever
+/// stands beside it.
 class BatchList {
 public:
-    void add(const EffectSet &effects, DepthTest depth)
+    void add(const EffectSet &effects)
     {
-        if (m_batches.empty() || !m_hasEffects || m_effects == effects) {
-            extend(effects, depth);
-            return;
-        }
-        m_batches.push_back({m_batches.back().first + m_batches.back().count, 0, effects});
-        extend(effects, depth);
+        if (m_hasEffects && m_batches.back().effects != effects)
+            m_batches.push_back({m_batches.back().first + m_batches.back().count, 0, effects});
+        addUnseen();
+        m_batches.back().effects = effects;
+        m_hasEffects = true;
     }
     void addUnseen()
     {
@@ -80,24 +80,12 @@ public:
     std::vector<EffectBatch> batches() && { return std::move(m_batches); }
 
 private:
-    void extend(const EffectSet &effects, DepthTest depth)
-    {
-        addUnseen();
-        m_effects = effects;
-        m_hasEffects = true;
-        EffectSet &running = m_batches.back().effects;
-        const DepthTest kept = running.depth;
-        running = effects;
-        running.depth = depth == DepthTest::None ? kept : depth;
-    }
-
     std::vector<EffectBatch> m_batches;
-    EffectSet m_effects; ///< of the last batch, without depth
-    bool m_hasEffects = false; ///< a triangle of it reaches the frame
+    bool m_hasEffects = false; ///< a triangle of the last batch reaches the frame
 };
 
-std::vector<EffectBatch> batchesOf(const Primitives &primitives, const FrameView &frame,
-                                   const DepthAnswer &depth, Antialiasing antialiasing)
+std::vector<EffectBatch> batchesOf(const Primitives &primitives, const SampledFrame &where,
+                                   const DepthAnswer &depth)
 {
     const Appearance &appearance = primitives.appearance;
     const DepthTest test = depthTestOf(appearance.depthFormat);
@@ -107,34 +95,31 @@ std::vector<EffectBatch> batchesOf(const Primitives &primitives, const FrameView
         const bool hasAttributes = next != primitives.attributes.end() && next->triangle == i;
         const TriangleAttributes *attributes = hasAttributes ? &*next++ : nullptr;
         const Triangle &triangle = primitives.triangles[i];
-        if (reachOf(triangle, frame, antialiasing).isEmpty()) {
+        if (reachOf(triangle, where).isEmpty()) {
             list.addUnseen();
             continue;
         }
-        const EffectSet needed = needsOf(triangle, attributes, appearance).effects;
-        list.add(withForcing(needed, attributes, appearance),
-                 runsDepth(appearance, depth, i) ? test : DepthTest::None);
+        EffectSet effects = withForcing(needsOf(triangle, attributes, appearance).effects,
+                                        attributes, appearance);
+        effects.depth = runsDepth(appearance, depth, i) ? test : DepthTest::None;
+        list.add(effects);
     }
     return std::move(list).batches();
 }
 
-} // namespace
-
-Antialiasing antialiasingOf(const Appearance &appearance)
+/// Whether lines in the frame go from colour to colour.
+bool runsOnLines(const Primitives &primitives, const SampledFrame &where)
 {
-    switch (appearance.forced[Effect::Antialiasing]) {
-    case Forcing::AsCalledFor:
-        break;
-    case Forcing::On:
-        return appearance.antialiasing == Antialiasing::None ? Antialiasing::Samples4
-                                                             : appearance.antialiasing;
-    case Forcing::Off:
-        return Antialiasing::None;
-    }
-    return appearance.antialiasing;
+    const Forcing forced = primitives.appearance.forced[Effect::SmoothColour];
+    return std::ranges::any_of(primitives.shapes, [&](const Shape &shape) {
+        return shape.kind == PrimitiveKind::Line && isForced(isSmoothLine(shape), forced)
+            && borderCrossingOf(shape, where) != BorderCrossing::Outside;
+    });
 }
 
-bool EffectPlan::runs(Effect effect) const
+} // namespace
+
+bool EffectPlan::runsOnTriangles(Effect effect) const
 {
     if (effect == Effect::Antialiasing)
         return antialiasing != Antialiasing::None;
@@ -147,11 +132,21 @@ bool EffectPlan::runs(Effect effect) const
 EffectPlan planFor(const Primitives &primitives, const ScanSettings &settings,
                    const FrameView &frame)
 {
+    const Appearance &appearance = primitives.appearance;
     EffectPlan plan;
-    plan.antialiasing = antialiasingOf(primitives.appearance);
+    plan.antialiasing = triangleAntialiasing(primitives, frame);
+    plan.strokeAntialiasing = strokeAntialiasing(primitives, frame);
+    const SampledFrame where = {frame, settings.fillRule, plan.antialiasing};
     const DepthAnswer depth = depthQuestion(primitives, settings, frame, plan.antialiasing);
-    plan.verdicts = requirementsWith(primitives, settings, frame, depth);
-    plan.batches = batchesOf(primitives, frame, depth, plan.antialiasing);
+    plan.verdicts = requirementsWith(primitives, settings, where, depth);
+    plan.batches = batchesOf(primitives, where, depth);
+    plan.smoothLines = runsOnLines(primitives, where);
+    plan.vertexLight
+        = lightsVertices(appearance)
+        && std::ranges::any_of(primitives.attributes, [&](const TriangleAttributes &attributes) {
+               return hasNormals(attributes)
+                   && !reachOf(primitives.triangles[attributes.triangle], where).isEmpty();
+           });
     return plan;
 }
 

@@ -9,10 +9,12 @@
 
 namespace pixelplumb {
 
-/// A triangle that has area, with the depths of its vertices.
+/// A triangle with the depths of its vertices.
 struct DepthTriangle {
     const Triangle *triangle = nullptr;
     std::array<Attribute, 3> z = {};
+    /// Of the vertices where its plane has a horizon, beyond which no area is drawn; else zeros.
+    std::array<Attribute, 3> w = {};
 };
 
 /// How two triangles stand to each other where both are.
@@ -22,9 +24,10 @@ enum class PlaneOrder : std::uint8_t {
     Behind, ///< somewhere where they overlap, the later one is farther
 };
 
-/// Exact, of all points and not only of the samples: the difference of two planes is largest at a
-/// corner of the polygon in which the triangles overlap. Under the closed rule edges and corners
-/// that touch overlap; under the others no sample of theirs has two owners.
+/// Of triangles that have area. Exact, of all points and not only of the samples: the difference of
+/// two planes is largest at a corner of the polygon in which the triangles overlap. Under the
+/// closed rule edges and corners that touch overlap; under the others no sample of theirs has two
+/// owners.
 PlaneOrder planeOrderOf(const DepthTriangle &earlier, const DepthTriangle &later, FillRule rule);
 
 } // namespace pixelplumb

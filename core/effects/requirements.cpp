@@ -13,7 +13,7 @@ namespace {
 std::int64_t pixelsOf(const FrameView &frame) { return std::int64_t(frame.width) * frame.height; }
 
 /// What pixels the triangles in question may touch, at most; all triangles where all are.
-std::int64_t pixelsInQuestion(const Primitives &primitives, const FrameView &frame,
+std::int64_t pixelsInQuestion(const Primitives &primitives, const SampledFrame &where,
                               const DepthAnswer &depth)
 {
     std::int64_t pixels = 0;
@@ -21,14 +21,13 @@ std::int64_t pixelsInQuestion(const Primitives &primitives, const FrameView &fra
         if (!depth.inQuestion[i])
             continue;
         const Triangle &triangle = primitives.triangles[i];
-        const Antialiasing antialiasing = primitives.appearance.antialiasing;
-        pixels += mostPixelsOf(triangle, reachOf(triangle, frame, antialiasing), antialiasing);
+        pixels += mostPixelsOf(triangle, reachOf(triangle, where), where.antialiasingOf(triangle));
     }
     return pixels;
 }
 
 EffectVerdict depthVerdict(const Primitives &primitives, const NeedsTally &tally,
-                           const FrameView &frame, const DepthAnswer &depth)
+                           const SampledFrame &where, const DepthAnswer &depth)
 {
     EffectVerdict verdict;
     switch (primitives.appearance.depth) {
@@ -40,13 +39,13 @@ EffectVerdict depthVerdict(const Primitives &primitives, const NeedsTally &tally
         verdict.reason = QStringLiteral("the scene says so, for all triangles");
         verdict.verdict = tally.drawnTriangles > 0 ? Verdict::CalledFor : Verdict::NotCalledFor;
         verdict.primitives = tally.drawnTriangles;
-        verdict.pixels = tally.drawnTriangles > 0 ? pixelsOf(frame) : 0;
+        verdict.pixels = tally.drawnTriangles > 0 ? pixelsOf(where.frame) : 0;
         return verdict;
     case DepthUse::Auto:
         break;
     }
     return {depth.verdict, depthReason(depth), depth.countInQuestion(),
-            pixelsInQuestion(primitives, frame, depth)};
+            pixelsInQuestion(primitives, where, depth)};
 }
 
 Verdict verdictOf(Effect effect, const NeedsTally &tally)
@@ -59,16 +58,61 @@ Verdict verdictOf(Effect effect, const NeedsTally &tally)
 
 } // namespace
 
+Antialiasing antialiasingOf(const Appearance &appearance)
+{
+    switch (appearance.forced[Effect::Antialiasing]) {
+    case Forcing::AsCalledFor:
+        break;
+    case Forcing::On:
+        return appearance.antialiasing == Antialiasing::None ? Antialiasing::Samples4
+                                                             : appearance.antialiasing;
+    case Forcing::Off:
+        return Antialiasing::None;
+    }
+    return appearance.antialiasing;
+}
+
+namespace {
+
+/// What is asked for; none where that is as called for and nothing calls for it.
+template <class All>
+Antialiasing runningOn(const All &all, const Appearance &appearance, const SampledFrame &asked)
+{
+    if (asked.antialiasing == Antialiasing::None
+        || appearance.forced[Effect::Antialiasing] != Forcing::AsCalledFor)
+        return asked.antialiasing;
+    const bool isCalledFor = std::ranges::any_of(
+        all, [&](const auto &primitive) { return hasEdgePixels(primitive, asked); });
+    return isCalledFor ? asked.antialiasing : Antialiasing::None;
+}
+
+} // namespace
+
+Antialiasing triangleAntialiasing(const Primitives &primitives, const FrameView &frame)
+{
+    const Appearance &appearance = primitives.appearance;
+    return runningOn(primitives.triangles, appearance,
+                     {frame, FillRule::Closed, antialiasingOf(appearance)});
+}
+
+Antialiasing strokeAntialiasing(const Primitives &primitives, const FrameView &frame)
+{
+    const Appearance &appearance = primitives.appearance;
+    return runningOn(primitives.shapes, appearance,
+                     {frame, FillRule::Closed, antialiasingOf(appearance)});
+}
+
 PerEffect<EffectVerdict> requirementsWith(const Primitives &primitives,
-                                          const ScanSettings &settings, const FrameView &frame,
+                                          const ScanSettings &settings, const SampledFrame &where,
                                           const DepthAnswer &depth)
 {
-    const NeedsTally tally = tallyNeeds(primitives, frame);
+    const FrameView &frame = where.frame;
+    const NeedsTally tally = tallyNeeds(primitives, where);
     PerEffect<EffectVerdict> verdicts;
     for (const Effect effect : allEffects) {
         EffectVerdict &verdict = verdicts[effect];
         if (effect == Effect::Depth) {
-            verdict = depthVerdict(primitives, tally, frame, depth);
+            verdict = depthVerdict(primitives, tally, where, depth);
         } else {
             verdict = {verdictOf(effect, tally),
                        effectReason(effect, tally, primitives, settings, frame),
@@ -82,9 +126,9 @@ PerEffect<EffectVerdict> requirementsWith(const Primitives &primitives,
 PerEffect<EffectVerdict> requirementsOf(const Primitives &primitives, const ScanSettings &settings,
                                         const FrameView &frame)
 {
-    const DepthAnswer depth
-        = depthQuestion(primitives, settings, frame, primitives.appearance.antialiasing);
-    return requirementsWith(primitives, settings, frame, depth);
+    const Antialiasing antialiasing = primitives.appearance.antialiasing;
+    return requirementsWith(primitives, settings, {frame, settings.fillRule, antialiasing},
+                            depthQuestion(primitives, settings, frame, antialiasing));
 }
 
 } // namespace pixelplumb

@@ -5,12 +5,17 @@
 
 namespace pixelplumb {
 
-/// The antialiasing that runs: what the appearance says, and what was forced on or off.
+/// The antialiasing that is asked for: what the appearance says, and what was forced on or off.
 Antialiasing antialiasingOf(const Appearance &appearance);
+
+/// That which runs for the triangles and for the lines and curves: none where it changes nothing,
+/// because no edge meets a pixel of the frame, and nobody forces it on.
+Antialiasing triangleAntialiasing(const Primitives &primitives, const FrameView &frame);
+Antialiasing strokeAntialiasing(const Primitives &primitives, const FrameView &frame);
 
 /// requirementsOf, where the question of depth was answered already.
 PerEffect<EffectVerdict> requirementsWith(const Primitives &primitives,
-                                          const ScanSettings &settings, const FrameView &frame,
+                                          const ScanSettings &settings, const SampledFrame &where,
                                           const DepthAnswer &depth);
 
 } // namespace pixelplumb

@@ -68,7 +68,9 @@ public:
               ShadedSurroundings<N> &surroundings, const EdgePixels &edges, bool ofEdges,
               const LatticePoint &sample, const AfterRuns &afterRuns)
     {
-        const Triangle moved = seenFrom(m_primitives.triangles[index], sample);
+        // A segment has its pixels whole: each of their samples as it is at the pixel's own.
+        const Triangle &triangle = m_primitives.triangles[index];
+        const Triangle moved = doubledArea(triangle) == 0 ? triangle : seenFrom(triangle, sample);
         drawColumns({moved, m_primitives.attributesOf(index)}, effects, frame, surroundings,
                     [&](const Column &column, const auto &shadeRun) {
                         if (column.firstDrawn < column.endDrawn)
@@ -78,7 +80,8 @@ public:
                     });
     }
 
-    /// α times the exact area of the triangle in each pixel's square.
+    /// α times the exact area of the triangle in each pixel's square. A segment, which has none, is
+    /// drawn as without.
     void drawAreas(std::size_t index, const EffectSet &effects, FrameView frame,
                    ShadedSurroundings<N> &surroundings);
 
@@ -132,9 +135,10 @@ private:
             }
             m_observer.primitiveBegun(read);
         }
-        if (setUp.zeroArea)
+        const bool isDrawn = !setUp.zeroArea || m_settings.fillRule == FillRule::Closed;
+        if (!isDrawn)
             m_observer.primitiveRejected(PrimitiveRejection::ZeroArea);
-        return !setUp.zeroArea;
+        return isDrawn;
     }
 
     /// Calls fill(column, shadeRun) for each column.
@@ -168,6 +172,8 @@ void ShadedRun<Form, N, A, Observer>::drawAreas(std::size_t index, const EffectS
                                                 ShadedSurroundings<N> &surroundings)
 {
     const ShadedTriangle triangle = triangleAt(index);
+    if (doubledArea(triangle.triangle) == 0)
+        return draw(index, effects, frame, surroundings);
     // Where nothing that is divided by w differs, samples beyond the horizon have it too.
     EffectSet needed = effects;
     needed.perspective = effects.perspective

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/effects/shadedsegment.h"
 #include "core/effects/shadingnumber.h"
 #include "core/geometry/shape.h"
 #include "core/scan/columnstate.h"
@@ -69,7 +70,8 @@ struct ShadedCorner {
     PerChannel<typename N::Number> channels = {};
 };
 
-/// What is computed once for a triangle.
+/// What is computed once for a triangle. One without area has its segment from P0 to P2 instead:
+/// along x, or along y where all lies in one column; the middle vertex counts for nothing.
 template <class N>
 struct ShadedSetUp {
     using Number = typename N::Number;
@@ -79,7 +81,9 @@ struct ShadedSetUp {
     bool zeroArea = false;
     EffectSet effects;
     std::array<ShadedCorner<N>, 3> vertices; ///< as the caller gave them
-    Number area = {}; ///< doubled, without sign, square lattice units; the exact denominator
+    /// Doubled, without sign, square lattice units; of a segment its length along the axis, lattice
+    /// units, 1 of a point: the exact denominator.
+    Number area = {};
     /// The plane of a channel, a·x + b·y + c; in exact numbers over the area.
     PerChannel<std::array<Number, 3>> plane = {};
     /// The weight of a vertex, a·x + b·y + c; in exact numbers over the area.
@@ -146,13 +150,9 @@ inline bool fitsNarrowShading(const ShadedTriangle &triangle, const EffectSet &e
 namespace shadedsetup {
 
 template <class Integer>
-void setNumbers(ShadedSetUp<ExactShading<Integer>> &setUp, const ShadedTriangle &triangle)
+void setWeights(ShadedSetUp<ExactShading<Integer>> &setUp)
 {
-    const auto w = reducedW(triangle);
-    const bool corrects = setUp.effects.perspective;
     const auto &corner = setUp.vertices;
-    /// What multiplies each vertex's values: the product of the others' w.
-    std::array<Integer, 3> factor;
     for (std::size_t i = 0; i < 3; ++i) {
         const LatticePoint &at = corner[i].position;
         const LatticePoint &from = corner[(i + 1) % 3].position;
@@ -164,8 +164,22 @@ void setNumbers(ShadedSetUp<ExactShading<Integer>> &setUp, const ShadedTriangle 
         const Integer sign = there < 0 ? -1 : 1;
         setUp.area = sign * there;
         setUp.weight[i] = {sign * a * unitsPerPixel, sign * b * unitsPerPixel, sign * c};
-        factor[i] = corrects ? Integer(w[(i + 1) % 3]) * w[(i + 2) % 3] : Integer(1);
     }
+}
+
+template <class Integer>
+void setNumbers(ShadedSetUp<ExactShading<Integer>> &setUp, const ShadedTriangle &triangle)
+{
+    const auto w = reducedW(triangle);
+    const bool corrects = setUp.effects.perspective;
+    if (setUp.zeroArea)
+        setSegmentWeights(setUp);
+    else
+        setWeights(setUp);
+    /// What multiplies each vertex's values: the product of the others' w.
+    std::array<Integer, 3> factor;
+    for (std::size_t i = 0; i < 3; ++i)
+        factor[i] = corrects ? Integer(w[(i + 1) % 3]) * w[(i + 2) % 3] : Integer(1);
     forEachChannel(setUp.effects, [&](std::size_t channel) {
         std::array<Integer, 3> &plane = setUp.plane[channel];
         plane = {Integer(0), Integer(0), Integer(0)};
@@ -203,7 +217,9 @@ void setNumbers(ShadedSetUp<FloatShading<Float>> &setUp, const ShadedTriangle &t
 template <InterpolationForm Form, std::floating_point Float>
 void setForm(ShadedSetUp<FloatShading<Float>> &setUp)
 {
-    if constexpr (Form == InterpolationForm::Plane) {
+    if (setUp.zeroArea) {
+        setSegmentForm<Form>(setUp);
+    } else if constexpr (Form == InterpolationForm::Plane) {
         forEachChannel(setUp.effects, [&](std::size_t channel) {
             const PlaneNormal<Float> normal = planeNormal<Float>(setUp.vertices, channel);
             setUp.plane[channel]
@@ -237,8 +253,6 @@ ShadedSetUp<N> shadedSetUpOf(const ShadedTriangle &triangle, const EffectSet &ef
     setUp.zeroArea = area == 0;
     for (std::size_t i = 0; i < 3; ++i)
         setUp.vertices[i].position = triangle.triangle.vertices[i].position;
-    if (setUp.zeroArea)
-        return setUp;
     shadedsetup::setNumbers(setUp, triangle);
     shadedsetup::setForm<Form>(setUp);
     return setUp;

@@ -57,8 +57,9 @@ TriangleNeeds needsOf(const Triangle &triangle, const TriangleAttributes *attrib
         needs.effects.texture = true;
         needs.carriesTexture = differ(vertices, &VertexAttributes::texture);
     }
-    if (appearance.shading == Shading::Phong && !appearance.lights.empty()
-        && hasNormals(*attributes)) {
+    const bool isLit = !appearance.lights.empty() && hasNormals(*attributes);
+    needs.vertexLight = isLit && appearance.shading != Shading::Phong;
+    if (isLit && appearance.shading == Shading::Phong) {
         needs.effects.light = true;
         needs.carriesLight = differ(vertices, &VertexAttributes::normal)
             || (differ(vertices, &VertexAttributes::place)

@@ -8,6 +8,7 @@ namespace pixelplumb {
 /// What a triangle needs by itself, whatever stands around it.
 struct TriangleNeeds {
     EffectSet effects; ///< depth is a question of the others: none
+    bool vertexLight = false; ///< in set-up, of flat and Gouraud shading
 
     // What perspective is asked by.
     bool wDiffers = false; ///< between the vertices

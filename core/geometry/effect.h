@@ -15,7 +15,7 @@ enum class Effect : std::uint8_t {
     Depth, ///< a later triangle lies behind an earlier one
     Perspective, ///< w differs between vertices that carry something
     Texture,
-    Light, ///< computed at every sample: Phong shading
+    Light, ///< computed at every sample, Phong shading; else in the colours, in set-up
     Blending, ///< an alpha below 255
     Antialiasing,
 };

@@ -53,12 +53,21 @@ std::vector<EffectWork> workOf(Effect effect)
     return {};
 }
 
+/// What is drawn of the scene with this forced.
+Primitives primitivesForced(const Scene &scene, const EffectForcing &forced)
+{
+    Scene drawn = scene;
+    drawn.appearance.forced = forced;
+    return primitivesOnSamples(drawn);
+}
+
 /// Draws the scene with one effect on and off.
 class EffectRace {
 public:
     EffectRace(const Scene &scene, const TimingOptions &options)
         : m_options(options)
         , m_method(methodOfScene(scene))
+        , m_scene(scene)
         , m_settings(scene.settings)
         , m_on(primitivesOnSamples(scene))
         , m_off(m_on)
@@ -87,10 +96,16 @@ public:
 private:
     void force(Effect effect)
     {
-        m_on.appearance.forced = {};
-        m_on.appearance.forced[effect] = Forcing::On;
-        m_off.appearance.forced = {};
-        m_off.appearance.forced[effect] = Forcing::Off;
+        for (auto &[primitives, forcing] :
+             {std::pair(&m_on, Forcing::On), std::pair(&m_off, Forcing::Off)}) {
+            EffectForcing forced;
+            forced[effect] = forcing;
+            // Light may be in the colours from set-up on.
+            if (effect == Effect::Light
+                || primitives->appearance.forced[Effect::Light] != Forcing())
+                *primitives = primitivesForced(m_scene, forced);
+            primitives->appearance.forced = forced;
+        }
     }
 
     bool isTold()
@@ -106,7 +121,7 @@ private:
     {
         const EffectPlan on = planFor(m_on, m_settings, m_onFrame.view());
         const EffectPlan off = planFor(m_off, m_settings, m_offFrame.view());
-        const bool isSame = on.batches == off.batches && on.antialiasing == off.antialiasing;
+        const bool isSame = on.runsAs(off);
         const bool canDraw = m_method.objection(on, m_settings).isEmpty()
             && m_method.objection(off, m_settings).isEmpty()
             && std::ranges::all_of(m_on.shapes, [this](const Shape &shape) {
@@ -186,6 +201,7 @@ private:
 
     const TimingOptions &m_options;
     const Method &m_method;
+    const Scene &m_scene;
     ScanSettings m_settings;
     Primitives m_on;
     Primitives m_off;
@@ -206,13 +222,11 @@ std::optional<EffectTiming> timeEffects(const Scene &scene, const TimingOptions 
 
 DifferenceMap changesByForcing(const Scene &scene)
 {
-    Primitives primitives = primitivesOnSamples(scene);
     const FrameBuffer forced(scene.frame);
     const FrameBuffer asCalledFor(scene.frame);
     const Method &method = methodOfScene(scene);
-    method.drawFastest(primitives, scene.settings, forced.view());
-    primitives.appearance.forced = {};
-    method.drawFastest(primitives, scene.settings, asCalledFor.view());
+    method.drawFastest(primitivesOnSamples(scene), scene.settings, forced.view());
+    method.drawFastest(primitivesForced(scene, {}), scene.settings, asCalledFor.view());
     return differingPixels(forced, asCalledFor);
 }
 

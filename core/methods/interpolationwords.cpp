@@ -26,6 +26,17 @@ QString verticesText(InterpolationForm form, const std::array<int, 3> &order,
         + points.join(QStringLiteral(", ")) + u'.';
 }
 
+QString segmentText(InterpolationForm form, const std::array<int, 3> &order)
+{
+    const QString segment = isBilinear(form) ? nameOf(SortedEdge::L02)
+                                             : QStringLiteral("P%1P%2")
+                                                   .arg(vertexDigits[std::size_t(order[0])])
+                                                   .arg(vertexDigits[std::size_t(order[2])]);
+    return QStringLiteral(" It has no area: the closed rule paints the samples on its segment, "
+                          "coloured along %1.")
+        .arg(segment);
+}
+
 void tellInterpolation(StepWords &words, const InterpolationSetUpState &state,
                        InterpolationForm form)
 {
@@ -35,13 +46,7 @@ void tellInterpolation(StepWords &words, const InterpolationSetUpState &state,
     words.sentence = verticesText(form, state.order, positions);
     if (!state.zeroArea)
         return;
-    const QString segment = isBilinear(form) ? nameOf(SortedEdge::L02)
-                                             : QStringLiteral("P%1P%2")
-                                                   .arg(vertexDigits[std::size_t(state.order[0])])
-                                                   .arg(vertexDigits[std::size_t(state.order[2])]);
-    words.sentence += QStringLiteral(" It has no area: the closed rule paints the samples on its "
-                                     "segment, coloured along %1.")
-                          .arg(segment);
+    words.sentence += segmentText(form, state.order);
 }
 
 void tellInterpolation(StepWords &words, const InterpolationSpanState &state,

@@ -1,17 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/lines.h"
 
+#include "core/effects/linecolours.h"
 #include "core/methods/linekernels.h"
 
 namespace pixelplumb {
 
 namespace {
 
+template <class Kernel>
+void drawLines(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
+{
+    withDrawnColours(primitives,
+                     [&](const Primitives &drawn) { drawWith<Kernel>(drawn, settings, frame); });
+}
+
+template <class Kernel>
+std::unique_ptr<ScanTrace> traceLines(const Primitives &primitives, const ScanSettings &settings,
+                                      FrameView frame, const TraceOptions &options)
+{
+    return withDrawnColours(primitives, [&](const Primitives &drawn) {
+        return traceWith<Kernel>(drawn, settings, frame, options);
+    });
+}
+
 /// What all line methods have in common.
 template <class Kernel>
 Method lineMethod()
 {
     Method method = methodOf<Kernel>();
+    method.draw = drawLines<Kernel>;
+    method.trace = traceLines<Kernel>;
     method.family = MethodFamily::Lines;
     method.effects = {Effect::SmoothColour, Effect::Clipping};
     method.kinds = {PrimitiveKind::Line};

@@ -49,7 +49,7 @@ bool Method::drawInPieces(const Primitives &primitives, const ScanSettings &sett
     }
     // Samples keep what the shapes before left in them.
     const bool keepsSamples = supports(Effect::Antialiasing)
-        && !samplePattern(antialiasingOf(primitives.appearance)).empty();
+        && !samplePattern(strokeAntialiasing(primitives, frame)).empty();
     const std::span<const Shape> shapes = primitives.shapes;
     const std::size_t together = keepsSamples ? shapes.size() : 1;
     for (std::size_t first = 0; first < shapes.size(); first += together) {

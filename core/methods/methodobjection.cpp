@@ -18,7 +18,8 @@ std::vector<Effect> shadingEffectsOf(const EffectPlan &plan)
 {
     std::vector<Effect> effects;
     for (const Effect effect : allEffects) {
-        if (effect != Effect::SmoothColour && effect != Effect::Clipping && plan.runs(effect))
+        if (effect != Effect::SmoothColour && effect != Effect::Clipping
+            && plan.runsOnTriangles(effect))
             effects.push_back(effect);
     }
     return effects;

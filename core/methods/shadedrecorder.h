@@ -58,7 +58,7 @@ private:
     };
     /// Hears the triangle as the samples at the centres have it: columns that only other samples
     /// reach come before and after its own. While the picture of another sample is drawn, it hears
-    /// which pixels that writes.
+    /// which pixels that comes to, and writes.
     struct Listener {
         ShadedPictureRecorder *picture;
 
@@ -69,7 +69,8 @@ private:
         }
         void primitiveRejected(const Rejection &rejection)
         {
-            if (!picture->m_sample)
+            // None at a centre is in the frame, but others may be.
+            if (!picture->m_sample && picture->m_visited.empty())
                 picture->m_recorder.primitiveRejected(rejection);
         }
         void spanEntered(const Column &column)
@@ -82,14 +83,16 @@ private:
         void sampleRejected(std::int64_t x, std::int64_t y, QRgb pixel,
                             const ShadedSample<N> &sample)
         {
-            if (!picture->m_sample)
+            if (picture->m_sample)
+                picture->m_visited[x].try_emplace(y, std::uint16_t(0));
+            else
                 picture->m_recorder.sampleRejected(x, y, pixel, sample);
         }
         void pixelWritten(std::int64_t x, std::int64_t y, QRgb before, QRgb after,
                           const ShadedSample<N> &sample)
         {
             if (picture->m_sample)
-                picture->m_written[x][y] |= std::uint16_t(1U << *picture->m_sample);
+                picture->m_visited[x][y] |= std::uint16_t(1U << *picture->m_sample);
             else
                 picture->m_recorder.pixelWritten(x, y, before, after, sample);
         }
@@ -97,7 +100,7 @@ private:
 
     void drawSamples(std::size_t index, const EffectSet &effects)
     {
-        m_written.clear();
+        m_visited.clear();
         for (std::size_t k = 0; k < m_samples.size(); ++k) {
             m_sample = k;
             m_run.draw(index, effects, m_samples[k]->frame.view(), m_samples[k]->surroundings,
@@ -112,10 +115,10 @@ private:
     /// The columns below x that no sample at a centre reaches.
     void announceBefore(std::int64_t x)
     {
-        while (!m_written.empty() && m_written.begin()->first < x) {
+        while (!m_visited.empty() && m_visited.begin()->first < x) {
             Column column;
             column.rate = {};
-            column.x = m_written.begin()->first;
+            column.x = m_visited.begin()->first;
             m_recorder.spanEntered(column);
             announceIn(column.x);
         }
@@ -123,12 +126,12 @@ private:
 
     void announceIn(std::int64_t x)
     {
-        const auto column = m_written.find(x);
-        if (column == m_written.end())
+        const auto column = m_visited.find(x);
+        if (column == m_visited.end())
             return;
         for (const auto &[y, samples] : column->second)
             announce(x, y, samples);
-        m_written.erase(column);
+        m_visited.erase(column);
     }
 
     void announce(std::int64_t x, std::int64_t y, std::uint16_t written)
@@ -143,6 +146,10 @@ private:
         sample.after = mean.pixel();
         for (std::size_t i = 0; i < 3; ++i)
             sample.level[i] = unpacked(sample.after).channels[i];
+        if (written == 0) {
+            m_recorder.sampleRejected(x, y, sample.before, sample);
+            return;
+        }
         m_recorder.pixelWritten(x, y, sample.before, sample.after, sample);
         *m_frame.at(x, y) = sample.after;
     }
@@ -156,8 +163,9 @@ private:
     ShadedRun<Form, N, A, Listener> m_run;
     std::vector<std::unique_ptr<Sample>> m_samples;
     std::optional<std::size_t> m_sample; ///< whose picture is drawn; none: that of the centres
-    /// Of the current triangle: the samples that wrote each pixel, by column and row.
-    std::map<std::int64_t, std::map<std::int64_t, std::uint16_t>> m_written;
+    /// Of the current triangle: the samples that wrote each pixel that one came to, by column and
+    /// row.
+    std::map<std::int64_t, std::map<std::int64_t, std::uint16_t>> m_visited;
 };
 
 } // namespace pixelplumb

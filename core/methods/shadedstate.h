@@ -37,6 +37,7 @@ struct ShadedSetUpState {
     InterpolationForm form = InterpolationForm::Bilinear;
     OfVertices<LatticePoint> position;
     EffectSet effects; ///< of the triangle
+    bool zeroArea = false; ///< its segment is drawn
     PerChannel<OfVertices<Quantity>> given; ///< as the vertices have them
     OfVertices<Quantity> w;
     PerChannel<OfVertices<Quantity>> linear; ///< as they are interpolated: divided by w

@@ -55,14 +55,13 @@ ShadedSetUpState shadedStateOf(const ShadedSetUpRead<N> &setUp)
     state.order = setUp.order;
     state.form = Form;
     state.effects = setUp.effects;
+    state.zeroArea = setUp.zeroArea;
     state.material = setUp.material;
     for (std::size_t i = 0; i < 3; ++i) {
         state.position[i] = setUp.vertices[i].position;
         state.w[i]
             = Quantity::rational(std::max<std::int64_t>(1, setUp.attributes[i].w), attributeOne);
     }
-    if (setUp.zeroArea)
-        return state;
     setSlopes<Form, N, A>(setUp, state);
     const ShadedQuantities<N> quantities(setUp);
     forEachChannel(setUp.effects, [&](std::size_t channel) {
@@ -125,11 +124,15 @@ EdgeWalkSpanState shadedWalkOf(const SpanInHand<ShadedSetUpRead<N>, BoundedColum
             walk.digits[i] = std::size_t(setUp.order[i]);
     }
     walk.start.hasPlane = !setUp.zeroArea;
+    walk.start.isVertical = setUp.zeroArea
+        && walk.corners[0].position.x == walk.corners[2].position.x
+        && walk.corners[0].position.y != walk.corners[2].position.y;
     walk.column.x = column.x;
     walk.column.half = column.half;
     const SortedEdge shortEdge
         = column.half == ColumnHalf::First ? SortedEdge::L01 : SortedEdge::L12;
-    (column.longEdge == LongEdge::Above ? walk.lower : walk.upper) = shortEdge;
+    if (!setUp.zeroArea)
+        (column.longEdge == LongEdge::Above ? walk.lower : walk.upper) = shortEdge;
     const BoundedColumn<N, A> *before
         = step.previous && step.previous->origin == ColumnOrigin::Walked ? step.previous : nullptr;
     walk.isFirst = !before || column.origin != ColumnOrigin::Walked;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/formulatext.h"
+#include "core/methods/interpolationnames.h"
 #include "core/methods/interpolationwords.h"
 #include "core/methods/shadednumbers.h"
 
@@ -8,6 +9,8 @@ namespace pixelplumb {
 void tellShaded(StepWords &words, const ShadedSetUpState &state)
 {
     words.sentence = verticesText(state.form, state.order, state.position);
+    if (state.zeroArea)
+        words.sentence += segmentText(state.form, state.order);
     if (state.effects.perspective)
         words.sentence += QStringLiteral(" What the vertices carry is divided by w, because that "
                                          "is what changes linearly in the frame.");
@@ -27,11 +30,14 @@ void tellShaded(StepWords &words, const ShadedSpanState &state)
 void tellShaded(StepWords &words, const ShadedSampleState &state)
 {
     if (state.samples > 0) {
-        words.sentence
-            = QStringLiteral("An edge passes through the pixel: of its %1 samples this triangle "
+        words.sentence = state.isWritten
+            ? QStringLiteral("An edge passes through the pixel: of its %1 samples this triangle "
                              "wrote %2. The pixel is the mean of all of them.")
                   .arg(state.samples)
-                  .arg(__builtin_popcount(state.samplesWritten));
+                  .arg(__builtin_popcount(state.samplesWritten))
+            : QStringLiteral("Refused: at each of the pixel's %1 samples that the triangle covers "
+                             "it lies behind what stands there.")
+                  .arg(state.samples);
         return;
     }
     if (state.effects.depth == DepthTest::None) {

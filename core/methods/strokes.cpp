@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/strokes.h"
 
+#include "core/effects/linecolours.h"
 #include "core/effects/requirements.h"
 #include "core/methods/strokerecording.h"
 
@@ -15,25 +16,29 @@ bool drawsStroke(const Primitives &primitives, std::size_t index)
 
 void drawStrokes(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
 {
-    StrokeCanvas canvas(frame, antialiasingOf(primitives.appearance));
-    for (const Shape &shape : primitives.shapes) {
-        if (isStroke(shape))
-            StrokeScan(shape, settings, canvas, NullObserver{}).run();
-    }
+    StrokeCanvas canvas(frame, strokeAntialiasing(primitives, frame));
+    withDrawnColours(primitives, [&](const Primitives &drawn) {
+        for (const Shape &shape : drawn.shapes) {
+            if (isStroke(shape))
+                StrokeScan(shape, settings, canvas, NullObserver{}).run();
+        }
+    });
 }
 
 std::unique_ptr<ScanTrace> traceStrokes(const Primitives &primitives, const ScanSettings &settings,
                                         FrameView frame, const TraceOptions &options)
 {
-    const Antialiasing antialiasing = antialiasingOf(primitives.appearance);
+    const Antialiasing antialiasing = strokeAntialiasing(primitives, frame);
     StrokeCanvas canvas(frame, antialiasing);
-    return recordTrace<StrokeRecording>(
-        primitives.size(), settings, options,
-        [&](std::size_t index) { return drawsStroke(primitives, index); },
-        [&](std::size_t index, const TraceRecorder<StrokeRecording> &recorder) {
-            StrokeScan(primitives.shape(index), settings, canvas, recorder).run();
-        },
-        TablesOf<StrokeRecording>::of(antialiasing));
+    return withDrawnColours(primitives, [&](const Primitives &drawn) {
+        return recordTrace<StrokeRecording>(
+            drawn.size(), settings, options,
+            [&](std::size_t index) { return drawsStroke(drawn, index); },
+            [&](std::size_t index, const TraceRecorder<StrokeRecording> &recorder) {
+                StrokeScan(drawn.shape(index), settings, canvas, recorder).run();
+            },
+            TablesOf<StrokeRecording>::of(antialiasing));
+    });
 }
 
 } // namespace

@@ -64,7 +64,6 @@ public:
         , m_settings(settings)
         , m_what(what)
         , m_rule(settings, frame)
-        , m_isPlain(isPlain(primitives, what))
         , m_offsets(sampleOffsets(what.antialiasing))
         , m_boxes(primitives.triangles.begin(), primitives.triangles.end())
     {
@@ -115,8 +114,12 @@ private:
         Surface surface;
         surface.colour = before;
         for (const std::size_t index : m_near) {
-            if (m_boxes[index].isNearColumn(x))
-                paint(surface, index, movedBy(m_primitives.triangles[index], offset), x, m_row);
+            const Triangle &triangle = m_primitives.triangles[index];
+            if (!m_boxes[index].isNearColumn(x))
+                continue;
+            // A segment paints all samples of a pixel whose own lies on it.
+            const bool isSegment = doubledArea(triangle) == 0;
+            paint(surface, index, isSegment ? triangle : movedBy(triangle, offset), x, m_row);
         }
         return surface;
     }
@@ -125,12 +128,8 @@ private:
     void paint(Surface &surface, std::size_t index, const Triangle &triangle, std::int64_t x,
                std::int64_t y) const
     {
-        if (doubledArea(triangle) == 0) {
-            paintSegment(surface, triangle, x, y);
-            return;
-        }
         BigRational share = 1;
-        if (m_what.antialiasing == Antialiasing::Area)
+        if (m_what.antialiasing == Antialiasing::Area && doubledArea(triangle) != 0)
             share = areaInSquare(triangle, x, y);
         else if (!covers(triangle, m_rule, x, y))
             return;
@@ -151,21 +150,10 @@ private:
         surface.isUndecided = surface.isUndecided || (source->lit && source->lit->undecided);
     }
 
-    void paintSegment(Surface &surface, const Triangle &triangle, std::int64_t x,
-                      std::int64_t y) const
-    {
-        if (!m_isPlain || !covers(triangle, m_rule, x, y))
-            return;
-        surface.colour = m_what.smooth ? byteColourAt(triangle, x, y, m_settings.rounding)
-                                       : triangle.vertices[0].colour;
-        surface.isWritten = true;
-    }
-
     const Primitives &m_primitives;
     ScanSettings m_settings;
     EffectTruth m_what;
     BoundaryRule m_rule;
-    bool m_isPlain;
     std::vector<LatticePoint> m_offsets;
     std::vector<TriangleBox> m_boxes; ///< of all triangles
     std::int64_t m_row = 0;
@@ -173,6 +161,18 @@ private:
 };
 
 } // namespace
+
+bool coversPart(const Triangle &triangle, const BoundaryRule &rule, Antialiasing antialiasing,
+                std::int64_t x, std::int64_t y)
+{
+    if (doubledArea(triangle) == 0)
+        return covers(triangle, rule, x, y);
+    if (antialiasing == Antialiasing::Area)
+        return areaInSquare(triangle, x, y) != 0;
+    return std::ranges::any_of(sampleOffsets(antialiasing), [&](const LatticePoint &offset) {
+        return covers(movedBy(triangle, offset), rule, x, y);
+    });
+}
 
 Colour blended(const Colour &source, std::uint8_t alpha, const Colour &destination)
 {

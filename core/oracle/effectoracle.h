@@ -3,7 +3,7 @@
 
 #include "core/frame/frameview.h"
 #include "core/oracle/effecttruth.h"
-#include "core/scan/scansettings.h"
+#include "core/scan/boundaryrule.h"
 
 #include <vector>
 
@@ -21,10 +21,16 @@ using PixelPlace = std::array<std::int64_t, 2>;
 /// on which side (LitColour). Shapes are not drawn.
 ///
 /// With 4 or 16 samples all vertices move by the sample's offset; the off-screen point of the fill
-/// rule stays. With the area, a sample that lies outside of a triangle in perspective, on the
-/// horizon of its plane or beyond, draws nothing.
+/// rule stays. A triangle without area, which has no share of a pixel, paints under the closed rule
+/// the pixels whose own sample lies on its segment, whole. With the area, a sample that lies
+/// outside of a triangle in perspective, on the horizon of its plane or beyond, draws nothing.
 std::vector<PixelPlace> drawEffects(const Primitives &primitives, const ScanSettings &settings,
                                     const EffectTruth &what, FrameView frame);
+
+/// Whether a triangle covers something of a pixel: a part of its square where areas are drawn, one
+/// of its samples where these are 4 or 16, else its own.
+bool coversPart(const Triangle &triangle, const BoundaryRule &rule, Antialiasing antialiasing,
+                std::int64_t x, std::int64_t y);
 
 /// ⌊(s·α + d·(255 − α))/255 + ½⌋ a channel.
 Colour blended(const Colour &source, std::uint8_t alpha, const Colour &destination);

@@ -83,9 +83,24 @@ std::optional<EffectSample> effectSampleAt(const Primitives &primitives, std::si
     sample.colour = exact->colour;
     sample.alphaLevel = quantityOf(exact->alphaLevel);
     sample.alpha = exact->alpha;
-    sample.sharedAlpha
-        = what.antialiasing == Antialiasing::Area ? sharedAlpha(exact->alpha, area) : exact->alpha;
+    const bool isShared = what.antialiasing == Antialiasing::Area && doubledArea(seen) != 0;
+    sample.sharedAlpha = isShared ? sharedAlpha(exact->alpha, area) : exact->alpha;
     return sample;
+}
+
+std::array<Quantity, 3> colourLevelsAt(const Primitives &primitives, std::size_t triangle,
+                                       const EffectTruth &what, std::int64_t x, std::int64_t y)
+{
+    EffectTruth colourAlone;
+    colourAlone.smooth = what.smooth;
+    colourAlone.perspective = what.perspective;
+    colourAlone.texture = colourAlone.light = colourAlone.blending = false;
+    const Triangle &seen = primitives.triangles[triangle];
+    const std::optional<ExactSample> exact
+        = exactSampleAt(primitives, triangle, seen, ByteRounding::Nearest, colourAlone, x, y);
+    if (exact)
+        return quantitiesOf(exact->levels);
+    return {};
 }
 
 } // namespace pixelplumb::oracle

@@ -43,10 +43,14 @@ struct EffectSample {
     std::uint8_t sharedAlpha = 255; ///< times the area where that is asked for, else the same
 };
 
-/// Inside and outside of the triangle. None where it has no area, or beyond the horizon of its
-/// plane (hasPerspective).
+/// Inside and outside of the triangle. None beyond the horizon of its plane (hasPerspective).
 std::optional<EffectSample> effectSampleAt(const Primitives &primitives, std::size_t triangle,
                                            ByteRounding rounding, const EffectTruth &what,
                                            std::int64_t x, std::int64_t y);
+
+/// R, G and B of that alone: what is interpolated of the vertices' colours, before texture, light
+/// and blending; the first vertex's where the truth is not smooth.
+std::array<Quantity, 3> colourLevelsAt(const Primitives &primitives, std::size_t triangle,
+                                       const EffectTruth &what, std::int64_t x, std::int64_t y);
 
 } // namespace pixelplumb::oracle

@@ -34,16 +34,6 @@ bool hasTexture(const Primitives &primitives, std::size_t triangle, const Effect
     return what.texture && material && material->texture;
 }
 
-/// Beside depth and antialiasing, which are the picture's.
-bool hasEffect(const Primitives &primitives, std::size_t triangle, const EffectTruth &what)
-{
-    const std::array<VertexAttributes, 3> &vertices = attributesOf(primitives, triangle);
-    const bool isOpaque = std::ranges::all_of(
-        vertices, [](const VertexAttributes &vertex) { return vertex.alpha == 255; });
-    return hasTexture(primitives, triangle, what) || isLit(primitives, triangle, what)
-        || (what.blending && !isOpaque) || hasPerspective(primitives, triangle, what);
-}
-
 } // namespace
 
 EffectTruth truthOf(const Appearance &appearance)
@@ -60,17 +50,6 @@ EffectTruth truthOf(const Appearance &appearance)
     if (isOn(Effect::Antialiasing))
         what.antialiasing = appearance.antialiasing;
     return what;
-}
-
-bool isPlain(const Primitives &primitives, const EffectTruth &what)
-{
-    if (what.depth || what.antialiasing != Antialiasing::None)
-        return false;
-    for (std::size_t triangle = 0; triangle < primitives.triangles.size(); ++triangle) {
-        if (hasEffect(primitives, triangle, what))
-            return false;
-    }
-    return true;
 }
 
 bool hasPerspective(const Primitives &primitives, std::size_t triangle, const EffectTruth &what)

@@ -20,10 +20,6 @@ struct EffectTruth {
 /// What the appearance says, and what was forced off.
 EffectTruth truthOf(const Appearance &appearance);
 
-/// Whether no triangle has anything beyond smooth colour: then they are drawn as ever, and one
-/// without area as its segment (oracle.h). With any effect such a triangle draws nothing.
-bool isPlain(const Primitives &primitives, const EffectTruth &what);
-
 /// Whether w differs between the vertices, and something that is divided by it and seen does too.
 /// Only then has the triangle's plane a horizon: what is the same everywhere is so beyond it.
 bool hasPerspective(const Primitives &primitives, std::size_t triangle, const EffectTruth &what);

@@ -27,24 +27,24 @@ std::optional<ExactSample> exactSampleAt(const Primitives &primitives, std::size
     const std::array<VertexAttributes, 3> &vertices = attributesOf(primitives, triangle);
     const Material *material = materialOf(primitives, triangle);
     ExactSample sample;
-    sample.weights = barycentricWeights(moved, x, y);
+    sample.weights
+        = doubledArea(moved) == 0 ? segmentWeights(moved, x, y) : barycentricWeights(moved, x, y);
     sample.attributeWeights = hasPerspective(primitives, triangle, what)
         ? perspectiveWeights(sample.weights, vertices)
         : sample.weights;
-    if (sample.weights.whole == 0 || sample.attributeWeights.whole <= 0)
+    if (sample.attributeWeights.whole <= 0)
         return std::nullopt;
     const PlaneWeights &weights = sample.attributeWeights;
     sample.z = plainly(
         sample.weights.mean(each(vertices, [](const VertexAttributes &of) { return of.z; })));
 
     for (std::size_t channel = 0; channel < 3; ++channel) {
-        sample.levels[channel] = weights.mean(each(moved.vertices, [&](const Vertex &of) {
-            return std::int64_t(of.colour.channels[channel]);
-        }));
+        const auto levelAt = [&](const Vertex &of) {
+            return std::int64_t((what.smooth ? of : moved.vertices[0]).colour.channels[channel]);
+        };
+        sample.levels[channel] = weights.mean(each(moved.vertices, levelAt));
         sample.interpolated.channels[channel] = byteOf(sample.levels[channel], rounding);
     }
-    if (!what.smooth)
-        sample.interpolated = moved.vertices[0].colour;
     for (std::size_t axis = 0; axis < 2; ++axis) {
         sample.texture[axis] = plainly(weights.mean(
             each(vertices, [&](const VertexAttributes &of) { return of.texture[axis]; })));

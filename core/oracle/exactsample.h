@@ -29,8 +29,8 @@ struct ExactSample {
     std::uint8_t alpha = 255;
 };
 
-/// None where the triangle has no area, or beyond the horizon of its plane. `moved` is the triangle
-/// of that index, or the same at another place.
+/// None beyond the horizon of the triangle's plane. Of a triangle without area, what its segment
+/// has. `moved` is the triangle of that index, or the same at another place.
 std::optional<ExactSample> exactSampleAt(const Primitives &primitives, std::size_t triangle,
                                          const Triangle &moved, ByteRounding rounding,
                                          const EffectTruth &what, std::int64_t x, std::int64_t y);

@@ -17,6 +17,28 @@ PlaneWeights barycentricWeights(const Triangle &triangle, std::int64_t x, std::i
     return weights;
 }
 
+PlaneWeights segmentWeights(const Triangle &triangle, std::int64_t x, std::int64_t y)
+{
+    const std::array<int, 3> order = sortedByColumn(triangle);
+    const auto first = std::size_t(order[0]);
+    const auto last = std::size_t(order[2]);
+    const LatticePoint &from = triangle.vertices[first].position;
+    const LatticePoint &to = triangle.vertices[last].position;
+    const LatticePoint sample = latticePixel(x, y);
+    PlaneWeights weights;
+    if (from == to) {
+        weights.parts[first] = 1;
+    } else if (from.x == to.x) {
+        weights.parts[first] = to.y - sample.y;
+        weights.parts[last] = sample.y - from.y;
+    } else {
+        weights.parts[first] = to.x - sample.x;
+        weights.parts[last] = sample.x - from.x;
+    }
+    weights.whole = weights.parts[first] + weights.parts[last];
+    return weights;
+}
+
 PlaneWeights perspectiveWeights(const PlaneWeights &barycentric,
                                 const std::array<VertexAttributes, 3> &vertices)
 {

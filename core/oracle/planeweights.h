@@ -29,6 +29,10 @@ struct PlaneWeights {
 /// sign, in square lattice units; 0 where the triangle has none.
 PlaneWeights barycentricWeights(const Triangle &triangle, std::int64_t x, std::int64_t y);
 
+/// The same of a triangle without area: along its segment, by x, or by y where all lies in one
+/// column; the vertex between the ends weighs nothing, and of a point all is its first one's.
+PlaneWeights segmentWeights(const Triangle &triangle, std::int64_t x, std::int64_t y);
+
 /// Those of a/w and 1/w, linear in the frame, and their quotient: each barycentric weight by the
 /// other two w. `whole` has the sign of 1/w at the sample: where it is not above 0, the sample lies
 /// on the horizon of the triangle's plane or beyond it, and nothing is seen there.

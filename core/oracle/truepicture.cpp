@@ -8,6 +8,34 @@
 
 namespace pixelplumb::oracle {
 
+namespace {
+
+/// Every shape in its first vertex's colour, but points, which have each their own.
+Primitives inOneColour(Primitives primitives)
+{
+    for (Shape &shape : primitives.shapes) {
+        for (Vertex &vertex : shape.vertices) {
+            if (shape.kind != PrimitiveKind::Point)
+                vertex.colour = shape.vertices[0].colour;
+        }
+    }
+    return primitives;
+}
+
+void drawShapes(const Primitives &primitives, const ScanSettings &settings,
+                Antialiasing antialiasing, FrameView frame)
+{
+    const bool hasShares = antialiasing != Antialiasing::None;
+    if (hasShares)
+        drawStrokes(primitives, settings, antialiasing, frame);
+    for (const Shape &shape : primitives.shapes) {
+        if (!hasShares || !isStroke(shape))
+            draw(shape, settings.rounding, frame);
+    }
+}
+
+} // namespace
+
 void drawPicture(const Primitives &primitives, const ScanSettings &settings,
                  const std::optional<EffectPlan> &plan, FrameView frame)
 {
@@ -17,14 +45,11 @@ void drawPicture(const Primitives &primitives, const ScanSettings &settings,
         for (const Triangle &triangle : primitives.triangles)
             draw(triangle, {settings, frame}, settings.rounding, frame);
     }
-    const Antialiasing antialiasing = truthOf(primitives.appearance).antialiasing;
-    const bool hasShares = antialiasing != Antialiasing::None;
-    if (hasShares)
-        drawStrokes(primitives, settings, antialiasing, frame);
-    for (const Shape &shape : primitives.shapes) {
-        if (!hasShares || !isStroke(shape))
-            draw(shape, settings.rounding, frame);
-    }
+    const EffectTruth what = truthOf(primitives.appearance);
+    if (!what.smooth)
+        drawShapes(inOneColour(primitives), settings, what.antialiasing, frame);
+    else
+        drawShapes(primitives, settings, what.antialiasing, frame);
 }
 
 } // namespace pixelplumb::oracle

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/oracle/effectsample.h"
 #include "core/oracle/oracle.h"
 #include "core/runs/tracedscene.h"
 
@@ -72,7 +73,30 @@ SamplesByPixel twinSamples(const TracedScene &traced, std::size_t span)
     return samples;
 }
 
+/// Where the levels stand among a sample's numbers, too.
+void showLevels(ExactSample &exact, const std::vector<NumberDescription> &numbers)
+{
+    for (std::size_t channel = 0; channel < exact.colour.size(); ++channel) {
+        const auto found
+            = std::ranges::find(numbers, QString(channelLetters[channel]), &NumberDescription::id);
+        if (found != numbers.end() && found->comparison == Comparison::WithExact)
+            exact.cells[std::size_t(found - numbers.begin())] = exact.colour[channel];
+    }
+}
+
 } // namespace
+
+std::array<Quantity, 3> exactLevelsAt(const TracedScene &traced, std::size_t primitive,
+                                      std::int64_t x, std::int64_t y)
+{
+    const Primitives &primitives = traced.primitives;
+    if (!primitives.isTriangle(primitive))
+        return {};
+    if (!traced.plan)
+        return oracle::colourAt(primitives.triangles[primitive], x, y);
+    return oracle::colourLevelsAt(primitives, primitive, oracle::truthOf(primitives.appearance), x,
+                                  y);
+}
 
 std::vector<Quantity> exactSetUpCells(const TracedScene &traced, std::size_t primitive)
 {
@@ -120,12 +144,11 @@ std::vector<ExactSample> exactSamplesOf(const TracedScene &traced, std::size_t s
         exact[i].cells = isExact(traced)
             ? comparedOfItself(numbers, sample.cells)
             : compared(numbers, twin ? twin->cells : std::vector<Quantity>());
-        // With effects a colour is no plane of the vertices' alone.
+        // A mean of samples, or what depth refused, has no levels of its own.
+        if (!traced.plan || !sample.colour[0].isNone())
+            exact[i].colour = exactLevelsAt(traced, primitive, sample.x, sample.y);
         if (traced.plan)
-            exact[i].colour = twin ? twin->colour : std::array<Quantity, 3>();
-        else if (traced.primitives.isTriangle(primitive))
-            exact[i].colour
-                = oracle::colourAt(traced.primitives.triangles[primitive], sample.x, sample.y);
+            showLevels(exact[i], numbers);
     }
     return exact;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/pixelhistory.h"
 
+#include "core/oracle/effectoracle.h"
 #include "core/oracle/strokeoracle.h"
 #include "core/runs/carriednumbers.h"
 #include "core/runs/edgename.h"
@@ -19,13 +20,18 @@ namespace {
 void judge(PixelAttempt &attempt, const TracedScene &traced, std::int64_t x, std::int64_t y)
 {
     const Primitives &primitives = traced.primitives;
-    if (attempt.kind == PrimitiveKind::Triangle)
-        attempt.verdict = oracle::judge(primitives.triangles[attempt.primitive],
-                                        boundaryRuleOf(traced.scene), x, y);
-    else
+    if (attempt.kind == PrimitiveKind::Triangle) {
+        const Triangle &triangle = primitives.triangles[attempt.primitive];
+        const BoundaryRule rule = boundaryRuleOf(traced.scene);
+        attempt.verdict = oracle::judge(triangle, rule, x, y);
+        if (traced.plan)
+            attempt.verdict.covered
+                = oracle::coversPart(triangle, rule, traced.plan->antialiasing, x, y);
+    } else {
         attempt.verdict.covered
             = oracle::covers(primitives.shape(attempt.primitive), primitives.appearance,
                              traced.scene.frame.origin, x, y);
+    }
 }
 
 /// Behind the last step of a primitive.
@@ -61,22 +67,21 @@ void recall(PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x, std::
     }
 }
 
-/// Of the sample that the run visited.
-void recallCarried(PixelAttempt &attempt, const TracedScene &traced)
+/// Beside what the run used at the sample that it visited, the exact numbers.
+void recallExactly(PixelAttempt &attempt, const TracedScene &traced)
 {
     if (!attempt.sample)
         return;
-    std::vector<Quantity> exact;
+    const ExactSample exact = exactSamplesOf(traced, traced.trace->stepAt(attempt.step).span,
+                                             std::span(&*attempt.sample, 1))
+                                  .front();
+    attempt.exactColour = exact.colour;
     for (const std::size_t i : carriedNumbers(traced, attempt.primitive)) {
         if (i >= attempt.sample->cells.size() || attempt.sample->cells[i].isNone())
             continue;
-        if (exact.empty())
-            exact = exactSamplesOf(traced, traced.trace->stepAt(attempt.step).span,
-                                   std::span(&*attempt.sample, 1))[0]
-                        .cells;
         attempt.carried.push_back({traced.trace->numbers().sample[i].title,
                                    attempt.sample->cells[i],
-                                   i < exact.size() ? exact[i] : Quantity()});
+                                   i < exact.cells.size() ? exact.cells[i] : Quantity()});
     }
 }
 
@@ -107,9 +112,7 @@ PixelAttempt attemptOf(std::size_t primitive, const TracedScene &traced, std::in
     attempt.kind = traced.primitives.kindOf(primitive);
     judge(attempt, traced, x, y);
     recall(attempt, *traced.trace, x, y);
-    recallCarried(attempt, traced);
-    if (attempt.kind == PrimitiveKind::Triangle)
-        attempt.exactColour = oracle::colourAt(traced.primitives.triangles[primitive], x, y);
+    recallExactly(attempt, traced);
     if (attempt.hasEdges()) {
         const SetUpRecord setUp = primitive < traced.trace->primitiveCount()
             ? traced.trace->setUp(primitive)

@@ -10,10 +10,12 @@ namespace pixelplumb {
 struct PixelAttempt {
     std::size_t primitive = 0;
     PrimitiveKind kind = PrimitiveKind::Triangle;
-    /// Of a triangle: all of it; of a shape: `covered` alone.
+    /// Of a triangle: its edges as the pixel's own sample has them, and whether it covers that or,
+    /// antialiased, some part of the pixel. Of a shape: `covered` alone.
     oracle::SampleVerdict verdict;
     std::array<QString, 3> edgeNames; ///< of the verdict's edges, where it tells of them
-    std::array<Quantity, 3> exactColour; ///< of the oracle, levels; none of a shape
+    /// exactLevelsAt() the sample that the run visited; none where it has no levels there.
+    std::array<Quantity, 3> exactColour;
     /// The span's numbers, where the primitive's run entered the pixel's column or row, or visited
     /// the pixel.
     std::optional<SpanRecord> span;
@@ -43,6 +45,12 @@ struct PixelAttempt {
 
     /// True where the verdict tells of three edges.
     bool hasEdges() const { return kind == PrimitiveKind::Triangle && !verdict.zeroArea; }
+    /// Whether an edge has the pixel's own sample on its outer side.
+    bool isCentreRefused() const
+    {
+        return hasEdges()
+            && !(verdict.edges[0].accepts && verdict.edges[1].accepts && verdict.edges[2].accepts);
+    }
 };
 
 /// The attempts of all primitives on a pixel, in drawing order.

@@ -79,16 +79,24 @@ QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std:
             ? QStringLiteral("The triangle has no area, and the sample is not on its segment.")
             : QStringLiteral("The triangle has no area: only the closed rule paints a segment.");
     }
+    const QString noPart = noPartText(traced);
+    if (!noPart.isEmpty() && !attempt.isCentreRefused())
+        return noPart;
     const auto refusing = std::ranges::min_element(
         attempt.verdict.edges, [](const oracle::EdgeVerdict &a, const oracle::EdgeVerdict &b) {
             return std::pair(a.accepts, a.distance) < std::pair(b.accepts, b.distance);
         });
     const QString &edge = attempt.edgeNames[std::size_t(refusing - attempt.verdict.edges.begin())];
+    const QString sample
+        = noPart.isEmpty() ? QStringLiteral("the sample") : QStringLiteral("the pixel's centre");
+    const QString start = noPart.isEmpty() ? noPart : noPart + u' ';
     if (refusing->edgeFunction == 0)
-        return QStringLiteral("The sample lies exactly on %1, and %2.")
-            .arg(edge, tieText(traced, attempt.primitive, *refusing, x, y));
-    return QStringLiteral("Refused by %1: the sample is at %2, under the rule %3.")
-        .arg(edge, distanceText(*refusing, *traced.trace), nameText(nameOf(rule)));
+        return start
+            + QStringLiteral("T%1 lies exactly on %2, and %3.")
+                  .arg(sample.sliced(1), edge, tieText(traced, attempt.primitive, *refusing, x, y));
+    return start
+        + QStringLiteral("Refused by %1: %2 is at %3, under the rule %4.")
+              .arg(edge, sample, distanceText(*refusing, *traced.trace), nameText(nameOf(rule)));
 }
 
 QString channelText(const PixelAttempt &attempt, std::size_t channel, QChar name)

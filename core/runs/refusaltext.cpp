@@ -121,4 +121,20 @@ QString refusalSentence(const TracedScene &traced, std::size_t triangle, const S
                           "refuses the sample.");
 }
 
+QString noPartText(const TracedScene &traced)
+{
+    const Antialiasing antialiasing = traced.plan ? traced.plan->antialiasing : Antialiasing::None;
+    switch (antialiasing) {
+    case Antialiasing::None:
+        break;
+    case Antialiasing::Samples4:
+        return QStringLiteral("None of the pixel's 4 samples lies in the triangle.");
+    case Antialiasing::Samples16:
+        return QStringLiteral("None of the pixel's 16 samples lies in the triangle.");
+    case Antialiasing::Area:
+        return QStringLiteral("The triangle has no part of the pixel's square.");
+    }
+    return {};
+}
+
 } // namespace pixelplumb

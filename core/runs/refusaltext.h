@@ -28,4 +28,8 @@ QString refusalSentence(const TracedScene &traced, std::size_t triangle, const S
 QString tieText(const TracedScene &traced, std::size_t triangle, const oracle::EdgeVerdict &edge,
                 std::int64_t x, std::int64_t y);
 
+/// That a triangle whose pixels have more than one sample has none of a pixel; empty where they
+/// have one.
+QString noPartText(const TracedScene &traced);
+
 } // namespace pixelplumb

@@ -11,10 +11,16 @@ namespace {
 Primitives alone(const Primitives &primitives, std::size_t index)
 {
     Primitives one;
-    if (primitives.isTriangle(index))
-        one.triangles = {primitives.triangles[index]};
-    else
+    one.appearance = primitives.appearance;
+    if (!primitives.isTriangle(index)) {
         one.shapes = {primitives.shape(index)};
+        return one;
+    }
+    one.triangles = {primitives.triangles[index]};
+    if (const TriangleAttributes *attributes = primitives.attributesOf(index)) {
+        one.attributes = {*attributes};
+        one.attributes[0].triangle = 0;
+    }
     return one;
 }
 

@@ -2,6 +2,7 @@
 #include "core/runs/sceneplan.h"
 
 #include "core/effects/bordercrossing.h"
+#include "core/effects/requirements.h"
 #include "core/methods/method.h"
 
 #include <algorithm>
@@ -23,9 +24,10 @@ bool canAll(const Method &method, const ScanSettings &settings)
 /// Of those that reach the frame.
 QString objectionToShapes(const Method &method, const Scene &scene)
 {
-    const FrameView window = windowOf(scene.frame);
+    const SampledFrame where
+        = {windowOf(scene.frame), scene.settings.fillRule, antialiasingOf(scene.appearance)};
     for (const Shape &shape : primitivesOnSamples(scene).shapes) {
-        if (borderCrossingOf(shape, window) == BorderCrossing::Outside)
+        if (borderCrossingOf(shape, where) == BorderCrossing::Outside)
             continue;
         QString objection = method.objection(shape, scene.appearance);
         if (!objection.isEmpty())

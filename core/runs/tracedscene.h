@@ -75,10 +75,16 @@ struct TracedScene {
 /// there is nothing to compare.
 std::vector<Quantity> exactSetUpCells(const TracedScene &traced, std::size_t primitive);
 std::vector<Quantity> exactSpanCells(const TracedScene &traced, std::size_t span);
-/// The same of samples of one span, and of their colour levels.
+/// R, G and B that a triangle interpolates at (x, y), before texture, light and blending, exactly:
+/// by the truth of what the run's plan does. Inside and outside of the triangle; none of a shape,
+/// and beyond the horizon of the triangle's plane. Whatever view shows a level as exact has it from
+/// here.
+std::array<Quantity, 3> exactLevelsAt(const TracedScene &traced, std::size_t primitive,
+                                      std::int64_t x, std::int64_t y);
+/// The exact numbers of samples of one span.
 struct ExactSample {
-    std::array<Quantity, 3> colour;
-    std::vector<Quantity> cells;
+    std::array<Quantity, 3> colour; ///< exactLevelsAt(); none where the run has no levels there
+    std::vector<Quantity> cells; ///< for which the sample's cells stand
 };
 std::vector<ExactSample> exactSamplesOf(const TracedScene &traced, std::size_t span,
                                         std::span<const SampleRecord> samples);

@@ -112,7 +112,7 @@ private:
     void colourVertices()
     {
         m_face.lit.clear();
-        const bool isLit = !m_appearance.lights.empty();
+        const bool isLit = lightsVertices(m_appearance);
         const bool isFlat = isLit && m_appearance.shading == Shading::Flat;
         const Colour ofFace = isFlat ? lit(faceCentre()) : Colour();
         for (std::size_t i = 0; i < m_face.polygon.size(); ++i) {

@@ -147,6 +147,21 @@ template std::array<double, 3> litLevels(const Appearance &, const Material &, c
 template std::array<ExactReal, 3> litLevels(const Appearance &, const Material &, const Colour &,
                                             const LitPoint<ExactReal> &);
 
+bool lightsVertices(const Appearance &appearance)
+{
+    if (appearance.shading == Shading::Phong)
+        return false;
+    switch (appearance.forced[Effect::Light]) {
+    case Forcing::AsCalledFor:
+        break;
+    case Forcing::On:
+        return true;
+    case Forcing::Off:
+        return false;
+    }
+    return !appearance.lights.empty();
+}
+
 void lightPlainTriangles(std::vector<Triangle> &triangles,
                          std::vector<TriangleAttributes> &attributes, const Appearance &appearance)
 {
@@ -161,7 +176,7 @@ void lightPlainTriangles(std::vector<Triangle> &triangles,
             = std::ranges::any_of(each.vertices, [](const VertexAttributes &vertex) {
                   return vertex.normal != std::array<Attribute, 3>{};
               });
-        if (appearance.lights.empty() || !hasNormals)
+        if ((appearance.lights.empty() && !lightsVertices(appearance)) || !hasNormals)
             continue;
         for (std::size_t i = 0; i < 3; ++i) {
             constexpr auto perPixel = double(unitsPerPixel);
@@ -170,7 +185,7 @@ void lightPlainTriangles(std::vector<Triangle> &triangles,
                 = {clampedAttribute(double(position.x) / perPixel),
                    clampedAttribute(double(position.y) / perPixel), each.vertices[i].z};
         }
-        if (appearance.shading != Shading::Phong)
+        if (lightsVertices(appearance))
             light(triangle, each, appearance);
     }
 }

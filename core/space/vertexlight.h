@@ -59,9 +59,13 @@ std::uint8_t levelByte(const Number &level)
     return std::uint8_t(rounded > 255 ? 255 : rounded);
 }
 
+/// Whether light is computed in set-up, of what has normals: flat and Gouraud shading, where a
+/// light is on and not switched off. One that is forced on without lights is the ambient one.
+bool lightsVertices(const Appearance &appearance);
+
 /// Of plain triangles, in the scene's coordinates: multiplies their material's diffuse colour into
 /// the vertices, gives those of triangles with normals their place (x, y, z), px, where there are
-/// lights, and lights them where shading is flat, by the mean of the corners, or Gouraud's.
+/// lights, and lights them where lightsVertices(): flat, by the mean of the corners, or Gouraud's.
 void lightPlainTriangles(std::vector<Triangle> &triangles,
                          std::vector<TriangleAttributes> &attributes, const Appearance &appearance);
 

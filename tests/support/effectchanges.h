@@ -47,6 +47,15 @@ inline void overlap(Primitives &primitives)
             = {vertex.position.x - 10 * unitsPerPixel, vertex.position.y + 3 * unitsPerPixel};
 }
 
+/// From red to green.
+inline Shape smoothLine()
+{
+    Shape line;
+    line.vertices
+        = {{latticePixel(2, 2), Colour{{255, 0, 0}}}, {latticePixel(40, 2), Colour{{0, 255, 0}}}};
+    return line;
+}
+
 inline void setW(Primitives &primitives, std::size_t triangle, Attribute w)
 {
     attributesAt(primitives, triangle).vertices[2].w = w;

@@ -129,7 +129,9 @@ private:
                 made.vertices[1].position
                     = m_scene.primitives.triangles.back().vertices[2].position;
             }
-            if (doubledArea(made) == 0)
+            if (m_hardship == EffectHardship::Segments && i % 2 == 1)
+                takeArea(made);
+            else if (doubledArea(made) == 0)
                 continue;
             m_scene.primitives.attributes.push_back({m_scene.primitives.triangles.size(),
                                                      attributes,
@@ -148,6 +150,24 @@ private:
         };
         const Lattice x = along(frame.firstColumn, frame.width);
         return {x, along(frame.firstRow, frame.height)};
+    }
+
+    /// Moves two vertices onto samples, or all onto one, and the third between them or beyond.
+    void takeArea(Triangle &triangle)
+    {
+        const auto ownSample = [](const LatticePoint &near) {
+            return latticePixel(floorPixel(near.x), floorPixel(near.y));
+        };
+        auto &[a, b, c] = triangle.vertices;
+        a.position = ownSample(a.position);
+        b.position = m_random.between(0, 5) == 0 ? a.position : ownSample(b.position);
+        if (m_random.between(0, 3) == 0)
+            b.position.x = a.position.x;
+        const Lattice along = m_random.between(-1, 3);
+        c.position = {a.position.x + along * (b.position.x - a.position.x) / 2,
+                      a.position.y + along * (b.position.y - a.position.y) / 2};
+        if (m_random.coin())
+            std::swap(a.position, c.position);
     }
 
     bool isOnPixels() const
@@ -256,6 +276,8 @@ QString nameOf(EffectHardship hardship)
         return QStringLiteral("texel borders");
     case EffectHardship::FarAway:
         return QStringLiteral("far away");
+    case EffectHardship::Segments:
+        return QStringLiteral("segments");
     }
     return {};
 }

@@ -20,11 +20,13 @@ enum class EffectHardship {
     Horizon, ///< w from 2^-20 to 2^10 in one triangle
     TexelBorders, ///< u and v multiples of 1/8 at samples
     FarAway, ///< at 2^20 px
+    Segments, ///< triangles without area among others: lines, upright ones, points
 };
 inline constexpr std::array allEffectHardships
     = {EffectHardship::None,        EffectHardship::WholePixels,  EffectHardship::Slivers,
        EffectHardship::SharedEdges, EffectHardship::Coincident,   EffectHardship::Crossing,
-       EffectHardship::Horizon,     EffectHardship::TexelBorders, EffectHardship::FarAway};
+       EffectHardship::Horizon,     EffectHardship::TexelBorders, EffectHardship::FarAway,
+       EffectHardship::Segments};
 QString nameOf(EffectHardship hardship);
 
 struct EffectScene {
@@ -33,7 +35,7 @@ struct EffectScene {
     Primitives primitives; ///< sample coordinates
 };
 
-/// Which effects there are is random too. Every triangle has an area.
+/// Which effects there are is random too. But for Segments, every triangle has an area.
 EffectScene randomEffectScene(std::uint64_t seed, EffectHardship hardship);
 
 } // namespace pixelplumb

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/inspect/pixelgrid.h"
 
-#include "core/oracle/oracle.h"
+#include "core/oracle/effectoracle.h"
 #include "widgets/inspect/pixelgridpainter.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/numberformat.h"
@@ -246,11 +246,15 @@ QString PixelGrid::describe(const QPoint &pixel) const
     if (!triangle)
         return lines.join(u'\n');
     const Triangle &geometry = traced.primitives.triangles[*triangle];
-    if (!oracle::covers(geometry, boundaryRuleOf(traced.scene), pixel.x(), pixel.y())) {
+    const Antialiasing antialiasing = traced.plan ? traced.plan->antialiasing : Antialiasing::None;
+    if (!oracle::coversPart(geometry, boundaryRuleOf(traced.scene), antialiasing, pixel.x(),
+                            pixel.y())) {
         lines.append(tr("not covered by triangle %1").arg(*triangle));
         return lines.join(u'\n');
     }
-    const std::array<Quantity, 3> levels = oracle::colourAt(geometry, pixel.x(), pixel.y());
+    const std::array<Quantity, 3> levels = exactLevelsAt(traced, *triangle, pixel.x(), pixel.y());
+    if (levels[0].isNone())
+        return lines.join(u'\n');
     lines.append(tr("exact levels in triangle %1:").arg(*triangle));
     for (std::size_t channel = 0; channel < levels.size(); ++channel) {
         const Quantity &level = levels[channel];

@@ -69,10 +69,12 @@ QString PixelHistoryModel::attemptText(const PixelAttempt &attempt, int column) 
     default:
         break;
     }
-    if (!attempt.written || attempt.verdict.covered)
+    if (!attempt.written)
         return {};
     const bool isInPart = m_traced->plan && m_traced->plan->antialiasing != Antialiasing::None;
-    return isInPart ? tr("covered in part") : tr("not covered");
+    if (isInPart && attempt.isCentreRefused())
+        return tr("covered in part");
+    return attempt.verdict.covered ? QString() : tr("not covered");
 }
 
 QString PixelHistoryModel::channelText(const PixelAttempt &attempt, std::size_t channel,

@@ -2,7 +2,8 @@
 #include "core/effects/depthquestion.h"
 #include "core/effects/framereach.h"
 #include "core/effects/sharededges.h"
-#include "core/number/wideinteger.h"
+#include "core/oracle/effectoracle.h"
+#include "core/oracle/exactsample.h"
 #include "core/oracle/oracle.h"
 #include "core/oracle/squarearea.h"
 #include "tests/support/framespec.h"
@@ -58,48 +59,93 @@ Primitives randomScene(quint32 seed)
     return primitives;
 }
 
-/// The depth at a sample, numerator and denominator > 0.
-std::pair<Int256, Int256> depthAt(const Primitives &primitives, std::size_t triangle,
-                                  const SamplePlace &place)
-{
-    const auto verdict
-        = oracle::judge(primitives.triangles[triangle], FillRule::Closed, place.x, place.y);
-    Int256 numerator = 0, denominator = 0;
-    for (std::size_t edge = 0; edge < 3; ++edge) {
-        const Attribute z = primitives.attributesOf(triangle)->vertices[(edge + 2) % 3].z;
-        numerator += Int256(verdict.edges[edge].edgeFunction) * z;
-        denominator += Int256(verdict.edges[edge].edgeFunction);
+/// One sample of a pixel, as antialiasing has it: what each triangle has there.
+class DrawnSample {
+public:
+    DrawnSample(const Primitives &primitives, const BoundaryRule &rule, Antialiasing antialiasing,
+                const LatticePoint &offset, const SamplePlace &place)
+    {
+        oracle::EffectTruth what = oracle::truthOf(primitives.appearance);
+        what.light = false; // that changes no depth, and takes its time
+        for (std::size_t i = 0; i < primitives.triangles.size(); ++i) {
+            Triangle seen = primitives.triangles[i];
+            const bool isSegment = doubledArea(seen) == 0;
+            for (Vertex &vertex : seen.vertices) {
+                if (!isSegment)
+                    vertex.position = {vertex.position.x - offset.x, vertex.position.y - offset.y};
+            }
+            const bool isDrawn = antialiasing == Antialiasing::Area && !isSegment
+                ? oracle::areaInSquare(seen, place.x, place.y) > 0
+                : oracle::covers(seen, rule, place.x, place.y);
+            const auto exact = isDrawn
+                ? oracle::exactSampleAt(primitives, i, seen, ByteRounding::Nearest, what, place.x,
+                                        place.y)
+                : std::nullopt;
+            m_depths.push_back(exact ? std::optional(
+                                   oracle::keptDepth(exact->z, primitives.appearance.depthFormat))
+                                     : std::nullopt);
+        }
     }
-    return {numerator, denominator};
+
+    bool isBehind(std::size_t later, std::size_t earlier) const
+    {
+        return m_depths[later] && m_depths[earlier]
+            && !oracle::isNoFarther(*m_depths[later], *m_depths[earlier]);
+    }
+
+private:
+    std::vector<std::optional<oracle::WideFraction>> m_depths; ///< of the triangles drawn here
+};
+
+/// The samples that a pixel has: several where an edge meets its square.
+std::vector<DrawnSample> samplesAt(const Primitives &primitives, const BoundaryRule &rule,
+                                   Antialiasing antialiasing, const SamplePlace &place)
+{
+    const bool isOnEdge = std::ranges::any_of(primitives.triangles, [&](const Triangle &triangle) {
+        return doubledArea(triangle) != 0 && oracle::edgeMeetsSquare(triangle, place.x, place.y);
+    });
+    std::vector<DrawnSample> samples;
+    for (const LatticePoint &offset :
+         oracle::sampleOffsets(isOnEdge ? antialiasing : Antialiasing::None))
+        samples.emplace_back(primitives, rule, antialiasing, offset, place);
+    return samples;
 }
 
 bool isBehindAt(const Primitives &primitives, std::size_t earlier, std::size_t later,
-                const BoundaryRule &rule, const SamplePlace &place)
+                const BoundaryRule &rule, Antialiasing antialiasing, const SamplePlace &place)
 {
-    for (const std::size_t each : {earlier, later}) {
-        if (doubledArea(primitives.triangles[each]) == 0
-            || !oracle::covers(primitives.triangles[each], rule, place.x, place.y))
-            return false;
-    }
-    const auto [a, aBelow] = depthAt(primitives, earlier, place);
-    const auto [b, bBelow] = depthAt(primitives, later, place);
-    return b * aBelow > a * bBelow;
+    return std::ranges::any_of(
+        samplesAt(primitives, rule, antialiasing, place),
+        [&](const DrawnSample &sample) { return sample.isBehind(later, earlier); });
 }
 
 /// The triangles that lie behind an earlier one, or before a later one, at some sample.
-std::set<std::size_t> trulyInQuestion(const Primitives &primitives, const BoundaryRule &rule)
+std::set<std::size_t> trulyInQuestion(const Primitives &primitives, const BoundaryRule &rule,
+                                      FrameView frame,
+                                      Antialiasing antialiasing = Antialiasing::None)
 {
     std::set<std::size_t> found;
-    const FrameView frame = frameView();
-    for (std::size_t later = 1; later < primitives.triangles.size(); ++later) {
-        for (std::size_t earlier = 0; earlier < later; ++earlier) {
-            for (std::int64_t y = frame.firstRow; y < frame.endRow(); ++y) {
-                for (std::int64_t x = frame.firstColumn; x < frame.endColumn(); ++x) {
-                    if (isBehindAt(primitives, earlier, later, rule, {x, y}))
-                        found.insert({earlier, later});
+    for (std::int64_t y = frame.firstRow; y < frame.endRow(); ++y) {
+        for (std::int64_t x = frame.firstColumn; x < frame.endColumn(); ++x) {
+            for (const DrawnSample &sample : samplesAt(primitives, rule, antialiasing, {x, y})) {
+                for (std::size_t later = 1; later < primitives.triangles.size(); ++later) {
+                    for (std::size_t earlier = 0; earlier < later; ++earlier) {
+                        if (sample.isBehind(later, earlier))
+                            found.insert({earlier, later});
+                    }
                 }
             }
         }
+    }
+    return found;
+}
+
+std::set<std::size_t> inQuestion(const DepthAnswer &answer)
+{
+    std::set<std::size_t> found;
+    for (std::size_t i = 0; i < answer.inQuestion.size(); ++i) {
+        if (answer.inQuestion[i])
+            found.insert(i);
     }
     return found;
 }
@@ -134,10 +180,30 @@ Primitives grid(int cells, FrameView frame, int slope)
 }
 
 DepthAnswer answerFor(const Primitives &primitives, FrameView frame,
-                      FillRule rule = FillRule::Closed)
+                      FillRule rule = FillRule::Closed,
+                      Antialiasing antialiasing = Antialiasing::None)
 {
     return depthQuestion(primitives, {Arithmetic::Exact, rule, ByteRounding::Nearest}, frame,
-                         Antialiasing::None);
+                         antialiasing);
+}
+
+/// Every third triangle without area, and w that differ.
+Primitives randomSceneOfSegments(quint32 seed)
+{
+    Primitives primitives = randomScene(seed);
+    QRandomGenerator random(seed);
+    for (std::size_t i = 0; i < primitives.triangles.size(); ++i) {
+        auto &vertices = primitives.triangles[i].vertices;
+        if (i % 3 == seed % 3)
+            vertices[1].position = random.bounded(2) == 0
+                ? vertices[0].position
+                : LatticePoint{2 * vertices[0].position.x - vertices[2].position.x,
+                               2 * vertices[0].position.y - vertices[2].position.y};
+        vertices[0].colour = {};
+        for (VertexAttributes &vertex : attributesAt(primitives, i).vertices)
+            vertex.w = attributeOne << random.bounded(6);
+    }
+    return primitives;
 }
 
 } // namespace
@@ -160,14 +226,51 @@ private slots:
         const BoundaryRule boundary({Arithmetic::Exact, rule, ByteRounding::Nearest}, frameView());
 
         const DepthAnswer answer = answerFor(primitives, frameView(), rule);
-        const std::set<std::size_t> truly = trulyInQuestion(primitives, boundary);
+        const std::set<std::size_t> truly = trulyInQuestion(primitives, boundary, frameView());
 
         QCOMPARE(int(answer.verdict),
                  int(truly.empty() ? Verdict::NotCalledFor : Verdict::CalledFor));
-        for (const std::size_t triangle : truly)
-            QVERIFY(answer.inQuestion[triangle]);
+        QCOMPARE(inQuestion(answer), truly);
         if (answer.verdict == Verdict::CalledFor)
-            QVERIFY(isBehindAt(primitives, answer.earlier, answer.later, boundary, answer.place));
+            QVERIFY(isBehindAt(primitives, answer.earlier, answer.later, boundary,
+                               Antialiasing::None, answer.place));
+    }
+
+    void theAnswerIsThatOfWhatAntialiasingDraws_data()
+    {
+        QTest::addColumn<Antialiasing>("antialiasing");
+        QTest::newRow("one sample") << Antialiasing::None;
+        QTest::newRow("4 samples") << Antialiasing::Samples4;
+        QTest::newRow("16 samples") << Antialiasing::Samples16;
+        QTest::newRow("area") << Antialiasing::Area;
+    }
+    void theAnswerIsThatOfWhatAntialiasingDraws()
+    {
+        QFETCH(Antialiasing, antialiasing);
+        const FrameBuffer frame(frameOf(9, 9, -4, 3));
+        int calledFor = 0;
+        for (quint32 seed = 0; seed < quint32(fewerIfSanitized(60)); ++seed) {
+            Primitives primitives = randomSceneOfSegments(seed);
+            primitives.appearance.antialiasing = antialiasing;
+            primitives.appearance.depthFormat
+                = seed % 5 == 0 ? DepthFormat::Bits16 : DepthFormat::Exact;
+            const FillRule rule
+                = seed % 3 == 0 ? allFillRules[seed / 3 % allFillRules.size()] : FillRule::Closed;
+            const BoundaryRule boundary({Arithmetic::Exact, rule, {}}, frame.view());
+            const DepthAnswer answer = answerFor(primitives, frame.view(), rule, antialiasing);
+            const std::set<std::size_t> truly
+                = trulyInQuestion(primitives, boundary, frame.view(), antialiasing);
+
+            QVERIFY2(inQuestion(answer) == truly, qPrintable(QString::number(seed)));
+            QCOMPARE(answer.verdict == Verdict::CalledFor, !truly.empty());
+            QCOMPARE(answer.verdict == Verdict::NotCalledFor, truly.empty());
+            if (truly.empty())
+                continue;
+            QVERIFY(isBehindAt(primitives, answer.earlier, answer.later, boundary, antialiasing,
+                               answer.place));
+            ++calledFor;
+        }
+        QVERIFY(calledFor > 0);
     }
 
     void depthsOfAnySizeAreComparedInTheirLastUnit()
@@ -181,12 +284,11 @@ private slots:
                         + Attribute(random.bounded(3));
             }
             const BoundaryRule boundary({Arithmetic::Exact, FillRule::Closed, {}}, frameView());
-            const std::set<std::size_t> truly = trulyInQuestion(primitives, boundary);
+            const std::set<std::size_t> truly = trulyInQuestion(primitives, boundary, frameView());
 
             const DepthAnswer answer = answerFor(primitives, frameView());
             QCOMPARE(answer.verdict != Verdict::NotCalledFor, !truly.empty());
-            for (const std::size_t triangle : truly)
-                QVERIFY(answer.inQuestion[triangle]);
+            QCOMPARE(inQuestion(answer), truly);
         }
     }
 
@@ -245,7 +347,7 @@ private slots:
                     for (std::int64_t x = frame.firstColumn; x < frame.endColumn(); ++x)
                         covered += oracle::covers(triangle, FillRule::Closed, x, y) ? 1 : 0;
                 }
-                const SampleBox reach = reachOf(triangle, frame, Antialiasing::None);
+                const SampleBox reach = reachOf(triangle, {frame});
                 QVERIFY(mostPixelsOf(triangle, reach, Antialiasing::None) >= covered);
             }
         }
@@ -263,7 +365,8 @@ private slots:
                 }
                 for (const Antialiasing antialiasing :
                      {Antialiasing::Area, Antialiasing::Samples4}) {
-                    const SampleBox reach = reachOf(triangle, frame, antialiasing);
+                    const SampleBox reach
+                        = reachOf(triangle, {frame, FillRule::Closed, antialiasing});
                     QVERIFY(mostPixelsOf(triangle, reach, antialiasing) >= touched);
                 }
             }

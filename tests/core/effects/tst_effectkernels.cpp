@@ -17,8 +17,17 @@ namespace {
 
 constexpr std::array shadedMethods = {ShadedMethod::ColumnScan, ShadedMethod::Bilinear,
                                       ShadedMethod::Plane, ShadedMethod::Barycentric};
-/// Those that the methods keep.
-constexpr std::array keptRules = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::Open};
+/// Those that some of the methods keep.
+constexpr std::array keptRules
+    = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::TopLeft, FillRule::Open};
+
+std::vector<ShadedMethod> methodsThatKeep(FillRule rule)
+{
+    std::vector<ShadedMethod> methods(shadedMethods.begin(), shadedMethods.end());
+    if (rule == FillRule::TopLeft)
+        std::erase(methods, ShadedMethod::ColumnScan);
+    return methods;
+}
 
 QString nameOf(ShadedMethod method)
 {
@@ -158,7 +167,7 @@ private slots:
             hardship, {Arithmetic::Exact},
             [](const EffectScene &scene, const ScanSettings &settings, const QString &text) {
                 const Truth truth = truthOf(scene, settings);
-                for (const ShadedMethod method : shadedMethods) {
+                for (const ShadedMethod method : methodsThatKeep(settings.fillRule)) {
                     const Departure departure
                         = departureOf(drawnBy(drawSpecialised, method, scene, settings),
                                       truth.frame, truth.undecided);
@@ -192,7 +201,7 @@ private slots:
         forEachScene(
             hardship, {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64},
             [](const EffectScene &scene, const ScanSettings &settings, const QString &text) {
-                for (const ShadedMethod method : shadedMethods) {
+                for (const ShadedMethod method : methodsThatKeep(settings.fillRule)) {
                     const Departure departure
                         = departureOf(drawnBy(drawSpecialised, method, scene, settings),
                                       drawnBy(countShaded, method, scene, settings));
@@ -208,7 +217,7 @@ private slots:
         forEachScene(
             hardship, {Arithmetic::Exact},
             [](const EffectScene &scene, const ScanSettings &settings, const QString &text) {
-                for (const ShadedMethod method : shadedMethods) {
+                for (const ShadedMethod method : methodsThatKeep(settings.fillRule)) {
                     FrameBuffer frame(scene.frame);
                     drawShaded(method, scene.primitives, settings, frame.view(),
                                withNeutralEffects(planByHand(scene.primitives)));
@@ -221,7 +230,8 @@ private slots:
 
     // How far float32 is from the truth. Where a sample decides by depth or by a texel's border,
     // another surface or texel shows there; where depths differ in a last bit that float32 does not
-    // have, and far from the origin, this is seldom right.
+    // have, and far from the origin, this is seldom right; a column scan's rounded bounds miss
+    // samples of segments.
     void inFloat32MostPixelsAreRight_data()
     {
         QTest::addColumn<EffectHardship>("hardship");
@@ -229,6 +239,7 @@ private slots:
         for (const EffectHardship hardship : allEffectHardships) {
             const int bound = hardship == EffectHardship::FarAway ? 300
                 : hardship == EffectHardship::Coincident          ? 150
+                : hardship == EffectHardship::Segments            ? 100
                                                                   : 5;
             // A share of few scenes strays farther from that of many.
             QTest::newRow(qPrintable(nameOf(hardship)))
@@ -247,6 +258,9 @@ private slots:
                          const Truth truth = truthOf(scene, settings);
                          pixels += scene.frame.width * scene.frame.height;
                          for (std::size_t i = 0; i < shadedMethods.size(); ++i) {
+                             const auto kept = methodsThatKeep(settings.fillRule);
+                             if (std::ranges::find(kept, shadedMethods[i]) == kept.end())
+                                 continue;
                              const Departure departure = departureOf(
                                  drawnBy(drawSpecialised, shadedMethods[i], scene, settings),
                                  truth.frame, truth.undecided);

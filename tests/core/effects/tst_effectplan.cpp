@@ -102,12 +102,19 @@ private slots:
             },
             "0+2 depth, 2+1 blending");
         add(
-            "depth does not part a run",
+            "depth parts a run",
             [=](Primitives &p) {
                 crossing(p);
                 p.triangles.push_back(triangleAt({{{22, 2}, {30, 2}, {22, 10}}}));
             },
-            "0+3 depth");
+            "0+2 depth, 2+1 plain");
+        add(
+            "a segment in depth",
+            [](Primitives &p) {
+                p.triangles[1] = triangleAt({{{2, 2}, {4, 4}, {5, 5}}});
+                setDepths(p, 1, {1, 1, 1});
+            },
+            "0+2 depth");
     }
     void batchesAreRunsOfTheSameNeeds()
     {
@@ -179,6 +186,44 @@ private slots:
         primitives.appearance.forced[Effect::Antialiasing] = Forcing::Off;
         QCOMPARE(int(planOf(primitives).antialiasing), int(Antialiasing::None));
         QVERIFY(!planOf(primitives).runs(Effect::Antialiasing));
+    }
+
+    void antialiasingThatChangesNothingDoesNotRun()
+    {
+        Primitives primitives = plain();
+        primitives.triangles = {triangleAt({{{-200, -100}, {400, -100}, {-200, 500}}})};
+        for (const Antialiasing asked :
+             {Antialiasing::Samples4, Antialiasing::Samples16, Antialiasing::Area}) {
+            primitives.appearance.antialiasing = asked;
+            primitives.appearance.forced = {};
+            QVERIFY(!planOf(primitives).runs(Effect::Antialiasing));
+            primitives.appearance.forced[Effect::Antialiasing] = Forcing::On;
+            QVERIFY(planOf(primitives).runs(Effect::Antialiasing));
+        }
+    }
+
+    void smoothColourRunsOnLinesUntilItIsForcedOff()
+    {
+        Primitives primitives;
+        primitives.shapes = {smoothLine()};
+        QVERIFY(planOf(primitives).runs(Effect::SmoothColour));
+        primitives.appearance.forced[Effect::SmoothColour] = Forcing::Off;
+        QVERIFY(!planOf(primitives).runs(Effect::SmoothColour));
+        QCOMPARE(planOf(primitives).verdicts[Effect::SmoothColour].verdict, Verdict::CalledFor);
+    }
+
+    void lightOfFlatAndGouraudShadingRunsInSetUpAlone()
+    {
+        Primitives primitives = plain();
+        setLight(primitives, 0);
+        for (const Shading shading : {Shading::Flat, Shading::Gouraud}) {
+            primitives.appearance.shading = shading;
+            primitives.appearance.forced = {};
+            QVERIFY(planOf(primitives).runs(Effect::Light));
+            QVERIFY(!planOf(primitives).runsOnTriangles(Effect::Light));
+            primitives.appearance.forced[Effect::Light] = Forcing::Off;
+            QVERIFY(!planOf(primitives).runs(Effect::Light));
+        }
     }
 
     void anyPrimitivesHaveAPlan()

@@ -64,7 +64,55 @@ private slots:
             },
             Effect::Clipping, no, 0, "what is drawn lies within the frame");
 
+        add(
+            "a part of the area of pixels beyond the border",
+            [](Primitives &p) {
+                p.triangles[0].vertices[0].position.x = -unitsPerPixel + 1;
+                p.appearance.antialiasing = Antialiasing::Area;
+            },
+            Effect::Clipping, yes, 1, "1 of 2 triangles crosses the frame's border");
+
         add("no depths", none, Effect::Depth, no, 0, "all triangles have the same depth");
+        add(
+            "a segment behind",
+            [](Primitives &p) {
+                p.triangles[1] = triangleAt({{{2, 2}, {4, 4}, {5, 5}}});
+                setDepths(p, 1, {1, 1, 1});
+            },
+            Effect::Depth, yes, 2,
+            "at pixel (2, 2) triangle 1 lies behind triangle 0, which is drawn before it; 2 "
+            "triangles are in question");
+        const Change between = [](Primitives &p) {
+            p.triangles[1] = triangleAt({{{0, 0}, {0, 0}, {0, 0}}});
+            p.triangles[1].vertices[0].position = {4 * unitsPerPixel + 64, 3 * unitsPerPixel + 64};
+            p.triangles[1].vertices[1].position = {4 * unitsPerPixel + 192, 3 * unitsPerPixel + 64};
+            p.triangles[1].vertices[2].position
+                = {4 * unitsPerPixel + 192, 3 * unitsPerPixel + 192};
+            setDepths(p, 0, {0, 0, 0});
+            setDepths(p, 1, {4, 4, 4});
+        };
+        add("behind between the samples", between, Effect::Depth, no, 0,
+            "there are no two triangles in the frame");
+        add(
+            "behind at one of sixteen samples",
+            [=](Primitives &p) {
+                between(p);
+                p.appearance.antialiasing = Antialiasing::Samples16;
+            },
+            Effect::Depth, yes, 2,
+            "at pixel (5, 4) triangle 1 lies behind triangle 0, which is drawn before it; 2 "
+            "triangles are in question");
+        add(
+            "before it at the centres of shared pixels",
+            [=](Primitives &p) {
+                between(p);
+                setDepths(p, 1, {0, 0, 0});
+                setDepths(p, 0, {1, 2, 2});
+                p.appearance.antialiasing = Antialiasing::Area;
+            },
+            Effect::Depth, no, 0,
+            "at the centre of every pixel that two triangles share, the later one is nearer or as "
+            "near");
         add(
             "one triangle", [](Primitives &p) { p.triangles.pop_back(); }, Effect::Depth, no, 0,
             "there are no two triangles in the frame");
@@ -179,7 +227,18 @@ private slots:
                 setLight(p, 1);
                 p.appearance.shading = Shading::Flat;
             },
-            Effect::Light, no, 0, "flat shading: light is in the colours, once a triangle");
+            Effect::Light, yes, 1,
+            "1 of 2 triangles has normals, and a light is on (flat shading: once a triangle, in "
+            "set-up)");
+        add(
+            "Gouraud shading",
+            [](Primitives &p) {
+                setLight(p, 1);
+                p.appearance.shading = Shading::Gouraud;
+            },
+            Effect::Light, yes, 1,
+            "1 of 2 triangles has normals, and a light is on (Gouraud shading: at the vertices, in "
+            "set-up)");
 
         add("opaque", none, Effect::Blending, no, 0, "every alpha is 255: opaque");
         add(
@@ -208,6 +267,25 @@ private slots:
             "a face that the near plane cuts", [](Primitives &p) { p.cutAtNear = {1}; },
             Effect::Clipping, yes, 1, "1 of 2 triangles is of a face that the near plane cuts");
 
+        const Change covering = [](Primitives &p) {
+            p.triangles = {triangleAt({{{-200, -100}, {400, -100}, {-200, 500}}})};
+        };
+        add(
+            "four samples where no edge is",
+            [=](Primitives &p) {
+                covering(p);
+                p.appearance.antialiasing = Antialiasing::Samples4;
+            },
+            Effect::Antialiasing, no, 0,
+            "no edge meets a pixel of the frame: all samples of each are alike");
+        add(
+            "areas where no edge is",
+            [=](Primitives &p) {
+                covering(p);
+                p.appearance.antialiasing = Antialiasing::Area;
+            },
+            Effect::Antialiasing, no, 0,
+            "no edge parts a pixel of the frame: each is covered whole or not at all");
         add("one sample", none, Effect::Antialiasing, no, 0,
             "the scene asks for one sample a pixel");
         add(
@@ -252,10 +330,7 @@ private slots:
     void shapesCallForColoursAndClipping()
     {
         Primitives primitives;
-        Shape line;
-        line.vertices = {{latticePixel(2, 2), Colour{{255, 0, 0}}},
-                         {latticePixel(40, 2), Colour{{0, 255, 0}}}};
-        primitives.shapes = {line};
+        primitives.shapes = {smoothLine()};
         const PerEffect<EffectVerdict> verdicts = verdictsOf(primitives);
 
         QCOMPARE(verdicts[Effect::SmoothColour].reason,
@@ -264,6 +339,19 @@ private slots:
                  QStringLiteral("the primitive crosses the frame's border"));
         QCOMPARE(int(verdicts[Effect::Depth].verdict), int(Verdict::NotCalledFor));
         QVERIFY(planOf(primitives).batches.empty());
+    }
+
+    void pointsHaveEachItsOwnColourAndNoneChangesOnTheWay()
+    {
+        Primitives primitives;
+        Shape points = smoothLine();
+        points.kind = PrimitiveKind::Point;
+        primitives.shapes = {points};
+        const EffectVerdict verdict = verdictsOf(primitives)[Effect::SmoothColour];
+
+        QCOMPARE(verdict.verdict, Verdict::NotCalledFor);
+        QCOMPARE(verdict.reason,
+                 QStringLiteral("no triangle and no line has vertex colours that differ"));
     }
 };
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/frame/framebuffer.h"
+#include "core/oracle/effectoracle.h"
+#include "tests/support/framespec.h"
 #include "tests/support/testprogram.h"
 #include "tests/support/trianglemeshes.h"
 #include "tests/support/trianglepictures.h"
@@ -147,6 +150,31 @@ private slots:
         QVERIFY(meshes >= 40);
     }
 
+    // ⌊200·128/255 + ½⌋ = 100, and half as much again: once, and no sample twice.
+    void theInterpolationsCoverOnceWithEffectsUnderTopLeft_data()
+    {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<Antialiasing>("antialiasing");
+        for (const char *id :
+             {"interpolate-bilinear", "interpolate-plane", "interpolate-barycentric"}) {
+            QTest::addRow("%s, one sample", id) << id << Antialiasing::None;
+            QTest::addRow("%s, 4 samples", id) << id << Antialiasing::Samples4;
+            QTest::addRow("%s, 16 samples", id) << id << Antialiasing::Samples16;
+        }
+    }
+    void theInterpolationsCoverOnceWithEffectsUnderTopLeft()
+    {
+        QFETCH(QString, id);
+        QFETCH(Antialiasing, antialiasing);
+        for (const Lattice step : {unitsPerPixel, Lattice(16), Lattice(1)}) {
+            const MeshPlace place{{5 * step, 3 * step}, step, 24 * unitsPerPixel};
+            for (const TriangleMesh &mesh : MeshMaker(place, 3).all()) {
+                for (const FrameOrigin origin : {FrameOrigin::BottomLeft, FrameOrigin::TopLeft})
+                    compareWithEffects(mesh, *methodNamed(id), antialiasing, origin);
+            }
+        }
+    }
+
     void theClosedRuleDrawsSharedEdgesTwice()
     {
         const TriangleMesh mesh = MeshMaker({{0, 0}}, 3).junctions();
@@ -194,6 +222,44 @@ private slots:
             = faultsOf(mesh, *methodNamed(u"barycentric-off-screen"),
                        {Arithmetic::Exact, FillRule::OffScreenPoint, ByteRounding::Nearest});
         QCOMPARE(faults, (MeshFaults{63, 0}));
+    }
+
+private:
+    /// Blended once everywhere inside, and all of it the truth.
+    static void compareWithEffects(const TriangleMesh &mesh, const Method &method,
+                                   Antialiasing antialiasing, FrameOrigin origin)
+    {
+        FrameSpec spec = frameOf(30, 30, -1, -1);
+        spec.origin = origin;
+        const ScanSettings settings{Arithmetic::Exact, FillRule::TopLeft, ByteRounding::Nearest};
+        Primitives primitives;
+        primitives.triangles = mesh.triangles;
+        primitives.appearance.antialiasing = antialiasing;
+        primitives.appearance.depth = DepthUse::On;
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+            TriangleAttributes attributes{i, {}, noMaterial};
+            for (VertexAttributes &vertex : attributes.vertices)
+                vertex.alpha = 128;
+            attributes.vertices[i % 3].w = Attribute(1 + i) * attributeOne;
+            primitives.attributes.push_back(attributes);
+        }
+        const FrameBuffer drawn(spec);
+        method.draw(primitives, settings, drawn.view());
+        const FrameBuffer truth(spec);
+        oracle::drawEffects(primitives, settings, oracle::truthOf(primitives.appearance),
+                            truth.view());
+        const FrameView view = drawn.view();
+        for (std::int64_t y = view.firstRow; y < view.endRow(); ++y) {
+            for (std::int64_t x = view.firstColumn; x < view.endColumn(); ++x) {
+                const LatticePoint sample = latticePixel(x, y);
+                const bool isInside = sample.x - halfPixel > mesh.lowest.x
+                    && sample.x + halfPixel < mesh.highest.x && sample.y - halfPixel > mesh.lowest.y
+                    && sample.y + halfPixel < mesh.highest.y;
+                if (isInside)
+                    QCOMPARE(*view.at(x, y), qRgb(100, 50, 25));
+            }
+        }
+        QVERIFY(drawn.image() == truth.image());
     }
 };
 

@@ -164,7 +164,7 @@ private slots:
         }
     }
 
-    void aTriangleWithoutAreaDrawsNothingOnceItHasAnEffect()
+    void aTriangleWithoutAreaDrawsItsSegmentWithEveryEffect()
     {
         Primitives primitives;
         primitives.triangles = {triangleAt(0, 0, 3, 3, 6, 6)};
@@ -179,11 +179,34 @@ private slots:
         };
         QCOMPARE(count(), std::int64_t(7));
         primitives.attributes = {{0, withAlpha(254)}};
-        QCOMPARE(count(), std::int64_t(0));
-        primitives.attributes.clear();
-        primitives.appearance.antialiasing = Antialiasing::Area;
-        QCOMPARE(count(), std::int64_t(0));
-        QVERIFY(!oracle::effectSampleAt(primitives, 0, ByteRounding::Nearest, {}, 1, 1));
+        QCOMPARE(count(), std::int64_t(7));
+        for (const Antialiasing antialiasing :
+             {Antialiasing::Samples4, Antialiasing::Samples16, Antialiasing::Area}) {
+            primitives.appearance.antialiasing = antialiasing;
+            QCOMPARE(count(), std::int64_t(7));
+        }
+    }
+
+    void whatASegmentCarriesIsDividedByW()
+    {
+        // From black with w = 1 at (0, 0) to white with w = 3 at (8, 0); whatever lies between them
+        // counts for nothing. Half way: (½·255/3) ÷ (½/1 + ½/3) = 42½ ÷ ⅔ = 63¾, and z, which is
+        // not divided, (0 + 1)/2.
+        Primitives primitives;
+        primitives.triangles = {triangleAt(0, 0, 3, 0, 8, 0)};
+        primitives.triangles[0].vertices[0].colour = {{0, 0, 0}};
+        primitives.triangles[0].vertices[2].colour = {{255, 255, 255}};
+        std::array<VertexAttributes, 3> vertices;
+        vertices[1].w = 7 * attributeOne;
+        vertices[1].z = 5 * attributeOne;
+        vertices[2].w = 3 * attributeOne;
+        vertices[2].z = attributeOne;
+        primitives.attributes = {{0, vertices}};
+        const auto sample = oracle::effectSampleAt(primitives, 0, ByteRounding::Nearest, {}, 4, 0);
+        QVERIFY(sample.has_value());
+        QCOMPARE(toText(sample->levels[0]), QStringLiteral("63 3/4"));
+        QCOMPARE(toText(sample->z), QStringLiteral("1/2"));
+        QCOMPARE(sample->interpolated, (Colour{{64, 64, 64}}));
     }
 };
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/shape.h"
+
+#include <algorithm>
+#include <utility>
+
+/// Smooth colour along lines, the only shapes whose colour changes from vertex to vertex: as it is
+/// called for, or switched off.
+namespace pixelplumb {
+
+/// A line whose ends have two colours.
+inline bool isSmoothLine(const Shape &shape)
+{
+    return shape.kind == PrimitiveKind::Line && !shape.vertices.empty()
+        && shape.vertices.front().colour != shape.vertices.back().colour;
+}
+
+/// Calls function(primitives) with what is drawn: where smooth colour is forced off, with each line
+/// in the colour of its first vertex.
+template <class Function>
+decltype(auto) withDrawnColours(const Primitives &primitives, const Function &function)
+{
+    const bool isOff = primitives.appearance.forced[Effect::SmoothColour] == Forcing::Off;
+    if (!isOff || std::ranges::none_of(primitives.shapes, isSmoothLine))
+        return function(primitives);
+    Primitives flat = primitives;
+    for (Shape &shape : flat.shapes) {
+        if (isSmoothLine(shape))
+            shape.vertices.back().colour = shape.vertices.front().colour;
+    }
+    return function(std::as_const(flat));
+}
+
+} // namespace pixelplumb

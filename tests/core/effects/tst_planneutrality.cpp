@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/effectplan.h"
+#include "core/frame/framebuffer.h"
+#include "core/geometry/seededrandom.h"
+#include "core/methods/method.h"
+#include "core/oracle/truepicture.h"
+#include "tests/support/effectscenes.h"
+#include "tests/support/sanitized.h"
+#include "tests/support/testprogram.h"
+
+#include <QTest>
+
+namespace tst_planneutrality {
+
+using namespace pixelplumb;
+
+namespace {
+
+constexpr std::array allAntialiasings
+    = {Antialiasing::None, Antialiasing::Samples4, Antialiasing::Samples16, Antialiasing::Area};
+/// Those that change no byte where they are not called for.
+constexpr std::array neutralEffects
+    = {Effect::SmoothColour, Effect::Depth, Effect::Perspective, Effect::Blending};
+
+QString textOf(Effect effect)
+{
+    const std::string_view name = nameOf(effect);
+    return QString::fromLatin1(name.data(), qsizetype(name.size()));
+}
+
+QString textOf(Antialiasing antialiasing)
+{
+    static const std::array names = {QStringLiteral("1 sample"), QStringLiteral("4 samples"),
+                                     QStringLiteral("16 samples"), QStringLiteral("area")};
+    return names[std::size_t(antialiasing)];
+}
+
+FrameBuffer pictureOf(const QString &method, const Primitives &primitives, const FrameSpec &spec,
+                      FillRule rule = FillRule::Closed)
+{
+    FrameBuffer frame(spec);
+    methodNamed(method)->draw(primitives, {Arithmetic::Exact, rule, {}}, frame.view());
+    return frame;
+}
+
+bool areSame(const FrameBuffer &a, const FrameBuffer &b) { return a.image() == b.image(); }
+
+/// How a picture changes when what is not called for is forced off, or what is neutral on; empty
+/// where no byte does.
+QString changeByForcing(const QString &method, Primitives primitives, const FrameSpec &spec,
+                        FillRule rule)
+{
+    const FrameBuffer asCalledFor = pictureOf(method, primitives, spec, rule);
+    const EffectPlan plan = planFor(primitives, {Arithmetic::Exact, rule, {}}, asCalledFor.view());
+    const auto isChangedBy = [&](Effect effect, Forcing forcing) {
+        primitives.appearance.forced = {};
+        primitives.appearance.forced[effect] = forcing;
+        return !areSame(pictureOf(method, primitives, spec, rule), asCalledFor);
+    };
+    for (const Effect effect : allEffects) {
+        if (plan.verdicts[effect].verdict != Verdict::NotCalledFor)
+            continue;
+        if (isChangedBy(effect, Forcing::Off))
+            return textOf(effect) + QStringLiteral(" is not called for, and off changes it: ")
+                + plan.verdicts[effect].reason;
+        const bool isNeutral = std::ranges::find(neutralEffects, effect) != neutralEffects.end();
+        if (isNeutral && isChangedBy(effect, Forcing::On))
+            return textOf(effect) + QStringLiteral(" is not called for, and on changes it: ")
+                + plan.verdicts[effect].reason;
+    }
+    return {};
+}
+
+/// A line in and about a frame of 12 × 9 pixels; some lie along its rows and reach beyond it.
+Shape randomLine(SeededRandom &random)
+{
+    const Lattice step = random.coin() ? unitsPerPixel : unitsPerPixel / 2;
+    const auto at = [&](std::int64_t pixels) {
+        return random.between(-2 * unitsPerPixel / step, (pixels + 2) * unitsPerPixel / step)
+            * step;
+    };
+    Shape line;
+    const Colour first = random.colour();
+    const LatticePoint from = {at(12), at(9)};
+    LatticePoint to = {at(12), at(9)};
+    if (random.coin())
+        to.y = from.y;
+    line.vertices = {{from, first}, {to, random.coin() ? first : random.colour()}};
+    return line;
+}
+
+} // namespace
+
+/// Verdicts are kept by pictures: what is not called for leaves every byte when it is forced off,
+/// and what is neutral when it is forced on, however many samples a pixel has.
+class TestPlanNeutrality : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whatIsNotCalledForChangesNoByteEitherWay_data()
+    {
+        QTest::addColumn<EffectHardship>("hardship");
+        QTest::addColumn<Antialiasing>("antialiasing");
+        for (const EffectHardship hardship : allEffectHardships) {
+            for (const Antialiasing antialiasing : allAntialiasings)
+                QTest::addRow("%s, %s", qPrintable(nameOf(hardship)),
+                              qPrintable(textOf(antialiasing)))
+                    << hardship << antialiasing;
+        }
+    }
+    void whatIsNotCalledForChangesNoByteEitherWay()
+    {
+        QFETCH(EffectHardship, hardship);
+        QFETCH(Antialiasing, antialiasing);
+        for (std::uint64_t seed = 0; seed < std::uint64_t(fewerIfSanitized(12)); ++seed) {
+            EffectScene scene = randomEffectScene(seed, hardship);
+            scene.primitives.appearance.antialiasing = antialiasing;
+            scene.primitives.appearance.depth = DepthUse::Auto;
+            const bool isColumnScan = seed % 2 == 0;
+            const FillRule rule = seed % 3 != 0 ? FillRule::Closed
+                : isColumnScan                  ? FillRule::HalfOpenColumn
+                                                : FillRule::TopLeft;
+            const QString method = isColumnScan ? QStringLiteral("column-scan")
+                                                : QStringLiteral("interpolate-plane");
+            const QString change = changeByForcing(method, scene.primitives, scene.frame, rule);
+            QVERIFY2(
+                change.isEmpty(),
+                qPrintable(QStringLiteral("seed %1, %2: ").arg(seed).arg(scene.name) + change));
+        }
+    }
+
+    void whatALineDoesNotCallForChangesNoByteEitherWay()
+    {
+        SeededRandom random(7);
+        const FrameSpec spec = frameOf(12, 9);
+        int withoutEdges = 0;
+        for (int i = 0; i < fewerIfSanitized(300); ++i) {
+            Primitives primitives;
+            primitives.shapes = {randomLine(random)};
+            primitives.appearance.antialiasing = allAntialiasings[std::size_t(i) % 4];
+            const QString change = changeByForcing(QStringLiteral("stroke-coverage"), primitives,
+                                                   spec, FillRule::Closed);
+            QVERIFY2(change.isEmpty(), qPrintable(QString::number(i) + u' ' + change));
+            const FrameBuffer frame(spec);
+            const EffectPlan plan = planFor(primitives, {}, frame.view());
+            withoutEdges += i % 4 != 0 && !plan.runs(Effect::Antialiasing) ? 1 : 0;
+        }
+        QVERIFY(withoutEdges > 0);
+    }
+
+    /// From red to green over eight pixels; in one colour, all red.
+    void aLineIsInItsFirstColourOnceSmoothColourIsForcedOff_data()
+    {
+        QTest::addColumn<QString>("method");
+        for (const char *method : {"line-dda", "line-slope-intercept", "line-parametric",
+                                   "line-bresenham-symmetric", "stroke-coverage"})
+            QTest::newRow(method) << QString::fromLatin1(method);
+    }
+    void aLineIsInItsFirstColourOnceSmoothColourIsForcedOff()
+    {
+        QFETCH(QString, method);
+        const FrameSpec spec = frameOf(12, 9);
+        Primitives primitives;
+        Shape line;
+        line.vertices = {{latticePixel(1, 4), Colour{{255, 0, 0}}},
+                         {latticePixel(9, 4), Colour{{0, 255, 0}}}};
+        primitives.shapes = {line};
+        const FrameBuffer smooth = pictureOf(method, primitives, spec);
+        QCOMPARE(*smooth.view().at(5, 4), qRgb(128, 128, 0));
+
+        primitives.appearance.forced[Effect::SmoothColour] = Forcing::Off;
+        const FrameBuffer flat = pictureOf(method, primitives, spec);
+        FrameBuffer truth(spec);
+        oracle::drawPicture(primitives, {}, {}, truth.view());
+        for (int x = 2; x < 9; ++x) {
+            QCOMPARE(*flat.view().at(x, 4), qRgb(255, 0, 0));
+            QCOMPARE(*truth.view().at(x, 4), qRgb(255, 0, 0));
+        }
+    }
+
+    /// Drawn in a frame that reaches two pixels farther, a triangle whose verdict is that it lies
+    /// within paints nothing beyond the first frame's border, or all.
+    void whatNeedsNoClippingStaysOnOneSideOfTheBorder()
+    {
+        for (const EffectHardship hardship : allEffectHardships) {
+            for (std::uint64_t seed = 0; seed < std::uint64_t(fewerIfSanitized(24)); ++seed) {
+                const EffectScene scene = randomEffectScene(seed, hardship);
+                for (std::size_t i = 0; i < scene.primitives.triangles.size(); ++i)
+                    compareBeyondBorder(scene, i, allAntialiasings[seed % 4]);
+            }
+        }
+    }
+
+private:
+    static void compareBeyondBorder(const EffectScene &scene, std::size_t index,
+                                    Antialiasing antialiasing)
+    {
+        Primitives alone;
+        alone.triangles = {scene.primitives.triangles[index]};
+        for (Vertex &vertex : alone.triangles[0].vertices)
+            vertex.colour = {{255, 255, 255}};
+        alone.appearance.antialiasing = antialiasing;
+        constexpr std::int32_t beyond = 2;
+        const FrameSpec &spec = scene.frame;
+        FrameSpec wide = frameOf(spec.width + 2 * beyond, spec.height + 2 * beyond,
+                                 spec.firstColumn - beyond, spec.firstRow - beyond);
+        wide.origin = spec.origin;
+        const FrameBuffer drawn = pictureOf(QStringLiteral("interpolate-plane"), alone, wide);
+        const FrameBuffer frame(spec);
+        const FrameView view = drawn.view();
+        bool isInside = false, isOutside = false;
+        for (std::int64_t y = view.firstRow; y < view.endRow(); ++y) {
+            for (std::int64_t x = view.firstColumn; x < view.endColumn(); ++x) {
+                if (qRed(*view.at(x, y)) != 0)
+                    (frame.view().contains(x, y) ? isInside : isOutside) = true;
+            }
+        }
+        const EffectVerdict clipping = planFor(alone, {}, frame.view()).verdicts[Effect::Clipping];
+        if (isInside && isOutside)
+            QVERIFY2(clipping.verdict == Verdict::CalledFor, qPrintable(scene.name));
+    }
+};
+
+PIXELPLUMB_TEST(TestPlanNeutrality)
+
+} // namespace tst_planneutrality
+
+#include "tst_planneutrality.moc"
