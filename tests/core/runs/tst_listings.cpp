@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/stepmoment.h"
+#include "core/runs/tracedscene.h"
+#include "core/scan/choicenames.h"
+#include "tests/support/framespec.h"
+#include "tests/support/listingrun.h"
+#include "tests/support/testprogram.h"
+
+#include <QTest>
+
+#include <random>
+
+namespace tst_listings {
+
+using namespace pixelplumb;
+
+namespace {
+
+/// A triangle in a small frame: on whole pixels, where ties are, and between them; some in frames
+/// that cut it.
+Scene triangleSceneFor(int number, std::mt19937 &random)
+{
+    const Lattice step = number % 3 == 0 ? 37 : unitsPerPixel;
+    std::uniform_int_distribution<Lattice> place(0, 12 * unitsPerPixel / step);
+    std::uniform_int_distribution<int> level(0, 255);
+    Scene scene;
+    scene.frame = number % 4 == 3 ? frameOf(9, 7, 2, 1) : frameOf(14, 13);
+    scene.frame.origin = number % 5 == 4 ? FrameOrigin::TopLeft : FrameOrigin::BottomLeft;
+    Triangle triangle;
+    for (Vertex &vertex : triangle.vertices) {
+        vertex.position = {place(random) * step, place(random) * step};
+        for (auto &channel : vertex.colour.channels)
+            channel = std::uint8_t(level(random));
+    }
+    scene.triangles = {triangle};
+    return scene;
+}
+
+/// What the kernel writes; each pixel once, by a single triangle.
+ListingRun::Pixels pixelsOf(const TracedScene &traced)
+{
+    ListingRun::Pixels pixels;
+    const ScanTrace &trace = *traced.trace;
+    for (std::size_t sample = 0; sample < trace.sampleCount(); ++sample) {
+        const PixelChange &change = trace.changes()[sample];
+        if (change.isWritten())
+            pixels[{change.x, change.y}] = change.after;
+    }
+    return pixels;
+}
+
+ListingNames namesOf(const TracedScene &traced, const SetUpRecord &setUp)
+{
+    ListingNames names;
+    const std::vector<NumberDescription> &numbers = traced.trace->numbers().setUp;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const Quantity &value = setUp.cells[i];
+        if (value.isRational())
+            names[numbers[i].title]
+                = BigRational(BigInteger(value.numerator()), BigInteger(value.denominator()));
+    }
+    return names;
+}
+
+/// The samples that the kernel visits.
+SampleBox boxOf(const TracedScene &traced)
+{
+    const ScanTrace &trace = *traced.trace;
+    const SpanRecord first = trace.span(0);
+    const SpanRecord last = trace.span(trace.spanCount() - 1);
+    const std::int64_t end = last.place.coordinate + 1;
+    return first.place.axis == SpanAxis::Row
+        ? SampleBox{first.firstDrawn, first.endDrawn, first.place.coordinate, end}
+        : SampleBox{first.place.coordinate, end, first.firstDrawn, first.endDrawn};
+}
+
+} // namespace
+
+/// What is printed as a method's pseudocode is run.
+class TestListings : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// As it is printed, line by line, in exact numbers: of every rule, at ties too.
+    void listingsOfEdgeTestsDrawWhatTheirKernelsDraw_data()
+    {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<FillRule>("rule");
+        for (const char *id :
+             {"edge-equations", "edge-equations-incremental", "edge-equations-solved",
+              "edge-equations-canonical", "barycentric-all", "barycentric-rectangle",
+              "barycentric-incremental", "barycentric-cramer", "barycentric-off-screen",
+              "barycentric-relative"}) {
+            for (const FillRule rule : methodNamed(QString::fromLatin1(id))->fillRules)
+                QTest::addRow("%s, %s", id, std::string(nameOf(rule)).c_str())
+                    << QString::fromLatin1(id) << rule;
+        }
+    }
+    void listingsOfEdgeTestsDrawWhatTheirKernelsDraw()
+    {
+        QFETCH(QString, id);
+        QFETCH(FillRule, rule);
+        std::mt19937 random(7);
+        std::size_t drawn = 0;
+        for (int i = 0; i < 24; ++i) {
+            Scene scene = triangleSceneFor(i, random);
+            scene.method = id.toStdString();
+            scene.settings.fillRule = rule;
+            const auto traced = traceScene(scene);
+            const SetUpRecord setUp = traced->trace->setUp(0);
+            if (setUp.zeroArea || setUp.rejection)
+                continue;
+            const ListingRun::Pixels expected = pixelsOf(*traced);
+            ListingRun run(pseudocodeOf(*traced, 0), namesOf(*traced, setUp), boxOf(*traced));
+            try {
+                run.run();
+            } catch (const ListingFault &fault) {
+                QFAIL(fault.what());
+            }
+            QVERIFY2(run.pixels() == expected,
+                     qPrintable(QStringLiteral("triangle %1: %2 pixels, the kernel draws %3")
+                                    .arg(i)
+                                    .arg(run.pixels().size())
+                                    .arg(expected.size())));
+            drawn += expected.size();
+        }
+        QVERIFY(drawn > 60);
+    }
+
+    /// What the reviewers saw printed: without the start of the line kept, nonsense is drawn.
+    void aListingThatDoesNotGoBackToTheLinesStartIsFound()
+    {
+        for (const char *id : {"edge-equations-incremental", "barycentric-incremental"}) {
+            Scene scene;
+            scene.frame = frameOf(14, 13);
+            scene.triangles = {Triangle{{{{latticePixel(1, 1), {{255, 0, 0}}},
+                                          {latticePixel(11, 3), {{0, 255, 0}}},
+                                          {latticePixel(4, 10), {{0, 0, 255}}}}}}};
+            scene.method = id;
+            const auto traced = traceScene(scene);
+            Pseudocode code = pseudocodeOf(*traced, 0);
+            const auto erased = std::erase_if(code, [](const PseudocodeLine &line) {
+                return line.text.contains(QStringLiteral("back at the"));
+            });
+            QCOMPARE(erased, std::size_t(1));
+            auto names = namesOf(*traced, traced->trace->setUp(0));
+            for (const char16_t *walked : {u"E₀", u"E₁", u"E₂", u"α", u"β", u"γ", u"R", u"G", u"B"})
+                names.emplace(QString::fromUtf16(walked), 0);
+            ListingRun run(code, names, boxOf(*traced));
+            run.run();
+            QVERIFY(run.pixels() != pixelsOf(*traced));
+        }
+    }
+};
+
+PIXELPLUMB_TEST(TestListings)
+
+} // namespace tst_listings
+
+#include "tst_listings.moc"

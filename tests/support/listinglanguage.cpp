@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/listinglanguage.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace pixelplumb {
+
+namespace {
+
+using Number = BigRational;
+
+const QString likewise = QStringLiteral(" likewise");
+
+bool belongsToName(QChar character)
+{
+    const char16_t code = character.unicode();
+    const bool isSubscript
+        = (code >= 0x2080 && code <= 0x209C) || (code >= 0x1D62 && code <= 0x1D6A);
+    return character.isLetterOrNumber() || character == u'_' || isSubscript;
+}
+
+/// What stands in the place of one of three follows it: "bc" → "ca".
+struct Cycle {
+    std::array<QString, 3> each;
+    QString before, after; ///< what must stand beside it; `after` empty: the name's end
+
+    qsizetype stepAt(const QString &text, qsizetype place, QString &result) const
+    {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const QString whole = before + each[i] + after;
+            if (!QStringView(text).sliced(place).startsWith(whole))
+                continue;
+            const qsizetype end = place + whole.size();
+            const bool ends = !after.isEmpty() || end == text.size() || !belongsToName(text[end]);
+            if (!before.isEmpty() && !ends)
+                continue;
+            result += before + each[(i + 1) % 3] + after;
+            return whole.size();
+        }
+        return 0;
+    }
+};
+
+QString turned(const QString &text, const std::vector<Cycle> &cycles)
+{
+    QString result;
+    for (qsizetype place = 0; place < text.size();) {
+        qsizetype taken = 0;
+        for (const Cycle &cycle : cycles) {
+            if ((taken = cycle.stepAt(text, place, result)) > 0)
+                break;
+        }
+        if (taken == 0)
+            result += text[place];
+        place += std::max<qsizetype>(taken, 1);
+    }
+    return result;
+}
+
+/// The next edge, with its vertices and the weight of the one that faces it.
+QString nextEdge(const QString &text)
+{
+    const QString none, bar = QStringLiteral("_"), open = QStringLiteral("("),
+                        close = QStringLiteral(")");
+    return turned(text,
+                  {{{QStringLiteral("bc"), QStringLiteral("ca"), QStringLiteral("ab")}, bar, none},
+                   {{QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")}, bar, none},
+                   {{QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")}, open, close},
+                   {{QStringLiteral("₀"), QStringLiteral("₁"), QStringLiteral("₂")}, none, none},
+                   {{QStringLiteral("α"), QStringLiteral("β"), QStringLiteral("γ")}, none, none}});
+}
+
+/// The next channel: R, R_a, R₀, ΔR_x.
+QString nextChannel(const QString &text)
+{
+    const QString letters = QStringLiteral("RGB");
+    QString result = text;
+    for (qsizetype place = 0; place < text.size(); ++place) {
+        const qsizetype channel = letters.indexOf(text[place]);
+        const bool begins
+            = place == 0 || text[place - 1] == u'Δ' || !belongsToName(text[place - 1]);
+        if (channel >= 0 && begins)
+            result[place] = letters[(channel + 1) % 3];
+    }
+    return result;
+}
+
+/// An expression read from left to right.
+class Reader {
+public:
+    Reader(const QString &text, const ListingNames &names)
+        : m_text(text)
+        , m_names(names)
+    {
+    }
+
+    Number result()
+    {
+        const Number value = sum();
+        if (m_place != m_text.size())
+            throw ListingFault(QStringLiteral("cannot read “%1”").arg(m_text));
+        return value;
+    }
+
+private:
+    bool takes(const QString &token)
+    {
+        if (!QStringView(m_text).sliced(m_place).startsWith(token))
+            return false;
+        m_place += token.size();
+        return true;
+    }
+    Number sum()
+    {
+        Number value = product();
+        for (;;) {
+            if (takes(QStringLiteral(" + ")))
+                value += product();
+            else if (takes(QStringLiteral(" − ")))
+                value -= product();
+            else
+                return value;
+        }
+    }
+    Number product()
+    {
+        Number value = factor();
+        for (;;) {
+            if (takes(QStringLiteral("·"))) {
+                value *= factor();
+            } else if (takes(QStringLiteral("/"))) {
+                const Number divisor = factor();
+                if (divisor == 0)
+                    throw ListingFault(QStringLiteral("divides by 0: ") + m_text);
+                value /= divisor;
+            } else {
+                return value;
+            }
+        }
+    }
+    Number factor()
+    {
+        if (takes(QStringLiteral("−")))
+            return -factor();
+        if (takes(QStringLiteral("("))) {
+            const Number value = sum();
+            if (!takes(QStringLiteral(")")))
+                throw ListingFault(QStringLiteral("not closed: ") + m_text);
+            return value;
+        }
+        const qsizetype first = m_place;
+        while (m_place < m_text.size() && m_text[m_place] >= u'0' && m_text[m_place] <= u'9')
+            ++m_place;
+        if (m_place > first)
+            return Number(m_text.sliced(first, m_place - first).toStdString());
+        return named();
+    }
+    /// The longest name that stands here and ends here.
+    Number named()
+    {
+        const std::pair<const QString, Number> *longest = nullptr;
+        for (const auto &entry : m_names) {
+            const qsizetype end = m_place + entry.first.size();
+            if (QStringView(m_text).sliced(m_place).startsWith(entry.first)
+                && (end == m_text.size() || !belongsToName(m_text[end]))
+                && (!longest || entry.first.size() > longest->first.size()))
+                longest = &entry;
+        }
+        if (!longest)
+            throw ListingFault(
+                QStringLiteral("no value of “%1” in: %2").arg(m_text.sliced(m_place), m_text));
+        m_place += longest->first.size();
+        return longest->second;
+    }
+
+    const QString &m_text;
+    const ListingNames &m_names;
+    qsizetype m_place = 0;
+};
+
+} // namespace
+
+QStringList spelledOut(const QString &text)
+{
+    QStringList parts;
+    for (const QString &part : text.split(QStringLiteral("; "))) {
+        if (!part.endsWith(likewise)) {
+            parts.append(part);
+            continue;
+        }
+        if (parts.isEmpty())
+            throw ListingFault(QStringLiteral("like what: ") + text);
+        const QString pattern = parts.constLast();
+        const QStringList names = part.chopped(likewise.size()).split(QStringLiteral(" and "));
+        QString edge = pattern, channel = pattern;
+        for (const QString &name : names) {
+            edge = nextEdge(edge);
+            channel = nextChannel(channel);
+            const bool isEdge = edge != pattern && edge.contains(name);
+            if (!isEdge && (channel == pattern || !channel.contains(name)))
+                throw ListingFault(QStringLiteral("no “%1” in: %2").arg(name, text));
+            parts.append(isEdge ? edge : channel);
+        }
+    }
+    return parts;
+}
+
+BigRational valueOf(const QString &expression, const ListingNames &names)
+{
+    return Reader(expression, names).result();
+}
+
+} // namespace pixelplumb
