@@ -84,6 +84,10 @@ QJsonObject jsonOf(const OperationCounts &counts)
     object.insert(QStringLiteral("spans"), qint64(counts.spans));
     object.insert(QStringLiteral("pixels"), qint64(counts.pixels));
     object.insert(QStringLiteral("refused"), qint64(counts.refused));
+    if (counts.edgesOfRows > 0) {
+        object.insert(QStringLiteral("edgesLookedAt"), qint64(counts.edgesLookedAt));
+        object.insert(QStringLiteral("edgesOfRows"), qint64(counts.edgesOfRows));
+    }
     return object;
 }
 

@@ -3,9 +3,12 @@
 
 #include "core/geometry/primitiverejection.h"
 #include "core/lab/operationtally.h"
+#include "core/scan/polygonrows.h"
 #include "core/scan/scanobserver.h"
 
 #include <QRgb>
+
+#include <concepts>
 
 namespace pixelplumb {
 
@@ -20,15 +23,23 @@ public:
     WorkStage enter(WorkStage stage) const { return m_tally->enter(stage); }
 
     template <class SetUp>
-    void primitiveBegun(const SetUp &)
+    void primitiveBegun([[maybe_unused]] const SetUp &setUp)
     {
         ++m_tally->counts.primitives;
+        // Of a polygon that is broken into triangles each has a table of its own.
+        if constexpr (std::same_as<SetUp, PolygonSetUp>)
+            m_edges = setUp.pieceCount == 0 ? std::int64_t(setUp.edgeCount) : 0;
     }
     void primitiveRejected(const Rejection &) { }
     template <class Span>
-    void spanEntered(const Span &)
+    void spanEntered([[maybe_unused]] const Span &span)
     {
         ++m_tally->counts.spans;
+        if constexpr (requires { span.crossings.size(); }) {
+            if (m_edges > 0)
+                m_tally->counts.edgesLookedAt += std::int64_t(span.crossings.size());
+            m_tally->counts.edgesOfRows += m_edges;
+        }
     }
     template <class Sample>
     void sampleRejected(std::int64_t, std::int64_t, QRgb, const Sample &)
@@ -43,6 +54,7 @@ public:
 
 private:
     OperationTally *m_tally;
+    std::int64_t m_edges = 0; ///< of the polygon that was begun
 };
 
 /// It counts the operations that draw, and no others.

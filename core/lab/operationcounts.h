@@ -25,6 +25,9 @@ struct OperationCounts {
     std::int64_t spans = 0;
     std::int64_t pixels = 0; ///< written
     std::int64_t refused = 0; ///< samples that were tested and not written
+    /// Edges that the rows of polygons looked at, by an edge table, and that they would have looked
+    /// at without one, all edges on every row; 0 where there is no such table.
+    std::int64_t edgesLookedAt = 0, edgesOfRows = 0;
 
     const OperationRow &of(WorkStage stage) const { return stages[std::size_t(stage)]; }
     std::int64_t of(WorkStage stage, Operation operation) const

@@ -51,14 +51,18 @@ QString operationText(double each)
 
 QString countsText(const OperationCounts &counts)
 {
-    return QStringList{
-        countOf(counts.primitives, QStringLiteral("set-up"), QStringLiteral("set-ups")),
-        countOf(counts.spans, QStringLiteral("span"), QStringLiteral("spans")),
-        countOf(counts.pixels, QStringLiteral("pixel"), QStringLiteral("pixels")),
-        countOf(counts.refused, QStringLiteral("sample refused"),
-                QStringLiteral("samples refused")),
-        countOf(counts.total(), QStringLiteral("operation"), QStringLiteral("operations"))}
-        .join(QStringLiteral(", "));
+    QStringList texts
+        = {countOf(counts.primitives, QStringLiteral("set-up"), QStringLiteral("set-ups")),
+           countOf(counts.spans, QStringLiteral("span"), QStringLiteral("spans")),
+           countOf(counts.pixels, QStringLiteral("pixel"), QStringLiteral("pixels")),
+           countOf(counts.refused, QStringLiteral("sample refused"),
+                   QStringLiteral("samples refused")),
+           countOf(counts.total(), QStringLiteral("operation"), QStringLiteral("operations"))};
+    if (counts.edgesOfRows > 0)
+        texts.append(QStringLiteral("%1 of %2 edges looked at")
+                         .arg(counts.edgesLookedAt)
+                         .arg(counts.edgesOfRows));
+    return texts.join(QStringLiteral(", "));
 }
 
 QStringList operationTableText(const OperationCounts &counts)

@@ -23,7 +23,8 @@ std::vector<OperationTableRow> operationTable(const OperationCounts &counts);
 /// "6" or "20.49": two digits after the point unless it is whole.
 QString operationText(double each);
 
-/// "1 set-up, 55 spans, 1124 pixels, 0 samples refused, 98760 operations"
+/// "1 set-up, 55 spans, 1124 pixels, 0 samples refused, 98760 operations"; of polygons with what an
+/// edge table saves: ", 110 of 660 edges looked at", all edges on every row.
 QString countsText(const OperationCounts &counts);
 
 /// The table in lines of equal columns, with its header.

@@ -1098,6 +1098,10 @@
         <translation>%1 Operationen</translation>
     </message>
     <message>
+        <source>%1 of %2 edges looked at</source>
+        <translation>%1 von %2 Kanten angesehen</translation>
+    </message>
+    <message>
         <source>wrong pixels</source>
         <translation>falsche Pixel</translation>
     </message>

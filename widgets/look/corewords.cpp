@@ -178,6 +178,7 @@ constexpr const char *context = "pixelplumb::CoreWords";
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "%1 samples refused"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "%1 operation"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "%1 operations"),
+    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "%1 of %2 edges looked at"),
     // Axes, families and budgets of the lab.
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "wrong pixels"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "wrong coverage"),

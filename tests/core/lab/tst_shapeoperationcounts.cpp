@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lab/countedarithmetic.h"
+#include "core/lab/operationtable.h"
 #include "core/scan/linesymmetric.h"
 #include "tests/support/countedbyhand.h"
 #include "tests/support/shapes.h"
@@ -218,6 +219,35 @@ private slots:
         QCOMPARE(counts.totals()[std::size_t(Division)], std::int64_t(2));
         // ⌈x⌉ where an edge becomes active and after each of its steps; it ends before the last.
         QCOMPARE(counts.of(WorkStage::Span, Rounding), std::int64_t(2 + 2 * 3));
+    }
+
+    /// A comb: on each of its rows some teeth have ended already.
+    void anEdgeTableLooksAtFewerEdgesThanThereAre()
+    {
+        // Teeth of heights 2, 4 and 6 on a bar of rows 2 … 3: edges from the bar's lower side on.
+        Shape comb;
+        comb.kind = PrimitiveKind::Polygon;
+        comb.fill = ShapeFill::EvenOdd;
+        for (const auto &[x, y] :
+             {std::pair(0, 1), std::pair(12, 1), std::pair(12, 9), std::pair(10, 9),
+              std::pair(10, 3), std::pair(7, 3), std::pair(7, 7), std::pair(5, 7), std::pair(5, 3),
+              std::pair(2, 3), std::pair(2, 5), std::pair(0, 5)})
+            comb.vertices.push_back({latticePixel(x, y), {{255, 0, 0}}});
+        const OperationCounts counts = countsOf("polygon-parity", Arithmetic::Exact, {{}, {comb}});
+        // Rows 2 and 3 meet the two sides, 4 and 5 three teeth, 6 and 7 two, 8 and 9 one.
+        QCOMPARE(counts.spans, std::int64_t(8));
+        QCOMPARE(counts.edgesLookedAt, std::int64_t(2 * (2 + 6 + 4 + 2)));
+        QCOMPARE(counts.edgesOfRows, std::int64_t(8 * 12));
+        QVERIFY2(countsText(counts).endsWith(QStringLiteral(", 28 of 96 edges looked at")),
+                 qPrintable(countsText(counts)));
+
+        const OperationCounts ofTriangle = countsOf(
+            "column-scan", Arithmetic::Exact,
+            {{Triangle{
+                 {{{latticePixel(1, 1), {}}, {latticePixel(9, 2), {}}, {latticePixel(4, 8), {}}}}}},
+             {}});
+        QCOMPARE(ofTriangle.edgesOfRows, std::int64_t(0));
+        QVERIFY(!countsText(ofTriangle).contains(QStringLiteral("edges")));
     }
 };
 
