@@ -12,27 +12,15 @@ constexpr qsizetype longestTerm = 16;
 constexpr double smallestDecimal = 0.001;
 constexpr int shownDigits = 6;
 
-/// By long division: a double does not hold large numbers whole.
-QString shortenedFraction(const Quantity &fraction)
-{
-    const Int128 magnitude = absolute(fraction.numerator());
-    Int128 remainder = magnitude % fraction.denominator();
-    QString text = toText(magnitude / fraction.denominator()) + u'.';
-    for (int place = 0; place < shownDigits; ++place) {
-        remainder *= 10;
-        text += QChar(char16_t(u'0' + int(remainder / fraction.denominator())));
-        remainder %= fraction.denominator();
-    }
-    return fraction.numerator() < 0 ? u'-' + text : text;
-}
-
 QString shortened(const Quantity &quantity)
 {
+    if (!quantity.isFinite())
+        return toText(quantity);
     const double value = quantity.toDouble();
     if (std::abs(value) < smallestDecimal)
         return QString::number(value, 'e', shownDigits) + u'…';
-    return (quantity.isRational() ? shortenedFraction(quantity) : toDecimal(quantity, shownDigits))
-        + u'…';
+    const auto [digits, isCut] = cutDecimal(quantity, shownDigits);
+    return isCut ? digits + u'…' : digits;
 }
 
 } // namespace
@@ -42,7 +30,7 @@ QString term(const Quantity &quantity)
     QString text = toText(quantity);
     if (text.size() > longestTerm && !quantity.isInteger())
         text = shortened(quantity);
-    return text.startsWith(u'-') ? text.replace(0, 1, u'−') : text;
+    return text.replace(u'-', u'−'); // in an exponent too
 }
 
 QString operand(const Quantity &quantity)

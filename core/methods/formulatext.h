@@ -7,8 +7,8 @@
 
 namespace pixelplumb {
 
-/// A number inside a formula or a sentence: exact text while it is short, else decimals and "…";
-/// with a minus sign, not a hyphen.
+/// A number inside a formula or a sentence: exact text while it is short, else decimals and "…", as
+/// many as part it from the whole number next to it; with minus signs, not hyphens.
 QString term(const Quantity &quantity);
 
 /// A term that may be negative or a mixed number, as a factor or after an operator.

@@ -127,6 +127,29 @@ Quantity productOf(const Quantity &a, const Quantity &b)
         : Quantity::of(a.toDouble() * b.toDouble());
 }
 
+CutDecimal cutDecimal(const Quantity &quantity, int places)
+{
+    constexpr int mostPlaces = 40; ///< a double's neighbour of 1 has 16
+    const auto [numerator, denominator] = exactlyOf(quantity);
+    BigInteger whole, remainder;
+    divide_qr(BigInteger(abs(numerator)), denominator, whole, remainder);
+    CutDecimal decimal;
+    if (numerator < 0)
+        decimal.digits += u'-';
+    decimal.digits += QString::fromStdString(whole.str()) + u'.';
+    const bool isFraction = remainder != 0;
+    bool isZero = true; // so far
+    for (int place = 0; place < places || (isFraction && isZero && place < mostPlaces); ++place) {
+        remainder *= 10;
+        const BigInteger digit = remainder / denominator;
+        remainder -= digit * denominator;
+        isZero = isZero && digit == 0;
+        decimal.digits += QChar(char16_t(u'0' + digit.convert_to<int>()));
+    }
+    decimal.isCut = remainder != 0;
+    return decimal;
+}
+
 QString toText(Int128 value)
 {
     if (value == 0)

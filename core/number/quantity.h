@@ -76,6 +76,17 @@ QString toText(const Quantity &quantity);
 /// figures; C locale.
 QString toDecimal(const Quantity &quantity, int digits);
 
+/// Digits of a decimal that goes on, or not.
+struct CutDecimal {
+    QString digits; ///< "-2.33"
+    bool isCut = false; ///< others than 0 follow
+};
+
+/// The decimal of a finite number, cut and not rounded, after so many digits behind the point.
+/// Where these are all 0 and the number is no whole one it goes on to the first that is not, so
+/// that a number whose ceiling is 13 is not shown as 12.
+CutDecimal cutDecimal(const Quantity &quantity, int places);
+
 /// A 128-bit integer in decimal.
 QString toText(Int128 value);
 

@@ -198,16 +198,18 @@ private:
         const qsizetype exponent = m_place;
         if (next() == u'e' && m_place > first) {
             ++m_place;
-            if (next() == u'-' || next() == u'+')
+            if (next() == u'-' || next() == u'−' || next() == u'+')
                 ++m_place;
             while (next().isDigit())
                 ++m_place;
         }
-        const QByteArray digits = m_text.sliced(first, m_place - first).toLatin1();
+        const QByteArray digits
+            = m_text.sliced(first, m_place - first).replace(u'−', u'-').toLatin1();
         char *end = nullptr;
         const Number value = std::strtold(digits.constData(), &end);
         m_failed = m_failed || digits.isEmpty() || *end != '\0';
-        const QString power = m_text.sliced(exponent, m_place - exponent).mid(1);
+        const QString power
+            = m_text.sliced(exponent, m_place - exponent).mid(1).replace(u'−', u'-');
         m_lastDigit = std::pow(10.0L, Number(power.toInt() - int(places)));
         return value;
     }

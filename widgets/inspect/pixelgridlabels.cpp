@@ -193,7 +193,7 @@ void PixelGridPainter::paintSpanLabels()
         QString text = displayText(quantity, m_scene.arithmetic);
         text.replace(QChar(0x2009), QChar(0x00a0)); // at this size a thin space is overlooked
         const double width = metrics.horizontalAdvance(text + QStringLiteral(" y_T = ↑"));
-        return width <= room - px(14) ? text : displayDecimal(quantity, 4);
+        return width <= room - px(14) ? text : shortDecimal(quantity, 4);
     };
     const QString lower = isRow ? QStringLiteral("x_L") : QStringLiteral("y_B");
     const QString upper = isRow ? QStringLiteral("x_R") : QStringLiteral("y_T");

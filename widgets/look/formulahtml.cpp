@@ -76,7 +76,8 @@ QString usedHtml(const FormulaLine &line, Arithmetic arithmetic)
         : firstDifferingDigit(text, displayDecimal(line.exact, comparedPlaces));
     if (marked < 0)
         return QStringLiteral("<b>%1</b>").arg(typesetHtml(text));
-    return QStringLiteral("<b>%1<u>%2</u></b>").arg(text.left(marked), text.mid(marked));
+    return QStringLiteral("<b>%1<u>%2</u></b>")
+        .arg(typesetHtml(text.left(marked)), typesetHtml(text.mid(marked)));
 }
 
 QString exactText(const FormulaLine &line)
@@ -202,7 +203,7 @@ private:
         const QString exact
             = QStringLiteral("&nbsp; &nbsp; ") + quiet(typesetHtml(exactText(line)));
         row((symbols == ChannelSymbols::Beside ? beside({}, exact) : wide(exact))
-            + QStringLiteral("<td align='right'>%1</td>").arg(quiet(errorText(line))));
+            + QStringLiteral("<td align='right'>%1</td>").arg(quiet(typesetHtml(errorText(line)))));
     }
 
     void row(const QString &cells)

@@ -42,6 +42,9 @@ QString nonFiniteText(double value)
     return value < 0 ? QStringLiteral("−∞") : QStringLiteral("∞");
 }
 
+/// Minus signs, in the exponent too.
+QString withTrueMinuses(QString text) { return text.replace(u'-', minusSign); }
+
 /// The fewest digits that read back as the same value; plain notation between 10^-9 and 10^15.
 template <class Float>
 QString shortestDecimal(Float value)
@@ -52,7 +55,7 @@ QString shortestDecimal(Float value)
     const auto result
         = std::to_chars(text.data(), text.data() + text.size(), value,
                         plain ? std::chars_format::fixed : std::chars_format::scientific);
-    return withTrueMinus(QString::fromLatin1(text.data(), result.ptr - text.data()));
+    return withTrueMinuses(QString::fromLatin1(text.data(), result.ptr - text.data()));
 }
 
 QString mixedNumber(const Quantity &quantity)
@@ -73,23 +76,19 @@ QString mixedNumber(const Quantity &quantity)
     return text;
 }
 
-QString longDivision(const Quantity &quantity, int places)
+QString cutText(const Quantity &quantity, int places)
 {
-    const Int128 magnitude = absolute(quantity.numerator());
-    Int128 remainder = magnitude % quantity.denominator();
-    QString text;
-    if (quantity.numerator() < 0)
-        text += minusSign;
-    text += toText(magnitude / quantity.denominator());
-    text += u'.';
-    for (int place = 0; place < places; ++place) {
-        remainder *= 10;
-        text += QChar(char16_t(u'0' + int(remainder / quantity.denominator())));
-        remainder %= quantity.denominator();
-    }
-    if (remainder != 0)
-        text += ellipsis;
-    return text;
+    const auto [digits, isCut] = cutDecimal(quantity, places);
+    return withTrueMinus(isCut ? digits + ellipsis : digits);
+}
+
+/// Whether so many places, rounded, read as a whole number that it is not.
+bool looksWhole(const Quantity &quantity, int places)
+{
+    if (quantity.isInteger())
+        return false;
+    const QString digits = toDecimal(quantity, places);
+    return digits.sliced(digits.indexOf(u'.') + 1).count(u'0') == places;
 }
 
 } // namespace
@@ -129,11 +128,23 @@ QString displayDecimal(const Quantity &quantity, int places)
 {
     if (quantity.isNone())
         return {};
-    if (quantity.isRational())
-        return longDivision(quantity, places);
     if (!quantity.isFinite())
         return nonFiniteText(quantity.toDouble());
-    return withTrueMinus(toDecimal(quantity, places));
+    return quantity.isRational() || looksWhole(quantity, places)
+        ? cutText(quantity, places)
+        : withTrueMinus(toDecimal(quantity, places));
+}
+
+QString shortDecimal(const Quantity &quantity, int places)
+{
+    const QString decimal = displayDecimal(quantity, places);
+    if (!quantity.isFinite() || decimal.size() <= toDecimal(quantity, places).size() + 1)
+        return decimal; // with an ellipsis
+    const double whole = std::round(quantity.toDouble());
+    const double rest = errorOf(quantity, Quantity::of(whole));
+    return withTrueMinus(QString::number(whole, 'f', 0))
+        + (rest < 0 ? QStringLiteral(" − ") : QStringLiteral(" + "))
+        + withTrueMinuses(QString::asprintf("%.0e", std::abs(rest)));
 }
 
 QString decimalBeside(const Quantity &quantity, Arithmetic arithmetic)
@@ -159,7 +170,7 @@ QString displayError(const Quantity &used, const Quantity &exact)
     const double error = errorOf(used, exact);
     if (used.isInteger() && exact.isInteger() && std::abs(error) < 1e6)
         return error == 0 ? QStringLiteral("0") : withTrueMinus(QString::asprintf("%+.0f", error));
-    return error == 0 ? QStringLiteral("0") : withTrueMinus(QString::asprintf("%+.1e", error));
+    return error == 0 ? QStringLiteral("0") : withTrueMinuses(QString::asprintf("%+.1e", error));
 }
 
 void keepDecimalPoint() { QLocale::setDefault(QLocale::c()); }

@@ -37,11 +37,15 @@ QString displayDecimal(const Quantity &quantity);
 /// shown is a digit of the number, none is rounded, and an ellipsis says that more follow.
 QString displayDecimal(const Quantity &quantity, int places);
 
+/// As displayDecimal(), but for numbers so near to a whole one that this needs more places to part
+/// them: "12 + 2e−15".
+QString shortDecimal(const Quantity &quantity, int places);
+
 /// What six decimals say beside displayText() of the same: "= 31.875" where they are all,
 /// "≈ 5.129629…" where more follow; empty where they would say it once more.
 QString decimalBeside(const Quantity &quantity, Arithmetic arithmetic = Arithmetic::Exact);
 
-/// An error for the eye: "+2.3e-07", or "0" when the two are equal.
+/// An error for the eye: "+2.3e−07", or "0" when the two are equal.
 QString displayError(const Quantity &used, const Quantity &exact);
 
 /// Large numbers that are counted or measured, in groups of thousands, which a narrow space that

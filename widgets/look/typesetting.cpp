@@ -19,8 +19,12 @@ QString typesetHtml(const QString &text)
 {
     static const QRegularExpression fraction(
         QStringLiteral("(?<![\\d).])(\\d+/\\d+)(?!\\d|\\.\\d)"));
-    // Rich text takes every space but one for an ordinary one, at which a line may break.
-    QString html = SymbolText(typeset(text).replace(u'\u202f', QChar::Nbsp)).html();
+    // Rich text takes every space but one for an ordinary one, at which a line may break, as it may
+    // at the sign of an exponent.
+    static const QRegularExpression exponent(QStringLiteral("(\\de)([-−+])(?=\\d)"));
+    QString whole = typeset(text).replace(u'\u202f', QChar::Nbsp);
+    whole.replace(exponent, QStringLiteral("\\1\u2060\\2\u2060"));
+    QString html = SymbolText(whole).html();
     return html.replace(fraction, QStringLiteral("<small>\\1</small>"));
 }
 

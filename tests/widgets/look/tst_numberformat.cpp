@@ -25,6 +25,8 @@ private slots:
     void fixedPointIsShownInDecimals();
     void decimalsAreDigitsOfTheNumberAndNotRounded_data();
     void decimalsAreDigitsOfTheNumberAndNotRounded();
+    void aDecimalInLittleRoomTellsHowFarFromAWholeNumberItIs_data();
+    void aDecimalInLittleRoomTellsHowFarFromAWholeNumberItIs();
     void decimalsBesideANumberEqualItAreNearItOrSayNothing_data();
     void decimalsBesideANumberEqualItAreNearItOrSayNothing();
     void toolTipsSetTheSubscriptsOfEveryNumber();
@@ -49,11 +51,11 @@ void TestNumberFormat::writesNumbersForTheEye_data()
     QTest::newRow("negative mixed") << Quantity::rational(-7, 3) << QStringLiteral("−2\u20091/3");
     QTest::newRow("below one") << Quantity::rational(-3, 8) << QStringLiteral("−3/8");
     QTest::newRow("six digits") << Quantity::rational(1, 999999) << QStringLiteral("1/999999");
-    QTest::newRow("seven digits") << Quantity::rational(1, 1000001) << QStringLiteral("0.000000…");
+    QTest::newRow("seven digits") << Quantity::rational(1, 1000001) << QStringLiteral("0.0000009…");
     QTest::newRow("float") << Quantity::of(0.1F) << QStringLiteral("0.1");
     QTest::newRow("double") << Quantity::of(-0.1) << QStringLiteral("−0.1");
     QTest::newRow("small float") << Quantity::of(1.5e-5F) << QStringLiteral("0.000015");
-    QTest::newRow("tiny double") << Quantity::of(1.5e-12) << QStringLiteral("1.5e-12");
+    QTest::newRow("tiny double") << Quantity::of(1.5e-12) << QStringLiteral("1.5e−12");
     QTest::newRow("infinite") << Quantity::of(-std::numeric_limits<double>::infinity())
                               << QStringLiteral("−∞");
     QTest::newRow("not a number") << Quantity::of(std::numeric_limits<float>::quiet_NaN())
@@ -99,6 +101,16 @@ void TestNumberFormat::decimalsAreDigitsOfTheNumberAndNotRounded_data()
         << Quantity::rational(1, 7) << 24 << QStringLiteral("0.142857142857142857142857…");
     QTest::newRow("integer") << Quantity::integer(3) << 2 << QStringLiteral("3.00");
     QTest::newRow("float") << Quantity::of(0.5F) << 3 << QStringLiteral("0.500");
+    // Numbers whose ceiling or floor the digits must let a reader believe.
+    QTest::newRow("just above 12")
+        << Quantity::of(12 + 0x1p-40) << 4 << QStringLiteral("12.0000000000009…");
+    QTest::newRow("just below 12") << Quantity::of(12 - 0x1p-40) << 4 << QStringLiteral("11.9999…");
+    QTest::newRow("just below −12")
+        << Quantity::of(-12 - 0x1p-40) << 4 << QStringLiteral("−12.0000000000009…");
+    QTest::newRow("a fraction above 12")
+        << Quantity::rational(12 * (Int128(1) << 40) + 1, Int128(1) << 40) << 6
+        << QStringLiteral("12.0000000000009…");
+    QTest::newRow("whole") << Quantity::of(12.0) << 4 << QStringLiteral("12.0000");
 }
 
 void TestNumberFormat::decimalsAreDigitsOfTheNumberAndNotRounded()
@@ -106,6 +118,24 @@ void TestNumberFormat::decimalsAreDigitsOfTheNumberAndNotRounded()
     QFETCH(const Quantity, quantity);
     QFETCH(const int, places);
     QTEST(displayDecimal(quantity, places), "expected");
+}
+
+void TestNumberFormat::aDecimalInLittleRoomTellsHowFarFromAWholeNumberItIs_data()
+{
+    QTest::addColumn<Quantity>("quantity");
+    QTest::addColumn<QString>("expected");
+    QTest::newRow("above") << Quantity::of(12 + 0x1p-49) << QStringLiteral("12 + 2e−15");
+    QTest::newRow("below zero") << Quantity::of(-12 - 0x1p-40) << QStringLiteral("−12 − 9e−13");
+    QTest::newRow("not near") << Quantity::of(12.34567) << QStringLiteral("12.3457");
+    QTest::newRow("below") << Quantity::of(12 - 0x1p-40) << QStringLiteral("11.9999…");
+    QTest::newRow("a fraction") << Quantity::rational(37, 3) << QStringLiteral("12.3333…");
+    QTest::newRow("whole") << Quantity::of(12.0) << QStringLiteral("12.0000");
+}
+
+void TestNumberFormat::aDecimalInLittleRoomTellsHowFarFromAWholeNumberItIs()
+{
+    QFETCH(const Quantity, quantity);
+    QTEST(shortDecimal(quantity, 4), "expected");
 }
 
 void TestNumberFormat::decimalsBesideANumberEqualItAreNearItOrSayNothing_data()
@@ -147,9 +177,9 @@ void TestNumberFormat::errorsCarryTheirSign_data()
     QTest::addColumn<QString>("expected");
     QTest::newRow("equal") << Quantity::of(0.5) << Quantity::rational(1, 2) << QStringLiteral("0");
     QTest::newRow("above") << Quantity::of(0.75) << Quantity::rational(1, 2)
-                           << QStringLiteral("+2.5e-01");
+                           << QStringLiteral("+2.5e−01");
     QTest::newRow("below") << Quantity::of(0.25F) << Quantity::rational(1, 2)
-                           << QStringLiteral("−2.5e-01");
+                           << QStringLiteral("−2.5e−01");
     QTest::newRow("a row too many")
         << Quantity::integer(7) << Quantity::integer(6) << QStringLiteral("+1");
     QTest::newRow("two rows too few")
