@@ -113,9 +113,9 @@ using TessellationKernel = TriangulationKernel<tessellationOf, PolygonForm::Cros
 struct TextContours {
     explicit TextContours(const Shape &text)
     {
-        const TextOutlines outlines = outlinesOf(text);
-        contours = contoursOf(outlines.polygon);
-        rejection = outlines.rejection;
+        const std::shared_ptr<const TextOutlines> outlines = sharedOutlinesOf(text);
+        contours = contoursOf(outlines->polygon);
+        rejection = outlines->rejection;
     }
 
     Contours contours;

@@ -88,8 +88,12 @@ PolygonSampleState polygonStateOf(
     state.fill = step.setUp.fill;
     state.isInside = step.fate == SampleFate::Written;
     for (const Crossing<A> &crossing : step.span.crossings) {
-        if (crossing.firstRight > step.x)
+        if (crossing.firstRight > step.x) {
+            // All after it are as far right, but for those whose x is no number, which come first.
+            if (crossing.x == crossing.x)
+                break;
             continue;
+        }
         ++(crossing.turn > 0 ? state.downward : state.upward);
         state.edges.push_back(crossing.edge);
     }

@@ -26,7 +26,7 @@ bool covers(const Shape &shape, FrameOrigin origin, std::int64_t x, std::int64_t
     case PrimitiveKind::Polygon:
         return polygonCovers(shape, origin, x, y);
     case PrimitiveKind::Text:
-        return polygonCovers(outlinesOf(shape).polygon, origin, x, y);
+        return polygonCovers(sharedOutlinesOf(shape)->polygon, origin, x, y);
     case PrimitiveKind::Triangle: // never a shape
         break;
     }
@@ -56,7 +56,7 @@ void draw(const Shape &shape, ByteRounding rounding, FrameView frame)
         drawPolygon(shape, frame);
         break;
     case PrimitiveKind::Text:
-        drawPolygon(outlinesOf(shape).polygon, frame);
+        drawPolygon(sharedOutlinesOf(shape)->polygon, frame);
         break;
     case PrimitiveKind::Triangle: // never a shape
         break;

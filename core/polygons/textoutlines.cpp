@@ -12,6 +12,7 @@
 #include FT_OUTLINE_H
 
 #include <memory>
+#include <mutex>
 
 namespace pixelplumb {
 
@@ -128,6 +129,26 @@ TextOutlines outlinesOf(const Shape &text)
     } else if (outlines.polygon.vertices.empty()) {
         outlines.rejection = PrimitiveRejection::NoOutline;
     }
+    return outlines;
+}
+
+std::shared_ptr<const TextOutlines> sharedOutlinesOf(const Shape &text)
+{
+    static std::mutex mutex;
+    static Shape lastText;
+    static QString lastFont;
+    static std::shared_ptr<const TextOutlines> last;
+    const QString font = textFontFile();
+    {
+        const std::lock_guard guard(mutex);
+        if (last && lastFont == font && lastText == text)
+            return last;
+    }
+    auto outlines = std::make_shared<const TextOutlines>(outlinesOf(text));
+    const std::lock_guard guard(mutex);
+    lastText = text;
+    lastFont = font;
+    last = outlines;
     return outlines;
 }
 

@@ -6,6 +6,7 @@
 
 #include <QString>
 
+#include <memory>
 #include <optional>
 
 namespace pixelplumb {
@@ -25,6 +26,9 @@ struct TextOutlines {
 /// Rejected: FontMissing, NoOutline where no character leaves a mark, and NotRepresentable where a
 /// point lies beyond ±2^30 px.
 TextOutlines outlinesOf(const Shape &text);
+/// The same, kept until another text is asked for: of 100,000 characters they take a second, and
+/// every look at a pixel asks. On any thread.
+std::shared_ptr<const TextOutlines> sharedOutlinesOf(const Shape &text);
 
 /// How far along the baseline the next glyph after a text would stand, lattice units, down to a
 /// whole one; 0 without the font. Never negative, whichever way y grows.

@@ -13,7 +13,7 @@ enum class TraceDetail { Samples, Spans };
 struct TraceOptions {
     /// Recording ends, and the trace says so, when this many samples are recorded (16 bytes each).
     std::size_t sampleLimit = std::size_t(1) << 24;
-    /// The same for spans (about 400 bytes each).
+    /// The same for spans (about 400 bytes each; four crossings of a polygon's row count as one).
     std::size_t spanLimit = std::size_t(1) << 18;
     /// Hears at every span how many were entered so far; nobody knows how many there will be.
     ProgressListener progress;
@@ -52,8 +52,11 @@ public:
         if (!goesOn(m_options->progress,
                     {JobPhase::Recording, std::int64_t(m_trace->spanCount()), 0}))
             throw RecordingEnded{RecordingEnded::Why::Cancelled};
-        if (m_trace->spanCount() >= m_options->spanLimit)
+        if (m_trace->m_spanWeight >= m_options->spanLimit)
             endAtLimit();
+        ++m_trace->m_spanWeight;
+        if constexpr (requires { span.crossings.size(); })
+            m_trace->m_spanWeight += span.crossings.size() / 4;
         m_trace->m_spans.push_back({m_trace->stepCount(), m_trace->sampleCount(),
                                     m_trace->primitiveCount() - 1, R::placeOf(span)});
         m_trace->m_states.push_back(span);

@@ -160,6 +160,7 @@ private:
     std::vector<TypedSetUp> m_setUps;
     std::vector<typename R::Span> m_states;
     std::vector<Sample> m_kept; ///< by sample, where spans cannot be walked again
+    std::size_t m_spanWeight = 0; ///< what of TraceOptions::spanLimit is taken
 };
 
 } // namespace pixelplumb

@@ -36,28 +36,8 @@ std::vector<QPointF> positionsOf(const Shape &shape, const ViewMapping &mapping)
     return positions;
 }
 
-void appendContour(QPainterPath &path, const std::vector<QPointF> &points, std::size_t first,
-                   std::size_t end)
-{
-    path.moveTo(points[first]);
-    for (std::size_t i = first + 1; i < end; ++i)
-        path.lineTo(points[i]);
-    path.closeSubpath();
-}
-
-QPainterPath polygonPath(const Shape &shape, const std::vector<QPointF> &points)
-{
-    QPainterPath path;
-    std::size_t first = 0;
-    for (const std::size_t next : shape.laterContours) {
-        appendContour(path, points, first, next);
-        first = next;
-    }
-    appendContour(path, points, first, points.size());
-    return path;
-}
-
-/// The pieces of a Bézier path one after another, each with its control points.
+/// The pieces of a Bézier path one after another, each with its control points, or the contours of
+/// a polygon.
 std::vector<std::span<const QPointF>> piecesOf(const Shape &path,
                                                const std::vector<QPointF> &points)
 {
@@ -89,7 +69,8 @@ QPainterPath bezierPath(const Shape &shape, const std::vector<QPointF> &points)
     return path;
 }
 
-/// The curve that the shape stands for; empty where its vertices say it all.
+/// The curve that the shape stands for; empty of polygons, whose edges are their contours', and
+/// where the vertices say it all.
 QPainterPath curveOf(const Shape &shape, const std::vector<QPointF> &points)
 {
     QPainterPath path;
@@ -108,8 +89,6 @@ QPainterPath curveOf(const Shape &shape, const std::vector<QPointF> &points)
         path = bezierPath(shape, points);
         break;
     case PrimitiveKind::Polygon:
-        path = polygonPath(shape, points);
-        break;
     case PrimitiveKind::Triangle:
     case PrimitiveKind::Point:
     case PrimitiveKind::Text:
@@ -127,12 +106,23 @@ bool hasCurves(const QPainterPath &path)
     return false;
 }
 
-/// What of a path lies in a rectangle: painters lose precision far outside. Its extent may be zero
-/// in either direction, as a level line's is.
+/// What of an outline lies in a rectangle: painters lose precision far outside. Its extent may be
+/// zero in either direction, as a level line's is.
 struct VisibleLines {
-    std::vector<QLineF> lines; ///< one after the other along the path
+    std::vector<QLineF> lines; ///< one after the other along the outline
     double length = 0; ///< of all, logical pixels
     bool isTooDense = false; ///< there are more; those are not all
+
+    /// Whether there is room for more.
+    bool add(const QPointF &from, const QPointF &to, const QRectF &rect)
+    {
+        if (const std::optional<QLineF> piece = clipped({from, to}, rect)) {
+            lines.push_back(*piece);
+            length += piece->length();
+            isTooDense = lines.size() > mostOutlineLines || length > longestOutline;
+        }
+        return !isTooDense;
+    }
 };
 
 VisibleLines visibleLines(const QPainterPath &path, const QRectF &rect)
@@ -144,14 +134,21 @@ VisibleLines visibleLines(const QPainterPath &path, const QRectF &rect)
         return visible;
     for (const QPolygonF &polygon : path.toSubpathPolygons()) {
         for (qsizetype i = 1; i < polygon.size(); ++i) {
-            const std::optional<QLineF> piece = clipped({polygon[i - 1], polygon[i]}, rect);
-            if (!piece)
-                continue;
-            visible.lines.push_back(*piece);
-            visible.length += piece->length();
-            visible.isTooDense
-                = visible.lines.size() > mostOutlineLines || visible.length > longestOutline;
-            if (visible.isTooDense)
+            if (!visible.add(polygon[i - 1], polygon[i], rect))
+                return visible;
+        }
+    }
+    return visible;
+}
+
+/// Without a path: of many edges, most are not looked at.
+VisibleLines visibleEdges(const Shape &polygon, const std::vector<QPointF> &points,
+                          const QRectF &rect)
+{
+    VisibleLines visible;
+    for (const std::span<const QPointF> contour : piecesOf(polygon, points)) {
+        for (std::size_t i = 0; i < contour.size(); ++i) {
+            if (!visible.add(contour[i], contour[(i + 1) % contour.size()], rect))
                 return visible;
         }
     }
@@ -203,7 +200,9 @@ void FramePainter::drawShapeOutline(const Shape &shape)
 {
     const std::vector<QPointF> points = positionsOf(shape, m_mapping);
     const QRectF seen = m_view.adjusted(-9, -9, 9, 9);
-    const VisibleLines visible = visibleLines(curveOf(shape, points), seen);
+    const VisibleLines visible = shape.kind == PrimitiveKind::Polygon
+        ? visibleEdges(shape, points, seen)
+        : visibleLines(curveOf(shape, points), seen);
     if (visible.isTooDense)
         return drawBounds(points);
     if (shape.kind == PrimitiveKind::Bezier && points.size() <= mostOutlineLines) {

@@ -17,6 +17,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto rest = 80ms; ///< more than between two moves of a hand
+constexpr std::int64_t cornersOfLetter = 30; ///< of its outline, with its curves in pieces
 
 /// Its own and those of its solids, before clipping.
 std::size_t trianglesOf(const Scene &scene)
@@ -114,8 +115,11 @@ TraceCost traceCostOf(const Scene &scene)
     const auto addAll = [&](const auto &primitives) {
         for (const Triangle &triangle : primitives.triangles)
             add(triangle.vertices, 0);
-        for (const Shape &shape : primitives.shapes)
+        for (const Shape &shape : primitives.shapes) {
             add(shape.vertices, reachOf(shape));
+            cost.corners += std::int64_t(shape.vertices.size())
+                + cornersOfLetter * std::int64_t(shape.text.size());
+        }
     };
     if (scene.solids.empty())
         addAll(scene);

@@ -15,14 +15,18 @@ struct TraceCost {
     std::int64_t triangles = 0;
     std::int64_t columns = 0;
     std::int64_t pixels = 0; ///< of the boxes: at least what the triangles cover
+    std::int64_t corners = 0; ///< of the shapes' outlines, of letters about
 
     static constexpr std::int64_t mostPixelsOfSmall = 150'000;
     static constexpr std::int64_t mostTrianglesOfSmall = 2'000;
+    /// A row may meet every edge of a polygon.
+    static constexpr std::int64_t mostCornersOfSmall = 3'000;
 
     /// A few milliseconds: not worth a thread, and a drag then repaints within its frame.
     bool isSmall() const
     {
-        return pixels <= mostPixelsOfSmall && triangles <= mostTrianglesOfSmall;
+        return pixels <= mostPixelsOfSmall && triangles <= mostTrianglesOfSmall
+            && corners <= mostCornersOfSmall;
     }
 
     friend bool operator==(const TraceCost &, const TraceCost &) = default;
