@@ -139,6 +139,49 @@ private slots:
         QCOMPARE(numberNamed(points[3], QStringLiteral("t")).exact, QStringLiteral("0.8"));
     }
 
+    void theColoursOfClippedCornersAndTheLightHaveFormulas_data()
+    {
+        QTest::addColumn<Shading>("shading");
+        QTest::newRow("flat") << Shading::Flat;
+        QTest::newRow("gouraud") << Shading::Gouraud;
+    }
+    void theColoursOfClippedCornersAndTheLightHaveFormulas()
+    {
+        QFETCH(Shading, shading);
+        Scene scene = sceneOf({triangle3({0, 0, 2}, {1, 0, -2}, {0, 1, 4.5})});
+        scene.appearance.shading = shading;
+        scene.appearance.lights = {{Light::Kind::Directional, {0, 0, -attributeOne}, {}},
+                                   {Light::Kind::Positional, {attributeOne, attributeOne, 0}, {}}};
+        const FaceStages stages = stagesOf(scene, projectedSolids(scene), 0);
+
+        // V₀V₂ is cut at t = 2/2.5.
+        const auto &corners = stageNamed(stages, QStringLiteral("Clipped polygon")).points;
+        const StageNumber &cut = numberNamed(corners[3], QStringLiteral("R"));
+        QCOMPARE(cut.formula, QStringLiteral("R_V₀ + t·(R_V₂ − R_V₀)"));
+        const auto levelOf
+            = [&](std::size_t vertex) { return stages.face.polygon[vertex].levels[0]; };
+        QVERIFY(std::abs(cut.used - (levelOf(0) + 0.8 * (levelOf(2) - levelOf(0)))) < 1e-9);
+        QCOMPARE(numberNamed(corners[1], QStringLiteral("α")).formula, QStringLiteral("α_V₁"));
+        QCOMPARE(numberNamed(stageNamed(stages, QStringLiteral("Lattice")).points[3],
+                             QStringLiteral("G"))
+                     .formula,
+                 QStringLiteral("⌊G′ + ½⌋"));
+        const bool isFlat = shading == Shading::Flat;
+        const ProjectionStage &light
+            = stageNamed(stages,
+                         isFlat ? QStringLiteral("Light at the face's centre")
+                                : QStringLiteral("Light at the vertices"));
+        QCOMPARE(light.points.front().name, QStringLiteral("the lights"));
+        for (std::size_t i = 1; i < light.points.size(); ++i) {
+            for (const StageNumber &number : light.points[i].numbers) {
+                const bool isGiven = number.name.startsWith(QStringLiteral("base_"))
+                    || (isFlat && (number.name.size() == 1 || number.name.endsWith("_N")));
+                QVERIFY2(isGiven != !number.formula.isEmpty(), qPrintable(number.name));
+            }
+        }
+        QCOMPARE(light.points.size(), isFlat ? 2U : 4U);
+    }
+
     void aSpheresDistanceIsWhatItsFacesHave_data()
     {
         QTest::addColumn<int>("around");

@@ -465,6 +465,20 @@ private slots:
                          qPrintable(QDebug::toString(placeInView(part))));
     }
 
+    /// The method draws the scene right; beside a wrong picture that would be a second verdict.
+    void oneVerdictIsToldAtATime()
+    {
+        const auto window = windowWithDefect("rounding-truncate");
+        const auto *figures = named<QLabel>(*window, "statusFigures");
+        QTRY_VERIFY(judgement(*window));
+        QTRY_VERIFY_WITH_TIMEOUT(figures->toolTip().contains("All pixels correct"), 60'000);
+        QVERIFY2(figures->text().startsWith("Submission: Wrong"), qPrintable(figures->text()));
+        QVERIFY(!figures->text().contains("correct"));
+
+        QTest::mouseClick(named<QToolButton>(*window, "submissionRemove"), Qt::LeftButton);
+        QTRY_COMPARE(figures->text(), QStringLiteral("All pixels correct"));
+    }
+
     void theBugIsNamedInWordsForBoth()
     {
         const auto window = windowWithDefect("rounding-truncate");

@@ -14,6 +14,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QMenu>
 #include <QTest>
 
 namespace tst_methodboxes {
@@ -209,6 +210,43 @@ private slots:
         QVERIFY2(note.contains(textOf(nameOf(drawn.arithmetic))), qPrintable(note));
         QCOMPARE(note.contains(textOf(nameOf(FillRule::HalfOpenColumn))),
                  !method.supports(FillRule::HalfOpenColumn));
+    }
+
+    void aSettingThatWouldChangeNothingIsGreyAndSaysWhy()
+    {
+        const auto window = openedWindow(Scene());
+        SceneDocument &document = *window->parts().document;
+        const std::array settings
+            = {std::pair("fillRuleBox", "fillRuleMenu"), std::pair("roundingBox", "roundingMenu"),
+               std::pair("arithmeticBox", "arithmeticMenu")};
+        for (const auto &[box, menu] : settings)
+            QVERIFY2(named<QComboBox>(*window, box)->isEnabled(), box);
+
+        Scene scene;
+        scene.method = "line-bresenham";
+        Shape line;
+        line.kind = PrimitiveKind::Line;
+        line.vertices = {{latticePixel(1, 1), {{9, 9, 9}}}, {latticePixel(8, 4), {{9, 9, 9}}}};
+        scene.shapes = {line};
+        document.reset(scene);
+        for (const auto &[box, menu] : settings) {
+            const auto *shown = named<QComboBox>(*window, box);
+            const QAction *entry = named<QMenu>(*window, menu)->menuAction();
+            QVERIFY2(!shown->isEnabled() && !entry->isEnabled(), box);
+            QVERIFY2(shown->toolTip().startsWith("The method "), qPrintable(shown->toolTip()));
+            QCOMPARE(entry->toolTip(), shown->toolTip());
+        }
+        QVERIFY(named<QComboBox>(*window, "fillRuleBox")->toolTip().contains("has no inside"));
+
+        document.setVertexColour({0, 0}, {{200, 9, 9}});
+        QVERIFY(named<QComboBox>(*window, "roundingBox")->isEnabled());
+        document.undoStack()->undo();
+        QVERIFY(!named<QComboBox>(*window, "roundingBox")->isEnabled());
+        document.setMethod("column-scan");
+        for (const auto &[box, menu] : settings) {
+            QVERIFY2(named<QComboBox>(*window, box)->isEnabled(), box);
+            QVERIFY(named<QMenu>(*window, menu)->menuAction()->isEnabled());
+        }
     }
 
     void aVariantIsTickedInTheMenuAndGreyWhereTheMethodRefusesIt()

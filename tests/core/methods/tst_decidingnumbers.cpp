@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/formulaexplanation.h"
+#include "core/runs/pixelhistory.h"
+#include "core/runs/tracedscene.h"
+#include "tests/support/shapes.h"
+#include "tests/support/testprogram.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+namespace tst_decidingnumbers {
+
+using namespace pixelplumb;
+
+namespace {
+
+/// a, b, c or P₀, P₁, P₂, clockwise where y points upward: the slides' sides are to be exchanged.
+Scene slideTriangle(const char *method, FillRule rule = FillRule::Closed)
+{
+    Scene scene;
+    scene.frame = frameOf(12, 10);
+    scene.triangles = {Triangle{{{{latticePixel(2, 1), {{255, 0, 0}}},
+                                  {latticePixel(9, 2), {{0, 255, 0}}},
+                                  {latticePixel(3, 8), {{0, 0, 255}}}}}}};
+    scene.method = method;
+    scene.settings.fillRule = rule;
+    return scene;
+}
+
+Quantity numberOf(const std::vector<NumberDescription> &numbers, const std::vector<Quantity> &cells,
+                  const char *title)
+{
+    const auto found
+        = std::ranges::find(numbers, QString::fromUtf8(title), &NumberDescription::title);
+    return found == numbers.end() ? Quantity() : cells[std::size_t(found - numbers.begin())];
+}
+
+Quantity inSetUp(const TracedScene &traced, const char *title)
+{
+    return numberOf(traced.trace->numbers().setUp, traced.trace->setUp(0).cells, title);
+}
+Quantity inSpan(const TracedScene &traced, std::size_t span, const char *title)
+{
+    return numberOf(traced.trace->numbers().span, traced.trace->span(span).cells, title);
+}
+
+/// The line of an explanation that works out this number; its place among all, or −1.
+qsizetype placeOf(const Explanation &explanation, const char *title)
+{
+    const auto found = std::ranges::find_if(explanation.lines, [title](const FormulaLine &line) {
+        return line.symbols.startsWith(QString::fromUtf8(title) + QStringLiteral(" = "));
+    });
+    return found == explanation.lines.end() ? -1 : found - explanation.lines.begin();
+}
+
+} // namespace
+
+/// Wherever a slide decides, the number that decides is shown. Values by hand.
+class TestDecidingNumbers : public QObject {
+    Q_OBJECT
+
+private slots:
+    void anEdgesSidesAreTestedBeforeTheyAreExchanged()
+    {
+        const auto traced = traceScene(slideTriangle("edge-equations"));
+        const Explanation setUp = explainStep(*traced, 0);
+
+        // 1·3 − 7·8 + 5: P₂ is on the negative side of P₀P₁.
+        QCOMPARE(inSetUp(*traced, "sidedness₀"), Quantity::integer(-48));
+        QCOMPARE(inSetUp(*traced, "s₀"), Quantity::integer(-1));
+        QCOMPARE(inSetUp(*traced, "a₀"), Quantity::integer(-1));
+        QCOMPARE(inSetUp(*traced, "F₀"), Quantity::integer(48));
+        const qsizetype side = placeOf(setUp, "sidedness₀");
+        const qsizetype sign = placeOf(setUp, "s₀");
+        QVERIFY(side >= 0 && side < sign && sign < placeOf(setUp, "a₀"));
+        const FormulaLine &sided = setUp.lines[std::size_t(side)];
+        QCOMPARE(sided.symbols,
+                 QStringLiteral("sidedness₀ = (y₁ − y₀)·x₂ + (x₀ − x₁)·y₂ + (x₁·y₀ − x₀·y₁)"));
+        QCOMPARE(sided.substituted, QStringLiteral("(2 − 1)·3 + (2 − 9)·8 + (9·1 − 2·2)"));
+        QCOMPARE(setUp.lines[std::size_t(sign)].substituted,
+                 QStringLiteral("−1 if (−48) < 0, else 1"));
+
+        Scene turned = slideTriangle("edge-equations");
+        std::swap(turned.triangles[0].vertices[1], turned.triangles[0].vertices[2]);
+        QCOMPARE(inSetUp(*traceScene(turned), "s₀"), Quantity::integer(1));
+    }
+
+    void theOffScreenPointDecidesByNumbersThatAreShown_data()
+    {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<QStringList>("titles");
+        const QStringList lower
+            = {QStringLiteral("f_bc(r)"), QStringLiteral("f_bc(a)·f_bc(r)"),
+               QStringLiteral("f_ca(b)·f_ca(r)"), QStringLiteral("f_ab(c)·f_ab(r)")};
+        QTest::newRow("off-screen") << QStringLiteral("barycentric-off-screen") << lower;
+        QTest::newRow("incremental") << QStringLiteral("barycentric-incremental") << lower;
+        QTest::newRow("relative") << QStringLiteral("barycentric-relative") << lower;
+        QTest::newRow("Cramer's rule")
+            << QStringLiteral("barycentric-cramer")
+            << QStringList{QStringLiteral("f_bc(r)"), QStringLiteral("f_bc(A)·f_bc(r)"),
+                           QStringLiteral("f_ca(B)·f_ca(r)"), QStringLiteral("f_ab(C)·f_ab(r)")};
+    }
+    void theOffScreenPointDecidesByNumbersThatAreShown()
+    {
+        QFETCH(QString, id);
+        QFETCH(QStringList, titles);
+        const auto traced = traceScene(slideTriangle(qPrintable(id), FillRule::OffScreenPoint));
+        const auto number
+            = [&](const QString &title) { return inSetUp(*traced, title.toUtf8().constData()); };
+
+        // r = (−1, −1). f_bc = 6x + 6y − 66, f_ca = −7x + y + 13, f_ab = x − 7y + 5; each is −48 at
+        // the vertex that faces it.
+        QCOMPARE(number(QStringLiteral("x_r")), Quantity::integer(-1));
+        QCOMPARE(number(QStringLiteral("y_r")), Quantity::integer(-1));
+        QCOMPARE(number(titles[0]), Quantity::integer(-78));
+        QCOMPARE(number(titles[1]), Quantity::integer(-48 * -78));
+        QCOMPARE(number(titles[2]), Quantity::integer(-48 * 19));
+        QCOMPARE(number(titles[3]), Quantity::integer(-48 * 11));
+        QCOMPARE(number(QStringLiteral("tie_bc")), Quantity::integer(1));
+        QCOMPARE(number(QStringLiteral("tie_ca")), Quantity::integer(0));
+        QCOMPARE(number(QStringLiteral("tie_ab")), Quantity::integer(0));
+        const Explanation setUp = explainStep(*traced, 0);
+        const qsizetype tie = placeOf(setUp, "tie_ca");
+        QVERIFY(tie >= 0);
+        QCOMPARE(setUp.lines[std::size_t(tie)].substituted,
+                 QStringLiteral("1 if (−912) > 0, else 0"));
+    }
+
+    void noNumberOfThePointStandsUnderAnotherRule()
+    {
+        const auto traced = traceScene(slideTriangle("barycentric-rectangle", FillRule::TopLeft));
+        QVERIFY(inSetUp(*traced, "x_r").isNone());
+        QVERIFY(inSetUp(*traced, "f_bc(r)").isNone());
+        const Explanation setUp = explainStep(*traced, 0);
+        QCOMPARE(placeOf(setUp, "f_bc(r)"), qsizetype(-1));
+        // f_a·a_bc = −48·6 < 0: the edge bc is a right one.
+        QCOMPARE(setUp.lines[std::size_t(placeOf(setUp, "tie_bc"))].symbols,
+                 QStringLiteral("tie_bc = 1 if f_a·a_bc > 0, else 0"));
+        QCOMPARE(inSetUp(*traced, "tie_bc"), Quantity::integer(0));
+    }
+
+    void aRefusedTieTellsTheProduct()
+    {
+        const auto traced
+            = traceScene(slideTriangle("barycentric-off-screen", FillRule::OffScreenPoint));
+        const QString reason = pixelHistory(*traced, 2, 1).front().reason;
+        QVERIFY2(reason.contains(QStringLiteral("off-screen point (−1, −1)")), qPrintable(reason));
+        QVERIFY2(reason.contains(QStringLiteral("their product, −")), qPrintable(reason));
+    }
+
+    /// p_k = 2Δy·x_k − 2Δx·y_k + c, as the slide has it before it drops what does not change.
+    void bresenhamsConstantMakesEveryDecision_data()
+    {
+        QTest::addColumn<Shape>("line");
+        QTest::addColumn<int>("constant");
+        QTest::newRow("the slide's") << lineAt(20, 41, 30, 44) << 696;
+        QTest::newRow("falling") << lineAt(20, 44, 30, 41) << -1004;
+        QTest::newRow("steep") << lineAt(41, 20, 44, 30) << 696;
+    }
+    void bresenhamsConstantMakesEveryDecision()
+    {
+        QFETCH(Shape, line);
+        QFETCH(int, constant);
+        const auto traced = traceScene(sceneOf(line, "line-bresenham", frameOf(60, 60)));
+        QCOMPARE(inSetUp(*traced, "c"), Quantity::integer(constant));
+        const bool falls = line.vertices[0].position.y > line.vertices[1].position.y;
+        for (std::size_t span = 1; span < traced->trace->spanCount(); ++span) {
+            const double along = inSpan(*traced, span, "x_k").toDouble();
+            const double across = inSpan(*traced, span, "y_k").toDouble();
+            QCOMPARE(inSpan(*traced, span, "p_k").toDouble(),
+                     6 * along + (falls ? 20 : -20) * across + constant);
+        }
+    }
+
+    /// The slide's line as the lower edge of a triangle.
+    void theMidpointOutlineShowsWhatLedToItsPixels()
+    {
+        Scene scene;
+        scene.frame = frameOf(60, 60);
+        scene.triangles = {Triangle{{{{latticePixel(20, 41), {{255, 0, 0}}},
+                                      {latticePixel(30, 44), {{0, 255, 0}}},
+                                      {latticePixel(30, 50), {{0, 0, 255}}}}}}};
+        scene.method = "midpoint-outline-fill";
+        const auto traced = traceScene(scene);
+        QVERIFY(inSpan(*traced, 0, "p_low").isNone()); // no decision leads to the first pixel
+        QList<double> decisions;
+        for (std::size_t span = 1; span < traced->trace->spanCount(); ++span)
+            decisions += inSpan(*traced, span, "p_low").toDouble();
+        QCOMPARE(decisions, (QList<double>{-4, 2, -12, -6, 0, -14, -8, -2, 4, -10}));
+        QCOMPARE(inSetUp(*traced, "Δ₀₁"), Quantity::integer(10));
+        QCOMPARE(inSetUp(*traced, "δ₀₁"), Quantity::integer(3));
+    }
+};
+
+PIXELPLUMB_TEST(TestDecidingNumbers)
+
+} // namespace tst_decidingnumbers
+
+#include "tst_decidingnumbers.moc"
