@@ -4,6 +4,7 @@
 #include "widgets/look/blend.h"
 #include "widgets/look/channelformula.h"
 #include "widgets/look/numberformat.h"
+#include "widgets/look/signs.h"
 #include "widgets/look/typesetting.h"
 
 #include <QCoreApplication>
