@@ -45,6 +45,7 @@ QString usageOf(const Positional &positional)
     case Positional::Presence::Optional:
         return u'[' + positional.name + u']';
     case Positional::Presence::Several:
+    case Positional::Presence::Command:
         break;
     }
     return positional.name + QStringLiteral("...");
@@ -116,14 +117,17 @@ std::optional<ExitCode> CommandLine::parse(const QStringList &arguments)
         const Positional &missing = m_positionals[std::size_t(positionals.size())];
         return refuse(QStringLiteral("%1 is missing: %2").arg(missing.name, missing.meaning));
     }
-    // What follows the first of several may be empty: a program's arguments.
-    for (qsizetype place = 0; place < std::min(positionals.size(), expected); ++place) {
-        const Positional &positional = m_positionals[std::size_t(place)];
+    const auto last = expected > 0 ? presence(expected - 1) : Positional::Presence::Required;
+    const bool takesMore
+        = last == Positional::Presence::Several || last == Positional::Presence::Command;
+    for (qsizetype place = 0; place < positionals.size() && expected > 0; ++place) {
+        if (place >= expected && last != Positional::Presence::Several)
+            break;
+        const Positional &positional = m_positionals[std::size_t(std::min(place, expected - 1))];
         if (positionals[place].isEmpty())
             return refuse(
                 QStringLiteral("%1 is empty: %2").arg(positional.name, positional.meaning));
     }
-    const bool takesMore = expected > 0 && presence(expected - 1) == Positional::Presence::Several;
     if (positionals.size() > expected && !takesMore)
         return refuse(QStringLiteral("unexpected argument “%1”").arg(argument(expected)));
     return std::nullopt;

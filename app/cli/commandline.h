@@ -21,11 +21,16 @@ struct Command {
 
 /// A word that follows the command.
 struct Positional {
-    enum class Presence { Required, Optional, Several };
+    enum class Presence {
+        Required,
+        Optional,
+        Several,
+        Command, ///< a program and its arguments, which may be empty
+    };
 
     QString name; ///< "SCENE"
     QString meaning;
-    /// Optional ones, and what there may be one or more of, stand last.
+    /// All but required ones stand last.
     Presence presence = Presence::Required;
 };
 

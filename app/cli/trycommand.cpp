@@ -136,7 +136,7 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
                      {{QStringLiteral("PROGRAM"),
                        QStringLiteral("a program and its arguments, after -- where one of them "
                                       "begins with -"),
-                       Positional::Presence::Several}});
+                       Positional::Presence::Command}});
     addTrialOptions(line);
     addSettingOptions(line);
     if (const auto ended = line.parse(arguments))

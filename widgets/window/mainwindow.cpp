@@ -56,11 +56,6 @@ namespace pixelplumb {
 
 namespace {
 
-/// Asked for by the window itself, so that no panel that is opened, dragged or reset can make the
-/// window larger than a person has made it: panels that do not fit have less room than they ask
-/// for.
-constexpr QSize leastSize(800, 500);
-
 ColumnPlaces columnPlacesOf(const Canvas &canvas)
 {
     const double origin = canvas.positionOf(QPoint(0, 0)).x();
@@ -75,7 +70,6 @@ MainWindow::MainWindow(QWidget *parent)
 {
     setObjectName(QStringLiteral("mainWindow"));
     setAcceptDrops(true);
-    setMinimumSize(leastSize);
     m_palettes = new PaletteSwitch(this);
     makeParts();
     makeCentre();

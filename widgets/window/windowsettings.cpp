@@ -19,6 +19,10 @@ namespace {
 int layoutVersion() { return 3 * 100 + int(panels().size()); }
 
 constexpr QSize firstSize(1440, 960);
+/// Asked for by the window itself, so that no panel that is opened, dragged or reset can make the
+/// window larger than a person has made it: panels that do not fit have less room than they ask
+/// for.
+constexpr QSize leastSize(800, 500);
 /// What a desktop's frame and title bar take beside the window's own size; not known before it is
 /// shown.
 constexpr QSize frameRoom(8, 40);
@@ -36,6 +40,7 @@ WindowSettings::WindowSettings(const WindowParts &parts, QMainWindow *window)
     : m_parts(parts)
     , m_window(window)
 {
+    window->setMinimumSize(leastSize.boundedTo(window->screen()->availableSize() - frameRoom));
 }
 
 bool WindowSettings::restore()

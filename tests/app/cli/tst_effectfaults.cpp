@@ -326,8 +326,9 @@ private slots:
     // (½·255/3) ÷ (½/1 + ½/3) = 42½ ÷ ⅔ = 63¾; without perspective 127½.
     void thatOfATriangleInPerspectiveIsNotTheFlatOne()
     {
-        const QByteArray scene = R"({"pixelplumb":1,"frame":{"width":12,"height":6},"primitives":[
-            {"triangle":[[0,0],[10,0],[0,5]],"colors":["#000000","#ffffff","#000000"],"w":[1,3,1]}]})";
+        const QByteArray scene = sceneOf({},
+                                         "{'triangle':[[0,0],[10,0],[0,5]],"
+                                         "'colors':['#000000','#ffffff','#000000'],'w':[1,3,1]}");
         const QByteArray told = run({"pixel", "-", "5", "0"}, scene).output;
         QVERIFY2(told.contains("    R = 63 3/4 → 64; exact 63 3/4, error 0\n"), told);
         const QByteArray flat
@@ -338,11 +339,10 @@ private slots:
     // The base level is white; half of it over black is ⌊255·128/255 + ½⌋ = 128.
     void ofAByteThatEffectsMadeTheLevelsOwnByteStandsBeforeIt()
     {
-        const QByteArray told
-            = run({"pixel", "-", "1", "1"}, R"({"pixelplumb":1,"frame":{"width":12,"height":6},
-                "primitives":[{"triangle":[[0,0],[10,0],[0,5]],
-                "colors":["#ffffff80","#ffffff80","#ffffff80"]}]})")
-                  .output;
+        const QByteArray scene = sceneOf({},
+                                         "{'triangle':[[0,0],[10,0],[0,5]],"
+                                         "'colors':['#ffffff80','#ffffff80','#ffffff80']}");
+        const QByteArray told = run({"pixel", "-", "1", "1"}, scene).output;
         QVERIFY2(told.contains("    R = 255 → 255 → 128; exact 255, error 0\n"), told);
     }
 };

@@ -51,7 +51,7 @@ private slots:
             "18446744073709551615");
         row("a picture of no name", {"diagnose", "", "--scene", scene},
             "PICTURE is empty: what a program drew of each scene");
-        row("a scene of no name among others", {"render", "", scene, "--ascii"},
+        row("a scene of no name among others", {"render", scene, "", "--ascii"},
             "SCENE is empty: scene files (JSON), or - for standard input");
         row("a study of no scene", {"lab", ""}, "SCENE is empty: a scene file");
         row("a method of no name", {"methods", ""}, "NAME is empty: One method, whole");
