@@ -13,7 +13,9 @@ the nearest so far is drawn, and becomes the nearest. With 4 or 16 samples the p
 an edge meets have the mean of the pictures that are seen from the samples; with the area, alpha is
 multiplied by the part of the pixel's square that the triangle covers, with the attributes of the
 triangle's plane at the pixel's centre, and nothing where 1/w is not above 0 there. A triangle
-without area draws nothing. Under top_left y points down, but up in the patterns of the samples.
+without area is the segment between its outermost vertices: the closed rule draws the pixels whose
+centres lie on it, whole, with the attributes between those two; other rules draw nothing. Under
+top_left y points down, but up in the patterns of the samples.
 """
 
 import sys
@@ -55,6 +57,21 @@ def weights(v, p):
     whole = area_of(v)
     return [Fraction(area_of((p, v[1], v[2])), whole), Fraction(area_of((v[0], p, v[2])), whole),
             Fraction(area_of((v[0], v[1], p)), whole)]
+
+
+def segment_weights(v, p):
+    """The weights of the outermost vertices at p, none where p is not on the segment."""
+    start, end = min(range(3), key=lambda i: v[i]), max(range(3), key=lambda i: v[i])
+    (xa, ya), (xb, yb) = v[start], v[end]
+    way = max(abs(xb - xa), abs(yb - ya))
+    if area_of((v[start], v[end], p)) != 0 or not (min(xa, xb) <= p[0] <= max(xa, xb)
+                                                   and min(ya, yb) <= p[1] <= max(ya, yb)):
+        return None
+    parts = [Fraction(0)] * 3
+    along = max(abs(p[0] - xa), abs(p[1] - ya)) / way if way else Fraction(0)
+    parts[start] += 1 - along
+    parts[end] += along
+    return parts
 
 
 def mean(parts, values):
@@ -147,16 +164,16 @@ def drawn(case, triangles, p, offset, rule):
     bits = case.get("depthBits", "exact")
     for triangle in triangles:
         v = triangle.moved(*offset)
-        if area_of(v) == 0:
-            continue
         part = 1
-        if case.get("antialiasing") == "area":
+        if area_of(v) == 0:
+            parts = segment_weights(triangle.v, p) if rule == "closed" else None
+        elif case.get("antialiasing") == "area":
             part = share(v, p)
-            if part == 0:
-                continue
-        elif not covers(v, p, rule):
+            parts = weights(v, p) if part > 0 else None
+        else:
+            parts = weights(v, p) if covers(v, p, rule) else None
+        if parts is None:
             continue
-        parts = weights(v, p)
         seen = [part_of / w for part_of, w in zip(parts, triangle.w)]
         if sum(seen) <= 0:
             continue

@@ -23,8 +23,8 @@ public:
     using Pixels = std::map<std::pair<std::int64_t, std::int64_t>, QRgb>; ///< by (x, y)
 
     /// names: what the set-up has worked out, by the titles of its numbers.
-    ListingRun(const Pseudocode &code, ListingNames names, const SampleBox &box)
-        : m_code(code)
+    ListingRun(Pseudocode code, ListingNames names, const SampleBox &box)
+        : m_code(std::move(code))
         , m_names(std::move(names))
         , m_box(box)
     {
@@ -49,7 +49,7 @@ private:
     bool holdsChain(const QString &comparison) const;
     Number valueOf(const QString &expression) const;
 
-    const Pseudocode &m_code;
+    Pseudocode m_code;
     ListingNames m_names;
     SampleBox m_box;
     Pixels m_pixels;

@@ -3,6 +3,7 @@
 #include "core/number/wideinteger.h"
 #include "core/runs/formulaexplanation.h"
 #include "core/runs/pixelhistory.h"
+#include "tests/support/casestorun.h"
 #include "tests/support/effectscenes.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/testprogram.h"
@@ -57,7 +58,7 @@ std::array<BigInteger, 3> partsAt(const Triangle &triangle, std::int64_t x, std:
 
 /// The levels at a sample, from the vertices: Σ λ·c/w ÷ Σ λ/w, λ the parts of the area that face
 /// the vertices; all w taken as 1 without perspective, all c as the first where colours are not
-/// smooth. None where Σ λ/w is not above 0.
+/// smooth. Where Σ λ/w is not above 0 none, but of one colour this, which no w changes.
 std::optional<std::array<BigRational, 3>> levelsAt(const Primitives &primitives, std::size_t index,
                                                    std::int64_t x, std::int64_t y)
 {
@@ -66,6 +67,10 @@ std::optional<std::array<BigRational, 3>> levelsAt(const Primitives &primitives,
     const auto &vertices = primitives.triangles[index].vertices;
     const TriangleAttributes *attributes = primitives.attributesOf(index);
     const std::array<BigInteger, 3> parts = partsAt(primitives.triangles[index], x, y);
+    const auto &first = vertices[0].colour;
+    if (std::ranges::all_of(vertices, [&](const Vertex &each) { return each.colour == first; }))
+        return std::array<BigRational, 3>{int(first.channels[0]), int(first.channels[1]),
+                                          int(first.channels[2])};
     BigRational below = 0;
     std::array<BigRational, 3> above = {0, 0, 0};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -147,7 +152,8 @@ private:
     {
         PixelHistoryModel model;
         const std::vector<SampleRow> rows = sampleRows(*traced, span);
-        for (std::size_t i = span % 3; i < rows.size(); i += 3) {
+        const std::size_t stride = areAllCasesRun() ? 3 : 12;
+        for (std::size_t i = span % stride; i < rows.size(); i += stride) {
             const SampleRow &row = rows[i];
             const SampleRecord &sample = row.record;
             if (sample.colour[0].isNone()) {

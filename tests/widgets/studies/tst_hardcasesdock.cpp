@@ -185,8 +185,7 @@ private slots:
                                  30000);
 
         grabbed(*m_window, QStringLiteral("hardcases"));
-        // Not hardCasesTree: it was found on #0e2130 in the light palette, and nobody knows why
-        // yet.
+        // Not hardCasesTree, most of which are the cases' pictures, on grounds of their own.
         QTRY_COMPARE(readingFault(*named<QWidget>(*m_window, "hardCaseWords")), QString());
     }
 

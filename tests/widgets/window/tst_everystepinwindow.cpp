@@ -54,7 +54,8 @@ private slots:
             for (std::size_t i = 0; i < methods().size(); ++i) {
                 const Method &method = methods()[(scene + i) % methods().size()];
                 drawn.method = method.id.toStdString();
-                if (drawsAnyOf(drawn) != draws)
+                drawn.settings = method.adapted(m_scenes[scene].second.settings);
+                if (drawsAnyOf(drawn) != draws || !objectionTo(drawn).isEmpty())
                     continue;
                 QCOMPARE(faultUnder(*window, method, scene), QString());
                 break;

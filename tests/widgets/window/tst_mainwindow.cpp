@@ -49,6 +49,7 @@ private slots:
     void threeClicksOnTheCanvasDrawTheTriangle()
     {
         const auto window = openedWindow(Scene());
+        window->resize(1000, 700); // each pixel can be hit, on a small screen too
         clickPixel(*window, {4, 5});
         clickPixel(*window, {58, 12});
         clickPixel(*window, {26, 44});
