@@ -10,7 +10,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int side = 20; // px, of the frame
+constexpr int frameSide = 20; // px, of the frame
 
 /// Points in and around the frame, finer and finer: on whole pixels, on halves, on 1/256 px.
 class RandomScenes {
@@ -19,7 +19,7 @@ public:
     {
         m_step = std::array<Lattice, 3>{256, 128, 1}[below(3)];
         Scene scene;
-        scene.frame = frameOf(side, side);
+        scene.frame = frameOf(frameSide, frameSide);
         scene.frame.origin = m_count % 2 == 0 ? FrameOrigin::BottomLeft : FrameOrigin::TopLeft;
         scene.frame.pixelCentre = m_count / 2 % 2 == 0 ? PixelCentre::Integer : PixelCentre::Half;
         scene.triangles = {{{vertex(), vertex(), vertex()}}};
@@ -31,7 +31,8 @@ public:
                         shape(PrimitiveKind::Polygon, 3 + below(4)),
                         text()};
         for (const ShapeFill fill : {ShapeFill::Outline, ShapeFill::NonZero}) {
-            scene.shapes.push_back(circleAt(std::int64_t(below(side)), std::int64_t(below(side)),
+            scene.shapes.push_back(circleAt(std::int64_t(below(frameSide)),
+                                            std::int64_t(below(frameSide)),
                                             std::int64_t(1 + below(12)), fill));
             scene.shapes.push_back(
                 ellipseAtUnits(point(), 1 + Lattice(below(3000)), 1 + Lattice(below(3000)), fill));
@@ -45,7 +46,7 @@ private:
     LatticePoint point()
     {
         const auto coordinate = [this] {
-            return (Lattice(below((side + 16) * unitsPerPixel)) / m_step
+            return (Lattice(below((frameSide + 16) * unitsPerPixel)) / m_step
                     - 8 * unitsPerPixel / m_step)
                 * m_step;
         };
