@@ -2222,6 +2222,10 @@
         <source>Formulas</source>
         <translation>Formeln</translation>
     </message>
+    <message>
+        <source>Recording the run</source>
+        <translation>Der Lauf wird aufgezeichnet</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::FrameDialog</name>
@@ -5275,6 +5279,10 @@
     <message>
         <source>Click the centre and a corner of the square around the circle; Primitives ▸ Form makes it an ellipse</source>
         <translation>Den Mittelpunkt und eine Ecke des Quadrats um den Kreis anklicken; Primitive ▸ Form macht eine Ellipse daraus</translation>
+    </message>
+    <message>
+        <source>The run is still being recorded. Its numbers appear here.</source>
+        <translation>Der Lauf wird noch aufgezeichnet. Seine Zahlen erscheinen hier.</translation>
     </message>
 </context>
 <context>

@@ -51,7 +51,8 @@ Explanation invitation(const Playhead &playhead)
     Explanation explanation;
     const TracedScene *traced = playhead.traced();
     if (!traced || traced->trace->spanCount() == 0) {
-        explanation.heading = FormulaPanel::tr("Nothing is drawn");
+        explanation.heading
+            = traced ? FormulaPanel::tr("Nothing is drawn") : FormulaPanel::tr("Recording the run");
         explanation.sentence = emptyRunText(traced);
         return explanation;
     }

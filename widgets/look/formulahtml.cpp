@@ -18,6 +18,8 @@ namespace pixelplumb {
 namespace {
 
 constexpr float quietShare = 0.38F; // keeps 4.5:1 on black and white
+/// Of longer numbers lines may end within: they would not fit into a panel.
+constexpr qsizetype mostUnbroken = 26; // characters, as a double's with sign and exponent
 
 constexpr std::array otherSubjects
     = {NumberSubject::General, NumberSubject::LowerEdge, NumberSubject::UpperEdge,
@@ -183,17 +185,24 @@ private:
     /// The first cell is as wide as its text.
     static QString beside(const QString &symbols, const QString &html)
     {
-        return QStringLiteral("<td width='1'><p style='white-space:nowrap; margin:0'>%1</p></td>"
-                              "<td>%2</td>")
-            .arg(symbols.isEmpty() ? symbols : symbols + QStringLiteral(" &nbsp;"), html);
+        return QStringLiteral("<td width='1'>%1</td><td>%2</td>")
+            .arg(unbroken(symbols.isEmpty() ? symbols : symbols + QStringLiteral(" &nbsp;")), html);
+    }
+
+    static QString unbroken(const QString &html)
+    {
+        return QStringLiteral("<p style='white-space:nowrap; margin:0'>%1</p>").arg(html);
     }
 
     QString used(const FormulaLine &line) const
     {
         const bool isSame = isCompared(line, m_arithmetic) && isSameAsExact(line);
-        return QStringLiteral("<td align='right' style='padding-left:12px'>%1%2</td>")
-            .arg(isSame ? quiet(FormulaHtml::tr("exact")) + QStringLiteral("&nbsp; ") : QString(),
-                 usedHtml(line, m_arithmetic));
+        const QString html = isSame ? quiet(FormulaHtml::tr("exact")) + QStringLiteral("&nbsp; ")
+                + usedHtml(line, m_arithmetic)
+                                    : usedHtml(line, m_arithmetic);
+        const bool isWhole = displayText(line.used, m_arithmetic).size() <= mostUnbroken;
+        return QStringLiteral("<td align='right' style='padding-left:12px'>%1</td>")
+            .arg(isWhole ? unbroken(html) : html);
     }
 
     /// The exact number and the error, where the arithmetic has rounded.
@@ -204,7 +213,8 @@ private:
         const QString exact
             = QStringLiteral("&nbsp; &nbsp; ") + quiet(typesetHtml(exactText(line)));
         row((symbols == ChannelSymbols::Beside ? beside({}, exact) : wide(exact))
-            + QStringLiteral("<td align='right'>%1</td>").arg(quiet(typesetHtml(errorText(line)))));
+            + QStringLiteral("<td align='right'>%1</td>")
+                  .arg(unbroken(quiet(typesetHtml(errorText(line))))));
     }
 
     void row(const QString &cells)

@@ -103,14 +103,14 @@ QString foreignSceneHint(const Scene &scene)
 
 QString emptyRunText(const TracedScene *traced)
 {
-    const QString foreign = traced ? foreignSceneHint(traced->scene) : QString();
+    if (!traced)
+        return PlacingHint::tr("The run is still being recorded. Its numbers appear here.");
+    const QString foreign = foreignSceneHint(traced->scene);
     if (!foreign.isEmpty())
         return foreign;
-    if (!traced || traced->primitives.size() == 0) {
-        const PrimitiveKind kind = traced ? traced->method->kinds.front() : PrimitiveKind::Triangle;
+    if (traced->primitives.size() == 0)
         return PlacingHint::tr("%1. Every number of every step appears here.")
-            .arg(invitation(kind));
-    }
+            .arg(invitation(traced->method->kinds.front()));
     return PlacingHint::tr("The method drew nothing of this scene.");
 }
 

@@ -21,7 +21,8 @@ QString placingHint(PrimitiveKind kind, std::size_t pendingVertices, FrameConten
 /// empty scene.
 QString foreignSceneHint(const Scene &scene);
 
-/// Why a run has no steps to show, and what to do about it; without a run, how to begin.
+/// Why a run has no steps to show, and what to do about it; without a run, that it is on its
+/// way.
 QString emptyRunText(const TracedScene *traced);
 
 } // namespace pixelplumb

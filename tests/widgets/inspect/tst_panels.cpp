@@ -15,6 +15,8 @@
 #include <QTextBlock>
 #include <QTextBrowser>
 
+#include <algorithm>
+
 namespace tst_panels {
 
 using namespace pixelplumb;
@@ -33,6 +35,7 @@ private slots:
     void formulasNameTheNumbersOfTheStep();
     void theWayFromSpaceStandsWhereASolidsTriangleBegins();
     void theChangeOfHalfIsAnEvent();
+    void numbersStandOnOneLineInANarrowPanel();
     void anEmptySceneSaysWhatToDo();
     void formulasKeepTheirPlaceWhileStepping();
     void shortFormulasHaveNoScrollBarAtAnyWidth();
@@ -100,13 +103,40 @@ void TestPanels::theChangeOfHalfIsAnEvent()
     QVERIFY(heading->text().contains(QStringLiteral("L₁₂")));
 }
 
+void TestPanels::numbersStandOnOneLineInANarrowPanel()
+{
+    Playhead playhead;
+    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Float64)));
+    FormulaPanel panel(&playhead);
+    panel.resize(330, 700);
+    panel.show();
+    playhead.seekToSpan(std::size_t(rowOf(58)));
+    const Explanation explanation = explainStep(*playhead.traced(), playhead.position() - 1);
+    QStringList numbers;
+    for (const FormulaLine &line : explanation.lines)
+        numbers += displayText(line.used, Arithmetic::Float64);
+
+    const QTextDocument &document = *panel.findChild<QTextBrowser *>()->document();
+    int found = 0;
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        const QString text = block.text().remove(QChar(0x2060));
+        const bool isNumber = std::ranges::any_of(
+            numbers, [&](const QString &number) { return text.endsWith(number); });
+        if (!isNumber)
+            continue;
+        ++found;
+        QVERIFY2(block.layout()->lineCount() == 1, qPrintable(text));
+    }
+    QVERIFY(found >= 10);
+}
+
 void TestPanels::anEmptySceneSaysWhatToDo()
 {
     Playhead playhead;
     FormulaPanel panel(&playhead);
     const auto *sentence = panel.findChild<QLabel *>(QStringLiteral("formulaSentence"));
 
-    QVERIFY(sentence->text().contains(QStringLiteral("Click three points on the canvas")));
+    QVERIFY(sentence->text().contains(QStringLiteral("is still being recorded")));
 
     playhead.setTraced(traceScene(Scene()));
     QVERIFY(sentence->text().contains(QStringLiteral("Click three points on the canvas")));
