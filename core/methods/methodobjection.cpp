@@ -52,11 +52,14 @@ QString askerText(const EffectPlan &plan, const std::vector<Effect> &effects)
     }));
 }
 
+/// able: the methods that can, under the scene's fill rule.
 QString lackText(const std::vector<Effect> &missing, const QString &asker, const QStringList &able)
 {
     const QString separator = QStringLiteral(", ");
     return QStringLiteral("cannot do %1, %2; %3 can")
-        .arg(namesOf(missing).join(separator), asker, able.join(separator));
+        .arg(namesOf(missing).join(separator), asker,
+             able.isEmpty() ? QStringLiteral("no method that keeps the fill rule")
+                            : able.join(separator));
 }
 
 } // namespace
@@ -113,8 +116,9 @@ QString Method::objection(const EffectPlan &plan, const ScanSettings &settings) 
     std::erase_if(missing, [this](Effect effect) { return supports(effect); });
     if (!missing.empty())
         return lackText(missing, askerText(plan, missing),
-                        methodsThatDo(missing, [](const Method &method) {
-                            return method.draws(PrimitiveKind::Triangle);
+                        methodsThatDo(missing, [&settings](const Method &method) {
+                            return method.draws(PrimitiveKind::Triangle)
+                                && method.supports(settings.fillRule);
                         }));
     const QString separator = QStringLiteral(", ");
     if (!settings.variants.isEmpty() && !run.empty())

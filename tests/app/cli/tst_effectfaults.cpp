@@ -345,6 +345,17 @@ private slots:
         const QByteArray told = run({"pixel", "-", "1", "1"}, scene).output;
         QVERIFY2(told.contains("    R = 255 → 255 → 128; exact 255, error 0\n"), told);
     }
+
+    void aMethodThatCannotKeepTheRuleIsNotRecommended()
+    {
+        const QByteArray scene = sceneOf("'fillRule':'off-screen-point',",
+                                         "{'triangle':[[0,0],[10,0],[0,5]],"
+                                         "'colors':['#ff0000','#00ff00','#0000ff'],'w':[1,2,3]}");
+        const ProgramRun refused = run({"render", "-", "--ascii"}, scene);
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.messages.contains("; no method that keeps the fill rule can"),
+                 refused.messages);
+    }
 };
 
 PIXELPLUMB_TEST(TestEffectFaults)
