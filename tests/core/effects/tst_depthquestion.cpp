@@ -270,7 +270,7 @@ private slots:
                                answer.place));
             ++calledFor;
         }
-        QVERIFY(calledFor > 0);
+        QVERIFY(calledFor > 0 || isSanitized); // too few scenes then
     }
 
     void depthsOfAnySizeAreComparedInTheirLastUnit()
