@@ -120,9 +120,10 @@ std::optional<ExitCode> CommandLine::parse(const QStringList &arguments)
     const auto last = expected > 0 ? presence(expected - 1) : Positional::Presence::Required;
     const bool takesMore
         = last == Positional::Presence::Several || last == Positional::Presence::Command;
-    for (qsizetype place = 0; place < positionals.size() && expected > 0; ++place) {
-        if (place >= expected && last != Positional::Presence::Several)
-            break;
+    const qsizetype filled = last == Positional::Presence::Several
+        ? positionals.size()
+        : std::min(positionals.size(), expected);
+    for (qsizetype place = 0; place < filled; ++place) {
         const Positional &positional = m_positionals[std::size_t(std::min(place, expected - 1))];
         if (positionals[place].isEmpty())
             return refuse(

@@ -40,23 +40,10 @@ DepthTest depthTestOf(DepthFormat format)
 /// Whether depth runs for a triangle.
 bool runsDepth(const Appearance &appearance, const DepthAnswer &depth, std::size_t triangle)
 {
-    switch (appearance.forced[Effect::Depth]) {
-    case Forcing::AsCalledFor:
-        break;
-    case Forcing::On:
-        return true;
-    case Forcing::Off:
-        return false;
-    }
-    switch (appearance.depth) {
-    case DepthUse::Auto:
-        return !depth.inQuestion.empty() && depth.inQuestion[triangle];
-    case DepthUse::Off:
-        return false;
-    case DepthUse::On:
-        return true;
-    }
-    return false;
+    const bool isInQuestion = !depth.inQuestion.empty() && depth.inQuestion[triangle];
+    const bool isNeeded
+        = appearance.depth == DepthUse::On || (appearance.depth == DepthUse::Auto && isInQuestion);
+    return isForced(isNeeded, appearance.forced[Effect::Depth]);
 }
 
 /// Gathers triangles in order: a run has one set of effects. What reaches no pixel joins whatever

@@ -56,6 +56,18 @@ Verdict verdictOf(Effect effect, const NeedsTally &tally)
     return isInDoubt ? Verdict::NotRuledOut : Verdict::NotCalledFor;
 }
 
+/// What is asked for; none where that is as called for and nothing calls for it.
+template <class All>
+Antialiasing runningOn(const All &all, const Appearance &appearance, const SampledFrame &asked)
+{
+    if (asked.antialiasing == Antialiasing::None
+        || appearance.forced[Effect::Antialiasing] != Forcing::AsCalledFor)
+        return asked.antialiasing;
+    const bool isCalledFor = std::ranges::any_of(
+        all, [&](const auto &primitive) { return hasEdgePixels(primitive, asked); });
+    return isCalledFor ? asked.antialiasing : Antialiasing::None;
+}
+
 } // namespace
 
 Antialiasing antialiasingOf(const Appearance &appearance)
@@ -71,22 +83,6 @@ Antialiasing antialiasingOf(const Appearance &appearance)
     }
     return appearance.antialiasing;
 }
-
-namespace {
-
-/// What is asked for; none where that is as called for and nothing calls for it.
-template <class All>
-Antialiasing runningOn(const All &all, const Appearance &appearance, const SampledFrame &asked)
-{
-    if (asked.antialiasing == Antialiasing::None
-        || appearance.forced[Effect::Antialiasing] != Forcing::AsCalledFor)
-        return asked.antialiasing;
-    const bool isCalledFor = std::ranges::any_of(
-        all, [&](const auto &primitive) { return hasEdgePixels(primitive, asked); });
-    return isCalledFor ? asked.antialiasing : Antialiasing::None;
-}
-
-} // namespace
 
 Antialiasing triangleAntialiasing(const Primitives &primitives, const FrameView &frame)
 {

@@ -149,17 +149,10 @@ template std::array<ExactReal, 3> litLevels(const Appearance &, const Material &
 
 bool lightsVertices(const Appearance &appearance)
 {
-    if (appearance.shading == Shading::Phong)
-        return false;
-    switch (appearance.forced[Effect::Light]) {
-    case Forcing::AsCalledFor:
-        break;
-    case Forcing::On:
-        return true;
-    case Forcing::Off:
-        return false;
-    }
-    return !appearance.lights.empty();
+    const Forcing forcing = appearance.forced[Effect::Light];
+    const bool runs
+        = forcing == Forcing::AsCalledFor ? !appearance.lights.empty() : forcing == Forcing::On;
+    return runs && appearance.shading != Shading::Phong;
 }
 
 void lightPlainTriangles(std::vector<Triangle> &triangles,
