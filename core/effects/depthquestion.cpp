@@ -227,7 +227,7 @@ DepthAnswer depthQuestion(const Primitives &primitives, const ScanSettings &sett
     answer.ground = DepthAnswer::Ground::SameDepth;
     if (haveOneDepth(primitives))
         return answer;
-    const SampledFrame where = {frame, settings.fillRule, antialiasing};
+    const SampledFrame where = sampledFrame(frame, settings, antialiasing);
     const DepthCandidates candidates = depthCandidatesOf(primitives, where);
     answer.ground = DepthAnswer::Ground::FewTriangles;
     if (candidates.boxes.size() < 2)

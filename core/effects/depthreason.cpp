@@ -17,7 +17,7 @@ QString depthReason(const DepthAnswer &answer)
     using Ground = DepthAnswer::Ground;
     switch (answer.ground) {
     case Ground::FewTriangles:
-        return QStringLiteral("there are no two triangles in the frame");
+        return QStringLiteral("no two triangles are drawn in the frame");
     case Ground::SameDepth:
         return QStringLiteral("all triangles have the same depth");
     case Ground::InOrder:

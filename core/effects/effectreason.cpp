@@ -205,9 +205,10 @@ QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing)
     };
     if (antialiasing == Antialiasing::None)
         return QStringLiteral("the scene asks for one sample a pixel");
-    if (tally.drawnTriangles + tally.drawnStrokes == 0)
+    const bool isCalledFor = tally.of[Effect::Antialiasing].primitives > 0;
+    if (!isCalledFor && tally.drawnTriangles + tally.drawnStrokes == 0)
         return QStringLiteral("no triangle, line or curve is drawn");
-    if (tally.of[Effect::Antialiasing].primitives == 0)
+    if (!isCalledFor)
         return antialiasing == Antialiasing::Area
             ? QStringLiteral("no edge parts a pixel of the frame: each is covered whole or not at "
                              "all")
@@ -245,8 +246,8 @@ QString countedWords(std::size_t count, std::size_t all, const QString &noun,
 QString effectReason(Effect effect, const NeedsTally &tally, const Primitives &primitives,
                      const ScanSettings &settings, const FrameView &frame)
 {
-    if (tally.drawn == 0)
-        return QStringLiteral("nothing reaches the frame");
+    if (tally.drawn == 0 && tally.of[effect].primitives == 0)
+        return QStringLiteral("nothing is drawn in the frame");
     switch (effect) {
     case Effect::SmoothColour:
         return smoothColourReason(tally, primitiveWord(primitives));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/framereach.h"
 
+#include "core/effects/drawnplane.h"
+#include "core/effects/edgepixels.h"
+#include "core/effects/strokearea.h"
 #include "core/effects/strokestrip.h"
 
 #include <algorithm>
@@ -16,44 +19,54 @@ std::int64_t sizeOf(const SampleBox &box)
 }
 
 /// The closed squares of a frame's pixels together; units of so many a pixel.
-struct FrameSquare {
+class FrameSquare {
+public:
     FrameSquare(const FrameView &frame, std::int64_t unitsOfPixel)
-        : pixel(unitsOfPixel)
-        , left(frame.firstColumn * pixel - pixel / 2)
-        , right(frame.endColumn() * pixel - pixel / 2)
-        , low(frame.firstRow * pixel - pixel / 2)
-        , high(frame.endRow() * pixel - pixel / 2)
+        : m_pixel(unitsOfPixel)
+        , m_left(frame.firstColumn * m_pixel - m_pixel / 2)
+        , m_right(frame.endColumn() * m_pixel - m_pixel / 2)
+        , m_low(frame.firstRow * m_pixel - m_pixel / 2)
+        , m_high(frame.endRow() * m_pixel - m_pixel / 2)
     {
     }
 
-    /// Whether a segment meets it; `isOpen`: its interior, and not only along borders of pixels.
+    /// Whether a segment has a point of it.
     template <class Point>
-    bool isMetBy(const Point &a, const Point &b, bool isOpen) const
+    bool isMetBy(const Point &a, const Point &b) const
     {
-        const auto isBorder = [this](std::int64_t at) { return (at - pixel / 2) % pixel == 0; };
-        if (isOpen && ((a.x == b.x && isBorder(a.x)) || (a.y == b.y && isBorder(a.y))))
-            return false;
-        const auto isBeside = [isOpen](std::int64_t most, std::int64_t from) {
-            return isOpen ? most <= from : most < from;
-        };
-        if (isBeside(std::max(a.x, b.x), left) || isBeside(right, std::min(a.x, b.x))
-            || isBeside(std::max(a.y, b.y), low) || isBeside(high, std::min(a.y, b.y)))
-            return false;
-        // Apart, else, only where the line has all four corners on one side.
-        Int128 least = 0, most = 0;
-        bool isFirst = true;
-        for (const std::int64_t x : {left, right}) {
-            for (const std::int64_t y : {low, high}) {
-                const Int128 side = Int128(b.x - a.x) * (y - a.y) - Int128(x - a.x) * (b.y - a.y);
-                least = isFirst ? side : std::min(least, side);
-                most = isFirst ? side : std::max(most, side);
-                isFirst = false;
-            }
-        }
-        return isOpen ? least < 0 && most > 0 : least <= 0 && most >= 0;
+        return !isPartedFrom(a, b, [](auto most, auto from) { return most < from; });
+    }
+    /// Whether a segment has a point of its interior.
+    template <class Point>
+    bool isEnteredBy(const Point &a, const Point &b) const
+    {
+        return !isPartedFrom(a, b, [](auto most, auto from) { return most <= from; });
+    }
+    /// Whether a segment lies on a border between pixels: it parts none.
+    template <class Point>
+    bool hasAsBorder(const Point &a, const Point &b) const
+    {
+        const auto isBorder = [this](std::int64_t at) { return (at - m_pixel / 2) % m_pixel == 0; };
+        return (a.x == b.x && isBorder(a.x)) || (a.y == b.y && isBorder(a.y));
     }
 
-    std::int64_t pixel, left, right, low, high;
+private:
+    /// By a side of the square, or by the segment's own line.
+    template <class Point, class IsBeside>
+    bool isPartedFrom(const Point &a, const Point &b, const IsBeside &isBeside) const
+    {
+        if (isBeside(std::max(a.x, b.x), m_left) || isBeside(m_right, std::min(a.x, b.x))
+            || isBeside(std::max(a.y, b.y), m_low) || isBeside(m_high, std::min(a.y, b.y)))
+            return true;
+        const auto sideOf = [&](std::int64_t x, std::int64_t y) {
+            return Int128(b.x - a.x) * (y - a.y) - Int128(x - a.x) * (b.y - a.y);
+        };
+        const auto [least, most] = std::minmax({sideOf(m_left, m_low), sideOf(m_left, m_high),
+                                                sideOf(m_right, m_low), sideOf(m_right, m_high)});
+        return isBeside(most, Int128(0)) || isBeside(Int128(0), least);
+    }
+
+    std::int64_t m_pixel, m_left, m_right, m_low, m_high;
 };
 
 /// Calls `visit` with the absolute differences of x and y along each edge, px.
@@ -68,13 +81,50 @@ void forEachEdge(const Triangle &triangle, const Visit &visit)
     }
 }
 
-} // namespace
+/// Whether the sample next to the triangle's middle lies inside of it: so of most triangles.
+bool coversItsMiddle(const Triangle &triangle, const SampleBox &box)
+{
+    const auto middleOf = [&](Lattice LatticePoint::*along, std::int64_t first, std::int64_t end) {
+        const auto &v = triangle.vertices;
+        const Lattice sum = v[0].position.*along + v[1].position.*along + v[2].position.*along;
+        return std::clamp(std::int64_t(floorPixel(sum / 3 + halfPixel)), first, end - 1);
+    };
+    const LatticePoint middle = latticePixel(middleOf(&LatticePoint::x, box.firstX, box.endX),
+                                             middleOf(&LatticePoint::y, box.firstY, box.endY));
+    int left = 0, right = 0; // of how many edges
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Int128 side = doubledArea(triangle.vertices[i].position,
+                                        triangle.vertices[(i + 1) % 3].position, middle);
+        left += side > 0 ? 1 : 0;
+        right += side < 0 ? 1 : 0;
+    }
+    return left == 3 || right == 3;
+}
 
-SampleBox reachOf(const Triangle &triangle, const SampledFrame &where)
+/// Whether it is drawn at some sample of these pixels, or where areas are covered has a part of
+/// one.
+bool isDrawnIn(const SampleBox &box, const Triangle &triangle, const SampledFrame &where)
+{
+    const auto isDrawnAs = [&](const LatticePoint &sample) {
+        if (coversItsMiddle(seenFrom(triangle, sample), box))
+            return true;
+        const DrawnPlane plane({&triangle}, sample, where);
+        for (std::int64_t y = box.firstY; y < box.endY; ++y) {
+            RowPixels columns = {box.firstX, box.endX};
+            plane.keepDrawn(columns, y);
+            if (!columns.isEmpty())
+                return true;
+        }
+        return false;
+    };
+    const std::span<const LatticePoint> pattern = samplePattern(where.antialiasingOf(triangle));
+    return pattern.empty() ? isDrawnAs({}) : std::ranges::any_of(pattern, isDrawnAs);
+}
+
+/// The pixels of the frame that the triangle's bounding box meets.
+SampleBox boxReachOf(const Triangle &triangle, const SampledFrame &where)
 {
     const FrameView &frame = where.frame;
-    if (doubledArea(triangle) == 0 && where.rule != FillRule::Closed)
-        return {};
     if (where.antialiasingOf(triangle) == Antialiasing::None)
         return intersection(boundingBoxOf(triangle), samplesOf(frame));
     const auto &v = triangle.vertices;
@@ -83,6 +133,35 @@ SampleBox reachOf(const Triangle &triangle, const SampledFrame &where)
     const SampleBox squares{ceilPixel(left - halfPixel), floorPixel(right + halfPixel) + 1,
                             ceilPixel(low - halfPixel), floorPixel(high + halfPixel) + 1};
     return intersection(squares, samplesOf(frame));
+}
+
+/// Whether a stroke covers the frame's first sample, and with it all of the frame where its border
+/// does not enter that.
+bool coversFirstSample(const StrokeStrip &strip, const FrameView &frame)
+{
+    std::vector<StrokePixel> quads;
+    for (std::uint32_t i = 0; i < strip.quads.size(); ++i)
+        quads.push_back({frame.firstColumn, frame.firstRow, i});
+    return !quads.empty() && StrokeCoverage(quads, strip.quads).covers({});
+}
+
+} // namespace
+
+SampledFrame sampledFrame(const FrameView &frame, const ScanSettings &settings,
+                          Antialiasing antialiasing)
+{
+    return {frame, settings.fillRule, antialiasing,
+            settings.arithmetic == Arithmetic::Exact && settings.variants.isEmpty()};
+}
+
+SampleBox reachOf(const Triangle &triangle, const SampledFrame &where)
+{
+    if (doubledArea(triangle) == 0 && where.rule != FillRule::Closed)
+        return {};
+    const SampleBox box = boxReachOf(triangle, where);
+    if (box.isEmpty() || (where.isExact && !isDrawnIn(box, triangle, where)))
+        return {};
+    return box;
 }
 
 std::int64_t mostPixelsOf(const Triangle &triangle, const SampleBox &reach,
@@ -122,12 +201,12 @@ std::int64_t mostPixelsOf(const Shape &stroke, const FrameView &frame)
     return std::min(inFrame, std::int64_t(std::ceil(area + perimeter / 2 + 1)));
 }
 
-std::int64_t mostEdgePixelsOf(const Triangle &triangle, const SampleBox &reach)
+std::int64_t mostEdgePixelsOf(const Triangle &triangle, const SampledFrame &where)
 {
     // Along a border between squares it meets those of both sides, and at a corner all four.
     double pixels = 0;
     forEachEdge(triangle, [&](double x, double y) { pixels += std::ceil(2 * (x + y)) + 4; });
-    return std::min(sizeOf(reach), std::int64_t(pixels));
+    return std::min(sizeOf(boxReachOf(triangle, where)), std::int64_t(pixels));
 }
 
 bool hasEdgePixels(const Triangle &triangle, const SampledFrame &where)
@@ -135,13 +214,19 @@ bool hasEdgePixels(const Triangle &triangle, const SampledFrame &where)
     if (where.antialiasingOf(triangle) == Antialiasing::None)
         return false;
     const FrameSquare square(where.frame, unitsPerPixel);
-    const bool isOpen = where.antialiasing == Antialiasing::Area;
+    bool isMet = false;
     for (std::size_t i = 0; i < 3; ++i) {
-        if (square.isMetBy(triangle.vertices[i].position, triangle.vertices[(i + 1) % 3].position,
-                           isOpen))
-            return true;
+        const LatticePoint &a = triangle.vertices[i].position;
+        const LatticePoint &b = triangle.vertices[(i + 1) % 3].position;
+        isMet |= where.antialiasing == Antialiasing::Area
+            ? square.isEnteredBy(a, b) && !square.hasAsBorder(a, b)
+            : square.isMetBy(a, b);
     }
-    return false;
+    // A triangle may be drawn without antialiasing alone: between the samples of its pixels.
+    return isMet
+        && (!reachOf(triangle, where).isEmpty()
+            || !reachOf(triangle, {where.frame, where.rule, Antialiasing::None, where.isExact})
+                    .isEmpty());
 }
 
 bool hasEdgePixels(const Shape &stroke, const SampledFrame &where)
@@ -149,15 +234,19 @@ bool hasEdgePixels(const Shape &stroke, const SampledFrame &where)
     if (where.antialiasing == Antialiasing::None || stroke.vertices.empty() || !isStroke(stroke))
         return false;
     const FrameSquare square(where.frame, strokeUnitsPerPixel);
-    const bool isOpen = where.antialiasing == Antialiasing::Area;
     const StrokeStrip strip = strokeStripOf(stroke, where.frame);
-    return std::ranges::any_of(strip.quads, [&](const StrokeQuad &quad) {
+    bool isTouched = false;
+    for (const StrokeQuad &quad : strip.quads) {
         for (std::size_t i = 0; i < quad.size(); ++i) {
-            if (square.isMetBy(quad[i], quad[(i + 1) % quad.size()], isOpen))
+            const StrokePoint &a = quad[i];
+            const StrokePoint &b = quad[(i + 1) % quad.size()];
+            const bool isByArea = where.antialiasing == Antialiasing::Area;
+            if (square.isEnteredBy(a, b) && !(isByArea && square.hasAsBorder(a, b)))
                 return true;
+            isTouched |= !isByArea && square.isMetBy(a, b);
         }
-        return false;
-    });
+    }
+    return isTouched && coversFirstSample(strip, where.frame);
 }
 
 } // namespace pixelplumb

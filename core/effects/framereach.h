@@ -4,6 +4,7 @@
 #include "core/frame/frameview.h"
 #include "core/geometry/shape.h"
 #include "core/scan/edgeteststate.h"
+#include "core/scan/scansettings.h"
 
 namespace pixelplumb {
 
@@ -15,6 +16,9 @@ struct SampledFrame {
     FrameView frame;
     FillRule rule = FillRule::Closed;
     Antialiasing antialiasing = Antialiasing::None;
+    /// Whether triangles are drawn at their own samples and no others. Bounds that are rounded, and
+    /// variants, may draw others.
+    bool isExact = true;
 
     /// A triangle without area has a segment, which is drawn at the pixels' own samples.
     Antialiasing antialiasingOf(const Triangle &triangle) const
@@ -23,9 +27,12 @@ struct SampledFrame {
     }
 };
 
-/// The pixels of the frame within the triangle's bounding box. Where pixels have more than one
-/// sample, those whose closed square meets the box. None of a triangle without area where the rule
-/// does not paint it.
+SampledFrame sampledFrame(const FrameView &frame, const ScanSettings &settings,
+                          Antialiasing antialiasing);
+
+/// The pixels of the frame within the triangle's bounding box; where pixels have more than one
+/// sample, those whose closed square meets the box. None of a triangle that is not drawn: one
+/// without area where the rule does not paint it, and one that lies between the samples.
 SampleBox reachOf(const Triangle &triangle, const SampledFrame &where);
 /// How many of them it may cover: no more than its reach, and no more than A + P/2 + 1 of any
 /// convex figure of area A and perimeter P (Nosarzewska 1948). Where pixels have more than one
@@ -36,14 +43,14 @@ std::int64_t mostPixelsOf(const Triangle &triangle, const SampleBox &reach,
 /// the same says of its segment widened by one pixel on every side; of a curve all of them.
 std::int64_t mostPixelsOf(const Shape &stroke, const FrameView &frame);
 /// Through how many of them an edge may pass.
-std::int64_t mostEdgePixelsOf(const Triangle &triangle, const SampleBox &reach);
+std::int64_t mostEdgePixelsOf(const Triangle &triangle, const SampledFrame &where);
 
-/// Whether an edge of a triangle that has an area meets a pixel of the frame: with 4 or 16 samples
-/// its closed square, where areas are covered so that some of the square lies to each side. Exact;
-/// where none does, antialiasing changes nothing.
+/// Whether an edge of a triangle that has an area and is drawn so, or without antialiasing, meets a
+/// pixel of the frame: with 4 or 16 samples its closed square, where areas are covered so that some
+/// of the square lies to each side. Exact; where none does, antialiasing changes nothing.
 bool hasEdgePixels(const Triangle &triangle, const SampledFrame &where);
-/// The same of the border of a line or curve one pixel wide. Of a curve the joints of its pieces
-/// count, too.
+/// Whether a line or curve one pixel wide covers a part of the frame and its border meets a pixel
+/// so. Of a curve the joints of its pieces count, too.
 bool hasEdgePixels(const Shape &stroke, const SampledFrame &where);
 
 } // namespace pixelplumb

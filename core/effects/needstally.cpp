@@ -18,12 +18,14 @@ public:
         : m_appearance(primitives.appearance)
         , m_cutAtNear(primitives.cutAtNear)
         , m_where(where)
-        , m_asked{where.frame, where.rule, primitives.appearance.antialiasing}
+        , m_asked{where.frame, where.rule, primitives.appearance.antialiasing, where.isExact}
     {
     }
 
     void add(std::size_t index, const Triangle &triangle, const TriangleAttributes *attributes)
     {
+        if (hasEdgePixels(triangle, m_asked))
+            m_tally.of[Effect::Antialiasing].add(mostEdgePixelsOf(triangle, m_asked));
         const SampleBox reach = reachOf(triangle, m_where);
         if (reach.isEmpty()) {
             ++m_tally.outside;
@@ -39,9 +41,6 @@ public:
                 m_tally.of[effect].add(pixels);
         };
         addIf(needs.effects.smooth, Effect::SmoothColour);
-        if (hasEdgePixels(triangle, m_asked))
-            m_tally.of[Effect::Antialiasing].add(
-                mostEdgePixelsOf(triangle, reachOf(triangle, m_asked)));
         if (!attributes)
             return;
         addIf(needs.effects.perspective, Effect::Perspective);

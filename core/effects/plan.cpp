@@ -11,11 +11,6 @@ namespace pixelplumb {
 
 namespace {
 
-bool isForced(bool isNeeded, Forcing forcing)
-{
-    return forcing == Forcing::AsCalledFor ? isNeeded : forcing == Forcing::On;
-}
-
 /// Texture and light have nothing to work with where there are no texels and no normals; a light
 /// that is forced on shines from where lights are, and is the ambient one where there are none.
 EffectSet withForcing(EffectSet effects, const TriangleAttributes *attributes,
@@ -121,9 +116,9 @@ EffectPlan planFor(const Primitives &primitives, const ScanSettings &settings,
 {
     const Appearance &appearance = primitives.appearance;
     EffectPlan plan;
-    plan.antialiasing = triangleAntialiasing(primitives, frame);
+    plan.antialiasing = triangleAntialiasing(primitives, settings, frame);
     plan.strokeAntialiasing = strokeAntialiasing(primitives, frame);
-    const SampledFrame where = {frame, settings.fillRule, plan.antialiasing};
+    const SampledFrame where = sampledFrame(frame, settings, plan.antialiasing);
     const DepthAnswer depth = depthQuestion(primitives, settings, frame, plan.antialiasing);
     plan.verdicts = requirementsWith(primitives, settings, where, depth);
     plan.batches = batchesOf(primitives, where, depth);

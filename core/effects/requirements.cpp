@@ -84,11 +84,12 @@ Antialiasing antialiasingOf(const Appearance &appearance)
     return appearance.antialiasing;
 }
 
-Antialiasing triangleAntialiasing(const Primitives &primitives, const FrameView &frame)
+Antialiasing triangleAntialiasing(const Primitives &primitives, const ScanSettings &settings,
+                                  const FrameView &frame)
 {
     const Appearance &appearance = primitives.appearance;
     return runningOn(primitives.triangles, appearance,
-                     {frame, FillRule::Closed, antialiasingOf(appearance)});
+                     sampledFrame(frame, settings, antialiasingOf(appearance)));
 }
 
 Antialiasing strokeAntialiasing(const Primitives &primitives, const FrameView &frame)
@@ -123,7 +124,7 @@ PerEffect<EffectVerdict> requirementsOf(const Primitives &primitives, const Scan
                                         const FrameView &frame)
 {
     const Antialiasing antialiasing = primitives.appearance.antialiasing;
-    return requirementsWith(primitives, settings, {frame, settings.fillRule, antialiasing},
+    return requirementsWith(primitives, settings, sampledFrame(frame, settings, antialiasing),
                             depthQuestion(primitives, settings, frame, antialiasing));
 }
 

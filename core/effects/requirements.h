@@ -9,8 +9,9 @@ namespace pixelplumb {
 Antialiasing antialiasingOf(const Appearance &appearance);
 
 /// That which runs for the triangles and for the lines and curves: none where it changes nothing,
-/// because no edge meets a pixel of the frame, and nobody forces it on.
-Antialiasing triangleAntialiasing(const Primitives &primitives, const FrameView &frame);
+/// because no edge of what is drawn meets a pixel of the frame, and nobody forces it on.
+Antialiasing triangleAntialiasing(const Primitives &primitives, const ScanSettings &settings,
+                                  const FrameView &frame);
 Antialiasing strokeAntialiasing(const Primitives &primitives, const FrameView &frame);
 
 /// requirementsOf, where the question of depth was answered already.

@@ -39,6 +39,11 @@ struct PerEffect {
 
 /// What a person switched by hand, to see what it costs or changes; never in a file.
 enum class Forcing : std::uint8_t { AsCalledFor, On, Off };
+/// What then runs.
+constexpr bool isForced(bool isCalledFor, Forcing forcing)
+{
+    return forcing == Forcing::AsCalledFor ? isCalledFor : forcing == Forcing::On;
+}
 using EffectForcing = PerEffect<Forcing>;
 
 } // namespace pixelplumb

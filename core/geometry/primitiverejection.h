@@ -10,7 +10,7 @@ namespace pixelplumb {
 /// Why a primitive draws nothing.
 enum class PrimitiveRejection {
     ZeroArea, ///< no colour plane, and only the closed rule paints a segment or a point
-    OutsideFrame, ///< no sample of the frame lies within its bounding box
+    OutsideFrame, ///< no sample of the frame lies within its bounding box, or in it
     NotRepresentable, ///< a coordinate does not fit the arithmetic (fixed 16.16: |c| < 2^15 px)
     VerticalLine, ///< y = m·x + b has no m
     NotOfThisMethod, ///< the method draws other kinds of primitives

@@ -2,13 +2,7 @@
 #pragma once
 
 #include "core/geometry/triangle.h"
-#include "core/number/commonfraction.h"
-#include "core/number/fixedpoint.h"
-#include "core/number/mixednumber.h"
-#include "core/scan/biasnumber.h"
-
-#include <cmath>
-#include <concepts>
+#include "core/number/quantity.h"
 
 /// How far a number that a kernel holds is from the exact level.
 namespace pixelplumb {
@@ -60,24 +54,15 @@ private:
     std::array<Int128, 3> m_perY = {};
 };
 
-/// used − exact, levels. The difference of the wholes is taken first, so that the error of a
-/// number near the level is told to some 10^-16.
-template <std::floating_point Float>
-double levelError(const ExactLevel &exact, Float used)
+/// used − exact, levels; 0 where two fractions are equal, and nowhere else. The difference of the
+/// wholes is taken first, so that the error of a number near the level is told to some 10^-16.
+inline double levelError(const ExactLevel &exact, const Quantity &used)
 {
-    return (double(used) - double(exact.whole)) - exact.fraction();
-}
-
-template <class Raw, class Product, int FractionBits>
-double levelError(const ExactLevel &exact, FixedPoint<Raw, Product, FractionBits> used)
-{
-    return levelError(exact, std::ldexp(double(used.raw()), -FractionBits));
-}
-
-/// Of a fraction: 0 where they are equal, and nowhere else.
-inline double levelError(const ExactLevel &exact, Int128 whole, Int128 remainder,
-                         Int128 denominator)
-{
+    if (!used.isRational())
+        return (used.toDouble() - double(exact.whole)) - exact.fraction();
+    const Int128 denominator = used.denominator();
+    const Int128 whole = floorDivide<Int128>(used.numerator(), denominator);
+    const Int128 remainder = used.numerator() - whole * denominator;
     constexpr Int128 factorsFit = Int128(1) << 63;
     if (exact.denominator >= factorsFit || denominator >= factorsFit)
         return double(whole - exact.whole)
@@ -85,30 +70,6 @@ inline double levelError(const ExactLevel &exact, Int128 whole, Int128 remainder
     const Int128 crossed = remainder * exact.denominator - exact.remainder * denominator;
     return double(whole - exact.whole)
         + double(crossed) / (double(denominator) * double(exact.denominator));
-}
-
-template <class Integer>
-double levelError(const ExactLevel &exact, const MixedNumber<Integer> &used)
-{
-    return levelError(exact, Int128(used.whole), Int128(used.remainder), Int128(used.denominator));
-}
-
-template <class Integer>
-double levelError(const ExactLevel &exact, const FractionOf<Integer> &used)
-{
-    const auto whole = Int128(used.floor());
-    return levelError(exact, whole, Int128(used.numerator) - whole * Int128(used.denominator),
-                      Int128(used.denominator));
-}
-
-inline double levelError(const ExactLevel &exact, const BiasNumber &used)
-{
-    return levelError(exact, used.value());
-}
-
-inline double levelError(const ExactLevel &exact, const BiasOrExactNumber &used)
-{
-    return used.isExact ? levelError(exact, used.exact) : levelError(exact, used.biased);
 }
 
 } // namespace pixelplumb

@@ -3,7 +3,6 @@
 
 #include "core/lab/labfigures.h"
 
-#include <span>
 #include <vector>
 
 namespace pixelplumb {
@@ -22,20 +21,10 @@ struct LevelTally {
     std::optional<LevelErrors> errors();
 };
 
-/// Draws a triangle that has an area by the method's plain kernel and compares the numbers that it
+/// Traces a triangle that has an area by the method's plain kernel and compares the numbers that it
 /// holds, before they are rounded to bytes, with the exact plane, wherever the truth's picture is
-/// not transparent too. False where the method has no such kernel.
+/// not transparent too. False where the method draws no triangles.
 bool probeLevels(const Method &method, const ScanSettings &settings, const Triangle &triangle,
                  FrameView frame, const FrameView &truth, LevelTally &tally);
-
-/// A method whose kernel is compiled with an observer that looks at levels.
-struct ProbedMethod {
-    const char *id;
-    void (*probe)(const Primitives &one, const ScanSettings &settings, FrameView frame,
-                  const FrameView &truth, LevelTally &tally);
-};
-std::span<const ProbedMethod> probedWalks();
-std::span<const ProbedMethod> probedTests();
-std::span<const ProbedMethod> probedInterpolations();
 
 } // namespace pixelplumb

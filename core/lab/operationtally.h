@@ -18,11 +18,9 @@ public:
     OperationTally(const OperationTally &) = delete;
     OperationTally &operator=(const OperationTally &) = delete;
 
-    static void count(Operation operation, std::int64_t times = 1)
-    {
-        if (inHand)
-            inHand->counts.stages[std::size_t(inHand->m_stage)][std::size_t(operation)] += times;
-    }
+    /// Not inline: it stands beside every operation of every kernel that counts, and would be half
+    /// of what the compiler has to do there.
+    static void count(Operation operation, std::int64_t times = 1);
 
     WorkStage enter(WorkStage stage) { return std::exchange(m_stage, stage); }
     void beginPrimitive() { m_stage = WorkStage::SetUp; }

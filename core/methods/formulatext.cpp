@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/formulatext.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pixelplumb {
@@ -10,34 +11,47 @@ namespace {
 constexpr qsizetype longestTerm = 16;
 /// Below, six digits after the point would say too little.
 constexpr double smallestDecimal = 0.001;
-constexpr int shownDigits = 6;
 
-QString shortened(const Quantity &quantity)
+QString shortened(const Quantity &quantity, int places)
 {
     if (!quantity.isFinite())
         return toText(quantity);
     const double value = quantity.toDouble();
     if (std::abs(value) < smallestDecimal)
-        return QString::number(value, 'e', shownDigits) + u'…';
-    const auto [digits, isCut] = cutDecimal(quantity, shownDigits);
+        return QString::number(value, 'e', places) + u'…';
+    const auto [digits, isCut] = cutDecimal(quantity, places);
     return isCut ? digits + u'…' : digits;
 }
 
 } // namespace
 
-QString term(const Quantity &quantity)
+QString term(const Quantity &quantity, int places)
 {
     QString text = toText(quantity);
-    if (text.size() > longestTerm && !quantity.isInteger())
-        text = shortened(quantity);
+    if (text.size() > longestTerm + places - usualPlaces && !quantity.isInteger())
+        text = shortened(quantity, places);
     return text.replace(u'-', u'−'); // in an exponent too
 }
 
-QString operand(const Quantity &quantity)
+QString operand(const Quantity &quantity, int places)
 {
-    const QString text = term(quantity);
+    const QString text = term(quantity, places);
     return text.contains(u' ') || text.startsWith(u'−') || text.contains(u'/') ? u'(' + text + u')'
                                                                                : text;
+}
+
+int placesOfOperands(const Quantity &result)
+{
+    constexpr int mostPlaces = 17; // no double near a pixel has more
+    if (!result.isFinite() || result.isInteger())
+        return usualPlaces;
+    const QString digits = cutDecimal(result, mostPlaces).digits;
+    const qsizetype first = digits.indexOf(u'.') + 1;
+    qsizetype end = first;
+    while (end < digits.size() && digits[end] == digits[first]
+           && (digits[end] == u'0' || digits[end] == u'9'))
+        ++end;
+    return std::clamp(int(end - first) + 3, usualPlaces, mostPlaces);
 }
 
 Quantity pixels(Lattice units) { return Quantity::rational(units, unitsPerPixel); }

@@ -7,12 +7,19 @@
 
 namespace pixelplumb {
 
+/// Digits after the point of a long number, where no more are needed.
+inline constexpr int usualPlaces = 6;
+
 /// A number inside a formula or a sentence: exact text while it is short, else decimals and "…", as
 /// many as part it from the whole number next to it; with minus signs, not hyphens.
-QString term(const Quantity &quantity);
+QString term(const Quantity &quantity, int places = usualPlaces);
 
 /// A term that may be negative or a mixed number, as a factor or after an operator.
-QString operand(const Quantity &quantity);
+QString operand(const Quantity &quantity, int places = usualPlaces);
+
+/// How many digits after the point the operands of a sum need, so that they add up to this side of
+/// the whole number next to the result: two more than the result itself, if it is that near.
+int placesOfOperands(const Quantity &result);
 
 /// Lattice units as pixels.
 Quantity pixels(Lattice units);

@@ -7,6 +7,10 @@
 /// timed, and the optimiser takes twice as long for what is.
 namespace pixelplumb {
 
+extern template TraceFunction traceWith<InterpolationKernel<InterpolationForm::Bilinear>>;
+extern template TraceFunction traceWith<InterpolationKernel<InterpolationForm::BilinearRows>>;
+extern template TraceFunction traceWith<InterpolationKernel<InterpolationForm::Plane>>;
+extern template TraceFunction traceWith<InterpolationKernel<InterpolationForm::Barycentric>>;
 extern template TraceFunction traceCarried<InterpolationForm::Bilinear>;
 extern template TraceFunction traceCarried<InterpolationForm::BilinearRows>;
 extern template TraceFunction traceCarried<InterpolationForm::Plane>;

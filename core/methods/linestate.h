@@ -62,6 +62,8 @@ struct DecisionState {
     bool movesAcross = false; ///< that decision was to go one across
     bool startsLine = false; ///< no decision led here, because the line starts on this very pixel
     Quantity ordinate; ///< y of the line at this pixel, exchanged, px
+    /// Of Bresenham's set-up: c, 2Δy and 2Δx; none where it has no c.
+    Quantity constant, perColumn, perRow;
 
     bool isLedByDecision() const { return !k.isNone(); }
     bool isSteep() const { return place.axis == LineAxis::Y; }
@@ -157,6 +159,10 @@ inline DecisionState lineStateOf(const BresenhamSetUp &setUp, const BresenhamSpa
     state.place = step.place;
     state.acrossStep = setUp.acrossStep;
     state.startsLine = step.isStart();
+    const DecisionSetUpState numbers = lineStateOf(setUp);
+    state.constant = numbers.constant;
+    state.perColumn = numbers.stayIncrement;
+    state.perRow = Quantity::integer(2 * Int128(setUp.deltaX));
     if (setUp.deltaX > 0)
         state.nextDecision = Quantity::integer(step.nextDecision);
     if (step.isStart())

@@ -31,6 +31,24 @@ QString signText(const Quantity &decision)
         + (decision.numerator() < 0 ? QStringLiteral(" < 0") : QStringLiteral(" > 0"));
 }
 
+/// "2Δy·x_k − 2Δx·y_k + c = 6·20 − 20·41 + 702 = ", as the slide has it; empty where there is no c.
+QString wholeDecision(const DecisionState &state)
+{
+    if (state.constant.isNone())
+        return {};
+    const QChar sign = state.falls() ? u'+' : u'−';
+    const auto terms = [sign](const QString &perColumn, const QString &x, const QString &perRow,
+                              const QString &y, const QString &constant) {
+        return QStringLiteral("%1·%2 %3 %4·%5 + %6 = ")
+            .arg(perColumn, x, sign, perRow, y, constant);
+    };
+    return terms(QStringLiteral("2Δy"), QStringLiteral("x_k"), QStringLiteral("2Δx"),
+                 QStringLiteral("y_k"), QStringLiteral("c"))
+        + terms(operand(state.perColumn), operand(Quantity::integer(state.place.along - 1)),
+                operand(state.perRow), operand(Quantity::integer(state.acrossBefore())),
+                operand(state.constant));
+}
+
 /// "p_k = 2 > 0: step diagonally to the pixel (3, 2); Δp = 2Δy − 2Δx = −14."
 QString decisionSentence(const DecisionState &state)
 {
@@ -45,7 +63,7 @@ QString decisionSentence(const DecisionState &state)
     const QString stay = isSteep ? QStringLiteral("stay in the column, at")
                                  : QStringLiteral("stay in the row, at");
     return QStringLiteral("p_k = %1: %2 %3; Δp = %4 = %5.")
-        .arg(signText(state.decision),
+        .arg(wholeDecision(state) + signText(state.decision),
              state.movesAcross ? QStringLiteral("step diagonally to") : stay,
              pixelText(state.place),
              state.movesAcross ? QStringLiteral("2Δy − 2Δx") : QStringLiteral("2Δy"),

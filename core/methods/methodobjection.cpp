@@ -62,10 +62,6 @@ QString lackText(const std::vector<Effect> &missing, const QString &asker, const
                             : able.join(separator));
 }
 
-} // namespace
-
-namespace {
-
 /// The ids of those that can be given the variant.
 QStringList methodsThatKnow(Variant variant)
 {

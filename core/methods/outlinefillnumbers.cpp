@@ -241,6 +241,24 @@ void tellOutline(StepWords &words, const OutlineFillSetUp &setUp)
                          .arg(points.join(QStringLiteral(", ")));
 }
 
+namespace {
+
+/// " p_low = −3 < 0: at (4, 2) the line stayed." Empty of an edge's first pixel, which nothing
+/// decides.
+QString decidedSentence(const QString &bound, const OutlinePixel &pixel,
+                        const OutlineDecision &decision, std::int64_t x)
+{
+    if (decision.parameter.isNone())
+        return {};
+    const bool stays = decision.parameter.numerator() < 0;
+    return QStringLiteral(" p_%1 = %2 %3 0: to (%4, %5) the line %6.")
+        .arg(bound, term(decision.parameter), stays ? QStringLiteral("<") : QStringLiteral("≥"),
+             QString::number(x), QString::number(pixel.row),
+             stays ? QStringLiteral("stayed") : QStringLiteral("went one across"));
+}
+
+} // namespace
+
 void tellOutline(StepWords &words, const OutlineSpanState &state)
 {
     words.heading = QStringLiteral("Column %1").arg(state.span.column.x);
@@ -248,6 +266,11 @@ void tellOutline(StepWords &words, const OutlineSpanState &state)
         ? QStringLiteral("The outline reaches from %1, to %2: all between is filled.")
               .arg(pixelText(state.span.low), pixelText(state.span.high))
         : QStringLiteral("The outline is one pixel high: %1.").arg(pixelText(state.span.low));
+    const std::int64_t x = state.span.column.x;
+    words.sentence += decidedSentence(QStringLiteral("low"), state.span.low, state.lowDecision, x);
+    if (state.hasRate())
+        words.sentence
+            += decidedSentence(QStringLiteral("high"), state.span.high, state.highDecision, x);
     if (state.drawnSamples() == 0)
         words.sentence += QStringLiteral(" The frame shows none of it.");
 }

@@ -34,7 +34,7 @@ void appendLines(Explanation &explanation, const std::vector<NumberDescription> 
         line.symbols = start == FormulaStart::Fresh && !number.startFormula.isEmpty()
             ? number.startFormula
             : number.formula;
-        line.substituted = names.substituted(line.symbols, number.title);
+        line.substituted = names.substituted(line.symbols, number.title, placesOfOperands(used[i]));
         line.used = used[i];
         if (i < exact.size())
             line.exact = exact[i];

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/formulanames.h"
 
-#include "core/methods/formulatext.h"
-
 namespace pixelplumb {
 
 namespace {
@@ -63,7 +61,7 @@ const FormulaNames::Entry *FormulaNames::nameAt(const QString &text, qsizetype p
     return longest;
 }
 
-QString FormulaNames::substituted(const QString &formula, const QString &title) const
+QString FormulaNames::substituted(const QString &formula, const QString &title, int places) const
 {
     const QString text = rightSideOf(formula);
     QString result;
@@ -82,7 +80,7 @@ QString FormulaNames::substituted(const QString &formula, const QString &title) 
         if (value.isNone())
             result += text.sliced(place, end - place);
         else
-            result += isAlone ? term(value) : operand(value);
+            result += isAlone ? term(value, places) : operand(value, places);
         place = end;
     }
     return result;

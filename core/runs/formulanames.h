@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/methods/formulatext.h"
 #include "core/number/quantity.h"
 #include "core/trace/numberdescription.h"
 
@@ -23,8 +24,10 @@ public:
 
     /// The right side of a number's formula with each known name replaced by its value, a name with
     /// a prime by the value one step earlier. Without a value a name is left standing. The number's
-    /// own title is no name there: ⌈y_B⌉ is worked out from y_B.
-    QString substituted(const QString &formula, const QString &title) const;
+    /// own title is no name there: ⌈y_B⌉ is worked out from y_B. Long values have so many digits
+    /// after the point.
+    QString substituted(const QString &formula, const QString &title,
+                        int places = usualPlaces) const;
 
 private:
     struct Entry {

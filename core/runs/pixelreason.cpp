@@ -90,10 +90,19 @@ QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std:
     const QString sample
         = noPart.isEmpty() ? QStringLiteral("the sample") : QStringLiteral("the pixel's centre");
     const QString start = noPart.isEmpty() ? noPart : noPart + u' ';
-    if (refusing->edgeFunction == 0)
+    if (refusing->edgeFunction == 0) {
+        QStringList ties;
+        for (std::size_t i = 0; i < attempt.verdict.edges.size(); ++i) {
+            const oracle::EdgeVerdict &each = attempt.verdict.edges[i];
+            if (each.edgeFunction == 0 && !each.accepts)
+                ties.append(
+                    QStringLiteral("exactly on %1, and %2")
+                        .arg(attempt.edgeNames[i], tieText(traced, attempt.primitive, each, x, y)));
+        }
         return start
-            + QStringLiteral("T%1 lies exactly on %2, and %3.")
-                  .arg(sample.sliced(1), edge, tieText(traced, attempt.primitive, *refusing, x, y));
+            + QStringLiteral("T%1 lies %2.")
+                  .arg(sample.sliced(1), ties.join(QStringLiteral("; it lies ")));
+    }
     return start
         + QStringLiteral("Refused by %1: %2 is at %3, under the rule %4.")
               .arg(edge, sample, distanceText(*refusing, *traced.trace), nameText(nameOf(rule)));

@@ -111,12 +111,16 @@ QString refusalSentence(const TracedScene &traced, std::size_t triangle, const S
         return QStringLiteral("Refused: the triangle has no area, and the sample is not on its "
                               "segment.");
     const SetUpRecord setUp = traced.trace->setUp(triangle);
+    QStringList ties;
     for (const oracle::EdgeVerdict &edge : verdict.edges) {
         if (edge.edgeFunction == 0 && !edge.accepts)
-            return QStringLiteral("Refused: the sample lies exactly on %1, and %2.")
-                .arg(edgeName(setUp, edge.from, edge.to),
-                     tieText(traced, triangle, edge, sample.x, sample.y));
+            ties.append(QStringLiteral("exactly on %1, and %2")
+                            .arg(edgeName(setUp, edge.from, edge.to),
+                                 tieText(traced, triangle, edge, sample.x, sample.y)));
     }
+    if (!ties.isEmpty())
+        return QStringLiteral("Refused: the sample lies %1.")
+            .arg(ties.join(QStringLiteral("; it lies ")));
     return QStringLiteral("Refused by rounding: no test is negative, and by exact numbers no edge "
                           "refuses the sample.");
 }

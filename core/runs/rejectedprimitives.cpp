@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/rejectedprimitives.h"
 
+#include "core/effects/framereach.h"
+#include "core/effects/requirements.h"
 #include "core/frame/framebuffer.h"
 #include "core/methods/rejectiontext.h"
+
+#include <algorithm>
 
 namespace pixelplumb {
 
@@ -24,6 +28,20 @@ Primitives alone(const Primitives &primitives, std::size_t index)
     return one;
 }
 
+/// Whether nothing was written of a primitive that was recorded whole.
+bool wroteNothing(const ScanTrace &trace, std::size_t primitive)
+{
+    for (std::size_t span = trace.firstSpanOf(primitive); span < trace.endSpanOf(primitive);
+         ++span) {
+        for (std::size_t sample = trace.firstSampleOf(span); sample < trace.endSampleOf(span);
+             ++sample) {
+            if (trace.changes()[sample].isWritten())
+                return false;
+        }
+    }
+    return true;
+}
+
 } // namespace
 
 QString RejectedPrimitive::message() const
@@ -38,6 +56,8 @@ std::vector<RejectedPrimitive> rejectedPrimitives(const Scene &scene)
     const Method &method = *methodNamed(QString::fromStdString(scene.method));
     const Primitives primitives = primitivesOnSamples(scene);
     const FrameBuffer frame(scene.frame);
+    const SampledFrame where
+        = {frame.view(), scene.settings.fillRule, antialiasingOf(scene.appearance)};
     std::vector<RejectedPrimitive> rejected;
     TraceOptions untilTheFirstSpan;
     untilTheFirstSpan.detail = TraceDetail::Spans;
@@ -48,9 +68,15 @@ std::vector<RejectedPrimitive> rejectedPrimitives(const Scene &scene)
             rejected.push_back({index, kind, PrimitiveRejection::NotOfThisMethod});
             continue;
         }
+        const Primitives one = alone(primitives, index);
         // Cancelled, and so null, where a span was entered.
-        const auto trace = method.trace(alone(primitives, index), scene.settings, frame.view(),
-                                        untilTheFirstSpan);
+        auto trace = method.trace(one, scene.settings, frame.view(), untilTheFirstSpan);
+        if (!trace && primitives.isTriangle(index) && reachOf(one.triangles[0], where).isEmpty()) {
+            trace = method.trace(one, scene.settings, frame.view(), {});
+            if (!trace->isCut() && wroteNothing(*trace, 0))
+                rejected.push_back({index, kind, PrimitiveRejection::OutsideFrame});
+            continue;
+        }
         if (!trace || trace->primitiveCount() == 0)
             continue;
         if (const auto rejection = trace->setUp(0).rejection)
@@ -63,8 +89,13 @@ std::vector<RejectedPrimitive> rejectedPrimitives(const Primitives &primitives,
                                                   const ScanTrace &trace)
 {
     std::vector<RejectedPrimitive> rejected;
-    for (const std::size_t index : trace.rejectedPrimitives())
-        rejected.push_back({index, primitives.kindOf(index), *trace.setUp(index).rejection});
+    const std::size_t whole = trace.primitiveCount() - (trace.isCut() ? 1 : 0);
+    for (std::size_t index = 0; index < trace.primitiveCount(); ++index) {
+        if (std::ranges::binary_search(trace.rejectedPrimitives(), index))
+            rejected.push_back({index, primitives.kindOf(index), *trace.setUp(index).rejection});
+        else if (index < whole && primitives.isTriangle(index) && wroteNothing(trace, index))
+            rejected.push_back({index, PrimitiveKind::Triangle, PrimitiveRejection::OutsideFrame});
+    }
     return rejected;
 }
 

@@ -21,7 +21,8 @@ struct RejectedPrimitive {
 };
 
 /// What the scene's method rejects, in drawing order, without a recording. The kernel is asked
-/// itself, primitive by primitive, and stopped before it writes the first pixel.
+/// itself, primitive by primitive, and stopped before it writes the first pixel; of a triangle that
+/// lies between the samples it tries all.
 std::vector<RejectedPrimitive> rejectedPrimitives(const Scene &scene);
 
 /// What was rejected in a recorded run.

@@ -44,20 +44,30 @@ ScanSettings settledFor(const Method &method, ScanSettings settings, const OpenS
 
 const Method &methodFor(const Scene &scene, const OpenSettings &open)
 {
+    // The first that can do it all, or else keep the settings, or else do the effects, or draw.
     const Method *keeping = nullptr;
+    const Method *shading = nullptr;
     const Method *drawing = nullptr;
     for (const Method &method : methods()) {
         if (!drawsFirst(method, scene))
             continue;
-        drawing = drawing ? drawing : &method;
         const ScanSettings settings = settledFor(method, scene.settings, open);
-        if (!method.objection(settings).isEmpty())
-            continue;
-        keeping = keeping ? keeping : &method;
-        if (canEffects(method, scene, settings.arithmetic))
+        const bool keeps = method.objection(settings).isEmpty();
+        const bool shades = canEffects(method, scene, settings.arithmetic);
+        if (keeps && shades)
             return method;
+        if (keeps && !keeping)
+            keeping = &method;
+        if (shades && !shading)
+            shading = &method;
+        if (!drawing)
+            drawing = &method;
     }
-    return keeping ? *keeping : drawing ? *drawing : methods().front();
+    for (const Method *method : {keeping, shading, drawing}) {
+        if (method)
+            return *method;
+    }
+    return methods().front();
 }
 
 } // namespace pixelplumb

@@ -149,10 +149,8 @@ template std::array<ExactReal, 3> litLevels(const Appearance &, const Material &
 
 bool lightsVertices(const Appearance &appearance)
 {
-    const Forcing forcing = appearance.forced[Effect::Light];
-    const bool runs
-        = forcing == Forcing::AsCalledFor ? !appearance.lights.empty() : forcing == Forcing::On;
-    return runs && appearance.shading != Shading::Phong;
+    return appearance.shading != Shading::Phong
+        && isForced(!appearance.lights.empty(), appearance.forced[Effect::Light]);
 }
 
 void lightPlainTriangles(std::vector<Triangle> &triangles,

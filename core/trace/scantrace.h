@@ -93,7 +93,15 @@ public:
     virtual SpanRecord span(std::size_t span) const = 0;
     /// The span's samples in order: the kernel's own loop run again from the span's recorded
     /// state.
-    virtual std::vector<SampleRecord> samples(std::size_t span) const = 0;
+    std::vector<SampleRecord> samples(std::size_t span) const
+    {
+        return samplesWith(span, SampleCells::Filled);
+    }
+    /// The same with empty cells: in a tenth of the time.
+    std::vector<SampleRecord> samplesWithoutCells(std::size_t span) const
+    {
+        return samplesWith(span, SampleCells::Empty);
+    }
 
     /// What the numbers of these records are called in the state in hand, and what is said of it.
     virtual StepWords setUpWords(std::size_t primitive) const = 0;
@@ -102,6 +110,9 @@ public:
     virtual StepWords sampleWords(std::size_t span, std::size_t place) const = 0;
 
 protected:
+    enum class SampleCells { Filled, Empty };
+    virtual std::vector<SampleRecord> samplesWith(std::size_t span, SampleCells cells) const = 0;
+
     struct PrimitiveEntry {
         std::size_t step = 0;
         std::size_t firstSpan = 0;

@@ -69,7 +69,7 @@ public:
         record.cells = cellsOf(m_tables->span, stateOf<R>(spanInHand(span)));
         return record;
     }
-    std::vector<SampleRecord> samples(std::size_t span) const override
+    std::vector<SampleRecord> samplesWith(std::size_t span, SampleCells cells) const override
     {
         std::vector<SampleRecord> records;
         visitSamples(span,
@@ -83,7 +83,8 @@ public:
                          const SampleInHandOf<R> inHand = sampleInHand(span, x, y, fate, sample);
                          if constexpr (requires { R::record(inHand, record); })
                              R::record(inHand, record);
-                         record.cells = cellsOf(m_tables->sample, stateOf<R>(inHand));
+                         if (cells == SampleCells::Filled)
+                             record.cells = cellsOf(m_tables->sample, stateOf<R>(inHand));
                      });
         return records;
     }

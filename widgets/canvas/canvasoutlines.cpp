@@ -213,7 +213,7 @@ void addOutlines(CanvasScene &scene, const CanvasSources &sources, const CanvasV
     for (std::size_t i = 0; i < pending.size(); ++i)
         addHandle({VertexRef::pending, int(i)}, pending[i]);
     if (const std::optional<int> named = namedPrimitive(sources);
-        named && !isNamedByLayer(*named, sources))
+        named && choice.hasHandles(*named) && !isNamedByLayer(*named, sources))
         addNames(scene, *named, sources, view);
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/polygons/textoutlines.h"
 #include "widgets/look/framepainter.h"
 
 #include <QCoreApplication>
@@ -155,6 +156,20 @@ VisibleLines visibleEdges(const Shape &polygon, const std::vector<QPointF> &poin
     return visible;
 }
 
+/// Corners of the box that a long text takes up: as far as its first characters go, and the others
+/// as far as these on average.
+std::vector<QPointF> textCorners(const Shape &text, const ViewMapping &mapping)
+{
+    constexpr std::size_t mostMeasured = 256; // bytes: a millisecond
+    Shape beginning = text;
+    beginning.text.resize(std::min(text.text.size(), mostMeasured));
+    const double share = double(text.text.size()) / double(beginning.text.size());
+    const LatticePoint &corner = text.vertices.front().position;
+    const auto width = Lattice(double(advanceOf(beginning)) * share);
+    return {mapping.positionOf(corner),
+            mapping.positionOf(LatticePoint{corner.x + width, corner.y + text.textHeight})};
+}
+
 QPainterPath joined(const std::vector<QLineF> &lines)
 {
     QPainterPath path;
@@ -198,6 +213,8 @@ void FramePainter::drawBounds(const std::vector<QPointF> &points)
 
 void FramePainter::drawShapeOutline(const Shape &shape)
 {
+    if (shape.kind == PrimitiveKind::Text && shape.text.size() > mostOutlineLines)
+        return drawBounds(textCorners(shape, m_mapping));
     const std::vector<QPointF> points = positionsOf(shape, m_mapping);
     const QRectF seen = m_view.adjusted(-9, -9, 9, 9);
     const VisibleLines visible = shape.kind == PrimitiveKind::Polygon

@@ -23,6 +23,7 @@ QString typesetHtml(const QString &text)
     // at the sign of an exponent.
     static const QRegularExpression exponent(QStringLiteral("(\\de)([-−+])(?=\\d)"));
     QString whole = typeset(text).replace(u'\u202f', QChar::Nbsp);
+    whole.replace(QStringLiteral("else "), QStringLiteral("else\u00a0"));
     whole.replace(exponent, QStringLiteral("\\1\u2060\\2\u2060"));
     QString html = SymbolText(whole).html();
     return html.replace(fraction, QStringLiteral("<small>\\1</small>"));

@@ -67,10 +67,53 @@ private slots:
                 QSet<std::size_t> rejected;
                 for (const RejectedPrimitive &each : recorded)
                     rejected.insert(each.primitive);
-                for (std::size_t span = 0; span < traced->trace->spanCount(); ++span)
-                    QVERIFY(!rejected.contains(traced->trace->primitiveOf(span)));
+                const ScanTrace &trace = *traced->trace;
+                for (std::size_t sample = 0; sample < trace.sampleCount(); ++sample)
+                    QVERIFY(!trace.changes()[sample].isWritten()
+                            || !rejected.contains(trace.primitiveOf(trace.spanOf(sample))));
             }
         }
+    }
+
+    /// Its bounding box has samples, and it none.
+    void aTriangleBetweenTheSamplesIsTold_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<QByteArray>("setting");
+        const auto row = [](const char *method, const char *setting) {
+            QTest::addRow("%s %s", method, setting)
+                << QString::fromLatin1(method) << QByteArray(setting);
+        };
+        row("column-scan", "");
+        row("row-walk", "");
+        row("edge-equations", "");
+        row("interpolate-plane", "");
+        row("column-scan", "\"antialiasing\": 16,");
+    }
+    void aTriangleBetweenTheSamplesIsTold()
+    {
+        QFETCH(QString, method);
+        QFETCH(QByteArray, setting);
+        // From (1 1/8, 1 1/4) to (6 7/8, 6 5/8), a sixteenth of a pixel high.
+        const QByteArray scene = sceneOfPrimitives(
+            json("{ 'triangle': [['9/8', '5/4'], ['9/8', '21/16'], ['55/8', '53/8']],"
+                 " 'colors': ['#ff0000', '#00ff00', '#0000ff'] }"),
+            setting);
+        const Result<SceneReading> reading = readScene(scene);
+        QVERIFY2(reading.isOk(), reading ? "" : qPrintable(reading.error().message()));
+        Scene drawn = reading->scene;
+        drawn.method = method.toStdString();
+        const bool isDrawn = !setting.isEmpty(); // where pixels have more samples
+        const auto traced = traceScene(drawn);
+        QCOMPARE(traced->trace->writtenCount() > 0, isDrawn);
+        QVERIFY(traced->trace->spanCount() > 0);
+        const auto recorded = rejectedPrimitives(traced->primitives, *traced->trace);
+        QCOMPARE(recorded.size(), std::size_t(isDrawn ? 0 : 1));
+        QCOMPARE(rejectedPrimitives(drawn), recorded);
+        for (const RejectedPrimitive &each : recorded)
+            QCOMPARE(each.message(),
+                     QStringLiteral("primitive 0 (triangle): It lies outside the frame, or between "
+                                    "its samples. Nothing is drawn."));
     }
 
     void areSaidOnStandardError_data()

@@ -367,6 +367,8 @@ private slots:
                      {Antialiasing::Area, Antialiasing::Samples4}) {
                     const SampleBox reach
                         = reachOf(triangle, {frame, FillRule::Closed, antialiasing});
+                    if (antialiasing == Antialiasing::Samples4 && reach.isEmpty())
+                        continue; // it touches squares and none of their samples
                     QVERIFY(mostPixelsOf(triangle, reach, antialiasing) >= touched);
                 }
             }

@@ -43,7 +43,7 @@ private slots:
             Effect::SmoothColour, yes, 1, "the triangle has vertex colours that differ");
         add(
             "nothing there", [](Primitives &p) { p.triangles.clear(); }, Effect::SmoothColour, no,
-            0, "nothing reaches the frame");
+            0, "nothing is drawn in the frame");
 
         add("within", none, Effect::Clipping, no, 0, "what is drawn lies within the frame");
         add(
@@ -62,7 +62,8 @@ private slots:
             [](Primitives &p) {
                 p.triangles[0] = triangleAt({{{-9, 2}, {2, -9}, {-9, -9}}});
             },
-            Effect::Clipping, no, 0, "what is drawn lies within the frame");
+            Effect::Clipping, no, 0,
+            "what is drawn lies within the frame; 1 other triangle covers no sample of the frame");
 
         add(
             "a part of the area of pixels beyond the border",
@@ -92,7 +93,7 @@ private slots:
             setDepths(p, 1, {4, 4, 4});
         };
         add("behind between the samples", between, Effect::Depth, no, 0,
-            "there are no two triangles in the frame");
+            "no two triangles are drawn in the frame");
         add(
             "behind at one of sixteen samples",
             [=](Primitives &p) {
@@ -115,7 +116,7 @@ private slots:
             "near");
         add(
             "one triangle", [](Primitives &p) { p.triangles.pop_back(); }, Effect::Depth, no, 0,
-            "there are no two triangles in the frame");
+            "no two triangles are drawn in the frame");
         add(
             "the later one is nearer",
             [](Primitives &p) {
@@ -203,7 +204,7 @@ private slots:
             "they are interpolated: u and v");
         add(
             "no triangle, no w", [](Primitives &p) { p.triangles.clear(); }, Effect::Perspective,
-            no, 0, "nothing reaches the frame");
+            no, 0, "nothing is drawn in the frame");
 
         add("no texture", none, Effect::Texture, no, 0, "no triangle's material has a texture");
         add(

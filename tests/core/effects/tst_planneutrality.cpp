@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/edgepixels.h"
 #include "core/effects/effectplan.h"
 #include "core/frame/framebuffer.h"
 #include "core/geometry/seededrandom.h"
 #include "core/methods/method.h"
+#include "core/oracle/oracle.h"
+#include "core/oracle/squarearea.h"
 #include "core/oracle/truepicture.h"
 #include "tests/support/effectscenes.h"
 #include "tests/support/sanitized.h"
@@ -89,6 +92,49 @@ Shape randomLine(SeededRandom &random)
     return line;
 }
 
+/// A triangle about a frame of 6 × 5 pixels, as thin as a sliver or in few of its squares; some are
+/// segments. Its vertices are on the lattice, on its quarters of a pixel, or on samples.
+Triangle thinTriangle(SeededRandom &random)
+{
+    constexpr std::array<Lattice, 3> steps = {1, unitsPerPixel / 4, unitsPerPixel};
+    const Lattice step = steps[std::size_t(random.between(0, 2))];
+    const auto at = [&](std::int64_t pixels) {
+        return random.between(-unitsPerPixel / step, pixels * unitsPerPixel / step) * step;
+    };
+    const std::int64_t width = random.coin() ? 6 : 1;
+    const std::int64_t height = random.coin() ? 5 : 1;
+    const LatticePoint shift = {latticePixel(random.between(0, 6 - width), 0).x,
+                                latticePixel(0, random.between(0, 5 - height)).y};
+    Triangle triangle;
+    for (Vertex &vertex : triangle.vertices) {
+        const LatticePoint place = {at(width), at(height)};
+        vertex = {{place.x + shift.x, place.y + shift.y}, random.colour()};
+    }
+    if (random.coin()) { // along its first edge
+        const LatticePoint &a = triangle.vertices[0].position;
+        const LatticePoint &b = triangle.vertices[1].position;
+        triangle.vertices[2].position = {(a.x + b.x) / 2 + random.between(-1, 1) * step,
+                                         (a.y + b.y) / 2 + random.between(-1, 1) * step};
+    }
+    return triangle;
+}
+
+/// Whether it is drawn at a pixel, by the oracle's own words.
+bool isDrawnAt(const Triangle &triangle, FillRule rule, Antialiasing antialiasing, std::int64_t x,
+               std::int64_t y)
+{
+    if (antialiasing == Antialiasing::None || doubledArea(triangle) == 0)
+        return oracle::covers(triangle, rule, x, y);
+    if (antialiasing == Antialiasing::Area)
+        return oracle::areaInSquare(triangle, x, y) > 0;
+    return std::ranges::any_of(samplePattern(antialiasing), [&](const LatticePoint &sample) {
+        Triangle moved = triangle;
+        for (Vertex &vertex : moved.vertices)
+            vertex.position = {vertex.position.x - sample.x, vertex.position.y - sample.y};
+        return oracle::covers(moved, rule, x, y);
+    });
+}
+
 } // namespace
 
 /// Verdicts are kept by pictures: what is not called for leaves every byte when it is forced off,
@@ -127,6 +173,97 @@ private slots:
                 change.isEmpty(),
                 qPrintable(QStringLiteral("seed %1, %2: ").arg(seed).arg(scene.name) + change));
         }
+    }
+
+    /// A triangle calls for colours, blending, texture and light where it is drawn at some sample
+    /// of the frame, and nowhere else.
+    void aTriangleBetweenTheSamplesCallsForNothing()
+    {
+        SeededRandom random(11);
+        const FrameSpec spec = frameOf(6, 5);
+        const FrameBuffer frame(spec);
+        int drawn = 0;
+        int between = 0; // those whose bounding box has samples, and they none
+        for (int i = 0; i < fewerIfSanitized(6000); ++i) {
+            const FillRule rule = std::array{FillRule::Closed, FillRule::TopLeft, FillRule::Open,
+                                             FillRule::HalfOpenColumn}[std::size_t(i) % 4];
+            const Antialiasing antialiasing = allAntialiasings[std::size_t(i) / 4 % 4];
+            Primitives primitives;
+            primitives.triangles = {thinTriangle(random)};
+            primitives.triangles[0].vertices[0].colour = {{255, 0, 0}};
+            primitives.triangles[0].vertices[1].colour = {{0, 255, 0}};
+            primitives.appearance.antialiasing = antialiasing;
+            const Triangle &triangle = primitives.triangles[0];
+            bool isDrawn = false;
+            for (std::int64_t y = 0; y < 5; ++y) {
+                for (std::int64_t x = 0; x < 6; ++x)
+                    isDrawn |= isDrawnAt(triangle, rule, antialiasing, x, y);
+            }
+            // Antialiasing that changes nothing does not run, and pixels have their own samples
+            // then.
+            const EffectPlan plan
+                = planFor(primitives, {Arithmetic::Exact, rule, {}}, frame.view());
+            const EffectVerdict &smooth = plan.verdicts[Effect::SmoothColour];
+            QVERIFY2((smooth.verdict == Verdict::CalledFor) == isDrawn,
+                     qPrintable(QStringLiteral("case %1, %2: %3")
+                                    .arg(i)
+                                    .arg(textOf(antialiasing), smooth.reason)));
+            QCOMPARE(plan.runs(Effect::SmoothColour), isDrawn);
+            if (!isDrawn) {
+                QCOMPARE(smooth.reason, QStringLiteral("nothing is drawn in the frame"));
+                // But what makes a triangle vanish between four samples is antialiasing.
+                bool isDrawnWithout = false;
+                for (std::int64_t y = 0; y < 5; ++y) {
+                    for (std::int64_t x = 0; x < 6; ++x)
+                        isDrawnWithout |= isDrawnAt(triangle, rule, Antialiasing::None, x, y);
+                }
+                QCOMPARE(plan.runs(Effect::Antialiasing), isDrawnWithout);
+                QCOMPARE(plan.verdicts[Effect::Antialiasing].verdict == Verdict::CalledFor,
+                         isDrawnWithout);
+                between += intersection(boundingBoxOf(triangle), samplesOf(frame.view())).isEmpty()
+                    ? 0
+                    : 1;
+            }
+            drawn += isDrawn ? 1 : 0;
+        }
+        QVERIFY(drawn > fewerIfSanitized(1000));
+        QVERIFY(between > fewerIfSanitized(100));
+    }
+
+    /// Its border lies on the border of the frame's squares, and it covers the other side.
+    void aLineBesideTheFrameCallsForNoAntialiasing_data()
+    {
+        QTest::addColumn<Antialiasing>("antialiasing");
+        QTest::addColumn<int>("row"); // halves
+        QTest::addColumn<bool>("isCalledFor");
+        for (const Antialiasing antialiasing :
+             {Antialiasing::Samples4, Antialiasing::Samples16, Antialiasing::Area}) {
+            const auto add = [&](const char *where, int row, bool isCalledFor) {
+                QTest::addRow("%s, %s", where, qPrintable(textOf(antialiasing)))
+                    << antialiasing << row << isCalledFor;
+            };
+            add("below", -2, false);
+            add("above", 18, false);
+            add("half in it", -1, true);
+            add("all in it", 8, antialiasing != Antialiasing::Area);
+        }
+    }
+    void aLineBesideTheFrameCallsForNoAntialiasing()
+    {
+        QFETCH(Antialiasing, antialiasing);
+        QFETCH(int, row);
+        QFETCH(bool, isCalledFor);
+        Primitives primitives;
+        Shape line;
+        const Lattice y = row * unitsPerPixel / 2;
+        line.vertices
+            = {{{-2 * unitsPerPixel, y}, {{255, 0, 0}}}, {{14 * unitsPerPixel, y}, {{255, 0, 0}}}};
+        primitives.shapes = {line};
+        primitives.appearance.antialiasing = antialiasing;
+        const FrameBuffer frame(frameOf(12, 9));
+        const EffectPlan plan = planFor(primitives, {}, frame.view());
+        QCOMPARE(plan.verdicts[Effect::Antialiasing].verdict == Verdict::CalledFor, isCalledFor);
+        QCOMPARE(plan.runs(Effect::Antialiasing), isCalledFor);
     }
 
     void whatALineDoesNotCallForChangesNoByteEitherWay()

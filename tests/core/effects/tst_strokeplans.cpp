@@ -71,6 +71,12 @@ private slots:
         QCOMPARE(readScene(sceneOfPrimitives(curve, antialiased))->scene.method,
                  std::string("stroke-coverage"));
         QCOMPARE(readScene(sceneOfPrimitives(line))->scene.method, std::string("line-dda"));
+        // No method of lines keeps this rule: the message is of the one that antialiases.
+        const Result<SceneReading> ruled
+            = readScene(sceneOfPrimitives(line, antialiased + "\"fillRule\": \"top-left\","));
+        QVERIFY(!ruled);
+        QVERIFY2(ruled.error().message().contains(u"stroke-coverage"),
+                 qPrintable(ruled.error().message()));
     }
 
     void theLinesAndCirclesOfTheHardCasesAreTheTruth()

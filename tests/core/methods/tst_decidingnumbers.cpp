@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/formulatext.h"
 #include "core/runs/formulaexplanation.h"
 #include "core/runs/pixelhistory.h"
 #include "core/runs/tracedscene.h"
@@ -170,6 +171,14 @@ private slots:
             const double across = inSpan(*traced, span, "y_k").toDouble();
             QCOMPARE(inSpan(*traced, span, "p_k").toDouble(),
                      6 * along + (falls ? 20 : -20) * across + constant);
+            const QString whole
+                = QStringLiteral("p_k = 2Δy·x_k %1 2Δx·y_k + c = 6·%2 %1 20·%3 + %4 = ")
+                      .arg(QChar(falls ? u'+' : u'−'))
+                      .arg(along)
+                      .arg(across)
+                      .arg(operand(Quantity::integer(constant)));
+            const QString sentence = traced->trace->spanWords(span).sentence;
+            QVERIFY2(sentence.startsWith(whole), qPrintable(sentence));
         }
     }
 
@@ -188,6 +197,12 @@ private slots:
         for (std::size_t span = 1; span < traced->trace->spanCount(); ++span)
             decisions += inSpan(*traced, span, "p_low").toDouble();
         QCOMPARE(decisions, (QList<double>{-4, 2, -12, -6, 0, -14, -8, -2, 4, -10}));
+        const auto says = [&](std::size_t span, const char *words) {
+            return traced->trace->spanWords(span).sentence.contains(QString::fromUtf8(words));
+        };
+        QVERIFY(!says(0, "p_low"));
+        QVERIFY(says(1, " p_low = −4 < 0: to (21, 41) the line stayed."));
+        QVERIFY(says(2, " p_low = 2 ≥ 0: to (22, 42) the line went one across."));
         QCOMPARE(inSetUp(*traced, "Δ₀₁"), Quantity::integer(10));
         QCOMPARE(inSetUp(*traced, "δ₀₁"), Quantity::integer(3));
     }

@@ -171,9 +171,12 @@ private slots:
             "The line starts at the pixel (20, 41) without a decision; p_k₊₁ = −4 < 0 decides "
             "about the next one.");
         row("line-bresenham", 1,
-            "p_k = −4 < 0: stay in the row, at the pixel (21, 41); Δp = 2Δy = 6.");
+            "p_k = 2Δy·x_k − 2Δx·y_k + c = 6·20 − 20·41 + 696 = −4 < 0: stay in the row, at the "
+            "pixel (21, 41); Δp = 2Δy = 6.");
         row("line-bresenham", 2,
-            "p_k = 2 > 0: step diagonally to the pixel (22, 42); Δp = 2Δy − 2Δx = −14.");
+            "p_k = 2Δy·x_k − 2Δx·y_k + c = 6·21 − 20·41 + 696 = 2 > 0: step diagonally to the "
+            "pixel "
+            "(22, 42); Δp = 2Δy − 2Δx = −14.");
         row("line-bresenham-symmetric", 5,
             "p_k = 0, a tie: step diagonally to the pixel (25, 43); Δp = 2Δy − 2Δx = −14.");
         row("line-dda", 1,

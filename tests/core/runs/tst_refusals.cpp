@@ -170,6 +170,16 @@ private slots:
                      "gives it to the other side: the edge's function is 6 at the off-screen "
                      "point (−1, −1) and −36 at the vertex that faces it; their product, −216, "
                      "is not above 0."));
+        // On two edges, both of which look away from r.
+        const QString corner = pixelHistory(*traced, 0, 0).front().reason;
+        QVERIFY2(
+            corner.startsWith(u"The sample lies exactly on P₀P₁, and the rule off-screen-point "
+                              u"gives it to the other side: "),
+            qPrintable(corner));
+        QVERIFY2(
+            corner.contains(u"; it lies exactly on P₂P₀, and the rule off-screen-point gives it "
+                            u"to the other side: "),
+            qPrintable(corner));
         const SetUpRecord setUp = traced->trace->setUp(0);
         const NamedNumbers numbers(traced->trace->numbers().setUp, setUp.cells);
         QCOMPARE(numbers[QStringLiteral("f_c")], Quantity::integer(-36));

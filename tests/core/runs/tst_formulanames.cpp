@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/formulanames.h"
+#include "tests/support/testprogram.h"
+
+#include <QTest>
+
+#include <random>
+
+namespace tst_formulanames {
+
+using namespace pixelplumb;
+
+/// A formula with numbers in place of its names.
+class TestFormulaNames : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyNameBecomesItsNumber()
+    {
+        FormulaNames names;
+        names.add(QStringLiteral("y_B"), Quantity::rational(-3, 2), Quantity::integer(7));
+        names.add(QStringLiteral("Δy"), Quantity::integer(-2));
+        QCOMPARE(names.substituted(QStringLiteral("t = y_B′ + Δy·y_B"), QStringLiteral("t")),
+                 QStringLiteral("7 + (−2)·(−1 1/2)"));
+    }
+
+    /// Of a sum beside a whole number, the digits that are shown add up to the same side of it.
+    void theOperandsOfASumJustifyItsCeiling()
+    {
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> place(-40, 40);
+        for (int i = 0; i < 2000; ++i) {
+            const int exponent = 8 + i % 33;
+            const double beside
+                = i / 33 % 2 == 0 ? std::ldexp(1, -exponent) : -std::ldexp(1, -exponent);
+            const double a = place(random);
+            const double b = 12 + beside - a;
+            const double sum = a + b;
+            if (sum == 12)
+                continue;
+            FormulaNames names;
+            names.add(QStringLiteral("a"), Quantity::of(a));
+            names.add(QStringLiteral("b"), Quantity::of(b));
+            QString shown = names.substituted(QStringLiteral("s = a + b"), QStringLiteral("s"),
+                                              placesOfOperands(Quantity::of(sum)));
+            double shownSum = 0;
+            for (QString operand : shown.split(QStringLiteral(" + ")))
+                shownSum += operand.remove(u'(')
+                                .remove(u')')
+                                .remove(u'…')
+                                .replace(u'−', u'-')
+                                .toDouble();
+            QVERIFY2((shownSum > 12) == (sum > 12),
+                     qPrintable(QStringLiteral("%1 is %2").arg(shown).arg(sum, 0, 'g', 17)));
+        }
+    }
+
+    void anOrdinarySumHasSixDigits()
+    {
+        FormulaNames names;
+        names.add(QStringLiteral("a"), Quantity::of(1 / 3.0));
+        QCOMPARE(names.substituted(QStringLiteral("s = a"), QStringLiteral("s"),
+                                   placesOfOperands(Quantity::of(12.3))),
+                 QStringLiteral("0.333333…"));
+    }
+};
+
+PIXELPLUMB_TEST(TestFormulaNames)
+
+} // namespace tst_formulanames
+
+#include "tst_formulanames.moc"
