@@ -44,9 +44,8 @@ constexpr bool followsPerspective(Channel channel)
 /// Levels count in whole levels, the other channels in 2^-24.
 constexpr bool isLevel(Channel channel) { return channel <= Channel::Alpha; }
 
-/// Whether the effects read a channel. Effects is an EffectSet or a CompiledEffects.
-template <class Effects>
-constexpr bool carries(const Effects &effects, Channel channel)
+/// Whether the effects read a channel.
+constexpr bool carries(const EffectSet &effects, Channel channel)
 {
     switch (channel) {
     case Channel::Red:
@@ -73,15 +72,31 @@ constexpr bool carries(const Effects &effects, Channel channel)
     return false;
 }
 
-/// Calls function(index) for each channel that the effects carry, in order; for the compiled ones
-/// of CompiledEffects a straight line of code.
-template <class Effects, class Function>
-[[gnu::always_inline]] inline void forEachChannel(const Effects &effects, const Function &function)
-{
-    for (std::size_t index = 0; index < shadedChannelCount; ++index) {
-        if (carries(effects, channelAt(index)))
-            function(index);
+/// The indices of the channels that the effects read, in order.
+class ShadedChannels {
+public:
+    constexpr explicit ShadedChannels(const EffectSet &effects)
+    {
+        for (std::size_t index = 0; index < shadedChannelCount; ++index) {
+            if (carries(effects, channelAt(index)))
+                m_channels[m_count++] = std::uint8_t(index);
+        }
     }
+
+    constexpr const std::uint8_t *begin() const { return m_channels.data(); }
+    constexpr const std::uint8_t *end() const { return m_channels.data() + m_count; }
+
+private:
+    std::array<std::uint8_t, shadedChannelCount> m_channels = {};
+    std::size_t m_count = 0;
+};
+
+/// Calls function(index) for each of them.
+template <class Function>
+void forEachChannel(const EffectSet &effects, const Function &function)
+{
+    for (const std::size_t index : ShadedChannels(effects))
+        function(index);
 }
 
 } // namespace pixelplumb

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/effects/shadedfill.h"
+#include "core/effects/rowrun.h"
 #include "core/geometry/triangle.h"
 
 #include <algorithm>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/effects/shadedfill.h"
+#include "core/effects/rowrun.h"
 #include "core/frame/frameview.h"
+#include "core/geometry/appearance.h"
 #include "core/geometry/triangle.h"
 
 #include <algorithm>

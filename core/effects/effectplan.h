@@ -42,8 +42,8 @@ enum class DepthTest : std::uint8_t {
     Levels, ///< an integer of so many bits is kept
 };
 
-/// What the kernel of a batch does at each sample: the parameter of its template. Values that need
-/// no other code (a light's direction, an alpha) stay out of it.
+/// What is done at each sample of a batch, which its stages are chosen by. Values that need no
+/// other code (a light's direction, an alpha) stay out of it.
 struct EffectSet {
     bool smooth = false;
     bool perspective = false;
@@ -60,7 +60,7 @@ struct EffectSet {
     friend constexpr bool operator==(const EffectSet &, const EffectSet &) = default;
 };
 
-/// Whether it is among them; of clipping and antialiasing, which no kernel of a batch does, false.
+/// Whether it is among them; of clipping and antialiasing, which no stage does, false.
 bool contains(const EffectSet &effects, Effect effect);
 /// "smooth colour, depth"; "one colour" where there are none.
 QString namesOf(const EffectSet &effects);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
 namespace pixelplumb {
 
-/// What is done at a sample that costs something: what observers may count.
+/// What is done at a sample that costs something: what stages count.
 enum class EffectWork : std::uint8_t {
     DepthRead,
     DepthWrite,
@@ -18,11 +19,15 @@ enum class EffectWork : std::uint8_t {
 };
 inline constexpr std::size_t effectWorkCount = 7;
 
-/// An observer that also wants to know of that work. Every other one pays nothing for it.
-template <class Observer>
-concept HearsEffectWork = requires(Observer observer, EffectWork work)
-{
-    observer.worked(work);
+using EffectCounts = std::array<std::int64_t, effectWorkCount>;
+
+/// How often the work of effects was done, and what memory their buffers took.
+struct EffectTally {
+    EffectCounts done = {};
+    std::size_t depthBytes = 0;
+
+    std::int64_t operator[](EffectWork work) const { return done[std::size_t(work)]; }
+    friend bool operator==(const EffectTally &, const EffectTally &) = default;
 };
 
 } // namespace pixelplumb

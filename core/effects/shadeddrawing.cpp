@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/shadeddrawing.h"
 
-#include "core/effects/countedshading.h"
 #include "core/effects/shadedpicture.h"
 
 namespace pixelplumb {
@@ -24,34 +23,17 @@ ShadingWidths shadingWidthsFor(const Primitives &primitives, const EffectPlan &p
     return widths;
 }
 
-void drawShaded(ShadedMethod method, const Primitives &primitives, const ScanSettings &settings,
-                FrameView frame, const EffectPlan &plan)
+std::optional<EffectTally> drawShaded(ShadedMethod method, const Primitives &primitives,
+                                      const ScanSettings &settings, FrameView frame,
+                                      const EffectPlan &plan, const ProgressListener &listener)
 {
-    drawShaded(method, primitives, settings, frame, plan, {});
-}
-
-bool drawShaded(ShadedMethod method, const Primitives &primitives, const ScanSettings &settings,
-                FrameView frame, const EffectPlan &plan, const ProgressListener &listener)
-{
-    const ShadingWidths widths = shadingWidthsFor(primitives, plan);
-    return withShadedMethod(method, [&]<ShadedMethod known>() {
-        return withShadingNumbers<known>(
-            settings, widths, [&]<InterpolationForm Form, class N, class A>() {
-                if constexpr (isRaced<N, A>())
-                    return ShadedPicture<Form, N, A, NullObserver>(primitives, settings, frame,
-                                                                   plan, NullObserver{}, listener)
-                        .draw();
-                else
-                    return drawCounted(method, primitives, settings, frame, plan, listener)
-                        .has_value();
-            });
-    });
-}
-
-EffectTally countShaded(ShadedMethod method, const Primitives &primitives,
-                        const ScanSettings &settings, FrameView frame, const EffectPlan &plan)
-{
-    return drawCounted(method, primitives, settings, frame, plan, {}).value();
+    const auto draw = [&]<class N, class A>() -> std::optional<EffectTally> {
+        ShadedPicture<N, A> picture(formOf(method), primitives, settings, frame, plan, listener);
+        if (!picture.draw())
+            return std::nullopt;
+        return picture.tally();
+    };
+    return withShadingNumbers(method, settings, shadingWidthsFor(primitives, plan), draw);
 }
 
 } // namespace pixelplumb

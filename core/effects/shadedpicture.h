@@ -10,17 +10,18 @@
 
 namespace pixelplumb {
 
-/// Draws all triangles of a plan, unheard but by observers that count.
-template <InterpolationForm Form, class N, class A, class Observer>
+/// Draws all triangles of a plan, unheard.
+template <class N, class A>
 class ShadedPicture {
 public:
-    ShadedPicture(const Primitives &primitives, const ScanSettings &settings, FrameView frame,
-                  const EffectPlan &plan, Observer observer, const ProgressListener &listener)
+    ShadedPicture(InterpolationForm form, const Primitives &primitives,
+                  const ScanSettings &settings, FrameView frame, const EffectPlan &plan,
+                  const ProgressListener &listener)
         : m_primitives(primitives)
         , m_plan(plan)
         , m_frame(frame)
         , m_surroundings(plan, primitives.appearance, frame)
-        , m_run(primitives, settings, observer)
+        , m_run(form, primitives, settings, NullObserver{})
         , m_listener(listener)
     {
     }
@@ -45,7 +46,7 @@ public:
         return drawSamples();
     }
 
-    std::size_t depthBytes() const { return m_surroundings.depths.bytes(); }
+    EffectTally tally() const { return {m_run.work(), m_surroundings.depths.bytes()}; }
 
 private:
     template <class Draw>
@@ -66,11 +67,11 @@ private:
     bool drawSamples()
     {
         const EdgePixels edges(m_primitives.triangles, m_frame);
-        const auto nothing = [](const auto &) {};
+        const SampledPixels others{edges, false, {0, 0}};
         ScratchFrame before(m_frame);
         before.copyFrom(m_frame);
         const bool isComplete = forEachTriangle([&](std::size_t index, const EffectSet &effects) {
-            m_run.draw(index, effects, m_frame, m_surroundings, edges, false, {0, 0}, nothing);
+            m_run.draw(index, effects, m_frame, m_surroundings, &others);
         });
         if (!isComplete || edges.count() == 0)
             return isComplete;
@@ -79,8 +80,9 @@ private:
         for (const LatticePoint &sample : samplePattern(m_plan.antialiasing)) {
             scratch.copyFrom(before.view());
             ShadedSurroundings<N> own(m_plan, m_primitives.appearance, m_frame);
+            const SampledPixels pixels{edges, true, sample};
             const auto drawSample = [&](std::size_t index, const EffectSet &effects) {
-                m_run.draw(index, effects, scratch.view(), own, edges, true, sample, nothing);
+                m_run.draw(index, effects, scratch.view(), own, &pixels);
             };
             if (!forEachTriangle(drawSample))
                 return false;
@@ -115,7 +117,7 @@ private:
     const EffectPlan &m_plan;
     FrameView m_frame;
     ShadedSurroundings<N> m_surroundings;
-    ShadedRun<Form, N, A, Observer> m_run;
+    ShadedRun<N, A, NullObserver> m_run;
     const ProgressListener &m_listener;
     std::int64_t m_done = 0; ///< triangles
 };

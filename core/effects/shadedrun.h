@@ -4,10 +4,12 @@
 #include "core/effects/coveredstrip.h"
 #include "core/effects/edgepixels.h"
 #include "core/effects/shadedscan.h"
-#include "core/effects/shadedtable.h"
+#include "core/effects/stagelist.h"
 #include "core/effects/triangleneeds.h"
+#include "core/scan/scanobserver.h"
+#include "core/space/materialcolour.h"
 
-#include <type_traits>
+#include <vector>
 
 namespace pixelplumb {
 
@@ -36,75 +38,44 @@ struct ShadedSurroundings {
     DepthBuffer<N> depths;
 };
 
-/// Draws shaded triangles one by one. An observer that reads numbers hears the kernel that takes
-/// its effects when it runs; one that does not gets the kernel that was compiled for them. Both are
-/// the same text.
-template <InterpolationForm Form, class N, class A, class Observer>
+/// The pixels that a picture of several samples is drawn in, and from where they see the triangles.
+struct SampledPixels {
+    const EdgePixels &edges;
+    bool ofEdges = false; ///< those that an edge meets, or the others
+    LatticePoint sample; ///< from the pixel's own
+};
+
+/// Draws shaded triangles one by one. The stages of an observer that reads numbers are those of one
+/// that does not; it gets the numbers that they leave, sample by sample.
+template <class N, class A, class Observer>
 class ShadedRun {
 public:
     using Column = BoundedColumn<N, A>;
 
-    ShadedRun(const Primitives &primitives, const ScanSettings &settings, Observer observer)
-        : m_primitives(primitives)
+    ShadedRun(InterpolationForm form, const Primitives &primitives, const ScanSettings &settings,
+              Observer observer)
+        : m_form(form)
+        , m_primitives(primitives)
         , m_settings(settings)
         , m_observer(observer)
+        , m_read(readsNumbers<Observer> ? SampleRun<N>::capacity : 0)
     {
+        m_samples.read = m_read.empty() ? nullptr : m_read.data();
     }
 
-    /// One sample a pixel.
+    /// One sample a pixel, in all of them or in some.
     void draw(std::size_t index, const EffectSet &effects, FrameView frame,
-              ShadedSurroundings<N> &surroundings)
-    {
-        drawColumns(triangleAt(index), effects, frame, surroundings,
-                    [](const Column &column, const auto &shadeRun) {
-                        shadeRun(RowRun{column.firstDrawn, column.endDrawn});
-                    });
-    }
-
-    /// The same in some of the pixels, as a sample sees the triangle. `afterRuns` is called with
-    /// each column after its runs, for what else is drawn in it.
-    template <class AfterRuns>
-    void draw(std::size_t index, const EffectSet &effects, FrameView frame,
-              ShadedSurroundings<N> &surroundings, const EdgePixels &edges, bool ofEdges,
-              const LatticePoint &sample, const AfterRuns &afterRuns)
-    {
-        // A segment has its pixels whole: each of their samples as it is at the pixel's own.
-        const Triangle &triangle = m_primitives.triangles[index];
-        const Triangle moved = doubledArea(triangle) == 0 ? triangle : seenFrom(triangle, sample);
-        drawColumns({moved, m_primitives.attributesOf(index)}, effects, frame, surroundings,
-                    [&](const Column &column, const auto &shadeRun) {
-                        if (column.firstDrawn < column.endDrawn)
-                            edges.forEachRun(column.x, {column.firstDrawn, column.endDrawn},
-                                             ofEdges, shadeRun);
-                        afterRuns(column);
-                    });
-    }
+              ShadedSurroundings<N> &surroundings, const SampledPixels *pixels = nullptr);
 
     /// α times the exact area of the triangle in each pixel's square. A segment, which has none, is
     /// drawn as without.
     void drawAreas(std::size_t index, const EffectSet &effects, FrameView frame,
                    ShadedSurroundings<N> &surroundings);
 
-private:
-    /// What shades a run with the effects, which live as long. The table's kernels are compiled
-    /// only where they are asked for: not for an observer.
-    auto shaderFor(const EffectSet &effects) const
-    {
-        if constexpr (std::is_same_v<Observer, NullObserver>) {
-            return [kernel = ShadeTable<Form, N>::kernelFor(effects),
-                    &effects](const ShadedSetUp<N> &setUp, const Column &column, const RowRun &run,
-                              const ShadedSurface<N> &surface, FrameView frame) {
-                kernel(setUp, column, run, effects, surface, frame);
-            };
-        } else {
-            return [this, &effects](const ShadedSetUp<N> &setUp, const Column &column,
-                                    const RowRun &run, const ShadedSurface<N> &surface,
-                                    FrameView frame) {
-                shadeColumn<Form>(setUp, column, run, effects, surface, frame, m_observer);
-            };
-        }
-    }
+    /// How often the stages did what costs something.
+    const EffectCounts &work() const { return m_samples.done; }
 
+private:
     ShadedTriangle triangleAt(std::size_t index) const
     {
         return {m_primitives.triangles[index], m_primitives.attributesOf(index)};
@@ -120,7 +91,7 @@ private:
                 &surroundings.depths,
                 greatestDepthLevel(surroundings.appearance.depthFormat),
                 m_settings.rounding,
-                triangle.triangle.vertices[0].colour,
+                packed(triangle.triangle.vertices[0].colour),
                 nullptr};
     }
 
@@ -141,35 +112,98 @@ private:
         return isDrawn;
     }
 
-    /// Calls fill(column, shadeRun) for each column.
-    template <class Fill>
-    void drawColumns(const ShadedTriangle &triangle, const EffectSet &effects, FrameView frame,
-                     ShadedSurroundings<N> &surroundings, const Fill &fill)
+    StageList<N> stagesOf(const EffectSet &effects, const ShadedSurface<N> &surface,
+                          bool coversAreas) const
     {
-        const ShadedSetUp<N> setUp = shadedSetUpOf<Form, N>(triangle, effects);
-        if (!begins(triangle, setUp))
-            return;
-        const ShadedSurface<N> surface = surfaceOf(triangle, surroundings);
-        const auto shadeRun = shaderFor(effects);
-        const auto fillColumn = [&](const Column &column) {
-            m_observer.spanEntered(column);
-            fill(column, [&](const RowRun &run) { shadeRun(setUp, column, run, surface, frame); });
-        };
-        ShadedScan<Form, N, A, decltype(fillColumn)> scan(triangle.triangle, setUp,
-                                                          m_settings.fillRule, frame, fillColumn);
-        if (!scan.run())
-            m_observer.primitiveRejected(PrimitiveRejection::OutsideFrame);
+        return StageList<N>(
+            {m_form, effects, surface.material->filter, coversAreas, readsNumbers<Observer>});
     }
 
+    void enter(const ShadedSetUp<N> &setUp, const Column &column)
+    {
+        m_observer.spanEntered(column);
+        m_samples.setUp = &setUp;
+        m_samples.column = &column;
+    }
+
+    /// Takes rows of the column that was entered through the stages.
+    void shade(const StageList<N> &stages, const ShadedSurface<N> &surface, const RowRun &rows,
+               FrameView frame)
+    {
+        m_samples.surface = &surface;
+        m_samples.start = rows.first;
+        for (std::int64_t first = rows.first; first < rows.end;) {
+            const std::int64_t count
+                = std::min<std::int64_t>(rows.end - first, SampleRun<N>::capacity);
+            m_samples.enter(first, std::size_t(count), frame);
+            stages(m_samples);
+            if constexpr (readsNumbers<Observer>)
+                announce();
+            first += count;
+        }
+    }
+
+    /// Each sample that was shaded, those that were refused among them, and then its pixel.
+    void announce()
+    {
+        std::size_t inPlay = 0;
+        for (std::size_t row = 0; row < m_samples.size; ++row) {
+            const std::int64_t y = m_samples.firstRow + std::int64_t(row);
+            QRgb &pixel = m_samples.firstPixel[std::ptrdiff_t(row) * m_samples.stride];
+            ShadedSample<N> &sample = m_read[row];
+            if (inPlay == m_samples.count || m_samples.row[inPlay] != row) {
+                m_observer.sampleRejected(m_samples.column->x, y, pixel, sample);
+                continue;
+            }
+            sample.before = pixel;
+            sample.after = m_samples.colour[inPlay++];
+            m_observer.pixelWritten(m_samples.column->x, y, sample.before, sample.after, sample);
+            pixel = sample.after;
+        }
+    }
+
+    InterpolationForm m_form;
     const Primitives &m_primitives;
     ScanSettings m_settings;
     Observer m_observer;
+    std::vector<ShadedSample<N>> m_read; ///< of a run, where the observer reads numbers
+    SampleRun<N> m_samples;
 };
 
-template <InterpolationForm Form, class N, class A, class Observer>
-void ShadedRun<Form, N, A, Observer>::drawAreas(std::size_t index, const EffectSet &effects,
-                                                FrameView frame,
-                                                ShadedSurroundings<N> &surroundings)
+template <class N, class A, class Observer>
+void ShadedRun<N, A, Observer>::draw(std::size_t index, const EffectSet &effects, FrameView frame,
+                                     ShadedSurroundings<N> &surroundings,
+                                     const SampledPixels *pixels)
+{
+    const ShadedTriangle given = triangleAt(index);
+    // A segment has its pixels whole: each of their samples as it is at the pixel's own.
+    const Triangle seen = pixels && doubledArea(given.triangle) != 0
+        ? seenFrom(given.triangle, pixels->sample)
+        : given.triangle;
+    const ShadedTriangle triangle{seen, given.attributes};
+    const auto setUp = shadedSetUpOf<N>(m_form, triangle, effects);
+    if (!begins(triangle, setUp))
+        return;
+    const ShadedSurface<N> surface = surfaceOf(triangle, surroundings);
+    const StageList<N> stages = stagesOf(effects, surface, false);
+    const ShadedScan<N, A> scan(seen, setUp, m_settings.fillRule, frame);
+    const bool isSeen = scan.run([&](const Column &column) {
+        enter(setUp, column);
+        const RowRun drawn{column.firstDrawn, column.endDrawn};
+        if (!pixels)
+            shade(stages, surface, drawn, frame);
+        else if (drawn.first < drawn.end)
+            pixels->edges.forEachRun(column.x, drawn, pixels->ofEdges, [&](const RowRun &rows) {
+                shade(stages, surface, rows, frame);
+            });
+    });
+    if (!isSeen)
+        m_observer.primitiveRejected(PrimitiveRejection::OutsideFrame);
+}
+
+template <class N, class A, class Observer>
+void ShadedRun<N, A, Observer>::drawAreas(std::size_t index, const EffectSet &effects,
+                                          FrameView frame, ShadedSurroundings<N> &surroundings)
 {
     const ShadedTriangle triangle = triangleAt(index);
     if (doubledArea(triangle.triangle) == 0)
@@ -181,17 +215,16 @@ void ShadedRun<Form, N, A, Observer>::drawAreas(std::size_t index, const EffectS
                .effects.perspective;
     EffectSet covering = needed;
     covering.blending = true;
-    const ShadedSetUp<N> setUp = shadedSetUpOf<Form, N>(triangle, covering);
+    const auto setUp = shadedSetUpOf<N>(m_form, triangle, covering);
     if (!begins(triangle, setUp))
         return;
     const ShadedSurface<N> whole = surfaceOf(triangle, surroundings);
-    const auto shadeRun = shaderFor(needed);
+    const StageList<N> ofWhole = stagesOf(needed, whole, false);
+    const StageList<N> ofParts = stagesOf(covering, whole, true);
     std::array<LatticePoint, 3> corners;
     for (std::size_t i = 0; i < 3; ++i)
         corners[i] = setUp.vertices[std::size_t(setUp.order[i])].position;
-    const auto ignore = [](const Column &) {};
-    ShadedScan<Form, N, A, decltype(ignore)> scan(triangle.triangle, setUp, m_settings.fillRule,
-                                                  frame, ignore);
+    const ShadedScan<N, A> scan(triangle.triangle, setUp, m_settings.fillRule, frame);
     // Strips that meet the triangle in more than a line.
     const std::int64_t first
         = std::max<std::int64_t>(floorPixel(corners[0].x + halfPixel), frame.firstColumn);
@@ -207,20 +240,20 @@ void ShadedRun<Form, N, A, Observer>::drawAreas(std::size_t index, const EffectS
         if (column.firstDrawn >= column.endDrawn)
             continue;
         isSeen = true;
-        m_observer.spanEntered(column);
+        enter(setUp, column);
         const auto drawPart = [&](std::int64_t y) {
             const PixelArea area(triangle.triangle, x, y);
             if (area.isEmpty())
                 return;
             ShadedSurface<N> part = whole;
             part.area = &area;
-            shadeColumn<Form>(setUp, column, RowRun{y, y + 1}, covering, part, frame, m_observer);
+            shade(ofParts, part, {y, y + 1}, frame);
         };
         const RowRun inside = {std::clamp(strip.whole.first, column.firstDrawn, column.endDrawn),
                                std::clamp(strip.whole.end, column.firstDrawn, column.endDrawn)};
         for (std::int64_t y = column.firstDrawn; y < inside.first; ++y)
             drawPart(y);
-        shadeRun(setUp, column, inside, whole, frame);
+        shade(ofWhole, whole, inside, frame);
         for (std::int64_t y = inside.end; y < column.endDrawn; ++y)
             drawPart(y);
     }

@@ -52,25 +52,21 @@ struct SampleColours {
     std::uint16_t written; ///< by this primitive; bit k: sample k
 };
 
-/// What a sample was compared with, and what became of it.
+/// What a sample was compared with.
 template <class N>
 struct DepthVerdict {
     typename N::Depth before, now; ///< of DepthTest::Number
     std::uint32_t levelBefore, levelNow; ///< of DepthTest::Levels
-    bool passed;
 };
 
-/// What one sample has: every number that led to its byte. For who reads numbers; a kernel that is
-/// not listened to keeps what it needs of it.
+/// What one sample has: every number that led to its byte. For who reads numbers.
 template <class N>
 struct ShadedSample {
     using Number = typename N::Number;
 
-    std::int64_t runFirst; ///< the row at which adding began; for who reads it
+    std::int64_t runFirst; ///< the row at which adding began
     PerChannel<Number> value; ///< linear in the frame; in exact numbers over the area
     std::array<Number, 3> weight; ///< α β γ of the barycentric form
-    /// What exact values are over: the area, or the value of 1/w where perspective is corrected.
-    Number denominator;
     DepthVerdict<N> depth;
     std::array<std::int64_t, 3> level; ///< R G B, rounded, before clamping
     Colour interpolated; ///< clamped
@@ -83,7 +79,7 @@ struct ShadedSample {
     std::uint8_t blendedAlpha; ///< times the covered area
     QRgb before, after;
     SampleColours samples; ///< then nothing else is meaningful but before and after
-    Quantity area; ///< of the pixel, where areas are covered; for who reads it
+    Quantity area; ///< of the pixel, where areas are covered
 
     bool isClamped() const
     {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/effects/shadedfill.h"
+#include "core/effects/shadedsample.h"
 #include "core/scan/edgewalker.h"
 #include "core/scan/exactarithmetic.h"
 #include "core/scan/interval.h"
 
 #include <algorithm>
+#include <type_traits>
+#include <variant>
 
 namespace pixelplumb {
 
@@ -27,8 +29,9 @@ struct ShadedEdge {
     Number y, slope;
     PerChannel<Number> value, rate;
 
+    ShadedEdge() = default;
     ShadedEdge(const ShadedCorner<N> &a, const ShadedCorner<N> &b, std::int64_t column,
-               const EffectSet &effects)
+               const ShadedChannels &carried)
     {
         const Number ax = NumberTraits<Number>::fromLattice(a.position.x);
         const Number width = NumberTraits<Number>::fromLattice(b.position.x) - ax;
@@ -39,41 +42,40 @@ struct ShadedEdge {
         };
         start(y, slope, NumberTraits<Number>::fromLattice(a.position.y),
               NumberTraits<Number>::fromLattice(b.position.y));
-        forEachChannel(effects, [&](std::size_t channel) {
+        for (const std::size_t channel : carried)
             start(value[channel], rate[channel], a.channels[channel], b.channels[channel]);
-        });
     }
 
-    void stepToNextColumn(const EffectSet &effects)
+    void stepToNextColumn(const ShadedChannels &carried)
     {
         y = y + slope;
-        forEachChannel(
-            effects, [&](std::size_t channel) { value[channel] = value[channel] + rate[channel]; });
+        for (const std::size_t channel : carried)
+            value[channel] = value[channel] + rate[channel];
     }
 };
 
 /// The columns of one triangle, or of its segment where it has no area and the rule is closed, with
-/// what their samples are shaded from. Bounds
-/// are walked in A: exactly, or as the column scan in float32 walks them. `Fill` is called with
-/// each column that has samples in the frame, after its observer.
-template <InterpolationForm Form, class N, class A, class Fill>
+/// what their samples are shaded from. Bounds are walked in A: exactly, or as the column scan in
+/// float32 walks them.
+template <class N, class A>
 class ShadedScan {
 public:
     using Column = BoundedColumn<N, A>;
 
     ShadedScan(const Triangle &triangle, const ShadedSetUp<N> &setUp, FillRule rule,
-               FrameView frame, Fill fill)
+               FrameView frame)
         : m_triangle(triangle)
         , m_setUp(setUp)
         , m_rule(rule, frame.origin, frame.offScreenPoint)
         , m_intervals(columnIntervals(rule))
         , m_frame(frame)
-        , m_fill(fill)
     {
     }
 
-    /// False where no sample of the frame lies within the triangle's box.
-    bool run()
+    /// Calls fill(column) for each column that has samples in the frame. False where no sample of
+    /// it lies within the triangle's box.
+    template <class Fill>
+    bool run(const Fill &fill) const
     {
         const std::int64_t first = std::max<std::int64_t>(
             firstSampleFrom(at(0).x, m_intervals.columns), m_frame.firstColumn);
@@ -82,13 +84,13 @@ public:
         if (first >= end || isAboveOrBelowFrame())
             return false;
         if (m_setUp.zeroArea) {
-            scanSegment(first, end);
+            scanSegment(first, end, fill);
             return true;
         }
         const std::int64_t middle = std::clamp(ceilPixel(at(1).x), first, end);
         Walker longEdge = walkerOn(0, 2, first);
-        scanHalf(ColumnHalf::First, first, middle, 0, 1, longEdge);
-        scanHalf(ColumnHalf::Second, middle, end, 1, 2, longEdge);
+        scanHalf(ColumnHalf::First, first, middle, {0, 1}, longEdge, fill);
+        scanHalf(ColumnHalf::Second, middle, end, {1, 2}, longEdge, fill);
         return true;
     }
 
@@ -110,22 +112,15 @@ public:
         column.longEdge = m_setUp.longEdge;
         column.lower = bottom.bound.y;
         column.upper = top.bound.y;
-        if constexpr (Form == InterpolationForm::Bilinear)
-            setRates(bottom, top, column);
+        setRates(bottom, top, column);
         return column;
     }
 
 private:
-    static constexpr bool walksChannels = Form == InterpolationForm::Bilinear && !N::isExact;
-
-    struct NoEdge {
-        NoEdge(const ShadedCorner<N> &, const ShadedCorner<N> &, std::int64_t, const EffectSet &) {
-        }
-        void stepToNextColumn(const EffectSet &) { }
-    };
     struct Walker {
         EdgeWalker<A, NoEdgeColours<A>> bound;
-        std::conditional_t<walksChannels, ShadedEdge<N>, NoEdge> channels;
+        /// Of the bilinear form. Exact ones need no edge: they are the plane's.
+        std::conditional_t<N::isExact, std::monostate, ShadedEdge<N>> channels;
     };
 
     std::size_t indexAt(std::size_t corner) const { return std::size_t(m_setUp.order[corner]); }
@@ -145,19 +140,27 @@ private:
     {
         const std::size_t a = indexAt(from);
         const std::size_t b = indexAt(to);
-        return {{m_triangle.vertices[a], m_triangle.vertices[b], column},
-                {m_setUp.vertices[a], m_setUp.vertices[b], column, m_setUp.effects}};
+        Walker walker{{m_triangle.vertices[a], m_triangle.vertices[b], column}, {}};
+        if constexpr (!N::isExact) {
+            if (m_setUp.form == InterpolationForm::Bilinear)
+                walker.channels
+                    = {m_setUp.vertices[a], m_setUp.vertices[b], column, m_setUp.carried};
+        }
+        return walker;
     }
 
-    void scanHalf(ColumnHalf half, std::int64_t first, std::int64_t end, std::size_t from,
-                  std::size_t to, Walker &longEdge)
+    /// Beside the short edge between two corners.
+    template <class Fill>
+    void scanHalf(ColumnHalf half, std::int64_t first, std::int64_t end,
+                  const std::array<std::size_t, 2> &corners, Walker &longEdge,
+                  const Fill &fill) const
     {
         if (first >= end)
             return;
-        Walker shortEdge = walkerOn(from, to, first);
-        const Interval rows = rowsBeside(from, to);
+        Walker shortEdge = walkerOn(corners[0], corners[1], first);
+        const Interval rows = rowsBeside(corners[0], corners[1]);
         for (std::int64_t x = first; x < end; ++x) {
-            scanColumn(half, rows, x, shortEdge, longEdge);
+            fill(columnBetween(half, rows, x, shortEdge, longEdge));
             step(shortEdge);
             step(longEdge);
         }
@@ -166,18 +169,22 @@ private:
     void step(Walker &walker) const
     {
         walker.bound.stepToNextColumn();
-        walker.channels.stepToNextColumn(m_setUp.effects);
+        if constexpr (!N::isExact) {
+            if (m_setUp.form == InterpolationForm::Bilinear)
+                walker.channels.stepToNextColumn(m_setUp.carried);
+        }
     }
 
     /// Both bounds are L₀₂; a vertical segment goes from P0 to P2 in one column.
-    void scanSegment(std::int64_t first, std::int64_t end)
+    template <class Fill>
+    void scanSegment(std::int64_t first, std::int64_t end, const Fill &fill) const
     {
         const bool isVertical = at(0).x == at(2).x;
         const ColumnHalf half = at(0).x == at(1).x ? ColumnHalf::Second : ColumnHalf::First;
         Walker lower = walkerOn(0, 2, first);
         Walker upper = walkerOn(isVertical ? 2 : 0, 2, first);
         for (std::int64_t x = first; x < end; ++x) {
-            scanColumn(half, m_intervals.rows, x, lower, upper);
+            fill(columnBetween(half, m_intervals.rows, x, lower, upper));
             step(lower);
             step(upper);
         }
@@ -206,8 +213,8 @@ private:
         return m_setUp.longEdge;
     }
 
-    void scanColumn(ColumnHalf half, Interval rows, std::int64_t x, const Walker &shortEdge,
-                    const Walker &longEdge)
+    Column columnBetween(ColumnHalf half, Interval rows, std::int64_t x, const Walker &shortEdge,
+                         const Walker &longEdge) const
     {
         Column column;
         column.x = x;
@@ -223,33 +230,35 @@ private:
         column.endRow = ownsLast(rows) ? A::floor(high) + 1 : A::ceil(high);
         column.firstDrawn = std::max<std::int64_t>(column.firstRow, m_frame.firstRow);
         column.endDrawn = std::min(column.endRow, m_frame.endRow());
-        if constexpr (Form == InterpolationForm::Bilinear)
-            setRates(bottom, top, column);
-        m_fill(column);
+        setRates(bottom, top, column);
+        return column;
     }
 
+    /// Of the bilinear form.
     void setRates(const Walker &bottom, const Walker &top, Column &column) const
     {
+        if (m_setUp.form != InterpolationForm::Bilinear)
+            return;
         if constexpr (N::isExact) {
             // The rate of every column of the plane is its b, and the values on the bounds are the
             // plane's: the same numbers as (v_T − v_B)/(y_T − y_B), without a division.
-            forEachChannel(m_setUp.effects, [&](std::size_t channel) {
+            for (const std::size_t channel : m_setUp.carried) {
                 const auto &plane = m_setUp.plane[channel];
                 column.rate[channel] = plane[1];
                 column.atRow0[channel] = plane[0] * column.x + plane[2];
-            });
+            }
         } else {
             using Number = typename N::Number;
             column.yBottom = bottom.channels.y;
             column.yTop = top.channels.y;
             const Number height = column.yTop - column.yBottom;
-            forEachChannel(m_setUp.effects, [&](std::size_t channel) {
+            for (const std::size_t channel : m_setUp.carried) {
                 column.bottom[channel] = bottom.channels.value[channel];
                 column.top[channel] = top.channels.value[channel];
                 column.rate[channel] = height == Number(0)
                     ? Number(0)
                     : (column.top[channel] - column.bottom[channel]) / height;
-            });
+            }
         }
     }
 
@@ -258,7 +267,6 @@ private:
     BoundaryRule m_rule;
     ScanIntervals m_intervals;
     FrameView m_frame;
-    Fill m_fill;
 };
 
 } // namespace pixelplumb

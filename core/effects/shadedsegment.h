@@ -49,7 +49,7 @@ void setSegmentWeights(SetUp &setUp)
 }
 
 /// In floating numbers: the weight of its last vertex, and what follows from it.
-template <InterpolationForm Form, class SetUp>
+template <class SetUp>
 void setSegmentForm(SetUp &setUp)
 {
     using Float = typename SetUp::Number;
@@ -63,12 +63,12 @@ void setSegmentForm(SetUp &setUp)
     setUp.weight = {};
     setUp.weight[along.last] = share;
     setUp.weight[along.first] = {-share[0], -share[1], 1 - share[2]};
-    if constexpr (Form == InterpolationForm::Plane) {
-        forEachChannel(setUp.effects, [&](std::size_t channel) {
+    if (setUp.form == InterpolationForm::Plane) {
+        for (const std::size_t channel : setUp.carried) {
             const Float from = setUp.vertices[along.first].channels[channel];
             const Float rise = setUp.vertices[along.last].channels[channel] - from;
             setUp.plane[channel] = {rise * share[0], rise * share[1], from + rise * share[2]};
-        });
+        }
     }
 }
 

@@ -79,7 +79,9 @@ struct ShadedSetUp {
     std::array<int, 3> order = {0, 1, 2}; ///< indices of P0, P1, P2 in the caller's triangle
     LongEdge longEdge = LongEdge::Above;
     bool zeroArea = false;
+    InterpolationForm form = InterpolationForm::Bilinear;
     EffectSet effects;
+    ShadedChannels carried{{}}; ///< by the effects
     std::array<ShadedCorner<N>, 3> vertices; ///< as the caller gave them
     /// Doubled, without sign, square lattice units; of a segment its length along the axis, lattice
     /// units, 1 of a point: the exact denominator.
@@ -180,7 +182,7 @@ void setNumbers(ShadedSetUp<ExactShading<Integer>> &setUp, const ShadedTriangle 
     std::array<Integer, 3> factor;
     for (std::size_t i = 0; i < 3; ++i)
         factor[i] = corrects ? Integer(w[(i + 1) % 3]) * w[(i + 2) % 3] : Integer(1);
-    forEachChannel(setUp.effects, [&](std::size_t channel) {
+    for (const std::size_t channel : setUp.carried) {
         std::array<Integer, 3> &plane = setUp.plane[channel];
         plane = {Integer(0), Integer(0), Integer(0)};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -192,14 +194,14 @@ void setNumbers(ShadedSetUp<ExactShading<Integer>> &setUp, const ShadedTriangle 
             for (std::size_t k = 0; k < 3; ++k)
                 plane[k] += value * setUp.weight[i][k];
         }
-    });
+    }
 }
 
 template <std::floating_point Float>
 void setNumbers(ShadedSetUp<FloatShading<Float>> &setUp, const ShadedTriangle &triangle)
 {
     const bool corrects = setUp.effects.perspective;
-    forEachChannel(setUp.effects, [&](std::size_t channel) {
+    for (const std::size_t channel : setUp.carried) {
         const Channel which = channelAt(channel);
         for (std::size_t i = 0; i < 3; ++i) {
             const std::int64_t units = triangle.valueAt(i, which);
@@ -210,40 +212,43 @@ void setNumbers(ShadedSetUp<FloatShading<Float>> &setUp, const ShadedTriangle &t
             const bool isDivided = corrects && which != Channel::Depth;
             setUp.vertices[i].channels[channel] = isDivided ? value / w : value;
         }
-    });
+    }
 }
 
 /// Coefficients of the floating forms; exact ones have them from the start.
-template <InterpolationForm Form, std::floating_point Float>
+template <std::floating_point Float>
 void setForm(ShadedSetUp<FloatShading<Float>> &setUp)
 {
     if (setUp.zeroArea) {
-        setSegmentForm<Form>(setUp);
-    } else if constexpr (Form == InterpolationForm::Plane) {
-        forEachChannel(setUp.effects, [&](std::size_t channel) {
+        setSegmentForm(setUp);
+    } else if (setUp.form == InterpolationForm::Plane) {
+        for (const std::size_t channel : setUp.carried) {
             const PlaneNormal<Float> normal = planeNormal<Float>(setUp.vertices, channel);
             setUp.plane[channel]
                 = {-normal.a / normal.c, -normal.b / normal.c, -normal.d / normal.c};
-        });
-    } else if constexpr (Form == InterpolationForm::Barycentric) {
+        }
+    } else if (setUp.form == InterpolationForm::Barycentric) {
         for (std::size_t i = 0; i < 3; ++i) {
             const ScaledLine<Float> line = scaledLine<Float>(setUp.vertices, i);
             setUp.weight[i] = {line.k * line.a, line.k * line.b, line.k * line.c};
         }
     }
 }
-template <InterpolationForm Form, class Integer>
+template <class Integer>
 void setForm(ShadedSetUp<ExactShading<Integer>> &)
 {
 }
 
 } // namespace shadedsetup
 
-template <InterpolationForm Form, class N>
-ShadedSetUp<N> shadedSetUpOf(const ShadedTriangle &triangle, const EffectSet &effects)
+template <class N>
+ShadedSetUp<N> shadedSetUpOf(InterpolationForm form, const ShadedTriangle &triangle,
+                             const EffectSet &effects)
 {
     ShadedSetUp<N> setUp;
+    setUp.form = form;
     setUp.effects = effects;
+    setUp.carried = ShadedChannels(effects);
     setUp.order = sortedByColumn(triangle.triangle);
     const Int128 area
         = doubledArea(triangle.triangle.vertices[std::size_t(setUp.order[0])].position,
@@ -254,7 +259,7 @@ ShadedSetUp<N> shadedSetUpOf(const ShadedTriangle &triangle, const EffectSet &ef
     for (std::size_t i = 0; i < 3; ++i)
         setUp.vertices[i].position = triangle.triangle.vertices[i].position;
     shadedsetup::setNumbers(setUp, triangle);
-    shadedsetup::setForm<Form>(setUp);
+    shadedsetup::setForm(setUp);
     return setUp;
 }
 

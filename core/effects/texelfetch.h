@@ -112,38 +112,19 @@ std::uint8_t exactlyMixed(const std::array<int, 4> &level,
     return std::uint8_t(BigInteger((2 * sum + unit) / (2 * unit)));
 }
 
-} // namespace texelfetch
-
-/// Reads the texture of a material at u, v: numerators over the denominator in exact numbers.
-/// Observers that count hear each texel.
-template <class N, class Count>
-TexelSample<N> fetchTexels(const Material &material, const typename N::Number &u,
-                           const typename N::Number &v, const typename N::Number &denominator,
-                           const Count &count)
+/// Reads the four texels around the sample, the first of which is known, and mixes them.
+template <class N>
+void filterTexels(const Material &material, const TexturePlace<N> &placeU,
+                  const TexturePlace<N> &placeV, TexelSample<N> &sample)
 {
     using Real = typename N::Real;
     const Texture &texture = *material.texture;
-    const int halves = material.filter == TextureFilter::Bilinear ? 1 : 0;
-    const TexturePlace<N> placeU(u, denominator, texture.width, halves);
-    const TexturePlace<N> placeV(v, denominator, texture.height, halves);
-    TexelSample<N> sample;
-    sample.size = {texture.width, texture.height};
-    sample.first = {wrapped(placeU.whole, texture.width, material.wrap),
-                    wrapped(placeV.whole, texture.height, material.wrap)};
-    count();
-    const Colour &corner = texture.texel(sample.first[0], sample.first[1]);
-    if (material.filter == TextureFilter::Nearest) {
-        sample.texel = corner;
-        return sample;
-    }
     const std::array<std::int32_t, 2> second
         = {wrapped(placeU.whole + 1, texture.width, material.wrap),
            wrapped(placeV.whole + 1, texture.height, material.wrap)};
     sample.isFiltered = true;
-    sample.four = {corner, texture.texel(second[0], sample.first[1]),
+    sample.four = {sample.texel, texture.texel(second[0], sample.first[1]),
                    texture.texel(sample.first[0], second[1]), texture.texel(second[0], second[1])};
-    for (int i = 1; i < 4; ++i)
-        count();
     if constexpr (N::isExact)
         sample.fraction = {Real(placeU.numerator) / Real(placeU.denominator),
                            Real(placeV.numerator) / Real(placeV.denominator)};
@@ -156,7 +137,7 @@ TexelSample<N> fetchTexels(const Material &material, const typename N::Number &u
             bytes[i] = sample.four[i].channels[channel];
             levels[i] = Real(bytes[i]);
         }
-        const Real level = texelfetch::mixed(levels, sample.fraction) + Real(0.5);
+        const Real level = mixed(levels, sample.fraction) + Real(0.5);
         const std::int64_t byte = floorOf(level);
         sample.texel.channels[channel] = std::uint8_t(clampedByte(byte));
         if constexpr (N::isExact) {
@@ -164,9 +145,35 @@ TexelSample<N> fetchTexels(const Material &material, const typename N::Number &u
             constexpr Real doubt = 1e-9;
             const Real above = level - Real(byte);
             if (above < doubt || above > 1 - doubt)
-                sample.texel.channels[channel] = texelfetch::exactlyMixed(bytes, placeU, placeV);
+                sample.texel.channels[channel] = exactlyMixed(bytes, placeU, placeV);
         }
     }
+}
+
+} // namespace texelfetch
+
+/// How many texels a sample reads.
+constexpr std::size_t texelsOf(TextureFilter filter)
+{
+    return filter == TextureFilter::Bilinear ? 4 : 1;
+}
+
+/// Reads the texture of a material at u, v: numerators over the denominator in exact numbers.
+template <TextureFilter filter, class N>
+TexelSample<N> fetchTexels(const Material &material, const typename N::Number &u,
+                           const typename N::Number &v, const typename N::Number &denominator)
+{
+    const Texture &texture = *material.texture;
+    constexpr int halves = filter == TextureFilter::Bilinear ? 1 : 0;
+    const TexturePlace<N> placeU(u, denominator, texture.width, halves);
+    const TexturePlace<N> placeV(v, denominator, texture.height, halves);
+    TexelSample<N> sample;
+    sample.size = {texture.width, texture.height};
+    sample.first = {wrapped(placeU.whole, texture.width, material.wrap),
+                    wrapped(placeV.whole, texture.height, material.wrap)};
+    sample.texel = texture.texel(sample.first[0], sample.first[1]);
+    if constexpr (filter == TextureFilter::Bilinear)
+        texelfetch::filterTexels(material, placeU, placeV, sample);
     return sample;
 }
 

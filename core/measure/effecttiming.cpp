@@ -153,8 +153,9 @@ private:
             return std::nullopt;
         const ScanSettings exact{Arithmetic::Exact, m_settings.fillRule, m_settings.rounding};
         const EffectTally tally
-            = countShaded(ShadedMethod::ColumnScan, m_on, exact, m_onFrame.view(),
-                          planFor(m_on, exact, m_onFrame.view()));
+            = drawShaded(ShadedMethod::ColumnScan, m_on, exact, m_onFrame.view(),
+                         planFor(m_on, exact, m_onFrame.view()))
+                  .value();
         std::int64_t operations = 0;
         for (const EffectWork each : work)
             operations += tally[each];

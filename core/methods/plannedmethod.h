@@ -20,7 +20,7 @@ template <ShadedMethod method>
 bool drawEffects(const Primitives &primitives, const ScanSettings &settings, FrameView frame,
                  const EffectPlan &plan, const ProgressListener &listener)
 {
-    return drawShaded(method, primitives, settings, frame, plan, listener);
+    return drawShaded(method, primitives, settings, frame, plan, listener).has_value();
 }
 
 template <ShadedMethod method, auto plain>

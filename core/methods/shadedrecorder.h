@@ -13,17 +13,18 @@ namespace pixelplumb {
 
 /// Draws triangle by triangle and announces each pixel once. Where pixels have several samples,
 /// those of every edge pixel are kept, so that after each triangle the frame shows what there is.
-template <InterpolationForm Form, class N, class A, class Recorder>
+template <class N, class A, class Recorder>
 class ShadedPictureRecorder {
 public:
-    ShadedPictureRecorder(const Primitives &primitives, const ScanSettings &settings,
-                          FrameView frame, const EffectPlan &plan, Recorder recorder)
+    ShadedPictureRecorder(InterpolationForm form, const Primitives &primitives,
+                          const ScanSettings &settings, FrameView frame, const EffectPlan &plan,
+                          Recorder recorder)
         : m_frame(frame)
         , m_surroundings(plan, primitives.appearance, frame)
         , m_antialiasing(plan.antialiasing)
         , m_pattern(samplePattern(plan.antialiasing))
         , m_recorder(recorder)
-        , m_run(primitives, settings, Listener{this})
+        , m_run(form, primitives, settings, Listener{this})
     {
         if (m_pattern.empty())
             return;
@@ -78,6 +79,7 @@ private:
             if (picture->m_sample)
                 return;
             picture->announceBefore(column.x);
+            picture->m_entered = column.x;
             picture->m_recorder.spanEntered(column);
         }
         void sampleRejected(std::int64_t x, std::int64_t y, QRgb pixel,
@@ -103,35 +105,33 @@ private:
         m_visited.clear();
         for (std::size_t k = 0; k < m_samples.size(); ++k) {
             m_sample = k;
+            const SampledPixels pixels{*m_edges, true, m_pattern[k]};
             m_run.draw(index, effects, m_samples[k]->frame.view(), m_samples[k]->surroundings,
-                       *m_edges, true, m_pattern[k], [](const Column &) {});
+                       &pixels);
         }
         m_sample.reset();
-        m_run.draw(index, effects, m_frame, m_surroundings, *m_edges, false, {0, 0},
-                   [this](const Column &column) { announceIn(column.x); });
+        m_entered.reset();
+        const SampledPixels others{*m_edges, false, {0, 0}};
+        m_run.draw(index, effects, m_frame, m_surroundings, &others);
         announceBefore(std::numeric_limits<std::int64_t>::max());
     }
 
-    /// The columns below x that no sample at a centre reaches.
+    /// The pixels of several samples in the columns below x: in those that no sample at a centre
+    /// reaches, and in the last one that was entered.
     void announceBefore(std::int64_t x)
     {
         while (!m_visited.empty() && m_visited.begin()->first < x) {
-            Column column;
-            column.rate = {};
-            column.x = m_visited.begin()->first;
-            m_recorder.spanEntered(column);
-            announceIn(column.x);
+            const auto visited = m_visited.begin();
+            if (visited->first != m_entered) {
+                Column column;
+                column.rate = {};
+                column.x = visited->first;
+                m_recorder.spanEntered(column);
+            }
+            for (const auto &[y, samples] : visited->second)
+                announce(visited->first, y, samples);
+            m_visited.erase(visited);
         }
-    }
-
-    void announceIn(std::int64_t x)
-    {
-        const auto column = m_visited.find(x);
-        if (column == m_visited.end())
-            return;
-        for (const auto &[y, samples] : column->second)
-            announce(x, y, samples);
-        m_visited.erase(column);
     }
 
     void announce(std::int64_t x, std::int64_t y, std::uint16_t written)
@@ -160,8 +160,9 @@ private:
     Antialiasing m_antialiasing;
     std::span<const LatticePoint> m_pattern;
     Recorder m_recorder;
-    ShadedRun<Form, N, A, Listener> m_run;
+    ShadedRun<N, A, Listener> m_run;
     std::vector<std::unique_ptr<Sample>> m_samples;
+    std::optional<std::int64_t> m_entered; ///< the column whose samples at centres are drawn
     std::optional<std::size_t> m_sample; ///< whose picture is drawn; none: that of the centres
     /// Of the current triangle: the samples that wrote each pixel that one came to, by column and
     /// row.

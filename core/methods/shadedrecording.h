@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 /// How the numbers of shaded triangles become records. A sample depends on what its pixel held, so
 /// columns are not walked again: samples are kept.
-template <InterpolationForm Form, class N, class A>
+template <class N, class A>
 struct ShadedRecording : ShadedNumbers<N, A> {
     using typename ShadedNumbers<N, A>::SetUp;
     using typename ShadedNumbers<N, A>::Span;
@@ -21,15 +21,15 @@ struct ShadedRecording : ShadedNumbers<N, A> {
 
     static ShadedSetUpState stateOf(const SetUpInHand<SetUp> &step)
     {
-        return shadedStateOf<Form, N, A>(step.setUp);
+        return shadedStateOf<N, A>(step.setUp);
     }
     static ShadedSpanState stateOf(const SpanInHand<SetUp, Span> &step)
     {
-        return shadedStateOf<Form, N, A>(step);
+        return shadedStateOf<N, A>(step);
     }
     static ShadedSampleState stateOf(const SampleInHand<SetUp, Span, Sample> &step)
     {
-        return shadedStateOf<Form, N, A>(step);
+        return shadedStateOf<N, A>(step);
     }
     template <class State>
     static auto tell(StepWords &words, const State &state) -> decltype(tellShaded(words, state))
@@ -45,7 +45,7 @@ struct ShadedRecording : ShadedNumbers<N, A> {
 
     static void record(const SetUp &setUp, SetUpRecord &record)
     {
-        if constexpr (Form == InterpolationForm::Bilinear) {
+        if (setUp.form == InterpolationForm::Bilinear) {
             record.order = setUp.order;
             record.longEdge = setUp.longEdge;
         }

@@ -20,7 +20,7 @@ inline Quantity givenValue(const Vertex &vertex, const VertexAttributes &attribu
 
 /// What each column adds to y along the edges, as it is walked, and in the bilinear form to the
 /// channels; exact ones are what the plane of the channel has along the edge.
-template <InterpolationForm Form, class N, class A>
+template <class N, class A>
 void setSlopes(const ShadedSetUpRead<N> &setUp, ShadedSetUpState &state)
 {
     const ShadedQuantities<N> quantities(setUp);
@@ -33,27 +33,27 @@ void setSlopes(const ShadedSetUpRead<N> &setUp, ShadedSetUpState &state)
         if (run == 0)
             continue;
         state.slope[edge] = quantityOf(A::edgeSlope(setUp.corners[from], setUp.corners[to]));
-        if constexpr (Form == InterpolationForm::Bilinear && N::isExact) {
-            forEachChannel(setUp.effects, [&](std::size_t channel) {
+        if (setUp.form != InterpolationForm::Bilinear)
+            continue;
+        if constexpr (N::isExact) {
+            for (const std::size_t channel : setUp.carried)
                 state.rate[edge][channel]
                     = quantities.rate(channel, b.channels[channel] - a.channels[channel], run);
-            });
-        } else if constexpr (Form == InterpolationForm::Bilinear) {
-            const ShadedEdge<N> walked(a, b, 0, setUp.effects);
+        } else {
+            const ShadedEdge<N> walked(a, b, 0, setUp.carried);
             state.slope[edge] = Quantity::of(walked.slope);
-            forEachChannel(setUp.effects, [&](std::size_t channel) {
+            for (const std::size_t channel : setUp.carried)
                 state.rate[edge][channel] = Quantity::of(walked.rate[channel]);
-            });
         }
     }
 }
 
-template <InterpolationForm Form, class N, class A>
+template <class N, class A>
 ShadedSetUpState shadedStateOf(const ShadedSetUpRead<N> &setUp)
 {
     ShadedSetUpState state;
     state.order = setUp.order;
-    state.form = Form;
+    state.form = setUp.form;
     state.effects = setUp.effects;
     state.zeroArea = setUp.zeroArea;
     state.material = setUp.material;
@@ -62,7 +62,7 @@ ShadedSetUpState shadedStateOf(const ShadedSetUpRead<N> &setUp)
         state.w[i]
             = Quantity::rational(std::max<std::int64_t>(1, setUp.attributes[i].w), attributeOne);
     }
-    setSlopes<Form, N, A>(setUp, state);
+    setSlopes<N, A>(setUp, state);
     const ShadedQuantities<N> quantities(setUp);
     forEachChannel(setUp.effects, [&](std::size_t channel) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -111,7 +111,7 @@ void setBounds(const ShadedSetUpRead<N> &setUp, const BoundedColumn<N, A> &colum
 
 /// How a column's walk along the edges is told, as the edge walks tell theirs. In the forms that
 /// are not bilinear digits name the vertices as they are given.
-template <InterpolationForm Form, class N, class A>
+template <class N, class A>
 EdgeWalkSpanState shadedWalkOf(const SpanInHand<ShadedSetUpRead<N>, BoundedColumn<N, A>> &step)
 {
     const ShadedSetUpRead<N> &setUp = step.setUp;
@@ -120,7 +120,7 @@ EdgeWalkSpanState shadedWalkOf(const SpanInHand<ShadedSetUpRead<N>, BoundedColum
     walk.primitive = step.primitive;
     for (std::size_t i = 0; i < 3; ++i) {
         walk.corners[i].position = setUp.vertices[std::size_t(setUp.order[i])].position;
-        if constexpr (Form != InterpolationForm::Bilinear)
+        if (setUp.form != InterpolationForm::Bilinear)
             walk.digits[i] = std::size_t(setUp.order[i]);
     }
     walk.start.hasPlane = !setUp.zeroArea;
@@ -141,12 +141,12 @@ EdgeWalkSpanState shadedWalkOf(const SpanInHand<ShadedSetUpRead<N>, BoundedColum
     return walk;
 }
 
-template <InterpolationForm Form, class N, class A>
+template <class N, class A>
 ShadedSpanState shadedStateOf(const SpanInHand<ShadedSetUpRead<N>, BoundedColumn<N, A>> &step)
 {
     const BoundedColumn<N, A> &column = step.span;
     ShadedSpanState state;
-    state.walk = shadedWalkOf<Form>(step);
+    state.walk = shadedWalkOf(step);
     state.isBounded = column.origin != ColumnOrigin::None;
     if (!state.isBounded)
         return state;
@@ -156,13 +156,14 @@ ShadedSpanState shadedStateOf(const SpanInHand<ShadedSetUpRead<N>, BoundedColumn
     state.endDrawn = column.endDrawn;
     state.lower = quantityOf(column.lower);
     state.upper = quantityOf(column.upper);
-    if constexpr (Form == InterpolationForm::Bilinear && !N::isExact) {
+    if (step.setUp.form != InterpolationForm::Bilinear)
+        return state;
+    if constexpr (!N::isExact) {
         // As the channels use them; what is covered may be decided by exact ones.
         state.lower = Quantity::of(column.yBottom);
         state.upper = Quantity::of(column.yTop);
     }
-    if constexpr (Form == InterpolationForm::Bilinear)
-        setBounds(step.setUp, column, ShadedQuantities<N>(step.setUp), state);
+    setBounds(step.setUp, column, ShadedQuantities<N>(step.setUp), state);
     return state;
 }
 
@@ -184,8 +185,8 @@ std::array<Quantity, 2> affineTexture(const ShadedSetUpRead<N> &setUp, std::int6
         EffectSet texture;
         texture.texture = true;
         return ShadedSetUpRead<ExactShading<Int256>>{
-            shadedSetUpOf<InterpolationForm::Plane, ExactShading<Int256>>({triangle, &attributes},
-                                                                          texture),
+            shadedSetUpOf<ExactShading<Int256>>(InterpolationForm::Plane, {triangle, &attributes},
+                                                texture),
             setUp.corners, setUp.attributes, noMaterial};
     }();
     const ShadedQuantities<ExactShading<Int256>> quantities(affine);
@@ -223,7 +224,7 @@ bool isBlended(const ShadedSetUpRead<N> &setUp, const ShadedSample<N> &sample)
     return setUp.effects.blending && (hasAlpha || !isOpaque);
 }
 
-template <InterpolationForm Form, class N, class A>
+template <class N, class A>
 ShadedSampleState shadedStateOf(
     const SampleInHand<ShadedSetUpRead<N>, BoundedColumn<N, A>, ShadedSample<N>> &step)
 {
@@ -251,7 +252,7 @@ ShadedSampleState shadedStateOf(
         if (followsPerspective(channelAt(channel)))
             state.value[channel] = quantities.value(sample, channel);
     });
-    if constexpr (Form == InterpolationForm::Barycentric) {
+    if (setUp.form == InterpolationForm::Barycentric) {
         for (std::size_t i = 0; i < 3; ++i)
             state.weight[i] = quantities.weight(sample.weight[i]);
     }

@@ -37,38 +37,30 @@ ShadedScope scopeOf(InterpolationForm form, const Primitives &primitives,
     return scope;
 }
 
-template <ShadedMethod method>
-std::unique_ptr<ScanTrace> traceBy(const Primitives &primitives, const ScanSettings &settings,
-                                   FrameView frame, const EffectPlan &plan,
-                                   const TraceOptions &options)
-{
-    const auto trace = [&]<InterpolationForm Form, class N, class A>() {
-        using R = ShadedRecording<Form, N, A>;
-        TriangleEffects effects(plan);
-        using Picture = ShadedPictureRecorder<Form, N, A, TraceRecorder<R>>;
-        std::unique_ptr<Picture> picture;
-        const auto draw = [&](std::size_t index, const TraceRecorder<R> &recorder) {
-            if (!picture)
-                picture = std::make_unique<Picture>(primitives, settings, frame, plan, recorder);
-            picture->draw(index, effects.at(index));
-        };
-        return recordTrace<R>(
-            primitives.size(), settings, options,
-            [&](std::size_t index) { return primitives.isTriangle(index); }, draw,
-            TablesOf<R>::of(scopeOf(Form, primitives, settings, plan)));
-    };
-    return withShadingNumbers<method>(settings, shadingWidthsFor(primitives, plan), trace);
-}
-
 } // namespace
 
 std::unique_ptr<ScanTrace> traceShaded(ShadedMethod method, const Primitives &primitives,
                                        const ScanSettings &settings, FrameView frame,
                                        const EffectPlan &plan, const TraceOptions &options)
 {
-    return withShadedMethod(method, [&]<ShadedMethod known>() {
-        return traceBy<known>(primitives, settings, frame, plan, options);
-    });
+    const InterpolationForm form = formOf(method);
+    const auto trace = [&]<class N, class A>() {
+        using R = ShadedRecording<N, A>;
+        TriangleEffects effects(plan);
+        using Picture = ShadedPictureRecorder<N, A, TraceRecorder<R>>;
+        std::unique_ptr<Picture> picture;
+        const auto draw = [&](std::size_t index, const TraceRecorder<R> &recorder) {
+            if (!picture)
+                picture
+                    = std::make_unique<Picture>(form, primitives, settings, frame, plan, recorder);
+            picture->draw(index, effects.at(index));
+        };
+        return recordTrace<R>(
+            primitives.size(), settings, options,
+            [&](std::size_t index) { return primitives.isTriangle(index); }, draw,
+            TablesOf<R>::of(scopeOf(form, primitives, settings, plan)));
+    };
+    return withShadingNumbers(method, settings, shadingWidthsFor(primitives, plan), trace);
 }
 
 } // namespace pixelplumb

@@ -59,14 +59,10 @@ Truth truthOf(const EffectScene &scene, const ScanSettings &settings)
     return truth;
 }
 
-constexpr auto drawSpecialised = [](const auto &...arguments) { drawShaded(arguments...); };
-
-template <class Draw>
-FrameBuffer drawnBy(const Draw &draw, ShadedMethod method, const EffectScene &scene,
-                    const ScanSettings &settings)
+FrameBuffer drawnBy(ShadedMethod method, const EffectScene &scene, const ScanSettings &settings)
 {
     FrameBuffer frame(scene.frame);
-    draw(method, scene.primitives, settings, frame.view(), planByHand(scene.primitives));
+    drawShaded(method, scene.primitives, settings, frame.view(), planByHand(scene.primitives));
     return frame;
 }
 
@@ -168,9 +164,8 @@ private slots:
             [](const EffectScene &scene, const ScanSettings &settings, const QString &text) {
                 const Truth truth = truthOf(scene, settings);
                 for (const ShadedMethod method : methodsThatKeep(settings.fillRule)) {
-                    const Departure departure
-                        = departureOf(drawnBy(drawSpecialised, method, scene, settings),
-                                      truth.frame, truth.undecided);
+                    const Departure departure = departureOf(drawnBy(method, scene, settings),
+                                                            truth.frame, truth.undecided);
                     QVERIFY2(departure.pixels == 0, qPrintable(text + textOf(method, departure)));
                 }
             });
@@ -194,20 +189,27 @@ private slots:
             });
     }
 
-    void theKernelOfABatchDrawsWhatTheCountingOneDraws_data() { addHardshipRows(); }
-    void theKernelOfABatchDrawsWhatTheCountingOneDraws()
+    void columnsLongerThanARunOfSamplesAreDrawnTrue()
     {
-        QFETCH(EffectHardship, hardship);
-        forEachScene(
-            hardship, {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64},
-            [](const EffectScene &scene, const ScanSettings &settings, const QString &text) {
-                for (const ShadedMethod method : methodsThatKeep(settings.fillRule)) {
-                    const Departure departure
-                        = departureOf(drawnBy(drawSpecialised, method, scene, settings),
-                                      drawnBy(countShaded, method, scene, settings));
-                    QVERIFY2(departure.pixels == 0, qPrintable(text + textOf(method, departure)));
-                }
-            });
+        EffectScene scene;
+        scene.frame = frameOf(20, 300);
+        Triangle triangle;
+        triangle.vertices = {{{latticePixel(1, 2), {{255, 0, 0}}},
+                              {latticePixel(18, 40), {{0, 255, 0}}},
+                              {latticePixel(3, 297), {{0, 0, 255}}}}};
+        TriangleAttributes attributes;
+        attributes.vertices[0].w = 3 * attributeOne;
+        attributes.vertices[1].alpha = 17;
+        attributes.vertices[2].z = attributeOne / 3;
+        scene.primitives.triangles = {triangle};
+        scene.primitives.attributes = {attributes};
+        scene.primitives.appearance.depth = DepthUse::On;
+        const Truth truth = truthOf(scene, {});
+        for (const ShadedMethod method : shadedMethods) {
+            const Departure departure
+                = departureOf(drawnBy(method, scene, {}), truth.frame, truth.undecided);
+            QVERIFY2(departure.pixels == 0, qPrintable(textOf(method, departure)));
+        }
     }
 
     void neutralEffectsChangeNoPixelInExactArithmetic_data() { addHardshipRows(); }
@@ -222,7 +224,7 @@ private slots:
                     drawShaded(method, scene.primitives, settings, frame.view(),
                                withNeutralEffects(planByHand(scene.primitives)));
                     const Departure departure
-                        = departureOf(frame, drawnBy(drawSpecialised, method, scene, settings));
+                        = departureOf(frame, drawnBy(method, scene, settings));
                     QVERIFY2(departure.pixels == 0, qPrintable(text + textOf(method, departure)));
                 }
             });
@@ -261,9 +263,9 @@ private slots:
                              const auto kept = methodsThatKeep(settings.fillRule);
                              if (std::ranges::find(kept, shadedMethods[i]) == kept.end())
                                  continue;
-                             const Departure departure = departureOf(
-                                 drawnBy(drawSpecialised, shadedMethods[i], scene, settings),
-                                 truth.frame, truth.undecided);
+                             const Departure departure
+                                 = departureOf(drawnBy(shadedMethods[i], scene, settings),
+                                               truth.frame, truth.undecided);
                              others[i] += departure.pixels;
                              beyondOne[i] += departure.beyondOne;
                          }

@@ -56,7 +56,7 @@ void addBehind(Primitives &primitives)
 EffectTally tallyOf(ShadedMethod method, const Primitives &primitives)
 {
     FrameBuffer frame(frameOf(20, 20));
-    return countShaded(method, primitives, {}, frame.view(), planByHand(primitives));
+    return drawShaded(method, primitives, {}, frame.view(), planByHand(primitives)).value();
 }
 
 } // namespace
@@ -73,7 +73,7 @@ private slots:
             const EffectPlan plan = planByHand(scene.primitives);
             FrameBuffer frame(scene.frame);
             const EffectTally tally
-                = countShaded(ShadedMethod::Plane, scene.primitives, {}, frame.view(), plan);
+                = drawShaded(ShadedMethod::Plane, scene.primitives, {}, frame.view(), plan).value();
             const auto isThere = [&](const auto &asks) {
                 return std::ranges::any_of(
                     plan.batches, [&](const EffectBatch &batch) { return asks(batch.effects); });

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/samplerun.h"
+
+/// The colour of the vertices: one, or what lies between three.
+namespace pixelplumb::stages {
+
+template <class N>
+void readColours(const SampleRun<N> &run)
+{
+    for (std::size_t i = 0; run.read && i < run.count; ++i) {
+        ShadedSample<N> &read = run.readOf(i);
+        read.interpolated = read.textured = read.source = unpacked(run.colour[i]);
+    }
+}
+
+template <class N>
+void setFlatColour(SampleRun<N> &run)
+{
+    run.worked(EffectWork::Sample, run.count);
+    std::fill_n(run.colour.begin(), run.count, run.surface->flat);
+    for (std::size_t i = 0; run.read && i < run.count; ++i) {
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            run.readOf(i).level[channel] = unpacked(run.surface->flat).channels[channel];
+    }
+    readColours(run);
+}
+
+template <class N>
+void setSmoothColour(SampleRun<N> &run)
+{
+    run.worked(EffectWork::Sample, run.count);
+    for (std::size_t i = 0; i < run.count; ++i) {
+        const std::array<std::int64_t, 3> level
+            = {run.levelOf(Channel::Red, i), run.levelOf(Channel::Green, i),
+               run.levelOf(Channel::Blue, i)};
+        run.colour[i] = pixelOfLevels(level);
+        if (run.read)
+            run.readOf(i).level = level;
+    }
+    readColours(run);
+}
+
+} // namespace pixelplumb::stages

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/samplerun.h"
+
+/// Perspective: what was interpolated over w is divided by 1/w.
+namespace pixelplumb::stages {
+
+/// Beyond the horizon of its plane a sample has no attributes. Only areas reach so far.
+template <class N>
+void leaveHorizon(SampleRun<N> &run)
+{
+    std::array<std::uint8_t, SampleRun<N>::capacity> kept;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < run.count; ++i) {
+        kept[count] = std::uint8_t(i);
+        count += run.valueOf(Channel::Reciprocal, i) > 0 ? 1 : 0;
+    }
+    run.keep(kept, count);
+}
+
+/// Exact numerators get another denominator, floating numbers are divided.
+template <class N>
+void divideByW(SampleRun<N> &run)
+{
+    run.worked(EffectWork::Division, run.count);
+    const auto &reciprocal = run.value[indexOf(Channel::Reciprocal)];
+    if constexpr (N::isExact) {
+        run.denominator = reciprocal.data();
+        run.isDivided = true;
+    } else {
+        for (const std::size_t channel : *run.carried) {
+            if (!followsPerspective(channelAt(channel)))
+                continue;
+            for (std::size_t i = 0; i < run.count; ++i)
+                run.value[channel][i] = run.value[channel][i] / reciprocal[i];
+        }
+    }
+}
+
+} // namespace pixelplumb::stages

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/depthbuffer.h"
+#include "core/effects/effectwork.h"
+#include "core/effects/pixelarea.h"
+#include "core/effects/shadedsample.h"
+#include "core/frame/levelpixel.h"
+
+#include <numeric>
+
+namespace pixelplumb {
+
+/// What the samples of one triangle are shaded with.
+template <class N>
+struct ShadedSurface {
+    const Lighting<typename N::Real> *lighting = nullptr; ///< where light is carried
+    const Material *material = nullptr;
+    DepthBuffer<N> *depths = nullptr; ///< where depth is compared
+    std::uint32_t greatestLevel = 0; ///< of the depth format
+    ByteRounding rounding = ByteRounding::Nearest;
+    QRgb flat = 0; ///< of a triangle whose colours are equal
+    const PixelArea *area = nullptr; ///< of the pixel, where areas are covered
+};
+
+/// Up to 64 samples of one column, bottom to top: all that the stages of a plan hand to each other.
+/// Those in play stand first, without gaps, so that a stage is a plain loop over [0, count); a
+/// sample that is refused is closed over and costs the later stages nothing.
+template <class N>
+struct SampleRun {
+    using Number = typename N::Number;
+    using Real = typename N::Real;
+    static constexpr std::size_t capacity = 64;
+    template <class Value>
+    using PerSample = std::array<Value, capacity>;
+
+    const ShadedSetUp<N> *setUp = nullptr;
+    const ShadedColumn<N> *column = nullptr;
+    const ShadedSurface<N> *surface = nullptr;
+    const ShadedChannels *carried = nullptr; ///< by the list of stages that is run
+    /// Where an observer reads numbers: one for each row, else null. Stages leave there what only
+    /// it asks for.
+    ShadedSample<N> *read = nullptr;
+    EffectCounts done = {};
+
+    std::int64_t start = 0; ///< the row at which adding began
+    std::int64_t firstRow = 0;
+    std::size_t size = 0; ///< rows, of samples in play and of refused ones
+    QRgb *firstPixel = nullptr;
+    std::ptrdiff_t stride = 0;
+    PerChannel<Number> next; ///< of the run above, where channels go up by adding
+
+    std::size_t count = 0; ///< in play
+    PerSample<std::uint8_t> row; ///< above the first
+    /// Linear in the frame; in exact numbers over the denominator. A floating number is what the
+    /// effects take once it is divided by 1/w.
+    PerChannel<PerSample<Number>> value;
+    PerSample<QRgb> colour; ///< R G B, opaque
+    const Number *denominator = nullptr; ///< of exact numbers: one for all, or the values of 1/w
+    bool isDivided = false; ///< the denominators are those of 1/w
+
+    /// The rows from `first` on, all of them in play.
+    void enter(std::int64_t first, std::size_t rows, FrameView frame)
+    {
+        firstRow = first;
+        size = count = rows;
+        firstPixel = frame.at(column->x, first);
+        stride = frame.stride;
+        std::iota(row.begin(), row.end(), std::uint8_t(0));
+        denominator = &setUp->area;
+        isDivided = false;
+        if (!read)
+            return;
+        std::fill_n(read, rows, ShadedSample<N>{});
+        for (std::size_t i = 0; i < rows; ++i)
+            read[i].runFirst = start;
+    }
+
+    /// Leaves the samples in play that are named, ascending; the others are refused.
+    void keep(const PerSample<std::uint8_t> &kept, std::size_t keptCount)
+    {
+        if (keptCount == count)
+            return;
+        count = keptCount;
+        const auto close = [&](auto &values) {
+            for (std::size_t i = 0; i < count; ++i)
+                values[i] = values[kept[i]];
+        };
+        close(row);
+        for (const std::size_t channel : *carried)
+            close(value[channel]);
+    }
+
+    QRgb &pixelOf(std::size_t sample) const
+    {
+        return firstPixel[std::ptrdiff_t(row[sample]) * stride];
+    }
+    /// Only where an observer reads numbers.
+    ShadedSample<N> &readOf(std::size_t sample) const { return read[row[sample]]; }
+
+    const Number &denominatorOf(std::size_t sample) const
+    {
+        return denominator[isDivided ? sample : 0];
+    }
+    const Number &valueOf(Channel channel, std::size_t sample) const
+    {
+        return value[indexOf(channel)][sample];
+    }
+    std::int64_t levelOf(Channel channel, std::size_t sample) const
+    {
+        if constexpr (N::isExact)
+            return N::level(valueOf(channel, sample), denominatorOf(sample), surface->rounding);
+        else
+            return N::level(valueOf(channel, sample), surface->rounding);
+    }
+    /// A channel in units of one, as what has no exact number reads it.
+    Real realOf(Channel channel, std::size_t sample) const
+    {
+        if constexpr (N::isExact)
+            return N::real(valueOf(channel, sample), denominatorOf(sample)) / Real(attributeOne);
+        else
+            return valueOf(channel, sample);
+    }
+    Vector<Real> vectorOf(Channel x, Channel y, Channel z, std::size_t sample) const
+    {
+        return {realOf(x, sample), realOf(y, sample), realOf(z, sample)};
+    }
+
+    void worked(EffectWork work, std::size_t times)
+    {
+        done[std::size_t(work)] += std::int64_t(times);
+    }
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/stagelist.h"
+
+#include "core/effects/blendstage.h"
+#include "core/effects/colourstage.h"
+#include "core/effects/depthstage.h"
+#include "core/effects/dividestage.h"
+#include "core/effects/interpolatestage.h"
+#include "core/effects/lightstage.h"
+#include "core/effects/texelstage.h"
+
+namespace pixelplumb {
+
+namespace {
+
+template <class N>
+void write(SampleRun<N> &run)
+{
+    for (std::size_t i = 0; i < run.count; ++i)
+        run.pixelOf(i) = run.colour[i];
+}
+
+/// A stage and when a plan calls for it.
+template <class N>
+struct StageRow {
+    bool (*isCalledFor)(const StageNeeds &needs);
+    Stage<N> stage;
+};
+
+template <InterpolationForm form>
+bool interpolates(const StageNeeds &needs)
+{
+    return needs.form == form && (needs.isRead || needs.effects != EffectSet{});
+}
+
+template <TextureFilter filter>
+bool reads(const StageNeeds &needs)
+{
+    return needs.effects.texture && needs.filter == filter;
+}
+
+using Needs = StageNeeds;
+/// In the order in which they run.
+template <class N>
+constexpr StageRow<N> table[] = {
+    {interpolates<InterpolationForm::Bilinear>, stages::interpolateByAdding<N>},
+    {interpolates<InterpolationForm::Plane>, stages::interpolateByPlanes<N>},
+    {interpolates<InterpolationForm::Barycentric>, stages::interpolateByWeights<N>},
+    {[](const Needs &needs) { return needs.effects.perspective && needs.coversAreas; },
+     stages::leaveHorizon<N>},
+    {[](const Needs &needs) { return needs.effects.depth == DepthTest::Number; },
+     stages::compareNumbers<N>},
+    {[](const Needs &needs) { return needs.effects.depth == DepthTest::Levels; },
+     stages::compareLevels<N>},
+    {[](const Needs &needs) { return needs.effects.perspective; }, stages::divideByW<N>},
+    {[](const Needs &needs) { return !needs.effects.smooth; }, stages::setFlatColour<N>},
+    {[](const Needs &needs) { return needs.effects.smooth; }, stages::setSmoothColour<N>},
+    {reads<TextureFilter::Nearest>, stages::tintByTexels<TextureFilter::Nearest, N>},
+    {reads<TextureFilter::Bilinear>, stages::tintByTexels<TextureFilter::Bilinear, N>},
+    {[](const Needs &needs) { return needs.effects.light; }, stages::light<N>},
+    {[](const Needs &needs) { return needs.effects.blending; }, stages::blend<N>},
+    {[](const Needs &needs) { return !needs.isRead; }, write<N>},
+};
+
+} // namespace
+
+template <class N>
+StageList<N>::StageList(const StageNeeds &needs)
+    : m_carried(needs.effects)
+{
+    for (const StageRow<N> &row : table<N>) {
+        if (row.isCalledFor(needs))
+            m_stages[m_count++] = row.stage;
+    }
+}
+
+template class StageList<FloatShading<float>>;
+template class StageList<FloatShading<double>>;
+template class StageList<ExactShading<Int128>>;
+template class StageList<ExactShading<Int256>>;
+
+} // namespace pixelplumb

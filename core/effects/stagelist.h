@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/samplerun.h"
+
+namespace pixelplumb {
+
+/// What decides which stages a triangle's samples go through.
+struct StageNeeds {
+    InterpolationForm form = InterpolationForm::Bilinear;
+    EffectSet effects;
+    TextureFilter filter = TextureFilter::Nearest;
+    bool coversAreas = false; ///< samples may lie beside the triangle
+    bool isRead = false; ///< who reads the numbers writes the pixels as well
+};
+
+/// One thing that is done to all samples in play of a run.
+template <class N>
+using Stage = void (*)(SampleRun<N> &run);
+
+/// A plan for one triangle: the stages that it calls for, in order. What is not called for is not
+/// in the list, so that nothing of it runs.
+template <class N>
+class StageList {
+public:
+    explicit StageList(const StageNeeds &needs);
+
+    void operator()(SampleRun<N> &run) const
+    {
+        run.carried = &m_carried;
+        for (std::size_t i = 0; i < m_count && run.count > 0; ++i)
+            m_stages[i](run);
+    }
+
+private:
+    static constexpr std::size_t most = 9;
+    ShadedChannels m_carried;
+    std::array<Stage<N>, most> m_stages = {};
+    std::size_t m_count = 0;
+};
+
+extern template class StageList<FloatShading<float>>;
+extern template class StageList<FloatShading<double>>;
+extern template class StageList<ExactShading<Int128>>;
+extern template class StageList<ExactShading<Int256>>;
+
+} // namespace pixelplumb
