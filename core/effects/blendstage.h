@@ -10,19 +10,22 @@ template <class N>
 void blend(SampleRun<N> &run)
 {
     run.worked(EffectWork::Blend, run.count);
+    std::array<std::int64_t, SampleRun<N>::capacity> levels;
+    std::array<std::uint8_t, SampleRun<N>::capacity> share;
+    run.setLevels(Channel::Alpha, levels);
+    for (std::size_t i = 0; i < run.count; ++i)
+        share[i] = std::uint8_t(clampedByte(levels[i]));
     const PixelArea *const area = run.surface->area;
-    for (std::size_t i = 0; i < run.count; ++i) {
-        const std::int64_t level = run.levelOf(Channel::Alpha, i);
-        const auto alpha = std::uint8_t(clampedByte(level));
-        const std::uint8_t share = area ? area->times(alpha) : alpha;
-        run.colour[i] = blended(unpacked(run.colour[i]), run.pixelOf(i), share);
-        if (run.read) {
-            ShadedSample<N> &read = run.readOf(i);
-            read.alphaLevel = level;
-            read.alpha = alpha;
-            read.blendedAlpha = share;
-            read.area = area ? area->exact() : Quantity();
-        }
+    for (std::size_t i = 0; area && i < run.count; ++i)
+        share[i] = area->times(share[i]);
+    for (std::size_t i = 0; i < run.count; ++i)
+        run.colour[i] = blended(unpacked(run.colour[i]), run.pixelOf(i), share[i]);
+    for (std::size_t i = 0; run.read && i < run.count; ++i) {
+        ShadedSample<N> &read = run.readOf(i);
+        read.alphaLevel = levels[i];
+        read.alpha = std::uint8_t(clampedByte(levels[i]));
+        read.blendedAlpha = share[i];
+        read.area = area ? area->exact() : Quantity();
     }
 }
 

@@ -31,14 +31,13 @@ template <class N>
 void setSmoothColour(SampleRun<N> &run)
 {
     run.worked(EffectWork::Sample, run.count);
-    for (std::size_t i = 0; i < run.count; ++i) {
-        const std::array<std::int64_t, 3> level
-            = {run.levelOf(Channel::Red, i), run.levelOf(Channel::Green, i),
-               run.levelOf(Channel::Blue, i)};
-        run.colour[i] = pixelOfLevels(level);
-        if (run.read)
-            run.readOf(i).level = level;
-    }
+    std::array<std::array<std::int64_t, SampleRun<N>::capacity>, 3> levels;
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        run.setLevels(channelAt(channel), levels[channel]);
+    for (std::size_t i = 0; i < run.count; ++i)
+        run.colour[i] = pixelOfLevels({levels[0][i], levels[1][i], levels[2][i]});
+    for (std::size_t i = 0; run.read && i < run.count; ++i)
+        run.readOf(i).level = {levels[0][i], levels[1][i], levels[2][i]};
     readColours(run);
 }
 

@@ -7,33 +7,36 @@
 namespace pixelplumb::stages {
 
 /// `stored` goes up the column from the run's first row; read(sample) is what is compared, and
-/// tell(verdict, before, now, passed) keeps it for who reads numbers.
-template <class N, class Stored, class Read, class Tell>
+/// tell(verdict, before, now) keeps it for who reads numbers. No longer run than of one sample has
+/// lost any before.
+template <class Stored, class N, class Read, class Tell>
 void compareDepth(SampleRun<N> &run, Stored *stored, const Read &read, const Tell &tell)
 {
-    std::array<std::uint8_t, SampleRun<N>::capacity> kept;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < run.count; ++i) {
-        Stored &nearest = stored[run.row[i]];
-        const Stored now = read(i);
-        const bool passes = now <= nearest;
-        if (run.read)
-            tell(run.readOf(i).depth, nearest, now);
-        if (passes)
-            nearest = now;
-        kept[count] = std::uint8_t(i);
-        count += passes ? 1 : 0;
+    using Run = SampleRun<N>;
+    typename Run::template PerSample<Stored> now;
+    typename Run::template PerSample<std::uint32_t> passes;
+    const std::size_t count = run.count;
+    for (std::size_t i = 0; i < count; ++i)
+        now[i] = read(i);
+    for (std::size_t i = 0; run.read && i < count; ++i)
+        tell(run.readOf(i).depth, stored[i], now[i]);
+    std::uint32_t passing = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool isNearer = now[i] <= stored[i];
+        stored[i] = isNearer ? now[i] : stored[i];
+        passes[i] = isNearer ? 1 : 0;
+        passing += passes[i];
     }
-    run.worked(EffectWork::DepthRead, run.count);
-    run.worked(EffectWork::DepthWrite, count);
-    run.keep(kept, count);
+    run.worked(EffectWork::DepthRead, count);
+    run.worked(EffectWork::DepthWrite, passing);
+    run.keep(passes, passing);
 }
 
 template <class N>
 void compareNumbers(SampleRun<N> &run)
 {
     using Depth = typename N::Depth;
-    compareDepth(
+    compareDepth<Depth>(
         run, run.surface->depths->numbersAt(run.column->x, run.firstRow),
         [&](std::size_t i) -> Depth {
             const auto &value = run.valueOf(Channel::Depth, i);
@@ -51,14 +54,15 @@ void compareNumbers(SampleRun<N> &run)
 template <class N>
 void compareLevels(SampleRun<N> &run)
 {
-    compareDepth(
+    const std::uint32_t greatest = run.surface->greatestLevel;
+    compareDepth<std::uint32_t>(
         run, run.surface->depths->levelsAt(run.column->x, run.firstRow),
         [&](std::size_t i) -> std::uint32_t {
             const auto &value = run.valueOf(Channel::Depth, i);
             if constexpr (N::isExact)
-                return N::depthLevel(value, run.setUp->area, run.surface->greatestLevel);
+                return N::depthLevel(value, run.setUp->area, greatest);
             else
-                return N::depthLevel(value, run.surface->greatestLevel);
+                return N::depthLevel(value, greatest);
         },
         [](DepthVerdict<N> &verdict, std::uint32_t before, std::uint32_t now) {
             verdict.levelBefore = before;

@@ -10,13 +10,13 @@ namespace pixelplumb::stages {
 template <class N>
 void leaveHorizon(SampleRun<N> &run)
 {
-    std::array<std::uint8_t, SampleRun<N>::capacity> kept;
-    std::size_t count = 0;
+    std::array<std::uint32_t, SampleRun<N>::capacity> passes;
+    std::size_t passing = 0;
     for (std::size_t i = 0; i < run.count; ++i) {
-        kept[count] = std::uint8_t(i);
-        count += run.valueOf(Channel::Reciprocal, i) > 0 ? 1 : 0;
+        passes[i] = run.valueOf(Channel::Reciprocal, i) > 0 ? 1 : 0;
+        passing += passes[i];
     }
-    run.keep(kept, count);
+    run.keep(passes, passing);
 }
 
 /// Exact numerators get another denominator, floating numbers are divided.

@@ -7,8 +7,6 @@
 #include "core/effects/shadedsample.h"
 #include "core/frame/levelpixel.h"
 
-#include <numeric>
-
 namespace pixelplumb {
 
 /// What the samples of one triangle are shaded with.
@@ -51,7 +49,7 @@ struct SampleRun {
     PerChannel<Number> next; ///< of the run above, where channels go up by adding
 
     std::size_t count = 0; ///< in play
-    PerSample<std::uint8_t> row; ///< above the first
+    PerSample<std::uint8_t> row; ///< above the first, once a sample has been refused
     /// Linear in the frame; in exact numbers over the denominator. A floating number is what the
     /// effects take once it is divided by 1/w.
     PerChannel<PerSample<Number>> value;
@@ -66,7 +64,6 @@ struct SampleRun {
         size = count = rows;
         firstPixel = frame.at(column->x, first);
         stride = frame.stride;
-        std::iota(row.begin(), row.end(), std::uint8_t(0));
         denominator = &setUp->area;
         isDivided = false;
         if (!read)
@@ -76,27 +73,38 @@ struct SampleRun {
             read[i].runFirst = start;
     }
 
-    /// Leaves the samples in play that are named, ascending; the others are refused.
-    void keep(const PerSample<std::uint8_t> &kept, std::size_t keptCount)
+    /// Leaves those in play that pass, so many of them; the others are refused.
+    void keep(const PerSample<std::uint32_t> &passes, std::size_t passing)
     {
-        if (keptCount == count)
+        if (passing == count)
             return;
-        count = keptCount;
+        PerSample<std::uint8_t> kept;
+        for (std::size_t i = 0, end = 0; i < count; ++i) {
+            kept[end] = std::uint8_t(i);
+            end += passes[i];
+        }
         const auto close = [&](auto &values) {
-            for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t i = 0; i < passing; ++i)
                 values[i] = values[kept[i]];
         };
-        close(row);
+        if (isWhole())
+            row = kept;
+        else
+            close(row);
         for (const std::size_t channel : *carried)
             close(value[channel]);
+        count = passing;
     }
 
+    /// Whether none has been refused.
+    bool isWhole() const { return count == size; }
+    std::size_t rowOf(std::size_t sample) const { return isWhole() ? sample : row[sample]; }
     QRgb &pixelOf(std::size_t sample) const
     {
-        return firstPixel[std::ptrdiff_t(row[sample]) * stride];
+        return firstPixel[std::ptrdiff_t(rowOf(sample)) * stride];
     }
     /// Only where an observer reads numbers.
-    ShadedSample<N> &readOf(std::size_t sample) const { return read[row[sample]]; }
+    ShadedSample<N> &readOf(std::size_t sample) const { return read[rowOf(sample)]; }
 
     const Number &denominatorOf(std::size_t sample) const
     {
@@ -106,12 +114,17 @@ struct SampleRun {
     {
         return value[indexOf(channel)][sample];
     }
-    std::int64_t levelOf(Channel channel, std::size_t sample) const
+    /// What the bytes of a channel are made of.
+    void setLevels(Channel channel, PerSample<std::int64_t> &levels) const
     {
-        if constexpr (N::isExact)
-            return N::level(valueOf(channel, sample), denominatorOf(sample), surface->rounding);
-        else
-            return N::level(valueOf(channel, sample), surface->rounding);
+        const ByteRounding rounding = surface->rounding;
+        const auto &values = value[indexOf(channel)];
+        for (std::size_t i = 0; i < count; ++i) {
+            if constexpr (N::isExact)
+                levels[i] = N::level(values[i], denominatorOf(i), rounding);
+            else
+                levels[i] = N::level(values[i], rounding);
+        }
     }
     /// A channel in units of one, as what has no exact number reads it.
     Real realOf(Channel channel, std::size_t sample) const

@@ -151,7 +151,7 @@ private:
             const std::int64_t y = m_samples.firstRow + std::int64_t(row);
             QRgb &pixel = m_samples.firstPixel[std::ptrdiff_t(row) * m_samples.stride];
             ShadedSample<N> &sample = m_read[row];
-            if (inPlay == m_samples.count || m_samples.row[inPlay] != row) {
+            if (inPlay == m_samples.count || m_samples.rowOf(inPlay) != row) {
                 m_observer.sampleRejected(m_samples.column->x, y, pixel, sample);
                 continue;
             }
