@@ -18,8 +18,9 @@ void blend(SampleRun<N> &run)
     const PixelArea *const area = run.surface->area;
     for (std::size_t i = 0; area && i < run.count; ++i)
         share[i] = area->times(share[i]);
-    for (std::size_t i = 0; i < run.count; ++i)
-        run.colour[i] = blended(unpacked(run.colour[i]), run.pixelOf(i), share[i]);
+    run.forEachPixel([&](QRgb under, std::size_t i) {
+        run.colour[i] = blended(unpacked(run.colour[i]), under, share[i]);
+    });
     for (std::size_t i = 0; run.read && i < run.count; ++i) {
         ShadedSample<N> &read = run.readOf(i);
         read.alphaLevel = levels[i];

@@ -6,20 +6,75 @@
 /// Depth: a sample that lies behind what stands at its place is refused.
 namespace pixelplumb::stages {
 
-/// `stored` goes up the column from the run's first row; read(sample) is what is compared, and
-/// tell(verdict, before, now) keeps it for who reads numbers. No longer run than of one sample has
-/// lost any before.
-template <class Stored, class N, class Read, class Tell>
-void compareDepth(SampleRun<N> &run, Stored *stored, const Read &read, const Tell &tell)
+/// Depth in the kernel's own numbers: what is stored up a column, and what is compared with it.
+template <class N>
+struct DepthNumbers {
+    using Stored = typename N::Depth;
+
+    static Stored *storedOf(const SampleRun<N> &run)
+    {
+        return run.surface->depths->numbersAt(run.column->x, run.firstRow);
+    }
+    static Stored depthOf(const SampleRun<N> &run, std::size_t sample)
+    {
+        const auto &value = run.valueOf(Channel::Depth, sample);
+        if constexpr (N::isExact)
+            return N::depth(value, run.setUp->area);
+        else
+            return value;
+    }
+    static void tell(DepthVerdict<N> &verdict, const Stored &before, const Stored &now)
+    {
+        verdict.before = before;
+        verdict.now = now;
+    }
+};
+
+/// The same in levels.
+template <class N>
+struct DepthLevels {
+    using Stored = std::uint32_t;
+
+    static Stored *storedOf(const SampleRun<N> &run)
+    {
+        return run.surface->depths->levelsAt(run.column->x, run.firstRow);
+    }
+    static Stored depthOf(const SampleRun<N> &run, std::size_t sample)
+    {
+        const auto &value = run.valueOf(Channel::Depth, sample);
+        const std::uint32_t greatest = run.surface->greatestLevel;
+        if constexpr (N::isExact)
+            return N::depthLevel(value, run.setUp->area, greatest);
+        else
+            return N::depthLevel(value, greatest);
+    }
+    static void tell(DepthVerdict<N> &verdict, Stored before, Stored now)
+    {
+        verdict.levelBefore = before;
+        verdict.levelNow = now;
+    }
+};
+
+template <class N, class Kind>
+auto depthsOf(const SampleRun<N> &run)
 {
-    using Run = SampleRun<N>;
-    typename Run::template PerSample<Stored> now;
-    typename Run::template PerSample<std::uint32_t> passes;
+    std::array<typename Kind::Stored, SampleRun<N>::capacity> depths;
+    for (std::size_t i = 0; i < run.count; ++i)
+        depths[i] = Kind::depthOf(run, i);
+    return depths;
+}
+
+/// Which samples are nearer than what is stored, and stores them. No longer run than of one sample
+/// has lost any before.
+template <class N, class Kind>
+std::size_t storeNearer(SampleRun<N> &run,
+                        std::array<std::uint32_t, SampleRun<N>::capacity> &passes)
+{
     const std::size_t count = run.count;
-    for (std::size_t i = 0; i < count; ++i)
-        now[i] = read(i);
+    auto *const stored = Kind::storedOf(run);
+    const auto now = depthsOf<N, Kind>(run);
     for (std::size_t i = 0; run.read && i < count; ++i)
-        tell(run.readOf(i).depth, stored[i], now[i]);
+        Kind::tell(run.readOf(i).depth, stored[i], now[i]);
     std::uint32_t passing = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const bool isNearer = now[i] <= stored[i];
@@ -29,45 +84,29 @@ void compareDepth(SampleRun<N> &run, Stored *stored, const Read &read, const Tel
     }
     run.worked(EffectWork::DepthRead, count);
     run.worked(EffectWork::DepthWrite, passing);
+    return passing;
+}
+
+template <class N, class Kind>
+void compareDepth(SampleRun<N> &run)
+{
+    std::array<std::uint32_t, SampleRun<N>::capacity> passes;
+    const std::size_t passing = storeNearer<N, Kind>(run, passes);
     run.keep(passes, passing);
 }
 
-template <class N>
-void compareNumbers(SampleRun<N> &run)
+/// That and the triangle's one colour: two stages in one, since there is nothing between them.
+template <class N, class Kind>
+void paintNearer(SampleRun<N> &run)
 {
-    using Depth = typename N::Depth;
-    compareDepth<Depth>(
-        run, run.surface->depths->numbersAt(run.column->x, run.firstRow),
-        [&](std::size_t i) -> Depth {
-            const auto &value = run.valueOf(Channel::Depth, i);
-            if constexpr (N::isExact)
-                return N::depth(value, run.setUp->area);
-            else
-                return value;
-        },
-        [](DepthVerdict<N> &verdict, const Depth &before, const Depth &now) {
-            verdict.before = before;
-            verdict.now = now;
-        });
-}
-
-template <class N>
-void compareLevels(SampleRun<N> &run)
-{
-    const std::uint32_t greatest = run.surface->greatestLevel;
-    compareDepth<std::uint32_t>(
-        run, run.surface->depths->levelsAt(run.column->x, run.firstRow),
-        [&](std::size_t i) -> std::uint32_t {
-            const auto &value = run.valueOf(Channel::Depth, i);
-            if constexpr (N::isExact)
-                return N::depthLevel(value, run.setUp->area, greatest);
-            else
-                return N::depthLevel(value, greatest);
-        },
-        [](DepthVerdict<N> &verdict, std::uint32_t before, std::uint32_t now) {
-            verdict.levelBefore = before;
-            verdict.levelNow = now;
-        });
+    std::array<std::uint32_t, SampleRun<N>::capacity> passes;
+    const std::size_t passing = storeNearer<N, Kind>(run, passes);
+    run.worked(EffectWork::Sample, passing);
+    const QRgb flat = run.surface->flat;
+    if (passing == run.count)
+        run.forEachPixel([flat](QRgb &pixel, std::size_t) { pixel = flat; });
+    else if (passing > 0) // without a jump, which is foreseen badly
+        run.forEachPixel([&](QRgb &pixel, std::size_t i) { pixel = passes[i] ? flat : pixel; });
 }
 
 } // namespace pixelplumb::stages

@@ -41,7 +41,10 @@ void addUp(SampleRun<N> &run, const std::uint8_t *channels)
         rate[i] = run.column->rate[channel];
         values[i] = run.value[channel].data();
     }
-    for (std::size_t sample = 0; sample < run.count; ++sample) {
+    // What is short leaves the processor room to begin with what follows while it waits.
+    const std::size_t count = run.count;
+#pragma GCC unroll 8
+    for (std::size_t sample = 0; sample < count; ++sample) {
         for (std::size_t i = 0; i < width; ++i) {
             values[i][sample] = value[i];
             value[i] = value[i] + rate[i];

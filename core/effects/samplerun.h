@@ -91,17 +91,31 @@ struct SampleRun {
             row = kept;
         else
             close(row);
-        for (const std::size_t channel : *carried)
-            close(value[channel]);
+        for (const std::size_t channel : *carried) {
+            if (channelAt(channel) != Channel::Depth) // which no later stage reads
+                close(value[channel]);
+        }
         count = passing;
     }
 
     /// Whether none has been refused.
     bool isWhole() const { return count == size; }
     std::size_t rowOf(std::size_t sample) const { return isWhole() ? sample : row[sample]; }
-    QRgb &pixelOf(std::size_t sample) const
+    /// Calls function(pixel, sample) for those in play.
+    template <class Function>
+    void forEachPixel(const Function &function) const
     {
-        return firstPixel[std::ptrdiff_t(rowOf(sample)) * stride];
+        const std::size_t end = count;
+        if (!isWhole()) {
+            for (std::size_t i = 0; i < end; ++i)
+                function(firstPixel[std::ptrdiff_t(row[i]) * stride], i);
+            return;
+        }
+        QRgb *pixel = firstPixel;
+        for (std::size_t i = 0; i < end; ++i) {
+            function(*pixel, i);
+            pixel += stride;
+        }
     }
     /// Only where an observer reads numbers.
     ShadedSample<N> &readOf(std::size_t sample) const { return read[rowOf(sample)]; }

@@ -8,17 +8,11 @@
 #include "core/effects/interpolatestage.h"
 #include "core/effects/lightstage.h"
 #include "core/effects/texelstage.h"
+#include "core/effects/writestage.h"
 
 namespace pixelplumb {
 
 namespace {
-
-template <class N>
-void write(SampleRun<N> &run)
-{
-    for (std::size_t i = 0; i < run.count; ++i)
-        run.pixelOf(i) = run.colour[i];
-}
 
 /// A stage and when a plan calls for it.
 template <class N>
@@ -39,6 +33,26 @@ bool reads(const StageNeeds &needs)
     return needs.effects.texture && needs.filter == filter;
 }
 
+/// One colour a triangle, which nothing changes.
+bool paints(const StageNeeds &needs)
+{
+    const EffectSet &effects = needs.effects;
+    return !effects.smooth && !effects.perspective && !effects.texture && !effects.light
+        && !effects.blending && !needs.isRead;
+}
+
+/// Whether depth is compared in this way, by a stage of its own or by one that paints as well.
+template <DepthTest test>
+bool compares(const StageNeeds &needs)
+{
+    return needs.effects.depth == test && !paints(needs);
+}
+template <DepthTest test>
+bool paintsBy(const StageNeeds &needs)
+{
+    return needs.effects.depth == test && paints(needs);
+}
+
 using Needs = StageNeeds;
 /// In the order in which they run.
 template <class N>
@@ -48,18 +62,20 @@ constexpr StageRow<N> table[] = {
     {interpolates<InterpolationForm::Barycentric>, stages::interpolateByWeights<N>},
     {[](const Needs &needs) { return needs.effects.perspective && needs.coversAreas; },
      stages::leaveHorizon<N>},
-    {[](const Needs &needs) { return needs.effects.depth == DepthTest::Number; },
-     stages::compareNumbers<N>},
-    {[](const Needs &needs) { return needs.effects.depth == DepthTest::Levels; },
-     stages::compareLevels<N>},
+    {paintsBy<DepthTest::None>, stages::paint<N>},
+    {paintsBy<DepthTest::Number>, stages::paintNearer<N, stages::DepthNumbers<N>>},
+    {paintsBy<DepthTest::Levels>, stages::paintNearer<N, stages::DepthLevels<N>>},
+    {compares<DepthTest::Number>, stages::compareDepth<N, stages::DepthNumbers<N>>},
+    {compares<DepthTest::Levels>, stages::compareDepth<N, stages::DepthLevels<N>>},
     {[](const Needs &needs) { return needs.effects.perspective; }, stages::divideByW<N>},
-    {[](const Needs &needs) { return !needs.effects.smooth; }, stages::setFlatColour<N>},
+    {[](const Needs &needs) { return !needs.effects.smooth && !paints(needs); },
+     stages::setFlatColour<N>},
     {[](const Needs &needs) { return needs.effects.smooth; }, stages::setSmoothColour<N>},
     {reads<TextureFilter::Nearest>, stages::tintByTexels<TextureFilter::Nearest, N>},
     {reads<TextureFilter::Bilinear>, stages::tintByTexels<TextureFilter::Bilinear, N>},
     {[](const Needs &needs) { return needs.effects.light; }, stages::light<N>},
     {[](const Needs &needs) { return needs.effects.blending; }, stages::blend<N>},
-    {[](const Needs &needs) { return !needs.isRead; }, write<N>},
+    {[](const Needs &needs) { return !needs.isRead && !paints(needs); }, stages::write<N>},
 };
 
 } // namespace

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/samplerun.h"
+
+/// The last stage: colours become pixels.
+namespace pixelplumb::stages {
+
+template <class N>
+void write(SampleRun<N> &run)
+{
+    run.forEachPixel([&](QRgb &pixel, std::size_t i) { pixel = run.colour[i]; });
+}
+
+/// The triangle's one colour, which no stage before has changed: two stages in one, since there is
+/// little else to do for such samples.
+template <class N>
+void paint(SampleRun<N> &run)
+{
+    run.worked(EffectWork::Sample, run.count);
+    run.forEachPixel([flat = run.surface->flat](QRgb &pixel, std::size_t) { pixel = flat; });
+}
+
+} // namespace pixelplumb::stages
