@@ -38,7 +38,7 @@ ExitCode pixel(const Command &command, const QStringList &arguments)
 
     const auto traced = traceScene(*scene);
     reportRejections(line.argument(0) + QStringLiteral(", ") + traced->method->id,
-                     rejectedPrimitives(traced->primitives, *traced->trace));
+                     rejectedPrimitives(*traced));
     const PixelReport report{*traced, *x, *y, pixelHistory(*traced, *x, *y)};
     if (line.isSet(jsonOption))
         printJson(QJsonDocument(jsonOf(report)));

@@ -89,12 +89,24 @@ Result<Scene> sceneToRender(const CommandLine &line, const QString &path)
     return scene ? withinBudget(*scene, line.value(accuracyOption)) : scene;
 }
 
+/// Whether a scene of few primitives, which are drawn once more to know, covers nothing.
+bool isLeftEmpty(const Scene &scene)
+{
+    constexpr std::size_t few = 1000;
+    const std::size_t count = scene.triangles.size() + scene.shapes.size();
+    return count > 0 && count <= few && scene.solids.empty()
+        && coverageOf(scene) == CoverageMask(scene.frame);
+}
+
 ExitCode renderScene(const CommandLine &line, const RenderRequest &request, const NamedScene &named,
                      const QString &outputPath)
 {
     const Scene &scene = *named.scene;
-    reportRejections(named.path + QStringLiteral(", ") + scene.method.c_str(),
-                     rejectedPrimitives(scene));
+    const QString drawnBy = named.path + QStringLiteral(", ") + scene.method.c_str();
+    const std::vector<RejectedPrimitive> rejected = rejectedPrimitives(scene);
+    reportRejections(drawnBy, rejected);
+    if (rejected.empty() && isLeftEmpty(scene))
+        sayLine(drawnBy + QStringLiteral(": no primitive covers a sample of the frame"));
     if (request.wantsPicture) {
         Output output(outputPath);
         if (const auto error = drawPicture(scene, output, request))

@@ -120,7 +120,7 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const Nam
     if (!rows)
         return line.refuse(rows.error());
     reportRejections(path + QStringLiteral(", ") + traced->method->id,
-                     rejectedPrimitives(traced->primitives, *traced->trace));
+                     rejectedPrimitives(*traced));
 
     if (line.isSet(QStringLiteral("decimal")) && request.format != TableFormat::Text)
         return line.refuse({QStringLiteral("--decimal"),

@@ -22,11 +22,14 @@ QString has(std::size_t count, std::size_t all, const QString &noun)
     return countedWords(count, all, noun, QStringLiteral("has"), QStringLiteral("have"));
 }
 
-QString smoothColourReason(const NeedsTally &tally, const QString &noun)
+QString smoothColourReason(const NeedsTally &tally, const Appearance &appearance,
+                           const QString &noun)
 {
     const std::size_t smooth = tally.of[Effect::SmoothColour].primitives;
     if (smooth > 0)
         return QStringLiteral("%1 vertex colours that differ").arg(has(smooth, tally.drawn, noun));
+    if (appearance.shading == Shading::Flat && tally.of[Effect::Light].primitives > 0)
+        return QStringLiteral("flat light gives each triangle one colour");
     if (tally.ownColours > 0)
         return QStringLiteral("no triangle and no line has vertex colours that differ");
     return tally.drawn == 1 ? QStringLiteral("the vertex colours are equal")
@@ -212,7 +215,8 @@ QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing)
         return antialiasing == Antialiasing::Area
             ? QStringLiteral("no edge parts a pixel of the frame: each is covered whole or not at "
                              "all")
-            : QStringLiteral("no edge meets a pixel of the frame: all samples of each are alike");
+            : QStringLiteral("no edge of what is drawn meets a pixel of the frame: each is drawn "
+                             "once, at its centre");
     switch (antialiasing) {
     case Antialiasing::None:
         break;
@@ -250,7 +254,7 @@ QString effectReason(Effect effect, const NeedsTally &tally, const Primitives &p
         return QStringLiteral("nothing is drawn in the frame");
     switch (effect) {
     case Effect::SmoothColour:
-        return smoothColourReason(tally, primitiveWord(primitives));
+        return smoothColourReason(tally, primitives.appearance, primitiveWord(primitives));
     case Effect::Clipping:
         return clippingReason(tally, primitiveWord(primitives));
     case Effect::Perspective:

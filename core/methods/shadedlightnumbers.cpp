@@ -2,6 +2,7 @@
 #include "core/methods/interpolationnames.h"
 #include "core/methods/shadednumbers.h"
 #include "core/methods/units.h"
+#include "core/space/materialcolour.h"
 
 #include <QStringList>
 

@@ -6,6 +6,7 @@
 #include "core/oracle/effecttruth.h"
 #include "core/polygons/contours.h"
 #include "core/runs/refusaltext.h"
+#include "core/runs/variantreason.h"
 #include "core/scan/choicenames.h"
 
 #include <algorithm>
@@ -13,8 +14,6 @@
 namespace pixelplumb {
 
 namespace {
-
-constexpr std::int64_t largestRedrawn = std::int64_t(1) << 18; ///< px, in less than a millisecond
 
 QString distanceText(const oracle::EdgeVerdict &edge, const ScanTrace &trace)
 {
@@ -61,6 +60,18 @@ QString tieOfPolygonText(const PixelAttempt &attempt, const TracedScene &traced,
               .arg(nameText(nameOf(traced.scene.settings.fillRule)));
 }
 
+/// " Column 3: p_k = 0, a tie: step diagonally to the pixel (3, 9); …" Where a line was decided
+/// that passes beside the pixel; empty where it has no step there, and of other kinds.
+QString stepOfLineText(const PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x,
+                       std::int64_t y)
+{
+    if (attempt.kind != PrimitiveKind::Line)
+        return {};
+    const auto step = trace.spanNear(attempt.primitive, x, y);
+    const QString told = step ? trace.spanWords(*step).sentence : QString();
+    return told.isEmpty() ? told : QStringLiteral(" %1: %2").arg(attempt.spanHeading, told);
+}
+
 /// Which edge keeps the sample out, by how much, under which rule; of shapes, what the kernel
 /// found.
 QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
@@ -72,6 +83,7 @@ QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std:
         return (found.isEmpty()
                     ? QStringLiteral("The %1 does not cover it.").arg(nameOf(attempt.kind))
                     : found)
+            + stepOfLineText(attempt, *traced.trace, x, y)
             + tieOfPolygonText(attempt, traced, x, y);
     }
     if (attempt.verdict.zeroArea) {
@@ -126,18 +138,32 @@ QString writtenText(const PixelAttempt &attempt)
     return text;
 }
 
+/// By which numbers the kernel refused a sample of a triangle.
+QString deciderText(const PixelAttempt &attempt, const TracedScene &traced)
+{
+    if (attempt.kind != PrimitiveKind::Triangle)
+        return {};
+    const auto decisions = decisionsOf(traced.trace->numbers().sample, *attempt.sample);
+    return u' ' + refusalSentence(traced, attempt.primitive, *attempt.sample, decisions);
+}
+
 /// Why the kernel passed over a sample that the truth covers.
-QString missedText(const PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x,
+QString missedText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
                    std::int64_t y)
 {
+    const ScanTrace &trace = *traced.trace;
     if (attempt.primitive >= trace.primitiveCount())
         return QStringLiteral("Not recorded: the recording ended at its limit before this pixel.");
     if (attempt.sample)
-        return QStringLiteral("Missing: the truth covers it, but the kernel refused the sample.");
+        return QStringLiteral("Missing: the truth covers it, but the kernel refused the sample.")
+            + deciderText(attempt, traced);
     if (trace.isCut())
         return QStringLiteral("Not recorded: the recording ended at its limit before this pixel.");
     if (!attempt.span)
         return QStringLiteral("Missing: the truth covers it, the kernel did not come here.");
+    if (attempt.kind == PrimitiveKind::Line)
+        return QStringLiteral("Missing: the truth covers it, but the line's pixel here is another.")
+            + stepOfLineText(attempt, trace, x, y);
     const SpanRecord &span = *attempt.span;
     const std::int64_t place = span.place.axis == SpanAxis::Column ? y : x;
     if (span.lower.isNone() && (place < span.firstSample || place >= span.endSample))
@@ -175,57 +201,6 @@ QString shadedText(const PixelAttempt &attempt, const TracedScene &traced)
         text += u' ' + told;
     if (attempt.sample->clamped)
         text += QStringLiteral(" A level left 0 … 255 and was clamped.");
-    return text;
-}
-
-QRgb pixelOf(std::size_t primitive, const TracedScene &traced, VariantSet variants, std::int64_t x,
-             std::int64_t y)
-{
-    Primitives alone;
-    alone.appearance = traced.primitives.appearance;
-    if (traced.primitives.isTriangle(primitive))
-        alone.triangles = {traced.primitives.triangles[primitive]};
-    else
-        alone.shapes = {traced.primitives.shape(primitive)};
-    ScanSettings settings = traced.scene.settings;
-    settings.variants = variants;
-    const FrameBuffer frame(traced.scene.frame);
-    traced.method->draw(alone, settings, frame.view());
-    return *frame.view().at(x, y);
-}
-
-/// Of several variants those without which the primitive would leave the pixel otherwise; all,
-/// where none is such or the frame is too large to ask each.
-std::vector<Variant> variantsToBlame(const PixelAttempt &attempt, const TracedScene &traced,
-                                     std::int64_t x, std::int64_t y)
-{
-    const VariantSet set = traced.scene.settings.variants;
-    const FrameSpec &frame = traced.scene.frame;
-    std::vector<Variant> all;
-    for (const Variant variant : variantsIn(set))
-        all.push_back(variant);
-    if (all.size() < 2 || std::int64_t(frame.width) * frame.height > largestRedrawn)
-        return all;
-    const QRgb drawn = pixelOf(attempt.primitive, traced, set, x, y);
-    std::vector<Variant> blamed;
-    for (const Variant variant : all) {
-        if (pixelOf(attempt.primitive, traced, set.without(variant), x, y) != drawn)
-            blamed.push_back(variant);
-    }
-    return blamed.empty() ? all : blamed;
-}
-
-/// To what a run that departs from the right algorithm may owe a wrong pixel; empty of others.
-QString variantText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
-                    std::int64_t y)
-{
-    QString text;
-    for (const Variant variant : variantsToBlame(attempt, traced, x, y)) {
-        const VariantWords &words = wordsOf(variant, traced.method->spanAxis);
-        text += QStringLiteral(" The run has the variant “%1”: %2 in place of %3. %4")
-                    .arg(nameText(words.title), nameText(words.printed), nameText(words.right),
-                         nameText(words.fault));
-    }
     return text;
 }
 
@@ -276,13 +251,18 @@ QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced, std::in
         return shadedText(attempt, traced);
     const auto approximation = [&] { return approximationText(*traced.trace, attempt.primitive); };
     if (!attempt.written) {
-        return attempt.verdict.covered ? missedText(attempt, *traced.trace, x, y)
+        return attempt.verdict.covered ? missedText(attempt, traced, x, y)
                 + variantText(attempt, traced, x, y) + approximation()
                                        : refusalText(attempt, traced, x, y);
     }
     QString text = writtenText(attempt);
     if (!attempt.verdict.covered)
-        return text + QStringLiteral(" Extra: the truth does not cover it. ")
+        return text
+            + (attempt.exactColour[0].isNone()
+                   ? QStringLiteral(" Extra: the truth does not cover it. ")
+                   : QStringLiteral(
+                       " Extra: the truth does not cover it; the exact levels are those "
+                       "of the triangle's plane outside of it. "))
             + refusalText(attempt, traced, x, y) + variantText(attempt, traced, x, y)
             + approximation();
     if (attempt.kind != PrimitiveKind::Triangle)

@@ -42,6 +42,13 @@ bool wroteNothing(const ScanTrace &trace, std::size_t primitive)
     return true;
 }
 
+SampledFrame drawnSamplesOf(const Primitives &primitives, const Scene &scene)
+{
+    const FrameView frame = windowOf(scene.frame);
+    return {frame, scene.settings.fillRule,
+            triangleAntialiasing(primitives, scene.settings, frame)};
+}
+
 } // namespace
 
 QString RejectedPrimitive::message() const
@@ -56,8 +63,7 @@ std::vector<RejectedPrimitive> rejectedPrimitives(const Scene &scene)
     const Method &method = *methodNamed(QString::fromStdString(scene.method));
     const Primitives primitives = primitivesOnSamples(scene);
     const FrameBuffer frame(scene.frame);
-    const SampledFrame where
-        = {frame.view(), scene.settings.fillRule, antialiasingOf(scene.appearance)};
+    const SampledFrame where = drawnSamplesOf(primitives, scene);
     std::vector<RejectedPrimitive> rejected;
     TraceOptions untilTheFirstSpan;
     untilTheFirstSpan.detail = TraceDetail::Spans;
@@ -85,15 +91,21 @@ std::vector<RejectedPrimitive> rejectedPrimitives(const Scene &scene)
     return rejected;
 }
 
-std::vector<RejectedPrimitive> rejectedPrimitives(const Primitives &primitives,
-                                                  const ScanTrace &trace)
+std::vector<RejectedPrimitive> rejectedPrimitives(const TracedScene &traced)
 {
+    const Primitives &primitives = traced.primitives;
+    const ScanTrace &trace = *traced.trace;
+    const SampledFrame where = drawnSamplesOf(primitives, traced.scene);
+    const auto liesBetween = [&](std::size_t triangle) {
+        return reachOf(primitives.triangles[triangle], where).isEmpty()
+            && wroteNothing(trace, triangle);
+    };
     std::vector<RejectedPrimitive> rejected;
     const std::size_t whole = trace.primitiveCount() - (trace.isCut() ? 1 : 0);
     for (std::size_t index = 0; index < trace.primitiveCount(); ++index) {
         if (std::ranges::binary_search(trace.rejectedPrimitives(), index))
             rejected.push_back({index, primitives.kindOf(index), *trace.setUp(index).rejection});
-        else if (index < whole && primitives.isTriangle(index) && wroteNothing(trace, index))
+        else if (index < whole && primitives.isTriangle(index) && liesBetween(index))
             rejected.push_back({index, PrimitiveKind::Triangle, PrimitiveRejection::OutsideFrame});
     }
     return rejected;

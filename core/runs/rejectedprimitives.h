@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/methods/method.h"
-#include "core/scene/scene.h"
+#include "core/runs/tracedscene.h"
 
 #include <vector>
 
@@ -25,8 +24,7 @@ struct RejectedPrimitive {
 /// lies between the samples it tries all.
 std::vector<RejectedPrimitive> rejectedPrimitives(const Scene &scene);
 
-/// What was rejected in a recorded run.
-std::vector<RejectedPrimitive> rejectedPrimitives(const Primitives &primitives,
-                                                  const ScanTrace &trace);
+/// What was rejected in a recorded run, and which triangles lie between the samples.
+std::vector<RejectedPrimitive> rejectedPrimitives(const TracedScene &traced);
 
 } // namespace pixelplumb

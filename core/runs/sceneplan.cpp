@@ -4,6 +4,7 @@
 #include "core/effects/bordercrossing.h"
 #include "core/effects/requirements.h"
 #include "core/methods/method.h"
+#include "core/runs/contender.h"
 
 #include <algorithm>
 
@@ -40,7 +41,9 @@ QString objectionToShapes(const Method &method, const Scene &scene)
 
 EffectPlan planOf(const Scene &scene)
 {
-    return planFor(primitivesOnSamples(scene), scene.settings, windowOf(scene.frame));
+    const Method &method = *methodNamed(QString::fromStdString(scene.method));
+    const Primitives drawn = primitivesFor(primitivesOnSamples(scene), {&method, scene.settings});
+    return planFor(drawn, scene.settings, windowOf(scene.frame));
 }
 
 QString objectionTo(const Scene &scene)

@@ -6,7 +6,8 @@
 
 namespace pixelplumb {
 
-/// What the scene's triangles, its solids' among them, and its shapes need, and what is run.
+/// What the scene's triangles, its solids' among them, and its shapes need, and what is run: of
+/// those that its method draws.
 EffectPlan planOf(const Scene &scene);
 
 /// Why the scene's method cannot draw it, under its settings or with the effects that its plan

@@ -40,7 +40,7 @@ QString rejectionNote(const TracedScene &traced)
 {
     if (!foreignSceneHint(traced.scene).isEmpty())
         return {};
-    std::vector<RejectedPrimitive> rejected = rejectedPrimitives(traced.primitives, *traced.trace);
+    std::vector<RejectedPrimitive> rejected = rejectedPrimitives(traced);
     std::erase_if(rejected, [](const RejectedPrimitive &each) {
         return each.rejection == PrimitiveRejection::OutsideFrame;
     });

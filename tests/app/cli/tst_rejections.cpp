@@ -62,7 +62,7 @@ private slots:
 
                 const auto traced = traceScene(scene);
 
-                const auto recorded = rejectedPrimitives(traced->primitives, *traced->trace);
+                const auto recorded = rejectedPrimitives(*traced);
                 QCOMPARE(rejectedPrimitives(scene), recorded);
                 QSet<std::size_t> rejected;
                 for (const RejectedPrimitive &each : recorded)
@@ -107,13 +107,48 @@ private slots:
         const auto traced = traceScene(drawn);
         QCOMPARE(traced->trace->writtenCount() > 0, isDrawn);
         QVERIFY(traced->trace->spanCount() > 0);
-        const auto recorded = rejectedPrimitives(traced->primitives, *traced->trace);
+        const auto recorded = rejectedPrimitives(*traced);
         QCOMPARE(recorded.size(), std::size_t(isDrawn ? 0 : 1));
         QCOMPARE(rejectedPrimitives(drawn), recorded);
         for (const RejectedPrimitive &each : recorded)
             QCOMPARE(each.message(),
                      QStringLiteral("primitive 0 (triangle): It lies outside the frame, or between "
                                     "its samples. Nothing is drawn."));
+    }
+
+    void aPictureThatStaysEmptyIsTold_data()
+    {
+        QTest::addColumn<QByteArray>("primitive");
+        QTest::addColumn<bool>("isEmpty");
+        QTest::newRow("points outside")
+            << json("{ 'points': [[40, 40]], 'colors': ['#ff0000'] }") << true;
+        QTest::newRow("circle around the frame")
+            << json("{ 'circle': { 'centre': [3, 3], 'radius': 40 }, 'color': '#cc7722',"
+                    " 'fill': 'outline' }")
+            << true;
+        QTest::newRow("points inside")
+            << json("{ 'points': [[4, 4]], 'colors': ['#000000'] }") << false;
+    }
+    void aPictureThatStaysEmptyIsTold()
+    {
+        QFETCH(QByteArray, primitive);
+        QFETCH(bool, isEmpty);
+        const ProgramRun drawn = run({"render", "-", "--ascii"}, sceneOfPrimitives(primitive));
+        QCOMPARE(drawn.exitCode, 0);
+        QCOMPARE(drawn.messages.contains("no primitive covers a sample of the frame"), isEmpty);
+    }
+
+    /// Behind another one it wrote nothing and covers samples.
+    void aTriangleThatIsHiddenIsNotTold()
+    {
+        const QByteArray hidden
+            = sceneOfPrimitives(json("{ 'triangle': [[0, 0], [6, 0], [0, 6]], 'z': [0, 0, 0],"
+                                     " 'colors': ['#ff0000', '#ff0000', '#ff0000'] },"
+                                     "{ 'triangle': [[1, 1], [3, 1], [1, 3]], 'z': [1, 1, 1],"
+                                     " 'colors': ['#0000ff', '#0000ff', '#0000ff'] }"));
+        const Scene scene = readScene(hidden)->scene;
+        QVERIFY(rejectedPrimitives(*traceScene(scene)).empty());
+        QVERIFY(rejectedPrimitives(scene).empty());
     }
 
     void areSaidOnStandardError_data()

@@ -278,7 +278,8 @@ private slots:
                 p.appearance.antialiasing = Antialiasing::Samples4;
             },
             Effect::Antialiasing, no, 0,
-            "no edge meets a pixel of the frame: all samples of each are alike");
+            "no edge of what is drawn meets a pixel of the frame: each is drawn once, at its "
+            "centre");
         add(
             "areas where no edge is",
             [=](Primitives &p) {

@@ -5,6 +5,7 @@
 #include "core/runs/formulaexplanation.h"
 #include "core/runs/pixelhistory.h"
 #include "tests/support/scanning.h"
+#include "tests/support/shapes.h"
 #include "tests/support/testprogram.h"
 
 #include <QRegularExpression>
@@ -183,6 +184,66 @@ private slots:
         const SetUpRecord setUp = traced->trace->setUp(0);
         const NamedNumbers numbers(traced->trace->numbers().setUp, setUp.cells);
         QCOMPARE(numbers[QStringLiteral("f_c")], Quantity::integer(-36));
+    }
+
+    void aSampleThatRoundingRefusesIsToldByWhichNumber()
+    {
+        Scene scene;
+        scene.method = "barycentric-incremental";
+        scene.settings.arithmetic = Arithmetic::Float64;
+        scene.triangles
+            = {triangleAtUnits(latticePixel(1, 1), latticePixel(31, 11), latticePixel(11, 28))};
+        const auto traced = traceScene(scene);
+        const PixelAttempt attempt = pixelHistory(*traced, 13, 5).front(); // on P0P1
+        QVERIFY(!attempt.written && attempt.verdict.covered);
+        QVERIFY2(
+            attempt.reason.startsWith(
+                u"Missing: the truth covers it, but the kernel refused the sample. Refused: γ = −")
+                && attempt.reason.endsWith(u" is negative."),
+            qPrintable(attempt.reason));
+    }
+
+    /// From (2, 10) to (12, 5): half-way in column 3 Bresenham's line goes down, the truth does
+    /// not.
+    void aPixelBesideALineIsToldWhatDecidedItsStep()
+    {
+        const auto traced
+            = traceScene(sceneOf(lineAt(2, 10, 12, 5), "line-bresenham", frameOf(16, 12)));
+        const QString decided = QStringLiteral(" Column 3: p_k = 2Δy·x_k + 2Δx·y_k + c = ");
+        const PixelAttempt missing = pixelHistory(*traced, 3, 10).front();
+        QVERIFY(missing.verdict.covered);
+        QVERIFY2(
+            missing.reason.startsWith(
+                QStringLiteral("Missing: the truth covers it, but the line's pixel here is "
+                               "another.")
+                + decided)
+                && missing.reason.contains(u" = 0, a tie: step diagonally to the pixel (3, 9)"),
+            qPrintable(missing.reason));
+        const QString beside = pixelHistory(*traced, 3, 7).front().reason;
+        QVERIFY2(beside.startsWith(QStringLiteral("The line does not cover it.") + decided),
+                 qPrintable(beside));
+    }
+
+    void theExactLevelsBesideATriangleAreToldToBeItsPlanes()
+    {
+        Scene scene;
+        scene.method = "midpoint-outline-fill";
+        scene.triangles
+            = {triangleAtUnits(latticePixel(1, 1), latticePixel(20, 8), latticePixel(3, 14))};
+        const auto traced = traceScene(scene);
+        int extra = 0;
+        for (int y = 0; y < 16; ++y) {
+            for (int x = 0; x < 22; ++x) {
+                const PixelAttempt attempt = pixelHistory(*traced, x, y).front();
+                if (!attempt.written || attempt.verdict.covered)
+                    continue;
+                QVERIFY2(attempt.reason.contains(u"the exact levels are those of the triangle's "
+                                                 u"plane outside of it"),
+                         qPrintable(attempt.reason));
+                ++extra;
+            }
+        }
+        QVERIFY(extra > 0);
     }
 
     void aSampleOnAPolygonsEdgeIsToldThatTheRuleDecides()

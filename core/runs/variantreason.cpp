@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/variantreason.h"
+
+#include "core/scan/choicenames.h"
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr std::int64_t largestRedrawn = std::int64_t(1) << 18; ///< px, in less than a millisecond
+
+QRgb pixelOf(std::size_t primitive, const TracedScene &traced, VariantSet variants, std::int64_t x,
+             std::int64_t y)
+{
+    Primitives alone;
+    alone.appearance = traced.primitives.appearance;
+    if (traced.primitives.isTriangle(primitive))
+        alone.triangles = {traced.primitives.triangles[primitive]};
+    else
+        alone.shapes = {traced.primitives.shape(primitive)};
+    ScanSettings settings = traced.scene.settings;
+    settings.variants = variants;
+    const FrameBuffer frame(traced.scene.frame);
+    traced.method->draw(alone, settings, frame.view());
+    return *frame.view().at(x, y);
+}
+
+/// Of several variants those without which the primitive would leave the pixel otherwise; all,
+/// where none is such or the frame is too large to ask each.
+std::vector<Variant> variantsToBlame(const PixelAttempt &attempt, const TracedScene &traced,
+                                     std::int64_t x, std::int64_t y)
+{
+    const VariantSet set = traced.scene.settings.variants;
+    const FrameSpec &frame = traced.scene.frame;
+    std::vector<Variant> all;
+    for (const Variant variant : variantsIn(set))
+        all.push_back(variant);
+    if (all.size() < 2 || std::int64_t(frame.width) * frame.height > largestRedrawn)
+        return all;
+    const QRgb drawn = pixelOf(attempt.primitive, traced, set, x, y);
+    std::vector<Variant> blamed;
+    for (const Variant variant : all) {
+        if (pixelOf(attempt.primitive, traced, set.without(variant), x, y) != drawn)
+            blamed.push_back(variant);
+    }
+    return blamed.empty() ? all : blamed;
+}
+
+} // namespace
+
+QString variantText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
+                    std::int64_t y)
+{
+    QString text;
+    for (const Variant variant : variantsToBlame(attempt, traced, x, y)) {
+        const VariantWords &words = wordsOf(variant, traced.method->spanAxis);
+        text += QStringLiteral(" The run has the variant “%1”: %2 in place of %3. %4")
+                    .arg(nameText(words.title), nameText(words.printed), nameText(words.right),
+                         nameText(words.fault));
+    }
+    return text;
+}
+
+} // namespace pixelplumb
