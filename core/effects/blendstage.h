@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/effects/samplerun.h"
+#include "core/effects/stagedsamples.h"
 
 /// Alpha: the colour is mixed with what stands at its pixel.
 namespace pixelplumb::stages {
 
 template <class N>
-void blend(SampleRun<N> &run)
+void blend(StagedSamples<N> &run)
 {
     run.worked(EffectWork::Blend, run.count);
-    std::array<std::int64_t, SampleRun<N>::capacity> levels;
-    std::array<std::uint8_t, SampleRun<N>::capacity> share;
+    std::array<std::int64_t, StagedSamples<N>::capacity> levels;
+    std::array<std::uint8_t, StagedSamples<N>::capacity> share;
     run.setLevels(Channel::Alpha, levels);
     for (std::size_t i = 0; i < run.count; ++i)
         share[i] = std::uint8_t(clampedByte(levels[i]));

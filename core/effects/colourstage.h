@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/effects/samplerun.h"
+#include "core/effects/stagedsamples.h"
 
 /// The colour of the vertices: one, or what lies between three.
 namespace pixelplumb::stages {
 
 template <class N>
-void readColours(const SampleRun<N> &run)
+void readColours(const StagedSamples<N> &run)
 {
     for (std::size_t i = 0; run.read && i < run.count; ++i) {
         ShadedSample<N> &read = run.readOf(i);
@@ -16,7 +16,7 @@ void readColours(const SampleRun<N> &run)
 }
 
 template <class N>
-void setFlatColour(SampleRun<N> &run)
+void setFlatColour(StagedSamples<N> &run)
 {
     run.worked(EffectWork::Sample, run.count);
     std::fill_n(run.colour.begin(), run.count, run.surface->flat);
@@ -28,10 +28,10 @@ void setFlatColour(SampleRun<N> &run)
 }
 
 template <class N>
-void setSmoothColour(SampleRun<N> &run)
+void setSmoothColour(StagedSamples<N> &run)
 {
     run.worked(EffectWork::Sample, run.count);
-    std::array<std::array<std::int64_t, SampleRun<N>::capacity>, 3> levels;
+    std::array<std::array<std::int64_t, StagedSamples<N>::capacity>, 3> levels;
     for (std::size_t channel = 0; channel < 3; ++channel)
         run.setLevels(channelAt(channel), levels[channel]);
     for (std::size_t i = 0; i < run.count; ++i)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/effects/samplerun.h"
+#include "core/effects/stagedsamples.h"
 
 /// Depth: a sample that lies behind what stands at its place is refused.
 namespace pixelplumb::stages {
@@ -11,11 +11,11 @@ template <class N>
 struct DepthNumbers {
     using Stored = typename N::Depth;
 
-    static Stored *storedOf(const SampleRun<N> &run)
+    static Stored *storedOf(const StagedSamples<N> &run)
     {
         return run.surface->depths->numbersAt(run.column->x, run.firstRow);
     }
-    static Stored depthOf(const SampleRun<N> &run, std::size_t sample)
+    static Stored depthOf(const StagedSamples<N> &run, std::size_t sample)
     {
         const auto &value = run.valueOf(Channel::Depth, sample);
         if constexpr (N::isExact)
@@ -35,11 +35,11 @@ template <class N>
 struct DepthLevels {
     using Stored = std::uint32_t;
 
-    static Stored *storedOf(const SampleRun<N> &run)
+    static Stored *storedOf(const StagedSamples<N> &run)
     {
         return run.surface->depths->levelsAt(run.column->x, run.firstRow);
     }
-    static Stored depthOf(const SampleRun<N> &run, std::size_t sample)
+    static Stored depthOf(const StagedSamples<N> &run, std::size_t sample)
     {
         const auto &value = run.valueOf(Channel::Depth, sample);
         const std::uint32_t greatest = run.surface->greatestLevel;
@@ -56,9 +56,9 @@ struct DepthLevels {
 };
 
 template <class N, class Kind>
-auto depthsOf(const SampleRun<N> &run)
+auto depthsOf(const StagedSamples<N> &run)
 {
-    std::array<typename Kind::Stored, SampleRun<N>::capacity> depths;
+    std::array<typename Kind::Stored, StagedSamples<N>::capacity> depths;
     for (std::size_t i = 0; i < run.count; ++i)
         depths[i] = Kind::depthOf(run, i);
     return depths;
@@ -67,8 +67,8 @@ auto depthsOf(const SampleRun<N> &run)
 /// Which samples are nearer than what is stored, and stores them. No longer run than of one sample
 /// has lost any before.
 template <class N, class Kind>
-std::size_t storeNearer(SampleRun<N> &run,
-                        std::array<std::uint32_t, SampleRun<N>::capacity> &passes)
+std::size_t storeNearer(StagedSamples<N> &run,
+                        std::array<std::uint32_t, StagedSamples<N>::capacity> &passes)
 {
     const std::size_t count = run.count;
     auto *const stored = Kind::storedOf(run);
@@ -88,18 +88,18 @@ std::size_t storeNearer(SampleRun<N> &run,
 }
 
 template <class N, class Kind>
-void compareDepth(SampleRun<N> &run)
+void compareDepth(StagedSamples<N> &run)
 {
-    std::array<std::uint32_t, SampleRun<N>::capacity> passes;
+    std::array<std::uint32_t, StagedSamples<N>::capacity> passes;
     const std::size_t passing = storeNearer<N, Kind>(run, passes);
     run.keep(passes, passing);
 }
 
 /// That and the triangle's one colour: two stages in one, since there is nothing between them.
 template <class N, class Kind>
-void paintNearer(SampleRun<N> &run)
+void paintNearer(StagedSamples<N> &run)
 {
-    std::array<std::uint32_t, SampleRun<N>::capacity> passes;
+    std::array<std::uint32_t, StagedSamples<N>::capacity> passes;
     const std::size_t passing = storeNearer<N, Kind>(run, passes);
     run.worked(EffectWork::Sample, passing);
     const QRgb flat = run.surface->flat;

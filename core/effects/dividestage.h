@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/effects/samplerun.h"
+#include "core/effects/stagedsamples.h"
 
 /// Perspective: what was interpolated over w is divided by 1/w.
 namespace pixelplumb::stages {
 
 /// Beyond the horizon of its plane a sample has no attributes. Only areas reach so far.
 template <class N>
-void leaveHorizon(SampleRun<N> &run)
+void leaveHorizon(StagedSamples<N> &run)
 {
-    std::array<std::uint32_t, SampleRun<N>::capacity> passes;
+    std::array<std::uint32_t, StagedSamples<N>::capacity> passes;
     std::size_t passing = 0;
     for (std::size_t i = 0; i < run.count; ++i) {
         passes[i] = run.valueOf(Channel::Reciprocal, i) > 0 ? 1 : 0;
@@ -21,7 +21,7 @@ void leaveHorizon(SampleRun<N> &run)
 
 /// Exact numerators get another denominator, floating numbers are divided.
 template <class N>
-void divideByW(SampleRun<N> &run)
+void divideByW(StagedSamples<N> &run)
 {
     run.worked(EffectWork::Division, run.count);
     const auto &reciprocal = run.value[indexOf(Channel::Reciprocal)];

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/effects/samplerun.h"
+#include "core/effects/stagedsamples.h"
 
 /// The first stage: what each channel has at the samples, in one of three forms.
 namespace pixelplumb::stages {
 
 template <class N>
-void readValues(const SampleRun<N> &run)
+void readValues(const StagedSamples<N> &run)
 {
     for (std::size_t i = 0; run.read && i < run.size; ++i) {
         for (const std::size_t channel : *run.carried)
@@ -17,7 +17,7 @@ void readValues(const SampleRun<N> &run)
 
 /// What a channel has at the row at which adding begins.
 template <class N>
-typename N::Number startOf(const SampleRun<N> &run, std::size_t channel)
+typename N::Number startOf(const StagedSamples<N> &run, std::size_t channel)
 {
     using Number = typename N::Number;
     const ShadedColumn<N> &column = *run.column;
@@ -30,7 +30,7 @@ typename N::Number startOf(const SampleRun<N> &run, std::size_t channel)
 /// So many channels side by side: each addition waits for the one before it, but not for those of
 /// the other channels.
 template <std::size_t width, class N>
-void addUp(SampleRun<N> &run, const std::uint8_t *channels)
+void addUp(StagedSamples<N> &run, const std::uint8_t *channels)
 {
     using Number = typename N::Number;
     std::array<Number, width> value, rate;
@@ -55,7 +55,7 @@ void addUp(SampleRun<N> &run, const std::uint8_t *channels)
 }
 
 template <class N>
-void interpolateByAdding(SampleRun<N> &run)
+void interpolateByAdding(StagedSamples<N> &run)
 {
     const std::uint8_t *channel = run.carried->begin();
     const std::uint8_t *const end = run.carried->end();
@@ -77,7 +77,7 @@ void interpolateByAdding(SampleRun<N> &run)
 
 /// a·x + b·y + c at the samples.
 template <class N>
-void evaluate(const SampleRun<N> &run, const std::array<typename N::Number, 3> &form,
+void evaluate(const StagedSamples<N> &run, const std::array<typename N::Number, 3> &form,
               typename N::Number *values)
 {
     using Number = typename N::Number;
@@ -87,7 +87,7 @@ void evaluate(const SampleRun<N> &run, const std::array<typename N::Number, 3> &
 }
 
 template <class N>
-void interpolateByPlanes(SampleRun<N> &run)
+void interpolateByPlanes(StagedSamples<N> &run)
 {
     for (const std::size_t channel : *run.carried)
         evaluate(run, run.setUp->plane[channel], run.value[channel].data());
@@ -95,10 +95,10 @@ void interpolateByPlanes(SampleRun<N> &run)
 }
 
 template <class N>
-void interpolateByWeights(SampleRun<N> &run)
+void interpolateByWeights(StagedSamples<N> &run)
 {
     using Number = typename N::Number;
-    std::array<std::array<Number, SampleRun<N>::capacity>, 3> weight;
+    std::array<std::array<Number, StagedSamples<N>::capacity>, 3> weight;
     for (std::size_t i = 0; i < 3; ++i) {
         evaluate(run, run.setUp->weight[i], weight[i].data());
         for (std::size_t sample = 0; run.read && sample < run.size; ++sample)

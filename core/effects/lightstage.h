@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/effects/samplerun.h"
+#include "core/effects/stagedsamples.h"
 
 /// Light: what the lamps of the scene send from the sample to the viewer.
 namespace pixelplumb::stages {
 
 template <class N>
-void light(SampleRun<N> &run)
+void light(StagedSamples<N> &run)
 {
     run.worked(EffectWork::Normal, run.count);
     LitSample<typename N::Real> lit = {};

@@ -58,7 +58,7 @@ public:
         , m_primitives(primitives)
         , m_settings(settings)
         , m_observer(observer)
-        , m_read(readsNumbers<Observer> ? SampleRun<N>::capacity : 0)
+        , m_read(readsNumbers<Observer> ? StagedSamples<N>::capacity : 0)
     {
         m_samples.read = m_read.empty() ? nullptr : m_read.data();
     }
@@ -134,7 +134,7 @@ private:
         m_samples.start = rows.first;
         for (std::int64_t first = rows.first; first < rows.end;) {
             const std::int64_t count
-                = std::min<std::int64_t>(rows.end - first, SampleRun<N>::capacity);
+                = std::min<std::int64_t>(rows.end - first, StagedSamples<N>::capacity);
             m_samples.enter(first, std::size_t(count), frame);
             stages(m_samples);
             if constexpr (readsNumbers<Observer>)
@@ -167,7 +167,7 @@ private:
     ScanSettings m_settings;
     Observer m_observer;
     std::vector<ShadedSample<N>> m_read; ///< of a run, where the observer reads numbers
-    SampleRun<N> m_samples;
+    StagedSamples<N> m_samples;
 };
 
 template <class N, class A, class Observer>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/effects/samplerun.h"
+#include "core/effects/stagedsamples.h"
 
 namespace pixelplumb {
 
@@ -16,7 +16,7 @@ struct StageNeeds {
 
 /// One thing that is done to all samples in play of a run.
 template <class N>
-using Stage = void (*)(SampleRun<N> &run);
+using Stage = void (*)(StagedSamples<N> &run);
 
 /// A plan for one triangle: the stages that it calls for, in order. What is not called for is not
 /// in the list, so that nothing of it runs.
@@ -25,7 +25,7 @@ class StageList {
 public:
     explicit StageList(const StageNeeds &needs);
 
-    void operator()(SampleRun<N> &run) const
+    void operator()(StagedSamples<N> &run) const
     {
         run.carried = &m_carried;
         for (std::size_t i = 0; i < m_count && run.count > 0; ++i)

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/effects/samplerun.h"
+#include "core/effects/stagedsamples.h"
 #include "core/space/materialcolour.h"
 
 /// Texture: the colour is multiplied by the texels at u, v.
 namespace pixelplumb::stages {
 
 template <TextureFilter filter, class N>
-void tintByTexels(SampleRun<N> &run)
+void tintByTexels(StagedSamples<N> &run)
 {
     run.worked(EffectWork::TexelFetch, run.count * texelsOf(filter));
     for (std::size_t i = 0; i < run.count; ++i) {

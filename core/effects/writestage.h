@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/effects/samplerun.h"
+#include "core/effects/stagedsamples.h"
 
 /// The last stage: colours become pixels.
 namespace pixelplumb::stages {
 
 template <class N>
-void write(SampleRun<N> &run)
+void write(StagedSamples<N> &run)
 {
     run.forEachPixel([&](QRgb &pixel, std::size_t i) { pixel = run.colour[i]; });
 }
@@ -15,7 +15,7 @@ void write(SampleRun<N> &run)
 /// The triangle's one colour, which no stage before has changed: two stages in one, since there is
 /// little else to do for such samples.
 template <class N>
-void paint(SampleRun<N> &run)
+void paint(StagedSamples<N> &run)
 {
     run.worked(EffectWork::Sample, run.count);
     run.forEachPixel([flat = run.surface->flat](QRgb &pixel, std::size_t) { pixel = flat; });

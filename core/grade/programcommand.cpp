@@ -113,6 +113,10 @@ QStringList viewWords(const QStringList &shown, std::int64_t bytes)
     for (const char *folder : {"/dev/shm", "/tmp"})
         words += {QStringLiteral("--perms"), QStringLiteral("1777"),    QStringLiteral("--size"),
                   QString::number(bytes),    QStringLiteral("--tmpfs"), QLatin1String(folder)};
+    // No terminals, of which the machine has so many and no more: /dev/ptmx leads nowhere.
+    words
+        += {QStringLiteral("--size"),   QStringLiteral("4096"),         QStringLiteral("--tmpfs"),
+            QStringLiteral("/dev/pts"), QStringLiteral("--remount-ro"), QStringLiteral("/dev/pts")};
     for (const QString &path : shown) {
         if (!isInOneOf(seen, path))
             words += {QStringLiteral("--ro-bind"), path, path};
@@ -164,7 +168,14 @@ QStringList sandboxedCommand(const StudentProgram &student, const ProgramLimits 
     + limitWords(limits, rlim_t(limits.processes)) + user.command() + wordsOf(student);
 }
 
-QString bubblewrapPath() { return QStandardPaths::findExecutable(QStringLiteral("bwrap")); }
+QString bubblewrapPath()
+{
+    // A relative entry of PATH could name a folder of the program that is to be kept in.
+    QStringList folders = qEnvironmentVariable("PATH").split(u':', Qt::SkipEmptyParts);
+    folders.removeIf([](const QString &folder) { return QDir::isRelativePath(folder); });
+    return folders.isEmpty() ? QString()
+                             : QStandardPaths::findExecutable(QStringLiteral("bwrap"), folders);
+}
 
 QString sandboxFolder() { return QStringLiteral("/tmp/pixelplumb-program"); }
 

@@ -172,6 +172,17 @@ private slots:
         QVERIFY(isReached(terminal));
     }
 
+    /// The machine has so many for all, and a program could take them.
+    void noTerminalIsMade()
+    {
+        const QString script = QStringLiteral("import os\n"
+                                              "os.open('/dev/ptmx', os.O_RDWR | os.O_NOCTTY)\n"
+                                              "print('made')");
+        QCOMPARE(runPython(script, Confinement::Sandbox).output, QByteArray());
+        if (runPython(script, Confinement::LimitsAlone).output != "made\n")
+            QSKIP("Nor is one made without a sandbox.");
+    }
+
     void noPipeOutsideIsWrittenTo()
     {
         const auto folder = openFolderIn(QDir::tempPath());

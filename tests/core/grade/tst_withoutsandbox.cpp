@@ -62,6 +62,27 @@ private slots:
         chmod(QFile::encodeName(m_folder->path()).constData(), 0755);
     }
 
+    /// It could be the program's own.
+    void noSandboxIsTakenFromARelativePlace()
+    {
+        const QString taken = m_folder->filePath(QStringLiteral("taken"));
+        QFile bwrap(m_folder->filePath(QStringLiteral("bwrap")));
+        QVERIFY(bwrap.open(QIODevice::WriteOnly));
+        bwrap.write("#!/bin/sh\necho x > '" + QFile::encodeName(taken) + "'\n");
+        bwrap.close();
+        bwrap.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+        QProcess process;
+        QProcessEnvironment relative = environment(QDir::tempPath(), Tools::None);
+        relative.insert(QStringLiteral("PATH"), QStringLiteral(".:/nowhere"));
+        process.setProcessEnvironment(relative);
+        process.setWorkingDirectory(m_folder->path());
+        process.start(program(), {"try", "--scene", defaultScene(), "/bin/true"});
+        QVERIFY(process.waitForFinished(300'000));
+        QVERIFY(!QFile::exists(taken));
+        const QByteArray told = process.readAllStandardOutput() + process.readAllStandardError();
+        QVERIFY2(told.contains(said), told.constData());
+    }
+
     void everyCommandThatRunsAProgramSaysSo_data()
     {
         QTest::addColumn<QStringList>("arguments");

@@ -25,7 +25,7 @@ struct ShadedSurface {
 /// Those in play stand first, without gaps, so that a stage is a plain loop over [0, count); a
 /// sample that is refused is closed over and costs the later stages nothing.
 template <class N>
-struct SampleRun {
+struct StagedSamples {
     using Number = typename N::Number;
     using Real = typename N::Real;
     static constexpr std::size_t capacity = 64;
