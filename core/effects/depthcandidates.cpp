@@ -20,24 +20,6 @@ std::array<Attribute, 3> depthsOf(const Triangle &triangle, const TriangleAttrib
     return z;
 }
 
-/// Positive, as kernels take them.
-std::array<Attribute, 3> divisorsOf(const TriangleAttributes &attributes)
-{
-    std::array<Attribute, 3> w;
-    for (std::size_t i = 0; i < 3; ++i)
-        w[i] = std::max<Attribute>(1, attributes.vertices[i].w);
-    return w;
-}
-
-/// Whether areas are drawn up to the horizon of the triangle's plane alone.
-bool hasHorizon(const Triangle &triangle, const TriangleAttributes *attributes,
-                const Appearance &appearance, const SampledFrame &where)
-{
-    return attributes && where.antialiasingOf(triangle) == Antialiasing::Area
-        && appearance.forced[Effect::Perspective] != Forcing::Off
-        && needsOf(triangle, attributes, appearance).effects.perspective;
-}
-
 Lattice marginOf(Antialiasing antialiasing)
 {
     return antialiasing == Antialiasing::None ? 0 : halfPixel;
@@ -101,15 +83,14 @@ DepthCandidates depthCandidatesOf(const Primitives &primitives, const SampledFra
         const bool hasAttributes = next != primitives.attributes.end() && next->triangle == i;
         const TriangleAttributes *attributes = hasAttributes ? &*next++ : nullptr;
         const Triangle &triangle = primitives.triangles[i];
-        if (reachOf(triangle, where).isEmpty())
+        const auto horizon = horizonOf(triangle, attributes, primitives.appearance, where);
+        if (reachOf(triangle, where, horizon).isEmpty())
             continue;
         candidates.boxes.push_back(boxWithin(triangle, where.frame, margin));
         candidates.triangles.push_back(std::uint32_t(i));
         candidates.z.push_back(attributes ? depthsOf(triangle, *attributes)
                                           : std::array<Attribute, 3>{});
-        candidates.w.push_back(hasHorizon(triangle, attributes, primitives.appearance, where)
-                                   ? divisorsOf(*attributes)
-                                   : std::array<Attribute, 3>{});
+        candidates.w.push_back(horizon);
     }
     setDepthLevels(candidates);
     return candidates;

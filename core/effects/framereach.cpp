@@ -103,12 +103,13 @@ bool coversItsMiddle(const Triangle &triangle, const SampleBox &box)
 
 /// Whether it is drawn at some sample of these pixels, or where areas are covered has a part of
 /// one.
-bool isDrawnIn(const SampleBox &box, const Triangle &triangle, const SampledFrame &where)
+bool isDrawnIn(const SampleBox &box, const Triangle &triangle, const SampledFrame &where,
+               const std::array<Attribute, 3> &horizon)
 {
     const auto isDrawnAs = [&](const LatticePoint &sample) {
         if (coversItsMiddle(seenFrom(triangle, sample), box))
             return true;
-        const DrawnPlane plane({&triangle}, sample, where);
+        const DrawnPlane plane({&triangle, {}, horizon}, sample, where);
         for (std::int64_t y = box.firstY; y < box.endY; ++y) {
             RowPixels columns = {box.firstX, box.endX};
             plane.keepDrawn(columns, y);
@@ -154,12 +155,13 @@ SampledFrame sampledFrame(const FrameView &frame, const ScanSettings &settings,
             settings.arithmetic == Arithmetic::Exact && settings.variants.isEmpty()};
 }
 
-SampleBox reachOf(const Triangle &triangle, const SampledFrame &where)
+SampleBox reachOf(const Triangle &triangle, const SampledFrame &where,
+                  const std::array<Attribute, 3> &horizon)
 {
     if (doubledArea(triangle) == 0 && where.rule != FillRule::Closed)
         return {};
     const SampleBox box = boxReachOf(triangle, where);
-    if (box.isEmpty() || (where.isExact && !isDrawnIn(box, triangle, where)))
+    if (box.isEmpty() || (where.isExact && !isDrawnIn(box, triangle, where, horizon)))
         return {};
     return box;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/frame/frameview.h"
+#include "core/geometry/attributes.h"
 #include "core/geometry/shape.h"
 #include "core/scan/edgeteststate.h"
 #include "core/scan/scansettings.h"
@@ -33,7 +34,9 @@ SampledFrame sampledFrame(const FrameView &frame, const ScanSettings &settings,
 /// The pixels of the frame within the triangle's bounding box; where pixels have more than one
 /// sample, those whose closed square meets the box. None of a triangle that is not drawn: one
 /// without area where the rule does not paint it, and one that lies between the samples.
-SampleBox reachOf(const Triangle &triangle, const SampledFrame &where);
+/// `horizon`: the w of the vertices where areas end at the horizon of its plane, else zeros.
+SampleBox reachOf(const Triangle &triangle, const SampledFrame &where,
+                  const std::array<Attribute, 3> &horizon = {});
 /// How many of them it may cover: no more than its reach, and no more than A + P/2 + 1 of any
 /// convex figure of area A and perimeter P (Nosarzewska 1948). Where pixels have more than one
 /// sample that figure is the triangle widened by half a pixel's square on every side.

@@ -77,7 +77,8 @@ std::vector<EffectBatch> batchesOf(const Primitives &primitives, const SampledFr
         const bool hasAttributes = next != primitives.attributes.end() && next->triangle == i;
         const TriangleAttributes *attributes = hasAttributes ? &*next++ : nullptr;
         const Triangle &triangle = primitives.triangles[i];
-        if (reachOf(triangle, where).isEmpty()) {
+        if (reachOf(triangle, where, horizonOf(triangle, attributes, appearance, where))
+                .isEmpty()) {
             list.addUnseen();
             continue;
         }

@@ -70,4 +70,17 @@ TriangleNeeds needsOf(const Triangle &triangle, const TriangleAttributes *attrib
     return needs;
 }
 
+std::array<Attribute, 3> horizonOf(const Triangle &triangle, const TriangleAttributes *attributes,
+                                   const Appearance &appearance, const SampledFrame &where)
+{
+    std::array<Attribute, 3> w = {};
+    if (!attributes || where.antialiasingOf(triangle) != Antialiasing::Area
+        || appearance.forced[Effect::Perspective] == Forcing::Off
+        || !needsOf(triangle, attributes, appearance).effects.perspective)
+        return w;
+    for (std::size_t i = 0; i < 3; ++i)
+        w[i] = std::max<Attribute>(1, attributes->vertices[i].w);
+    return w;
+}
+
 } // namespace pixelplumb

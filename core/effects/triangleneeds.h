@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/effects/effectplan.h"
+#include "core/effects/framereach.h"
 
 namespace pixelplumb {
 
@@ -31,5 +32,10 @@ bool hasNormals(const TriangleAttributes &attributes);
 /// `attributes` may be null.
 TriangleNeeds needsOf(const Triangle &triangle, const TriangleAttributes *attributes,
                       const Appearance &appearance);
+
+/// The w of the vertices, positive, as kernels take them, where areas are drawn up to the horizon
+/// of the triangle's plane alone; else zeros.
+std::array<Attribute, 3> horizonOf(const Triangle &triangle, const TriangleAttributes *attributes,
+                                   const Appearance &appearance, const SampledFrame &where);
 
 } // namespace pixelplumb

@@ -230,6 +230,27 @@ private slots:
         QVERIFY(between > fewerIfSanitized(100));
     }
 
+    /// In the one pixel that it meets, 1/w is −74/25: nothing is drawn there.
+    void aTriangleBeyondItsHorizonCallsForNoColours()
+    {
+        Primitives primitives;
+        primitives.triangles = {Triangle{{{{{576, 288}, {{255, 0, 0}}},
+                                           {{608, 288}, {{255, 0, 0}}},
+                                           {{576, 320}, {{0, 0, 255}}}}}}};
+        TriangleAttributes attributes;
+        attributes.vertices[0].w = 100 * attributeOne;
+        attributes.vertices[1].w = attributes.vertices[2].w = attributeOne;
+        primitives.attributes = {attributes};
+        primitives.appearance.antialiasing = Antialiasing::Area;
+        const FrameBuffer frame(frameOf(6, 4));
+        const EffectPlan plan = planFor(primitives, {}, frame.view());
+        QVERIFY(!plan.runs(Effect::SmoothColour));
+        QVERIFY(!plan.runs(Effect::Perspective));
+        QCOMPARE(plan.verdicts[Effect::SmoothColour].verdict, Verdict::NotCalledFor);
+        primitives.appearance.forced[Effect::Perspective] = Forcing::Off;
+        QVERIFY(planFor(primitives, {}, frame.view()).runs(Effect::SmoothColour));
+    }
+
     /// Its border lies on the border of the frame's squares, and it covers the other side.
     void aLineBesideTheFrameCallsForNoAntialiasing_data()
     {
