@@ -29,23 +29,31 @@ Scene sceneFor(const Scene &scene, const Contender &contender)
     return drawn;
 }
 
-Primitives primitivesFor(const Primitives &primitives, const Contender &contender)
+Primitives primitivesFor(Primitives primitives, const Contender &contender)
 {
     if (contender.isTruth())
         return primitives;
-    Primitives drawn;
-    drawn.appearance = primitives.appearance;
-    if (contender.method->draws(PrimitiveKind::Triangle)) {
-        drawn.triangles = primitives.triangles;
-        drawn.attributes = primitives.attributes;
-        drawn.sources = primitives.sources;
-        drawn.wExponent = primitives.wExponent;
+    if (!contender.method->draws(PrimitiveKind::Triangle))
+        primitives = {{}, std::move(primitives.shapes), {}, std::move(primitives.appearance)};
+    std::erase_if(primitives.shapes,
+                  [&contender](const Shape &shape) { return !contender.method->draws(shape); });
+    return primitives;
+}
+
+Primitives aloneOf(const Primitives &primitives, std::size_t index)
+{
+    Primitives one;
+    one.appearance = primitives.appearance;
+    if (!primitives.isTriangle(index)) {
+        one.shapes = {primitives.shape(index)};
+        return one;
     }
-    for (const Shape &shape : primitives.shapes) {
-        if (contender.method->draws(shape))
-            drawn.shapes.push_back(shape);
+    one.triangles = {primitives.triangles[index]};
+    if (const TriangleAttributes *attributes = primitives.attributesOf(index)) {
+        one.attributes = {*attributes};
+        one.attributes[0].triangle = 0;
     }
-    return drawn;
+    return one;
 }
 
 } // namespace pixelplumb

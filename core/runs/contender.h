@@ -26,6 +26,8 @@ Contender contenderFor(const Method &method, const ScanSettings &wanted);
 Scene sceneFor(const Scene &scene, const Contender &contender);
 
 /// The primitives that the contender draws: those of its method's kinds, and for the truth all.
-Primitives primitivesFor(const Primitives &primitives, const Contender &contender);
+Primitives primitivesFor(Primitives primitives, const Contender &contender);
+/// One of the primitives, with what a triangle carries.
+Primitives aloneOf(const Primitives &primitives, std::size_t index);
 
 } // namespace pixelplumb

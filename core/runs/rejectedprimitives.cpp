@@ -5,28 +5,13 @@
 #include "core/effects/requirements.h"
 #include "core/frame/framebuffer.h"
 #include "core/methods/rejectiontext.h"
+#include "core/runs/contender.h"
 
 #include <algorithm>
 
 namespace pixelplumb {
 
 namespace {
-
-Primitives alone(const Primitives &primitives, std::size_t index)
-{
-    Primitives one;
-    one.appearance = primitives.appearance;
-    if (!primitives.isTriangle(index)) {
-        one.shapes = {primitives.shape(index)};
-        return one;
-    }
-    one.triangles = {primitives.triangles[index]};
-    if (const TriangleAttributes *attributes = primitives.attributesOf(index)) {
-        one.attributes = {*attributes};
-        one.attributes[0].triangle = 0;
-    }
-    return one;
-}
 
 /// Whether nothing was written of a primitive that was recorded whole.
 bool wroteNothing(const ScanTrace &trace, std::size_t primitive)
@@ -74,7 +59,7 @@ std::vector<RejectedPrimitive> rejectedPrimitives(const Scene &scene)
             rejected.push_back({index, kind, PrimitiveRejection::NotOfThisMethod});
             continue;
         }
-        const Primitives one = alone(primitives, index);
+        const Primitives one = aloneOf(primitives, index);
         // Cancelled, and so null, where a span was entered.
         auto trace = method.trace(one, scene.settings, frame.view(), untilTheFirstSpan);
         if (!trace && primitives.isTriangle(index) && reachOf(one.triangles[0], where).isEmpty()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/variantreason.h"
 
+#include "core/runs/contender.h"
 #include "core/scan/choicenames.h"
 
 namespace pixelplumb {
@@ -12,16 +13,10 @@ constexpr std::int64_t largestRedrawn = std::int64_t(1) << 18; ///< px, in less 
 QRgb pixelOf(std::size_t primitive, const TracedScene &traced, VariantSet variants, std::int64_t x,
              std::int64_t y)
 {
-    Primitives alone;
-    alone.appearance = traced.primitives.appearance;
-    if (traced.primitives.isTriangle(primitive))
-        alone.triangles = {traced.primitives.triangles[primitive]};
-    else
-        alone.shapes = {traced.primitives.shape(primitive)};
     ScanSettings settings = traced.scene.settings;
     settings.variants = variants;
     const FrameBuffer frame(traced.scene.frame);
-    traced.method->draw(alone, settings, frame.view());
+    traced.method->draw(aloneOf(traced.primitives, primitive), settings, frame.view());
     return *frame.view().at(x, y);
 }
 

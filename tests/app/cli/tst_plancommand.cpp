@@ -84,6 +84,19 @@ private slots:
         QVERIFY2(plan.output.contains("one sample a pixel"), plan.output);
     }
 
+    void saysThatTheNearPlaneCutsAFace()
+    {
+        const ProgramRun plan = run(
+            {"plan", "-"},
+            "{\"pixelplumb\": 1, \"frame\": {\"width\": 32, \"height\": 24},"
+            " \"camera\": {\"eye\": [0, 0, 4], \"target\": [0, 0, 0], \"fieldOfView\": 60,"
+            " \"near\": 1, \"far\": 20}, \"primitives\": [{\"triangle3\":"
+            " [[-1, -1, 3.5], [2, -1, -2], [0, 1.5, 0]], \"colors\": [\"#ff0000\", \"#00ff00\","
+            " \"#0000ff\"]}]}");
+        QVERIFY2(plan.output.contains("both triangles are of a face that the near plane cuts"),
+                 plan.output);
+    }
+
     void whatIsForcedRunsAndIsNamed()
     {
         const QJsonObject plan
