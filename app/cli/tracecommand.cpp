@@ -119,8 +119,7 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const Nam
     const Result<RowChoice> rows = chosenRows(line, *traced, request.level);
     if (!rows)
         return line.refuse(rows.error());
-    reportRejections(path + QStringLiteral(", ") + traced->method->id,
-                     rejectedPrimitives(*traced));
+    reportRejections(path + QStringLiteral(", ") + traced->method->id, rejectedPrimitives(*traced));
 
     if (line.isSet(QStringLiteral("decimal")) && request.format != TableFormat::Text)
         return line.refuse({QStringLiteral("--decimal"),

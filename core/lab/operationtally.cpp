@@ -3,6 +3,19 @@
 
 namespace pixelplumb {
 
+namespace {
+
+thread_local OperationTally *inHand = nullptr;
+
+} // namespace
+
+OperationTally::OperationTally()
+    : m_before(std::exchange(inHand, this))
+{
+}
+
+OperationTally::~OperationTally() { inHand = m_before; }
+
 void OperationTally::count(Operation operation, std::int64_t times)
 {
     if (inHand)

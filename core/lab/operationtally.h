@@ -7,19 +7,17 @@
 
 namespace pixelplumb {
 
-/// Where counting numbers count: one in hand in each thread while it lives.
+/// Where counting numbers count: one in hand in each thread while it lives. What changes or asks
+/// for the one in hand is not inline: there is one such place in a process, also where a program
+/// and the core would each have its own. count() stands beside every operation of every kernel that
+/// counts besides, and would be half of what the compiler has to do there.
 class OperationTally {
 public:
-    OperationTally()
-        : m_before(std::exchange(inHand, this))
-    {
-    }
-    ~OperationTally() { inHand = m_before; }
+    OperationTally();
+    ~OperationTally();
     OperationTally(const OperationTally &) = delete;
     OperationTally &operator=(const OperationTally &) = delete;
 
-    /// Not inline: it stands beside every operation of every kernel that counts, and would be half
-    /// of what the compiler has to do there.
     static void count(Operation operation, std::int64_t times = 1);
 
     WorkStage enter(WorkStage stage) { return std::exchange(m_stage, stage); }
@@ -28,8 +26,6 @@ public:
     OperationCounts counts;
 
 private:
-    static inline thread_local OperationTally *inHand = nullptr;
-
     OperationTally *m_before;
     WorkStage m_stage = WorkStage::SetUp;
 };

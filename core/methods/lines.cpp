@@ -87,12 +87,16 @@ Method lineParametricMethod()
             QStringLiteral("for each t = i/N from 0 to 1:"),
             {Moment::Begin, Moment::Span},
             {},
-            {{twice, range.arg(QChar(u'2'))}, {five, range.arg(QChar(u'5'))}, {both, range.arg("10")}}},
+            {{twice, range.arg(QChar(u'2'))},
+             {five, range.arg(QChar(u'5'))},
+             {both, range.arg("10")}}},
            {1,
             QStringLiteral("u ← x₀ + t·(x₁ − x₀), v ← y₀ + t·(y₁ − y₀); R, G and B likewise"),
             {Moment::Begin, Moment::Span},
             {},
-            {{twice, point.arg(QChar(u'2'))}, {five, point.arg(QChar(u'5'))}, {both, point.arg("10")}}},
+            {{twice, point.arg(QChar(u'2'))},
+             {five, point.arg(QChar(u'5'))},
+             {both, point.arg("10")}}},
            {1, QStringLiteral("pixel (⌊u + ½⌋, ⌊v + ½⌋) ← the bytes of R, G, B"), {Moment::First}}};
     method.summary = QStringLiteral("Computes P(t) = P₀ + t·(P₁ − P₀) for t in steps of one pixel "
                                     "of the longer side, or less, and writes the pixel nearest to "
