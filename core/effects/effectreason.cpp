@@ -210,7 +210,7 @@ QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing)
         return QStringLiteral("the scene asks for one sample a pixel");
     const bool isCalledFor = tally.of[Effect::Antialiasing].primitives > 0;
     if (!isCalledFor && tally.drawnTriangles + tally.drawnStrokes == 0)
-        return QStringLiteral("no triangle, line or curve is drawn");
+        return QStringLiteral("no triangle is drawn, nor any line or curve one pixel wide");
     if (!isCalledFor)
         return antialiasing == Antialiasing::Area
             ? QStringLiteral("no edge parts a pixel of the frame: each is covered whole or not at "

@@ -105,12 +105,13 @@ private:
                                "the vertex opposite"),
                 {SetUp});
             add(0,
-                QStringLiteral("where one is < 0: s ← −1, and a, b, c of that edge change their "
-                               "signs; F ← s·sidedness"),
+                QStringLiteral("s ← 1; where sidedness < 0: s ← −1, and a, b, c of that edge "
+                               "change their signs; F ← s·sidedness"),
                 {SetUp});
         } else if (m_form.inside != InsideTest::Cramer) {
             add(0, QStringLiteral("f_a, f_b, f_c ← f_bc at a, f_ca at b, f_ab at c"), {SetUp});
         }
+        addTies();
         if (m_form.visited == VisitedSamples::Frame) {
             add(0, QStringLiteral("box ← the whole frame"), {SetUp});
         } else {
@@ -124,6 +125,36 @@ private:
                                    "clipped to the frame")}};
         }
         add(0, QStringLiteral("if no sample is to be drawn: done"), {Rejected});
+    }
+
+    /// Of which edges a sample exactly on them is the triangle's.
+    void addTies()
+    {
+        add(0, tiesText(FillRule::Closed), {SetUp});
+        for (const FillRule rule : allFillRules)
+            m_code.back().ruled.push_back({rule, tiesText(rule)});
+    }
+
+    QString tiesText(FillRule rule) const
+    {
+        const QString ties = three(QStringLiteral("tie{l}")) + QStringLiteral(" ← ");
+        switch (rule) {
+        case FillRule::Closed:
+            return ties + QStringLiteral("1 — every edge owns the samples on it");
+        case FillRule::Open:
+            return ties + QStringLiteral("0 — no edge owns the samples on it");
+        case FillRule::TopLeft:
+            return ties + QStringLiteral("1 of a left edge and of a level one at the top, else 0");
+        case FillRule::HalfOpenColumn:
+            return ties
+                + QStringLiteral(
+                       "1 of an edge with the triangle at larger y, and of an upright one with "
+                       "it at larger x; else 0");
+        case FillRule::OffScreenPoint:
+            return m_names.filled(QStringLiteral("tie{l} ← 1 if %1, else 0").arg(tieText(rule)), 0)
+                + QStringLiteral("; the others likewise");
+        }
+        return ties;
     }
 
     void addLoops()

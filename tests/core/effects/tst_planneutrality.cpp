@@ -247,8 +247,14 @@ private slots:
         QVERIFY(!plan.runs(Effect::SmoothColour));
         QVERIFY(!plan.runs(Effect::Perspective));
         QCOMPARE(plan.verdicts[Effect::SmoothColour].verdict, Verdict::NotCalledFor);
+        primitives.appearance.shading = Shading::Gouraud;
+        primitives.appearance.lights = {{}};
+        for (VertexAttributes &vertex : primitives.attributes[0].vertices)
+            vertex.normal = {0, 0, attributeOne};
+        QVERIFY(!planFor(primitives, {}, frame.view()).vertexLight);
         primitives.appearance.forced[Effect::Perspective] = Forcing::Off;
         QVERIFY(planFor(primitives, {}, frame.view()).runs(Effect::SmoothColour));
+        QVERIFY(planFor(primitives, {}, frame.view()).vertexLight);
     }
 
     /// Its border lies on the border of the frame's squares, and it covers the other side.

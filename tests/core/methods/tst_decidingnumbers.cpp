@@ -2,6 +2,7 @@
 #include "core/methods/formulatext.h"
 #include "core/runs/formulaexplanation.h"
 #include "core/runs/pixelhistory.h"
+#include "core/runs/stepmoment.h"
 #include "core/runs/tracedscene.h"
 #include "tests/support/shapes.h"
 #include "tests/support/testprogram.h"
@@ -126,6 +127,60 @@ private slots:
         QVERIFY(tie >= 0);
         QCOMPARE(setUp.lines[std::size_t(tie)].substituted,
                  QStringLiteral("1 if (−912) > 0, else 0"));
+    }
+
+    /// Half a square at its smallest x and y, and half of it at its largest: edges P₀P₁, P₁P₂ and
+    /// P₂P₀ are level, slanting and upright.
+    void theListingSaysWhichEdgesOwnTheirSamples_data()
+    {
+        QTest::addColumn<FillRule>("rule");
+        QTest::addColumn<FrameOrigin>("origin");
+        QTest::addColumn<QString>("said");
+        QTest::addColumn<std::vector<int>>("lower");
+        QTest::addColumn<std::vector<int>>("upper");
+        const auto add = [](FillRule rule, FrameOrigin origin, const char *said,
+                            const std::vector<int> &lower, const std::vector<int> &upper) {
+            QTest::addRow("%s, y %s", nameOf(rule).data(),
+                          origin == FrameOrigin::TopLeft ? "down" : "up")
+                << rule << origin << QStringLiteral("tie₀, tie₁, tie₂ ← ") + QString::fromUtf8(said)
+                << lower << upper;
+        };
+        for (const FrameOrigin origin : {FrameOrigin::BottomLeft, FrameOrigin::TopLeft}) {
+            add(FillRule::Closed, origin, "1 — every edge owns the samples on it", {1, 1, 1},
+                {1, 1, 1});
+            add(FillRule::Open, origin, "0 — no edge owns the samples on it", {0, 0, 0}, {0, 0, 0});
+            add(FillRule::HalfOpenColumn, origin,
+                "1 of an edge with the triangle at larger y, and of an upright one with it at "
+                "larger x; else 0",
+                {1, 0, 1}, {0, 1, 0});
+        }
+        const char *const topLeft = "1 of a left edge and of a level one at the top, else 0";
+        add(FillRule::TopLeft, FrameOrigin::BottomLeft, topLeft, {0, 0, 1}, {1, 1, 0});
+        add(FillRule::TopLeft, FrameOrigin::TopLeft, topLeft, {1, 0, 1}, {0, 1, 0});
+    }
+    void theListingSaysWhichEdgesOwnTheirSamples()
+    {
+        QFETCH(FillRule, rule);
+        QFETCH(FrameOrigin, origin);
+        QFETCH(QString, said);
+        QFETCH(std::vector<int>, lower);
+        QFETCH(std::vector<int>, upper);
+        Scene scene = slideTriangle("edge-equations", rule);
+        scene.frame.origin = origin;
+        const auto hasCorners = [&](const std::array<LatticePoint, 3> &corners,
+                                    const std::vector<int> &owned) {
+            for (std::size_t i = 0; i < corners.size(); ++i)
+                scene.triangles[0].vertices[i].position = corners[i];
+            const auto traced = traceScene(scene);
+            QVERIFY(std::ranges::any_of(pseudocodeOf(*traced, 0), [&](const PseudocodeLine &line) {
+                return line.text == said && line.moments == std::vector{Moment::SetUp};
+            }));
+            QCOMPARE(inSetUp(*traced, "tie₀"), Quantity::integer(owned[0]));
+            QCOMPARE(inSetUp(*traced, "tie₁"), Quantity::integer(owned[1]));
+            QCOMPARE(inSetUp(*traced, "tie₂"), Quantity::integer(owned[2]));
+        };
+        hasCorners({latticePixel(2, 1), latticePixel(8, 1), latticePixel(2, 7)}, lower);
+        hasCorners({latticePixel(8, 7), latticePixel(2, 7), latticePixel(8, 1)}, upper);
     }
 
     void noNumberOfThePointStandsUnderAnotherRule()
