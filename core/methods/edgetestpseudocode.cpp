@@ -26,7 +26,9 @@ QString linesText(const EdgeTestForm &form)
     case LineForm::CommonVertex:
         break;
     case LineForm::Solved:
-        return edges + QStringLiteral(": A and B solved from the two ends of the edge, C = −1");
+        return edges
+            + QStringLiteral(": A and B solved from the two ends of the edge with C = −1, or with "
+                             "C = 0 where its line passes through (0, 0)");
     case LineForm::CanonicalEnd:
         return edges + QStringLiteral(": a and b counted from the end that is smaller in (x, y)");
     case LineForm::FirstEnd:

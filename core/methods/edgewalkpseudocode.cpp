@@ -29,7 +29,7 @@ Pseudocode edgeWalkPseudocode(const EdgeWalkForm &form)
     using enum Moment;
     const bool isDirect = form.walk == WalkForm::Direct;
     const QString sorted = form.axis == SpanAxis::Row
-        ? QStringLiteral("sort the vertices by y, the highest first: P₀, P₁, P₂")
+        ? QStringLiteral("sort the vertices by y, the largest first: P₀, P₁, P₂")
         : QStringLiteral("sort the vertices by x: P₀, P₁, P₂");
     const QString added
         = QStringLiteral("m and δR, δG, δB ← what each {span} adds along L₀₁, L₁₂ and L₀₂");

@@ -22,7 +22,7 @@ void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSetUpState &state) cons
                                  .arg(scan.order[corner]))
                           .arg(pointText(state.walk.corners[corner].position)));
     }
-    QString sentence = (m_names.isRow() ? QStringLiteral("Sorted by y, the highest first: %1.")
+    QString sentence = (m_names.isRow() ? QStringLiteral("Sorted by y, the largest first: %1.")
                                         : QStringLiteral("Sorted by x: %1."))
                            .arg(points.join(QStringLiteral(", ")));
     if (scan.zeroArea) {

@@ -20,7 +20,7 @@ QString verticesText(InterpolationForm form, const std::array<int, 3> &order,
                       + pointText(positions[vertex]));
     }
     const QString sorted = axisOf(form) == SpanAxis::Row
-        ? QStringLiteral("Sorted by y, the highest first: ")
+        ? QStringLiteral("Sorted by y, the largest first: ")
         : QStringLiteral("Sorted by x: ");
     return (isSorted ? sorted : QStringLiteral("The vertices as they are given: "))
         + points.join(QStringLiteral(", ")) + u'.';

@@ -171,10 +171,9 @@ Method lineBresenhamMethod()
            QStringLiteral("if p ≤ 0: x ← x + 1, p ← p + 2Δy")}}},
         {1, QStringLiteral("else: x ← x + 1, y a step across, p ← p + 2Δy − 2Δx"), {Moment::Cross}},
         {1, QStringLiteral("pixel (x, y) ← colour"), {Moment::First}}};
-    method.summary = QStringLiteral(
-        "Steps from the left end (of a steep line, the lower one) by the sign of an "
-        "integer; p_k < 0 stays, so that ties go up on a rising line "
-        "and down on a falling one.");
+    method.summary = QStringLiteral("Steps from the end of smaller x (of a steep line, of smaller "
+                                    "y) by the sign of an integer; "
+                                    "p_k < 0 stays, so that a tie steps across.");
     method.remarks += QStringLiteral("whole-pixel end points");
     method.variants = {Variant::StayAtZero, Variant::OneStepShort};
     return method;
@@ -207,7 +206,7 @@ Method lineSymmetricMethod()
         {1, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {Moment::First}}};
     method.summary
         = QStringLiteral("Bresenham's decisions from any lattice point to any other, "
-                         "ties to the upper or right pixel whether the line rises or falls.");
+                         "ties to the pixel of larger y or x whether the line rises or falls.");
     method.stableArithmetics = {Arithmetic::Exact};
     return method;
 }

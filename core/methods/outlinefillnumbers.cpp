@@ -34,7 +34,7 @@ void appendDecision(NumberTable<OutlineSpanState> &table, const QString &bound, 
           .title = across,
           .unit = unit::px(),
           .toolTip = QStringLiteral("How far across the line had gone before the "
-                                    "decision that led to the %1 pixel.")
+                                    "decision that led to the pixel of the %1 y.")
                          .arg(word),
           .formula = {},
           .group = Group::Decision},
@@ -43,8 +43,8 @@ void appendDecision(NumberTable<OutlineSpanState> &table, const QString &bound, 
         {{.id = parameter,
           .title = parameter,
           .unit = {},
-          .toolTip = QStringLiteral("The decision parameter p_k that led to the %1 "
-                                    "pixel: below 0 the line stayed, else it went one "
+          .toolTip = QStringLiteral("The decision parameter p_k that led to the pixel of the "
+                                    "%1 y: below 0 the line stayed, else it went one "
                                     "across. None at the edge's first pixel.")
                          .arg(word),
           .formula = formula(QStringLiteral("Δ"), QStringLiteral("δ")),
@@ -74,14 +74,15 @@ void appendBound(NumberTable<OutlineSpanState> &table, const QString &bound, con
                          }});
     };
     row(QStringLiteral("y"), unit::px(),
-        QStringLiteral("The %1 pixel of the outline in the column.").arg(word),
+        QStringLiteral("The outline's pixel of the %1 y in the column.").arg(word),
         [](const OutlinePixel &at) { return at.row; });
     row(QStringLiteral("edge"), {},
-        QStringLiteral("Whose it is: 0 is P₀P₁, 1 is P₁P₂, 2 is P₂P₀ (%1).").arg(word),
+        QStringLiteral("Whose the pixel of the %1 y is: 0 is P₀P₁, 1 is P₁P₂, 2 is P₂P₀.")
+            .arg(word),
         [](const OutlinePixel &at) { return std::int64_t(at.edge); });
     row(QStringLiteral("n"), {},
         QStringLiteral("How many steps of the midpoint algorithm it is from the edge's left end, "
-                       "or lower end where it is steep (%1).")
+                       "or the one of smaller y where it is steep, to the pixel of the %1 y.")
             .arg(word),
         [](const OutlinePixel &at) { return at.number; });
 }
@@ -97,7 +98,7 @@ void appendBoundColours(NumberTable<OutlineSpanState> &table, const QString &bou
         {.id = title,
          .title = title,
          .unit = unit::levels(),
-         .toolTip = QStringLiteral("Level of % at the %1 pixel of the outline, along its edge.")
+         .toolTip = QStringLiteral("Level of % at the outline's pixel of the %1 y, along its edge.")
                         .replace(QStringLiteral("%1"), word),
          .formula = title + QStringLiteral(" = %_from + n·(%_to − %_from)/Δ"),
          .group = Group::EdgeColours},
@@ -176,10 +177,10 @@ const NumberTable<OutlineSpanState> &outlineSpanNumbers()
                 [](const State &state) { return Quantity::integer(Int128(state.primitive)); }},
                {scannedNumber(),
                 [](const State &state) { return Quantity::integer(state.span.column.x); }}};
-        appendBound(table, low, QStringLiteral("lowest"), &Span::low);
-        appendDecision(table, low, QStringLiteral("lowest"), &State::lowDecision, &Span::low);
-        appendBound(table, high, QStringLiteral("highest"), &Span::high);
-        appendDecision(table, high, QStringLiteral("highest"), &State::highDecision, &Span::high);
+        appendBound(table, low, QStringLiteral("smallest"), &Span::low);
+        appendDecision(table, low, QStringLiteral("smallest"), &State::lowDecision, &Span::low);
+        appendBound(table, high, QStringLiteral("largest"), &Span::high);
+        appendDecision(table, high, QStringLiteral("largest"), &State::highDecision, &Span::high);
         table.push_back({columnPixelsNumber(), [](const State &state) {
                              return Quantity::integer(state.drawnSamples());
                          }});
@@ -187,7 +188,7 @@ const NumberTable<OutlineSpanState> &outlineSpanNumbers()
                           .title = QStringLiteral("y_start"),
                           .unit = unit::px(),
                           .toolTip = QStringLiteral("The first drawn row, where the colours start: "
-                                                    "the lowest pixel's, or the frame's first."),
+                                                    "y_low, or the frame's first."),
                           .formula = {},
                           .group = Group::Span},
                          [](const State &state) {
@@ -195,8 +196,9 @@ const NumberTable<OutlineSpanState> &outlineSpanNumbers()
                                  ? Quantity::integer(state.span.column.firstDrawnRow)
                                  : Quantity();
                          }});
-        appendBoundColours(table, low, QStringLiteral("lowest"), &Span::low, &Column::colourBottom);
-        appendBoundColours(table, high, QStringLiteral("highest"), &Span::high, &Column::colourTop);
+        appendBoundColours(table, low, QStringLiteral("smallest"), &Span::low,
+                           &Column::colourBottom);
+        appendBoundColours(table, high, QStringLiteral("largest"), &Span::high, &Column::colourTop);
         appendRamp(table);
         return table;
     }();

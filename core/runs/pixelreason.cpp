@@ -60,12 +60,21 @@ QString tieOfPolygonText(const PixelAttempt &attempt, const TracedScene &traced,
               .arg(nameText(nameOf(traced.scene.settings.fillRule)));
 }
 
-/// " Column 3: p_k = 0, a tie: step diagonally to the pixel (3, 9); …" Where a line was decided
-/// that passes beside the pixel; empty where it has no step there, and of other kinds.
+/// Whether the outline of a triangle decides which of its samples are written, in place of edges.
+bool isDecidedByOutline(const PixelAttempt &attempt, const ScanTrace &trace)
+{
+    return attempt.kind == PrimitiveKind::Triangle
+        && std::ranges::find(trace.numbers().span, QStringLiteral("edge_low"),
+                             &NumberDescription::id)
+        != trace.numbers().span.end();
+}
+
+/// " Column 3: p_k = 0, a tie: step diagonally to the pixel (3, 9); …" Where a line or outline was
+/// decided that passes beside the pixel; empty where it has no step there, and of other kinds.
 QString stepOfLineText(const PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x,
                        std::int64_t y)
 {
-    if (attempt.kind != PrimitiveKind::Line)
+    if (attempt.kind != PrimitiveKind::Line && !isDecidedByOutline(attempt, trace))
         return {};
     const auto step = trace.spanNear(attempt.primitive, x, y);
     const QString told = step ? trace.spanWords(*step).sentence : QString();
@@ -115,9 +124,13 @@ QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std:
             + QStringLiteral("T%1 lies %2.")
                   .arg(sample.sliced(1), ties.join(QStringLiteral("; it lies ")));
     }
+    const bool isOfTruthAlone = attempt.written || isDecidedByOutline(attempt, *traced.trace);
     return start
-        + QStringLiteral("Refused by %1: %2 is at %3, under the rule %4.")
-              .arg(edge, sample, distanceText(*refusing, *traced.trace), nameText(nameOf(rule)));
+        + QStringLiteral("%1 %2: %3 is at %4, under the rule %5.")
+              .arg(isOfTruthAlone ? QStringLiteral("The truth refuses it by")
+                                  : QStringLiteral("Refused by"),
+                   edge, sample, distanceText(*refusing, *traced.trace), nameText(nameOf(rule)))
+        + stepOfLineText(attempt, *traced.trace, x, y);
 }
 
 QString channelText(const PixelAttempt &attempt, std::size_t channel, QChar name)

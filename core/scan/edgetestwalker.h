@@ -71,19 +71,28 @@ private:
     [[gnu::always_inline]] void evaluate(Sample &sample, std::int64_t x, std::int64_t y) const
     {
         const LatticePoint point = latticePixel(x, y);
-        sample.value = threeOf([&](std::size_t line) {
+        const auto valueOf = [&](std::size_t line) {
             return m_setUp.lines[line].template valueAt<form.line>(point);
-        });
+        };
+        if constexpr (form.inside == InsideTest::Cramer) // w follows from u and v
+            sample.value = {valueOf(0), valueOf(1), {}};
+        else
+            sample.value = threeOf(valueOf);
         if constexpr (form.isBarycentric())
             evaluateWeights(sample);
     }
 
     [[gnu::always_inline]] void evaluateWeights(Sample &sample) const
     {
-        sample.weight = threeOf(
-            [&](std::size_t line) { return A::ratio(sample.value[line], m_whole[line]); });
-        if constexpr (form.inside == InsideTest::Cramer)
+        const auto weightOf
+            = [&](std::size_t line) { return A::ratio(sample.value[line], m_whole[line]); };
+        if constexpr (form.inside == InsideTest::Cramer) {
+            sample.weight[0] = weightOf(0);
+            sample.weight[1] = weightOf(1);
             sample.weight[2] = 1 - sample.weight[0] - sample.weight[1];
+        } else {
+            sample.weight = threeOf(weightOf);
+        }
     }
 
     /// Edge equations have no use for weights until a sample is to be coloured.

@@ -4145,12 +4145,12 @@
         <translation>Berechnet P(t) = P₀ + t·(P₁ − P₀) für t in Schritten von einem Pixel der längeren Seite oder weniger und schreibt das Pixel, das jedem Punkt am nächsten ist.</translation>
     </message>
     <message>
-        <source>Steps from the left end (of a steep line, the lower one) by the sign of an integer; p_k &lt; 0 stays, so that ties go up on a rising line and down on a falling one.</source>
-        <translation>Geht vom linken Ende (einer steilen Linie vom unteren) nach dem Vorzeichen einer ganzen Zahl; p_k &lt; 0 bleibt, so dass Grenzfälle auf einer steigenden Linie nach oben und auf einer fallenden nach unten gehen.</translation>
+        <source>Steps from the end of smaller x (of a steep line, of smaller y) by the sign of an integer; p_k &lt; 0 stays, so that a tie steps across.</source>
+        <translation>Geht vom Ende mit kleinerem x (einer steilen Linie: mit kleinerem y) nach dem Vorzeichen einer ganzen Zahl; p_k &lt; 0 bleibt, so dass ein Grenzfall quer weitergeht.</translation>
     </message>
     <message>
-        <source>Bresenham&apos;s decisions from any lattice point to any other, ties to the upper or right pixel whether the line rises or falls.</source>
-        <translation>Bresenhams Entscheidungen zwischen beliebigen Gitterpunkten; Grenzfälle gehen zum oberen oder rechten Pixel, ob die Linie steigt oder fällt.</translation>
+        <source>Bresenham&apos;s decisions from any lattice point to any other, ties to the pixel of larger y or x whether the line rises or falls.</source>
+        <translation>Bresenhams Entscheidungen zwischen beliebigen Gitterpunkten; Grenzfälle gehen zum Pixel mit größerem y oder x, ob die Linie steigt oder fällt.</translation>
     </message>
     <message>
         <source>Steps through an octant by the sign of F at midpoints, a whole number of quarters, and mirrors each pixel into the other seven; of an ellipse through two arcs of a quarter, each into three.</source>

@@ -91,11 +91,11 @@ constexpr const char *context = "pixelplumb::MethodSummary";
                       "side, or less, and writes the pixel nearest to each point."),
     QT_TRANSLATE_NOOP(
         "pixelplumb::MethodSummary",
-        "Steps from the left end (of a steep line, the lower one) by the sign of an integer; p_k < "
-        "0 stays, so that ties go up on a rising line and down on a falling one."),
+        "Steps from the end of smaller x (of a steep line, of smaller y) by the sign of an "
+        "integer; p_k < 0 stays, so that a tie steps across."),
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
                       "Bresenham's decisions from any lattice point to any other, ties to the "
-                      "upper or right pixel whether the line rises or falls."),
+                      "pixel of larger y or x whether the line rises or falls."),
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
                       "Steps through an octant by the sign of F at midpoints, a whole number "
                       "of quarters, and mirrors each pixel into the other seven; "

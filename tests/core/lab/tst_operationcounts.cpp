@@ -52,6 +52,17 @@ private slots:
                  QString());
     }
 
+    void cramersRuleDividesForUAndVAlone()
+    {
+        const OperationCounts counts
+            = countsOf("barycentric-cramer", Arithmetic::Float32, tentTriangle());
+        const std::int64_t samples = counts.pixels + counts.refused;
+        QVERIFY(samples > 13);
+        QCOMPARE(counts.of(WorkStage::Pixel, Division), 2 * samples);
+        // Each is a·(x − x_C) + b·(y − y_C); then R, G and B of the written ones.
+        QCOMPARE(counts.of(WorkStage::Pixel, Multiplication), 4 * samples + 9 * counts.pixels);
+    }
+
     void inFixedPointTheSameAdditionsAreOfIntegers()
     {
         const OperationCounts floating

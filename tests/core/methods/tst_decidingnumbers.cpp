@@ -196,6 +196,30 @@ private slots:
         QCOMPARE(inSetUp(*traced, "tie_bc"), Quantity::integer(0));
     }
 
+    /// What no edge decides: the truth's edge is told as the truth's.
+    void anOutlineTellsWhichPixelsOfItsColumnDecide()
+    {
+        Scene scene = slideTriangle("midpoint-outline-fill");
+        scene.frame.origin = FrameOrigin::TopLeft;
+        const Lattice half = halfPixel;
+        scene.triangles[0].vertices[0].position = {3 * half, 3 * half};
+        scene.triangles[0].vertices[1].position = {19 * half, 5 * half};
+        scene.triangles[0].vertices[2].position = {21 * half / 2, 17 * half};
+        const auto traced = traceScene(scene);
+        const auto hasReason
+            = [&](std::int64_t x, std::int64_t y, const char *truth, const char *column) {
+                  const QString reason = pixelHistory(*traced, x, y).front().reason;
+                  QVERIFY2(reason.contains(QString::fromUtf8(truth)), qPrintable(reason));
+                  QVERIFY2(reason.contains(QString::fromUtf8(column)), qPrintable(reason));
+                  QVERIFY2(!reason.contains(QStringLiteral("Refused by")), qPrintable(reason));
+              };
+        // The outline has rows 3 to 5 of column 8 alone; of column 10 it has (10, 3), its corner.
+        hasReason(8, 2, "The truth refuses it by P₀P₁: the sample is at -5/16 px",
+                  " Column 8: The outline reaches from row 3, ");
+        hasReason(10, 3, "Extra: the truth does not cover it", "The truth refuses it by P₁P₂: ");
+        hasReason(10, 3, "Writes R = 0", " Column 10: The outline is one pixel high: row 3, ");
+    }
+
     void aRefusedTieTellsTheProduct()
     {
         const auto traced
