@@ -26,7 +26,7 @@ public:
     {
         if (hasEdgePixels(triangle, m_asked))
             m_tally.of[Effect::Antialiasing].add(mostEdgePixelsOf(triangle, m_asked));
-        const SampleBox reach = reachOf(triangle, attributes, m_appearance, m_where);
+        const SampleBox reach = reachOf(triangle, m_where);
         if (reach.isEmpty()) {
             ++m_tally.outside;
             return;

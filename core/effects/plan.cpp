@@ -77,7 +77,7 @@ std::vector<EffectBatch> batchesOf(const Primitives &primitives, const SampledFr
         const bool hasAttributes = next != primitives.attributes.end() && next->triangle == i;
         const TriangleAttributes *attributes = hasAttributes ? &*next++ : nullptr;
         const Triangle &triangle = primitives.triangles[i];
-        if (reachOf(triangle, attributes, appearance, where).isEmpty()) {
+        if (reachOf(triangle, where).isEmpty()) {
             list.addUnseen();
             continue;
         }
@@ -123,13 +123,12 @@ EffectPlan planFor(const Primitives &primitives, const ScanSettings &settings,
     plan.verdicts = requirementsWith(primitives, settings, where, depth);
     plan.batches = batchesOf(primitives, where, depth);
     plan.smoothLines = runsOnLines(primitives, where);
-    plan.vertexLight = lightsVertices(appearance)
+    plan.vertexLight
+        = lightsVertices(appearance)
         && std::ranges::any_of(primitives.attributes, [&](const TriangleAttributes &attributes) {
-                           return hasNormals(attributes)
-                               && !reachOf(primitives.triangles[attributes.triangle], &attributes,
-                                           appearance, where)
-                                       .isEmpty();
-                       });
+               return hasNormals(attributes)
+                   && !reachOf(primitives.triangles[attributes.triangle], where).isEmpty();
+           });
     return plan;
 }
 

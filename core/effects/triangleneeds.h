@@ -37,8 +37,5 @@ TriangleNeeds needsOf(const Triangle &triangle, const TriangleAttributes *attrib
 /// of the triangle's plane alone; else zeros.
 std::array<Attribute, 3> horizonOf(const Triangle &triangle, const TriangleAttributes *attributes,
                                    const Appearance &appearance, const SampledFrame &where);
-/// The pixels of the frame where it is drawn so, up to its horizon.
-SampleBox reachOf(const Triangle &triangle, const TriangleAttributes *attributes,
-                  const Appearance &appearance, const SampledFrame &where);
 
 } // namespace pixelplumb

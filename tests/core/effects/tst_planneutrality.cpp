@@ -7,6 +7,7 @@
 #include "core/oracle/oracle.h"
 #include "core/oracle/squarearea.h"
 #include "core/oracle/truepicture.h"
+#include "core/scene/asciiraster.h"
 #include "tests/support/effectscenes.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/testprogram.h"
@@ -230,8 +231,10 @@ private slots:
         QVERIFY(between > fewerIfSanitized(100));
     }
 
-    /// In the one pixel that it meets, 1/w is −74/25: nothing is drawn there.
-    void aTriangleBeyondItsHorizonCallsForNoColours()
+    /// In the one pixel that it meets, 1/w is −74/25: nothing is drawn there, which perspective
+    /// alone sees to. Without it, or without the colours that call for it, the pixel would be
+    /// painted.
+    void aTriangleBeyondItsHorizonCallsForPerspective()
     {
         Primitives primitives;
         primitives.triangles = {Triangle{{{{{576, 288}, {{255, 0, 0}}},
@@ -244,17 +247,18 @@ private slots:
         primitives.appearance.antialiasing = Antialiasing::Area;
         const FrameBuffer frame(frameOf(6, 4));
         const EffectPlan plan = planFor(primitives, {}, frame.view());
-        QVERIFY(!plan.runs(Effect::SmoothColour));
-        QVERIFY(!plan.runs(Effect::Perspective));
-        QCOMPARE(plan.verdicts[Effect::SmoothColour].verdict, Verdict::NotCalledFor);
-        primitives.appearance.shading = Shading::Gouraud;
-        primitives.appearance.lights = {{}};
-        for (VertexAttributes &vertex : primitives.attributes[0].vertices)
-            vertex.normal = {0, 0, attributeOne};
-        QVERIFY(!planFor(primitives, {}, frame.view()).vertexLight);
-        primitives.appearance.forced[Effect::Perspective] = Forcing::Off;
-        QVERIFY(planFor(primitives, {}, frame.view()).runs(Effect::SmoothColour));
-        QVERIFY(planFor(primitives, {}, frame.view()).vertexLight);
+        QVERIFY(plan.runs(Effect::Perspective));
+        QCOMPARE(plan.verdicts[Effect::Perspective].verdict, Verdict::CalledFor);
+        QCOMPARE(plan.verdicts[Effect::SmoothColour].verdict, Verdict::CalledFor);
+
+        Scene scene;
+        scene.frame = frameOf(6, 4);
+        scene.triangles = primitives.triangles;
+        scene.attributes = primitives.attributes;
+        scene.appearance = primitives.appearance;
+        QVERIFY(coverageOf(scene) == CoverageMask(scene.frame));
+        scene.appearance.forced[Effect::Perspective] = Forcing::Off;
+        QVERIFY(!(coverageOf(scene) == CoverageMask(scene.frame)));
     }
 
     /// Its border lies on the border of the frame's squares, and it covers the other side.
