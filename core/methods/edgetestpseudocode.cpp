@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/edgetestnames.h"
+#include "core/methods/edgetestnumbers.h"
 #include "core/methods/pseudocode.h"
 #include "core/scan/edgetestsetup.h"
 
@@ -139,24 +140,10 @@ private:
 
     QString tiesText(FillRule rule) const
     {
-        const QString ties = three(QStringLiteral("tie{l}")) + QStringLiteral(" ← ");
-        switch (rule) {
-        case FillRule::Closed:
-            return ties + QStringLiteral("1 — every edge owns the samples on it");
-        case FillRule::Open:
-            return ties + QStringLiteral("0 — no edge owns the samples on it");
-        case FillRule::TopLeft:
-            return ties + QStringLiteral("1 of a left edge and of a level one at the top, else 0");
-        case FillRule::HalfOpenColumn:
-            return ties
-                + QStringLiteral(
-                       "1 of an edge with the triangle at larger y, and of an upright one with "
-                       "it at larger x; else 0");
-        case FillRule::OffScreenPoint:
-            return m_names.filled(QStringLiteral("tie{l} ← 1 if %1, else 0").arg(tieText(rule)), 0)
-                + QStringLiteral("; the others likewise");
-        }
-        return ties;
+        const QString tie = QStringLiteral("tie{l}");
+        if (rule == FillRule::OffScreenPoint)
+            return alike(QStringLiteral("tie{l} ← 1 if %1, else 0").arg(tieText(rule)), tie);
+        return three(tie) + QStringLiteral(" ← ") + ownersText(rule);
     }
 
     void addLoops()

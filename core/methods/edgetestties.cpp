@@ -122,6 +122,24 @@ QString condition(const EdgeTestNames &names, std::size_t line, const State &sta
 
 } // namespace
 
+QString ownersText(FillRule rule)
+{
+    switch (rule) {
+    case FillRule::Closed:
+        return QStringLiteral("1 — every edge owns the samples on it");
+    case FillRule::Open:
+        return QStringLiteral("0 — no edge owns the samples on it");
+    case FillRule::TopLeft:
+        return QStringLiteral("1 of a left edge and of a level one at the top, else 0");
+    case FillRule::HalfOpenColumn:
+        return QStringLiteral("1 of an edge with the triangle at larger y, and of an upright one "
+                              "with it at larger x; else 0");
+    case FillRule::OffScreenPoint:
+        break;
+    }
+    return {};
+}
+
 void appendTies(NumberTable<State> &table, const EdgeTestNames &names)
 {
     table.push_back(pointNumber(u'x', &State::rulesX));

@@ -171,9 +171,9 @@ Method lineBresenhamMethod()
            QStringLiteral("if p ≤ 0: x ← x + 1, p ← p + 2Δy")}}},
         {1, QStringLiteral("else: x ← x + 1, y a step across, p ← p + 2Δy − 2Δx"), {Moment::Cross}},
         {1, QStringLiteral("pixel (x, y) ← colour"), {Moment::First}}};
-    method.summary = QStringLiteral("Steps from the end of smaller x (of a steep line, of smaller "
-                                    "y) by the sign of an integer; "
-                                    "p_k < 0 stays, so that a tie steps across.");
+    method.summary
+        = QStringLiteral("Steps from the end of smaller x (of a steep line, of smaller y) by the "
+                         "sign of an integer; p_k < 0 stays, so that a tie steps across.");
     method.remarks += QStringLiteral("whole-pixel end points");
     method.variants = {Variant::StayAtZero, Variant::OneStepShort};
     return method;

@@ -64,9 +64,9 @@ QString tieOfPolygonText(const PixelAttempt &attempt, const TracedScene &traced,
 bool isDecidedByOutline(const PixelAttempt &attempt, const ScanTrace &trace)
 {
     return attempt.kind == PrimitiveKind::Triangle
-        && std::ranges::find(trace.numbers().span, QStringLiteral("edge_low"),
-                             &NumberDescription::id)
-        != trace.numbers().span.end();
+        && std::ranges::count(trace.numbers().span, QStringLiteral("edge_low"),
+                              &NumberDescription::id)
+        > 0;
 }
 
 /// " Column 3: p_k = 0, a tie: step diagonally to the pixel (3, 9); …" Where a line or outline was

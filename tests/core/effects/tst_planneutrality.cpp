@@ -232,8 +232,7 @@ private slots:
     }
 
     /// In the one pixel that it meets, 1/w is −74/25: nothing is drawn there, which perspective
-    /// alone sees to. Without it, or without the colours that call for it, the pixel would be
-    /// painted.
+    /// alone sees to. Without it the pixel is painted.
     void aTriangleBeyondItsHorizonCallsForPerspective()
     {
         Primitives primitives;
