@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/outputpaths.h"
 
+#include "core/scene/outputfolder.h"
+
 #include <QDir>
 #include <QFileInfo>
 
@@ -40,19 +42,6 @@ Result<QStringList> outputPaths(const QString &output, const QStringList &inputs
     if (const auto refusal = refusalOfFolder(output))
         return *refusal;
     return paths;
-}
-
-std::optional<InputError> refusalOfFolder(const QString &folder)
-{
-    const QFileInfo there(folder);
-    if (there.exists() && !there.isDir())
-        return InputError{folder, QStringLiteral("is a file"), QStringLiteral("a folder")};
-    if (!QDir().mkpath(folder))
-        return InputError{folder, QStringLiteral("cannot be made"), QStringLiteral("a folder")};
-    if (!QFileInfo(folder).isWritable())
-        return InputError{folder, QStringLiteral("cannot be written to"),
-                          QStringLiteral("a folder in which files can be made")};
-    return std::nullopt;
 }
 
 } // namespace pixelplumb::cli

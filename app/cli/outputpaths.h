@@ -5,8 +5,6 @@
 
 #include <QStringList>
 
-#include <optional>
-
 namespace pixelplumb::cli {
 
 /// Where the results of several inputs are written, in their order. One input's goes to `output`
@@ -16,8 +14,5 @@ namespace pixelplumb::cli {
 /// none.
 Result<QStringList> outputPaths(const QString &output, const QStringList &inputs,
                                 const QString &suffix);
-
-/// Why files cannot be written to a folder, which is made if need be; none where they can.
-std::optional<InputError> refusalOfFolder(const QString &folder);
 
 } // namespace pixelplumb::cli

@@ -41,11 +41,11 @@ Result<QString> pictureFormatOf(const QString &option, const QString &path)
     const QFileInfo file(path);
     const bool isStream = path == QStringLiteral("-") || path.startsWith(QStringLiteral("/dev/"))
         || (file.exists() && !file.isFile() && !file.isDir());
-    if (isStream)
-        return pictureFormats().front();
     const QString format = file.suffix().toLower();
     if (pictureFormats().contains(format))
         return format;
+    if (isStream)
+        return pictureFormats().front();
     return InputError{
         option + u' ' + path,
         format.isEmpty() ? QStringLiteral("the name does not say which kind of picture")

@@ -9,15 +9,25 @@ namespace pixelplumb::cli {
 
 namespace {
 
-QString edgeText(const QString &name, const oracle::EdgeVerdict &edge)
+/// Of the sample; of several a pixel, and of its area, the centre decides nothing and has a place
+/// alone.
+QString placeText(const oracle::EdgeVerdict &edge, Antialiasing antialiasing)
+{
+    if (antialiasing == Antialiasing::None)
+        return edge.accepts ? QStringLiteral(" accepts") : QStringLiteral(" refuses");
+    return edge.accepts ? QStringLiteral(", the centre inside")
+                        : QStringLiteral(", the centre outside");
+}
+
+QString edgeText(const QString &name, const oracle::EdgeVerdict &edge, Antialiasing antialiasing)
 {
     QStringList distances;
     if (!edge.distanceAlongColumn.isNone())
         distances.append(toText(edge.distanceAlongColumn) + QStringLiteral(" px along the column"));
     if (!edge.distanceAlongRow.isNone())
         distances.append(toText(edge.distanceAlongRow) + QStringLiteral(" px along the row"));
-    return QStringLiteral("    edge %1 %2: %3")
-        .arg(name, edge.accepts ? QStringLiteral("accepts") : QStringLiteral("refuses"),
+    return QStringLiteral("    edge %1%2: %3")
+        .arg(name, placeText(edge, antialiasing),
              distances.isEmpty() ? QStringLiteral("a point")
                                  : distances.join(QStringLiteral(", ")));
 }
@@ -106,7 +116,8 @@ QStringList textOf(const PixelReport &report)
         if (!attempt.hasEdges())
             continue;
         for (std::size_t edge = 0; edge < attempt.edgeNames.size(); ++edge)
-            lines.append(edgeText(attempt.edgeNames[edge], attempt.verdict.edges[edge]));
+            lines.append(edgeText(attempt.edgeNames[edge], attempt.verdict.edges[edge],
+                                  traced.plan ? traced.plan->antialiasing : Antialiasing::None));
     }
     return lines;
 }

@@ -9,6 +9,7 @@
 #include "app/cli/wholenumber.h"
 #include "core/grade/probesheet.h"
 #include "core/scene/inputrecord.h"
+#include "core/scene/outputfolder.h"
 #include "core/scene/scenefile.h"
 
 #include <QDir>

@@ -17,6 +17,12 @@ QString primitiveWord(const Primitives &primitives)
     return primitives.shapes.empty() ? triangleWord() : QStringLiteral("primitive");
 }
 
+/// Added to what is said of all or none, where others are not drawn: of those nothing is said.
+QString amongDrawn(const NeedsTally &tally)
+{
+    return tally.outside == 0 ? QString() : QStringLiteral(" that is drawn in the frame");
+}
+
 QString has(std::size_t count, std::size_t all, const QString &noun)
 {
     return countedWords(count, all, noun, QStringLiteral("has"), QStringLiteral("have"));
@@ -31,7 +37,11 @@ QString smoothColourReason(const NeedsTally &tally, const Appearance &appearance
     if (appearance.shading == Shading::Flat && tally.of[Effect::Light].primitives > 0)
         return QStringLiteral("flat light gives each triangle one colour");
     if (tally.ownColours > 0)
-        return QStringLiteral("no triangle and no line has vertex colours that differ");
+        return QStringLiteral("no triangle and no line%1 has vertex colours that differ")
+            .arg(amongDrawn(tally));
+    if (tally.outside > 0)
+        return QStringLiteral("the vertex colours are equal in each %1%2")
+            .arg(noun, amongDrawn(tally));
     return tally.drawn == 1 ? QStringLiteral("the vertex colours are equal")
                             : QStringLiteral("the vertex colours are equal in each of %1 %2s")
                                   .arg(tally.drawn)
@@ -105,14 +115,15 @@ QString perspectiveReason(const NeedsTally &tally)
             .arg(ofTriangles(tally.dividingNothing, tally.drawnTriangles));
     return tally.drawnTriangles == 0
         ? QStringLiteral("no triangle is drawn")
-        : QStringLiteral("w is the same at the three vertices of every triangle");
+        : QStringLiteral("w is the same at the three vertices of every triangle")
+            + amongDrawn(tally);
 }
 
 QString textureReason(const NeedsTally &tally)
 {
     const std::size_t textured = tally.of[Effect::Texture].primitives;
     if (textured == 0)
-        return QStringLiteral("no triangle's material has a texture");
+        return QStringLiteral("no triangle%1 has a material with a texture").arg(amongDrawn(tally));
     QStringList names;
     for (const Texture *texture : tally.textures)
         names.append(u'“' + QString::fromStdString(texture->name) + u'”');
@@ -145,8 +156,9 @@ QString lightReason(const NeedsTally &tally, const Appearance &appearance)
                              : QStringLiteral("%1 lights are on").arg(lights),
                  shadingWords(appearance.shading));
     }
-    return appearance.lights.empty() ? QStringLiteral("no light is on")
-                                     : QStringLiteral("no triangle has normals");
+    return appearance.lights.empty()
+        ? QStringLiteral("no light is on")
+        : QStringLiteral("no triangle%1 has normals").arg(amongDrawn(tally));
 }
 
 /// Under the closed rule both triangles of a shared edge are painted over its samples, which shows
@@ -179,7 +191,9 @@ QString blendingReason(const Primitives &primitives, const NeedsTally &tally,
 {
     const std::size_t blended = tally.of[Effect::Blending].primitives;
     if (blended == 0)
-        return QStringLiteral("every alpha is 255: opaque");
+        return tally.outside == 0
+            ? QStringLiteral("every alpha is 255: opaque")
+            : QStringLiteral("every alpha of a triangle%1 is 255: opaque").arg(amongDrawn(tally));
     const QString reason = QStringLiteral("%1 an alpha below 255, the lowest is %2")
                                .arg(has(blended, tally.drawnTriangles, triangleWord()))
                                .arg(tally.lowestAlpha);

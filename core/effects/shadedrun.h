@@ -205,14 +205,22 @@ template <class N, class A, class Observer>
 void ShadedRun<N, A, Observer>::drawAreas(std::size_t index, const EffectSet &effects,
                                           FrameView frame, ShadedSurroundings<N> &surroundings)
 {
-    const ShadedTriangle triangle = triangleAt(index);
-    if (doubledArea(triangle.triangle) == 0)
+    const ShadedTriangle given = triangleAt(index);
+    if (doubledArea(given.triangle) == 0)
         return draw(index, effects, frame, surroundings);
+    // The area is an alpha of its own: it counts alone where blending is forced off.
+    TriangleAttributes opaque;
+    const bool isOpaque = given.attributes && !effects.blending;
+    if (isOpaque) {
+        opaque = *given.attributes;
+        for (VertexAttributes &vertex : opaque.vertices)
+            vertex.alpha = VertexAttributes().alpha;
+    }
+    const ShadedTriangle triangle{given.triangle, isOpaque ? &opaque : given.attributes};
     // Where nothing that is divided by w differs, samples beyond the horizon have it too.
     EffectSet needed = effects;
     needed.perspective = effects.perspective
-        && needsOf(triangle.triangle, triangle.attributes, surroundings.appearance)
-               .effects.perspective;
+        && hasHorizon(given.triangle, given.attributes, surroundings.appearance);
     EffectSet covering = needed;
     covering.blending = true;
     const auto setUp = shadedSetUpOf<N>(m_form, triangle, covering);

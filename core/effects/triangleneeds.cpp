@@ -70,13 +70,24 @@ TriangleNeeds needsOf(const Triangle &triangle, const TriangleAttributes *attrib
     return needs;
 }
 
+bool hasHorizon(const Triangle &triangle, const TriangleAttributes *attributes,
+                const Appearance &appearance)
+{
+    const auto isSeen = [&](Effect effect) { return appearance.forced[effect] != Forcing::Off; };
+    const TriangleNeeds needs = needsOf(triangle, attributes, appearance);
+    return needs.wDiffers && isSeen(Effect::Perspective)
+        && ((needs.carriesColour && isSeen(Effect::SmoothColour))
+            || (needs.carriesAlpha && isSeen(Effect::Blending))
+            || (needs.carriesTexture && isSeen(Effect::Texture))
+            || (needs.carriesLight && isSeen(Effect::Light)));
+}
+
 std::array<Attribute, 3> horizonOf(const Triangle &triangle, const TriangleAttributes *attributes,
                                    const Appearance &appearance, const SampledFrame &where)
 {
     std::array<Attribute, 3> w = {};
-    if (!attributes || where.antialiasingOf(triangle) != Antialiasing::Area
-        || appearance.forced[Effect::Perspective] == Forcing::Off
-        || !needsOf(triangle, attributes, appearance).effects.perspective)
+    if (where.antialiasingOf(triangle) != Antialiasing::Area
+        || !hasHorizon(triangle, attributes, appearance))
         return w;
     for (std::size_t i = 0; i < 3; ++i)
         w[i] = std::max<Attribute>(1, attributes->vertices[i].w);

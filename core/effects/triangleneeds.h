@@ -33,6 +33,11 @@ bool hasNormals(const TriangleAttributes &attributes);
 TriangleNeeds needsOf(const Triangle &triangle, const TriangleAttributes *attributes,
                       const Appearance &appearance);
 
+/// Whether its plane has a horizon: w differs, and something that is divided by it and is not
+/// forced off does too. What is the same everywhere is so beyond it.
+bool hasHorizon(const Triangle &triangle, const TriangleAttributes *attributes,
+                const Appearance &appearance);
+
 /// The w of the vertices, positive, as kernels take them, where areas are drawn up to the horizon
 /// of the triangle's plane alone; else zeros.
 std::array<Attribute, 3> horizonOf(const Triangle &triangle, const TriangleAttributes *attributes,

@@ -4,6 +4,7 @@
 #include "core/grade/gradefields.h"
 #include "core/grade/oldgrades.h"
 #include "core/grade/resultsfolder.h"
+#include "core/grade/submissionfolder.h"
 #include "core/scene/fieldreader.h"
 #include "core/scene/fieldwriter.h"
 #include "core/scene/fileaccess.h"
@@ -88,6 +89,7 @@ Result<Reviews> readReviews(const QByteArray &text)
 bool hasOwnNames(const GradedSubmission &submission, const QString &file)
 {
     return file == submission.id + QStringLiteral(".json")
+        && submission.id == idOf(nameShownAs(submission.name))
         && std::ranges::all_of(submission.scenes, [](const GradedScene &scene) {
                return scene.picture.isEmpty()
                    || (scene.picture.startsWith(QStringLiteral("pictures/"))
@@ -151,7 +153,12 @@ std::optional<InputError> beginResults(const QString &results, const GradedPart 
         if (auto refusal = refusalToWrite(folder.pathOf(name)))
             return refusal;
     }
-    if (!readGradedPart(results)) {
+    if (const auto known = readGradedPart(results); !known) {
+        if (folder.has(partFile))
+            return InputError{known.error().place,
+                              QStringLiteral("is not of results of grading: ")
+                                  + known.error().found,
+                              known.error().expected};
         const auto isForeign = [&](const QString &name) {
             const bool isFolder = ResultsFolder::folders().contains(name);
             return isFolder ? !folder.filesIn(name).isEmpty() : folder.has(name);
@@ -190,13 +197,19 @@ Result<GradeReport> readGrades(const QString &results)
             return submission.error();
         if (!hasOwnNames(*submission, file))
             return InputError{folder.pathOf(path),
-                              QStringLiteral("names files that are not its own"),
-                              QStringLiteral("its id as its name, pictures in pictures/")};
+                              QStringLiteral("is not named as grading names it"),
+                              QStringLiteral("the submission's name, the id that is made of it as "
+                                             "the file's name, and pictures in pictures/")};
         report.submissions.push_back(std::move(*submission));
     }
-    // Parts lack what the others have; they are asked when they are merged.
-    if (const auto part = readGradedPart(results); part && part->of == 1)
-        report.missing = missingIn(report, part->submissions);
+    if (folder.has(partFile)) {
+        const auto part = readGradedPart(results);
+        if (!part)
+            return part.error();
+        // Parts lack what the others have; they are asked when they are merged.
+        if (part->of == 1)
+            report.missing = missingIn(report, part->submissions);
+    }
     if (folder.has(reviewsFile)) {
         const auto reviews = readAt<Reviews>(folder, reviewsFile, readReviews);
         if (!reviews)

@@ -79,14 +79,15 @@ QByteArray circumstances(const Grader &grader, const QString &version)
 }
 
 /// A grade that was given already; none where it is not there or of something else.
-std::optional<GradedSubmission> knownGrade(const ResultsFolder &results, const QString &id,
+std::optional<GradedSubmission> knownGrade(const ResultsFolder &results, const QByteArray &name,
                                            const QString &digest)
 {
-    const Result<QByteArray> text = results.read(submissionFile(id));
+    const Result<QByteArray> text = results.read(submissionFile(idOf(name)));
     if (!text || digest.isEmpty())
         return std::nullopt;
     const Result<GradedSubmission> known = readGradedSubmission(*text);
-    if (!known || known->digest != digest || known->searchError)
+    if (!known || known->digest != digest || known->searchError || known->id != idOf(name)
+        || known->name != escapedName(name))
         return std::nullopt;
     const bool hasPictures = std::ranges::all_of(known->scenes, [&](const GradedScene &scene) {
         return scene.picture.isEmpty() || results.has(scene.picture);
@@ -155,7 +156,7 @@ private:
             digest = QString::fromLatin1(
                 QCryptographicHash::hash(m_circumstances + *bytes, QCryptographicHash::Sha256)
                     .toHex());
-        if (knownGrade(m_results, idOf(name), digest))
+        if (knownGrade(m_results, name, digest))
             return std::nullopt;
         std::optional<GradedWork> graded = m_grader.grade(entry, m_stop.get_token());
         if (!graded)

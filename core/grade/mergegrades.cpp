@@ -99,8 +99,7 @@ std::optional<InputError> incompleteness(const std::vector<MergedPart> &parts,
     for (const MergedPart &each : parts) {
         if (each.part.of == 0)
             return InputError{each.folder,
-                              QStringLiteral("does not say which part it is: part.json is missing "
-                                             "or cannot be read"),
+                              QStringLiteral("does not say which part it is: part.json is missing"),
                               expected};
     }
     if (missing.isEmpty())

@@ -5,6 +5,7 @@
 #include "core/grade/picture.h"
 #include "core/scene/fileaccess.h"
 #include "core/scene/inputrecord.h"
+#include "core/scene/outputfolder.h"
 
 #include <QDir>
 #include <QFile>
@@ -94,8 +95,8 @@ Result<ResultsFolder::Place> ResultsFolder::placeOf(const QString &file) const
 
 std::optional<InputError> ResultsFolder::make() const
 {
-    if (!QDir().mkpath(m_path))
-        return InputError{m_path, QStringLiteral("cannot be made"), QStringLiteral("a folder")};
+    if (auto refusal = refusalOfFolder(m_path))
+        return refusal;
     for (const QString &name : folders()) {
         const auto place = placeOf(name);
         if (!place)

@@ -101,6 +101,10 @@ Result<StudentProgram> studentProgramOf(const QStringList &words, ShownFiles sho
         show(QFileInfo(each).canonicalFilePath(), shown, student.shown); // where it is a link
     }
     student.shown.removeDuplicates();
+    for (const QString &each : student.shown) {
+        if (QFileInfo(each).isDir())
+            noteInputFolder(each);
+    }
     return student;
 }
 

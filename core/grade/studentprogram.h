@@ -22,8 +22,8 @@ enum class ShownFiles {
 };
 
 /// The program that the first word names (a file, or what PATH holds), with the other words. Where
-/// a folder is the person's own, or holds others' too, only the file itself is shown. The files are
-/// inputs from then on.
+/// a folder is the person's own, or holds others' too, only the file itself is shown. What is shown
+/// is an input from then on.
 Result<StudentProgram> studentProgramOf(const QStringList &words,
                                         ShownFiles shown = ShownFiles::WithFolders);
 

@@ -110,6 +110,19 @@ QString escapedName(const QByteArray &name)
     return text;
 }
 
+QByteArray nameShownAs(const QString &escaped)
+{
+    QByteArray name;
+    const QByteArray text = escaped.toUtf8();
+    constexpr qsizetype length = 4; // of \xHH
+    for (qsizetype place = 0; place < text.size();) {
+        const bool isEscape = text.sliced(place).startsWith("\\x");
+        name += isEscape ? QByteArray::fromHex(text.mid(place + 2, 2)) : text.mid(place, 1);
+        place += isEscape ? length : 1;
+    }
+    return name;
+}
+
 QString idOf(const QByteArray &name)
 {
     QString id;

@@ -15,6 +15,9 @@ namespace pixelplumb {
 /// UTF-8, and the backslash, become \xHH.
 QString escapedName(const QByteArray &name);
 
+/// The name that is shown like this.
+QByteArray nameShownAs(const QString &escaped);
+
 /// A name for files, unlike all others: the plain characters of it, and 64 bits of its hash.
 QString idOf(const QByteArray &name);
 

@@ -61,7 +61,9 @@ struct DecisionState {
     Quantity nextDecision; ///< p_k+1; none of a point
     bool movesAcross = false; ///< that decision was to go one across
     bool startsLine = false; ///< no decision led here, because the line starts on this very pixel
-    Quantity ordinate; ///< y of the line at this pixel, exchanged, px
+    /// y of the line at this pixel, exchanged, px; none at the first one where the line starts on
+    /// it
+    Quantity ordinate;
     /// Of Bresenham's set-up: c, 2Δy and 2Δx; none where it has no c.
     Quantity constant, perColumn, perRow;
 
@@ -203,14 +205,15 @@ inline DecisionState lineStateOf(const SymmetricSetUp &setUp, const SymmetricSte
     const LatticePoint &start = setUp.start.position;
     state.startsLine = step.isFirst && start.x == step.place.along * unitsPerPixel
         && start.y == step.place.across * unitsPerPixel;
+    if (!state.startsLine)
+        state.ordinate = ordinateAt(start, setUp.deltaX, Int128(setUp.acrossStep) * setUp.deltaY,
+                                    unitsPerPixel, step.place.along);
     if (step.isFirst)
         return state;
     state.k = Quantity::integer(step.k);
     state.decision = Quantity::rational(step.decision, unit);
     state.increment = Quantity::rational(step.increment, unit);
     state.movesAcross = step.increment == setUp.moveIncrement;
-    state.ordinate = ordinateAt(start, setUp.deltaX, Int128(setUp.acrossStep) * setUp.deltaY,
-                                unitsPerPixel, step.place.along);
     return state;
 }
 

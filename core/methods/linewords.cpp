@@ -55,10 +55,15 @@ QString decisionSentence(const DecisionState &state)
     if (!state.isLedByDecision() && state.nextDecision.isNone())
         return QStringLiteral("The line is the one pixel %1: there is nothing to decide.")
             .arg(pixelText(state.place));
-    if (!state.isLedByDecision())
-        return QStringLiteral("The line starts at %1 without a decision; p_k₊₁ = %2 decides about "
-                              "the next one.")
-            .arg(pixelText(state.place), signText(state.nextDecision));
+    if (!state.isLedByDecision()) {
+        const QString next = QStringLiteral("p_k₊₁ = %1 decides about the next one.")
+                                 .arg(signText(state.nextDecision));
+        return !state.ordinate.isNone()
+            ? roundingSentence(state.place, state.ordinate) + u' ' + next
+            : QStringLiteral("The line starts at %1 without a decision; ")
+                    .arg(pixelText(state.place))
+                + next;
+    }
     const bool isSteep = state.place.axis == LineAxis::Y;
     const QString stay = isSteep ? QStringLiteral("stay in the column, at")
                                  : QStringLiteral("stay in the row, at");

@@ -25,17 +25,30 @@ TrueLine::TrueLine(const Vertex &a, const Vertex &b)
         std::swap(m_a, m_b);
 }
 
+Int128 TrueLine::scaledAt(std::int64_t along) const
+{
+    const Int128 width = m_b.position.x - m_a.position.x;
+    const Int128 height = m_b.position.y - m_a.position.y;
+    const Int128 run = Int128(along) * unitsPerPixel - m_a.position.x;
+    // y = (Ya·ΔX + run·ΔY) / (ΔX·S)
+    return 2 * (m_a.position.y * width + run * height) + width * unitsPerPixel;
+}
+
 std::int64_t TrueLine::nearestAt(std::int64_t along) const
 {
     const Int128 width = m_b.position.x - m_a.position.x;
     if (width == 0)
         return floorPixel(m_a.position.y + halfPixel);
-    const Int128 height = m_b.position.y - m_a.position.y;
-    const Int128 run = Int128(along) * unitsPerPixel - m_a.position.x;
-    // ⌊y + 1/2⌋ with y = (Ya·ΔX + run·ΔY) / (ΔX·S)
-    return std::int64_t(
-        floorDivide<Int128>(2 * (m_a.position.y * width + run * height) + width * unitsPerPixel,
-                            2 * width * unitsPerPixel));
+    return std::int64_t(floorDivide<Int128>(scaledAt(along), 2 * width * unitsPerPixel));
+}
+
+bool TrueLine::isMidwayAt(std::int64_t along) const
+{
+    const Int128 width = m_b.position.x - m_a.position.x;
+    if (width == 0)
+        return latticePixel(0, floorPixel(m_a.position.y + halfPixel)).y
+            == m_a.position.y + halfPixel;
+    return scaledAt(along) % (2 * width * unitsPerPixel) == 0;
 }
 
 Colour TrueLine::colourAt(std::int64_t along, ByteRounding rounding) const

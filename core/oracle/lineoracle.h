@@ -28,9 +28,14 @@ public:
     std::int64_t end() const { return floorPixel(m_b.position.x) + 1; }
     /// The row (column where it is steep) of its pixel; `along` within [first, end).
     std::int64_t nearestAt(std::int64_t along) const;
+    /// Whether the line lies midway between two pixels there, of which that is the greater.
+    bool isMidwayAt(std::int64_t along) const;
     Colour colourAt(std::int64_t along, ByteRounding rounding) const;
 
 private:
+    /// 2·ΔX·S·(y + ½) there.
+    Int128 scaledAt(std::int64_t along) const;
+
     bool m_isSteep = false;
     Vertex m_a, m_b; ///< x and y exchanged where the line is steep; m_a.position.x the smaller
 };

@@ -4,8 +4,8 @@
 #include "core/geometry/triangle.h"
 #include "core/methods/rejectiontext.h"
 #include "core/oracle/effecttruth.h"
-#include "core/polygons/contours.h"
 #include "core/runs/refusaltext.h"
+#include "core/runs/shapereason.h"
 #include "core/runs/variantreason.h"
 #include "core/scan/choicenames.h"
 
@@ -36,51 +36,6 @@ QString passingText(const PixelAttempt &attempt, const ScanTrace &trace)
     return trace.sampleWords(step.span, step.sample - trace.firstSampleOf(step.span)).sentence;
 }
 
-/// Whether a sample lies on an edge, its ends included.
-bool isOn(const ContourEdge &edge, const LatticePoint &sample)
-{
-    const auto [first, last] = std::minmax(edge.from, edge.to);
-    return first <= sample && sample <= last && doubledArea(first, last, sample) == 0;
-}
-
-/// Of a polygon, that the fill rule alone keeps out a sample; empty where none of its edges has it.
-QString tieOfPolygonText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
-                         std::int64_t y)
-{
-    if (attempt.kind != PrimitiveKind::Polygon)
-        return {};
-    const auto edges = contoursOf(traced.primitives.shape(attempt.primitive)).edges;
-    const LatticePoint sample = latticePixel(x, y);
-    const auto found = std::ranges::find_if(
-        edges, [&sample](const ContourEdge &edge) { return isOn(edge, sample); });
-    return found == edges.end()
-        ? QString()
-        : QStringLiteral(" The sample lies exactly on edge %1, and the rule %2 leaves it outside.")
-              .arg(found - edges.begin())
-              .arg(nameText(nameOf(traced.scene.settings.fillRule)));
-}
-
-/// Whether the outline of a triangle decides which of its samples are written, in place of edges.
-bool isDecidedByOutline(const PixelAttempt &attempt, const ScanTrace &trace)
-{
-    return attempt.kind == PrimitiveKind::Triangle
-        && std::ranges::count(trace.numbers().span, QStringLiteral("edge_low"),
-                              &NumberDescription::id)
-        > 0;
-}
-
-/// " Column 3: p_k = 0, a tie: step diagonally to the pixel (3, 9); …" Where a line or outline was
-/// decided that passes beside the pixel; empty where it has no step there, and of other kinds.
-QString stepOfLineText(const PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x,
-                       std::int64_t y)
-{
-    if (attempt.kind != PrimitiveKind::Line && !isDecidedByOutline(attempt, trace))
-        return {};
-    const auto step = trace.spanNear(attempt.primitive, x, y);
-    const QString told = step ? trace.spanWords(*step).sentence : QString();
-    return told.isEmpty() ? told : QStringLiteral(" %1: %2").arg(attempt.spanHeading, told);
-}
-
 /// Which edge keeps the sample out, by how much, under which rule; of shapes, what the kernel
 /// found.
 QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
@@ -89,11 +44,10 @@ QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std:
     const FillRule rule = traced.scene.settings.fillRule;
     if (attempt.kind != PrimitiveKind::Triangle) {
         const QString found = passingText(attempt, *traced.trace);
-        return (found.isEmpty()
-                    ? QStringLiteral("The %1 does not cover it.").arg(nameOf(attempt.kind))
-                    : found)
-            + stepOfLineText(attempt, *traced.trace, x, y)
-            + tieOfPolygonText(attempt, traced, x, y);
+        const QString uncovered
+            = QStringLiteral("The %1 does not cover it.").arg(nameOf(attempt.kind));
+        return (found.isEmpty() && !attempt.written ? uncovered : found)
+            + stepBesideText(attempt, *traced.trace, x, y) + tieOfShapeText(attempt, traced, x, y);
     }
     if (attempt.verdict.zeroArea) {
         return rule == FillRule::Closed
@@ -124,13 +78,17 @@ QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std:
             + QStringLiteral("T%1 lies %2.")
                   .arg(sample.sliced(1), ties.join(QStringLiteral("; it lies ")));
     }
+    // Its samples, or its area, have decided; the centre's place is told for orientation.
+    if (!noPart.isEmpty())
+        return start
+            + QStringLiteral("T%1 lies beyond %2, at %3.")
+                  .arg(sample.sliced(1), edge, distanceText(*refusing, *traced.trace));
     const bool isOfTruthAlone = attempt.written || isDecidedByOutline(attempt, *traced.trace);
-    return start
-        + QStringLiteral("%1 %2: %3 is at %4, under the rule %5.")
-              .arg(isOfTruthAlone ? QStringLiteral("The truth refuses it by")
-                                  : QStringLiteral("Refused by"),
-                   edge, sample, distanceText(*refusing, *traced.trace), nameText(nameOf(rule)))
-        + stepOfLineText(attempt, *traced.trace, x, y);
+    return QStringLiteral("%1 %2: %3 is at %4, under the rule %5.")
+               .arg(isOfTruthAlone ? QStringLiteral("The truth refuses it by")
+                                   : QStringLiteral("Refused by"),
+                    edge, sample, distanceText(*refusing, *traced.trace), nameText(nameOf(rule)))
+        + stepBesideText(attempt, *traced.trace, x, y);
 }
 
 QString channelText(const PixelAttempt &attempt, std::size_t channel, QChar name)
@@ -149,6 +107,26 @@ QString writtenText(const PixelAttempt &attempt)
     if (attempt.sample->clamped)
         text += QStringLiteral(" A level left 0 … 255 and was clamped.");
     return text;
+}
+
+/// On which edges a sample lies that was written, and why they are the triangle's own; empty where
+/// no rule gives an edge to one of its sides.
+QString keptTiesText(const PixelAttempt &attempt, const TracedScene &traced)
+{
+    const FillRule rule = traced.scene.settings.fillRule;
+    if (rule == FillRule::Closed || rule == FillRule::Open || attempt.verdict.zeroArea)
+        return {};
+    QStringList ties;
+    for (std::size_t i = 0; i < attempt.verdict.edges.size(); ++i) {
+        const oracle::EdgeVerdict &edge = attempt.verdict.edges[i];
+        if (edge.edgeFunction == 0 && edge.accepts)
+            ties.append(
+                QStringLiteral("exactly on %1, and %2")
+                    .arg(attempt.edgeNames[i], keptTieText(traced, attempt.primitive, edge)));
+    }
+    return ties.isEmpty()
+        ? QString()
+        : QStringLiteral(" The sample lies %1.").arg(ties.join(QStringLiteral("; it lies ")));
 }
 
 /// By which numbers the kernel refused a sample of a triangle.
@@ -176,7 +154,7 @@ QString missedText(const PixelAttempt &attempt, const TracedScene &traced, std::
         return QStringLiteral("Missing: the truth covers it, the kernel did not come here.");
     if (attempt.kind == PrimitiveKind::Line)
         return QStringLiteral("Missing: the truth covers it, but the line's pixel here is another.")
-            + stepOfLineText(attempt, trace, x, y);
+            + stepBesideText(attempt, trace, x, y) + tieOfShapeText(attempt, traced, x, y);
     const SpanRecord &span = *attempt.span;
     const std::int64_t place = span.place.axis == SpanAxis::Column ? y : x;
     if (span.lower.isNone() && (place < span.firstSample || place >= span.endSample))
@@ -270,16 +248,16 @@ QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced, std::in
     }
     QString text = writtenText(attempt);
     if (!attempt.verdict.covered)
-        return text
+        return text + QStringLiteral(" Extra: the truth does not cover it")
             + (attempt.exactColour[0].isNone()
-                   ? QStringLiteral(" Extra: the truth does not cover it. ")
-                   : QStringLiteral(
-                       " Extra: the truth does not cover it; the exact levels are those "
-                       "of the triangle's plane outside of it. "))
-            + refusalText(attempt, traced, x, y) + variantText(attempt, traced, x, y)
+                   ? QStringLiteral(". ")
+                   : QStringLiteral("; the exact levels are those of the triangle's plane outside "
+                                    "of it. "))
+            + refusalText(attempt, traced, x, y).trimmed() + variantText(attempt, traced, x, y)
             + approximation();
     if (attempt.kind != PrimitiveKind::Triangle)
         return text;
+    text += keptTiesText(attempt, traced);
     const Colour exact
         = oracle::byteColourAt(traced.primitives.triangles[attempt.primitive], attempt.change.x,
                                attempt.change.y, traced.scene.settings.rounding);

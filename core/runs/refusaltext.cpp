@@ -39,7 +39,8 @@ Quantity edgeFunctionAt(const LatticePoint &from, const LatticePoint &to, const 
     return Quantity::rational(-doubledArea(from, to, point), squareUnitsPerPixel);
 }
 
-/// On which sides of an edge the off-screen point and the triangle lie: f_bc(a)·f_bc(r) > 0.
+/// On which sides of an edge the off-screen point and the triangle lie: whether f_bc(a)·f_bc(r) >
+/// 0.
 QString sidesText(const Triangle &triangle, const oracle::EdgeVerdict &edge,
                   const LatticePoint &offScreenPoint)
 {
@@ -50,10 +51,11 @@ QString sidesText(const Triangle &triangle, const oracle::EdgeVerdict &edge,
     };
     const Quantity atPoint = functionAt(offScreenPoint);
     const Quantity atFacing = functionAt(position(3 - edge.from - edge.to));
+    const Quantity product = productOf(atFacing, atPoint);
     return QStringLiteral("the edge's function is %1 at the off-screen point %2 and %3 at the "
-                          "vertex that faces it; their product, %4, is not above 0")
-        .arg(term(atPoint), pointText(offScreenPoint), term(atFacing),
-             term(productOf(atFacing, atPoint)));
+                          "vertex that faces it; their product, %4, is %5 0")
+        .arg(term(atPoint), pointText(offScreenPoint), term(atFacing), term(product),
+             product.numerator() > 0 ? QStringLiteral("above") : QStringLiteral("not above"));
 }
 
 } // namespace
@@ -79,6 +81,18 @@ QString tieText(const TracedScene &traced, std::size_t triangle, const oracle::E
         return QStringLiteral("the off-screen point lies on this edge's line too: neither side "
                               "owns it");
     return QStringLiteral("the rule %1 gives it to neither side").arg(nameText(nameOf(rule)));
+}
+
+QString keptTieText(const TracedScene &traced, std::size_t triangle,
+                    const oracle::EdgeVerdict &edge)
+{
+    const FillRule rule = traced.scene.settings.fillRule;
+    const QString kept
+        = QStringLiteral("the rule %1 gives it to this side").arg(nameText(nameOf(rule)));
+    return rule != FillRule::OffScreenPoint ? kept
+                                            : kept + QStringLiteral(": ")
+            + sidesText(traced.primitives.triangles[triangle], edge,
+                        boundaryRuleOf(traced.scene).offScreenPoint);
 }
 
 std::vector<SampleDecision> decisionsOf(const std::vector<NumberDescription> &columns,

@@ -28,6 +28,10 @@ QString refusalSentence(const TracedScene &traced, std::size_t triangle, const S
 QString tieText(const TracedScene &traced, std::size_t triangle, const oracle::EdgeVerdict &edge,
                 std::int64_t x, std::int64_t y);
 
+/// The same of an edge that accepts it, under a rule that gives an edge to one of its sides.
+QString keptTieText(const TracedScene &traced, std::size_t triangle,
+                    const oracle::EdgeVerdict &edge);
+
 /// That a triangle whose pixels have more than one sample has none of a pixel; empty where they
 /// have one.
 QString noPartText(const TracedScene &traced);

@@ -49,6 +49,7 @@ struct Inputs {
     std::mutex mutex;
     int records = 0; ///< that live
     std::set<QString> paths; ///< canonical
+    std::set<QString> folders; ///< canonical
     std::multimap<FileIdentity, QString> files; ///< what stood at each path as it was read
     bool hasStandardInput = false;
 };
@@ -78,6 +79,17 @@ bool isPathOfInput(const QString &path)
     Inputs &all = inputs();
     const std::lock_guard lock(all.mutex);
     return all.paths.contains(QFileInfo(path).canonicalFilePath());
+}
+
+/// Where it is a file that is there.
+bool isInInputFolder(const QString &path)
+{
+    const QString canonical = QFileInfo(path).canonicalFilePath();
+    Inputs &all = inputs();
+    const std::lock_guard lock(all.mutex);
+    return std::ranges::any_of(all.folders, [&](const QString &folder) {
+        return canonical.startsWith(folder.endsWith(u'/') ? folder : folder + u'/');
+    });
 }
 
 InputError wouldReplace(const QString &place)
@@ -110,6 +122,7 @@ InputRecord::~InputRecord()
     if (--all.records > 0)
         return;
     all.paths.clear();
+    all.folders.clear();
     all.files.clear();
     all.hasStandardInput = false;
 }
@@ -128,6 +141,15 @@ std::optional<InputError> noteInput(const QString &path)
     return refusalToRead(file);
 }
 
+void noteInputFolder(const QString &path)
+{
+    Inputs &all = inputs();
+    const std::lock_guard lock(all.mutex);
+    const QString canonical = QFileInfo(path).canonicalFilePath();
+    if (all.records > 0 && !canonical.isEmpty())
+        all.folders.insert(canonical);
+}
+
 std::optional<InputError> noteStandardInput()
 {
     Inputs &all = inputs();
@@ -139,14 +161,21 @@ std::optional<InputError> noteStandardInput()
 bool isInput(const QString &path)
 {
     const std::optional<FileIdentity> file = identityOf(path);
-    return file && (isInput(file) || isPathOfInput(path));
+    return file && (isInput(file) || isPathOfInput(path) || isInInputFolder(path));
 }
 
 bool isInput(int descriptor) { return isInput(identityOf(descriptor)); }
 
 std::optional<InputError> refusalToWrite(const QString &path)
 {
-    return isInput(path) ? std::optional(wouldReplace(path)) : std::nullopt;
+    if (!isInput(path))
+        return std::nullopt;
+    if (isInput(identityOf(path)) || isPathOfInput(path))
+        return wouldReplace(path);
+    return InputError{path,
+                      QStringLiteral("lies in a folder that the program is shown, and may be read "
+                                     "by it"),
+                      QStringLiteral("a new file, or one elsewhere")};
 }
 
 std::optional<InputError> refusalToPrint()

@@ -20,7 +20,10 @@ public:
 /// Makes a file that is read, or is going to be, an input. An error where standard output or
 /// standard error lead to it: it would be changed as it is read.
 std::optional<InputError> noteInput(const QString &path);
-/// The same of the file that standard input leads to.
+/// Makes all files that lie in a folder inputs, and in the folders below: a program is shown them,
+/// and nobody knows which it reads.
+void noteInputFolder(const QString &path);
+/// The same as noteInput() of the file that standard input leads to.
 std::optional<InputError> noteStandardInput();
 
 /// Whether a path leads to an input, or an open descriptor does.

@@ -3,12 +3,42 @@
 
 #include "core/scene/inputrecord.h"
 
+#include <QDeadlineTimer>
 #include <QFileInfo>
 #include <QSaveFile>
 
+#include <fcntl.h>
+
+#include <cerrno>
+#include <chrono>
+#include <filesystem>
+#include <thread>
 #include <utility>
 
 namespace pixelplumb {
+
+namespace {
+
+constexpr std::chrono::seconds patience{5};
+constexpr std::chrono::milliseconds glance{20};
+
+/// Opens a pipe as soon as somebody reads it; false, and errno ENXIO, where nobody does for that
+/// long: to open it plainly would wait for ever.
+bool openPipe(QFile &file)
+{
+    const QByteArray name = QFile::encodeName(file.fileName());
+    const QDeadlineTimer deadline(patience);
+    int pipe = -1;
+    while ((pipe = ::open(name.constData(), O_WRONLY | O_NONBLOCK | O_CLOEXEC)) < 0) {
+        if (errno != ENXIO || deadline.hasExpired())
+            return false;
+        std::this_thread::sleep_for(glance);
+    }
+    return fcntl(pipe, F_SETFL, O_WRONLY) == 0
+        && file.open(pipe, QIODevice::WriteOnly, QFileDevice::AutoCloseHandle);
+}
+
+} // namespace
 
 OutputFile::OutputFile(QString path, WrittenAs as)
     : m_path(std::move(path))
@@ -24,11 +54,23 @@ std::optional<InputError> OutputFile::open()
     }
     // A device or a pipe cannot be replaced by a finished file.
     const QFileInfo target(m_path);
-    if (target.exists() && !target.isFile() && !target.isDir())
-        m_file = std::make_unique<QFile>(m_path);
-    else
+    const bool isReplaced = !target.exists() || target.isFile() || target.isDir();
+    if (isReplaced) {
         m_file = std::make_unique<QSaveFile>(m_path);
-    return m_file->open(QIODevice::WriteOnly) ? std::nullopt : std::optional(error());
+    } else {
+        auto file = std::make_unique<QFile>(m_path);
+        std::error_code ignored;
+        if (std::filesystem::is_fifo(QFile::encodeName(m_path).toStdString(), ignored)
+            && !openPipe(*file))
+            return InputError{m_path,
+                              QStringLiteral("cannot be written: ")
+                                  + (errno == ENXIO ? QStringLiteral("nobody reads the pipe")
+                                                    : qt_error_string(errno)),
+                              {}};
+        m_file = std::move(file);
+    }
+    return m_file->isOpen() || m_file->open(QIODevice::WriteOnly) ? std::nullopt
+                                                                  : std::optional(error());
 }
 
 std::optional<InputError> OutputFile::finish()

@@ -1210,16 +1210,16 @@
         <translation>Wahrheit nicht bekannt</translation>
     </message>
     <message>
-        <source>All pixels correct</source>
-        <translation>Alle Pixel richtig</translation>
+        <source>Finished: all pixels correct</source>
+        <translation>Am Ende: alle Pixel richtig</translation>
     </message>
     <message>
         <source>The method is proved to draw every pixel right.</source>
         <translation>Dass das Verfahren jedes Pixel richtig zeichnet, ist bewiesen.</translation>
     </message>
     <message>
-        <source>%1 px wrong, truth %2 px</source>
-        <translation>%1 px falsch, Wahrheit %2 px</translation>
+        <source>Finished: %1 px wrong, truth %2 px</source>
+        <translation>Am Ende: %1 px falsch, Wahrheit %2 px</translation>
     </message>
     <message>
         <source>plain kernel %1 ns a pixel</source>

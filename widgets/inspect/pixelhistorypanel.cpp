@@ -12,15 +12,18 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QScrollArea>
 #include <QTimer>
 #include <QToolButton>
 #include <QTreeView>
+
+#include <algorithm>
 
 namespace pixelplumb {
 
 namespace {
 
-constexpr int reasonLines = 3; // always kept free, so that the list stays where it is
+constexpr int reasonLines = 3; // always kept free, so that the list mostly stays where it is
 
 QToolButton *runButton(const char *name, const QString &text, const QString &toolTip,
                        QWidget *parent)
@@ -58,7 +61,8 @@ PixelHistoryPanel::PixelHistoryPanel(Playhead *playhead, QWidget *parent)
     , m_playhead(playhead)
     , m_model(new PixelHistoryModel(this))
     , m_heading(new QLabel(this))
-    , m_reason(new QLabel(this))
+    , m_reasonArea(new QScrollArea(this))
+    , m_reason(new QLabel(m_reasonArea))
     , m_attempts(new QTreeView(this))
 {
     setObjectName(QStringLiteral("pixelHistory"));
@@ -72,8 +76,14 @@ PixelHistoryPanel::PixelHistoryPanel(Playhead *playhead, QWidget *parent)
     m_reason->setTextFormat(Qt::RichText);
     m_reason->setWordWrap(true);
     m_reason->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    m_reason->setMinimumHeight(fontMetrics().lineSpacing() * reasonLines);
     m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_reasonArea->setObjectName(QStringLiteral("pixelHistoryReasonArea"));
+    m_reasonArea->setFrameShape(QFrame::NoFrame);
+    m_reasonArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_reasonArea->setWidgetResizable(true);
+    m_reasonArea->setWidget(m_reason);
+    m_reasonArea->viewport()->setAutoFillBackground(false);
+    m_reason->setAutoFillBackground(false);
 
     QToolButton *previous
         = runButton("runToPreviousWrite", tr("◀ Write"),
@@ -107,7 +117,7 @@ PixelHistoryPanel::PixelHistoryPanel(Playhead *playhead, QWidget *parent)
     layout->setSpacing(4);
     layout->addLayout(headingRow);
     layout->addWidget(m_attempts, 1);
-    layout->addWidget(m_reason);
+    layout->addWidget(m_reasonArea);
 
     connect(previous, &QToolButton::clicked, playhead,
             [playhead] { playhead->runToPickedPixel(StepDirection::Backward); });
@@ -134,6 +144,21 @@ void PixelHistoryPanel::showEvent(QShowEvent *event)
     QTimer::singleShot(0, m_attempts, [this] { m_attempts->scrollTo(m_attempts->currentIndex()); });
 }
 
+void PixelHistoryPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fitColumns();
+    fitReason();
+}
+
+/// All of the reason is seen where half of the panel holds it; else it scrolls.
+void PixelHistoryPanel::fitReason()
+{
+    const int least = fontMetrics().lineSpacing() * reasonLines;
+    const int needed = m_reason->heightForWidth(m_reasonArea->viewport()->width());
+    m_reasonArea->setFixedHeight(std::clamp(needed, least, std::max(least, height() / 2)));
+}
+
 void PixelHistoryPanel::scheduleUpdate()
 {
     m_isStale = true;
@@ -150,10 +175,19 @@ void PixelHistoryPanel::takePixel()
     for (int row = 0; row < m_model->rowCount(); ++row)
         m_attempts->setFirstColumnSpanned(row, {}, true);
     m_attempts->expand(decisive);
-    for (int column = 0; column < PixelHistoryModel::ExactColumn; ++column)
-        m_attempts->resizeColumnToContents(column);
+    fitColumns();
     select(decisive);
     describePixel();
+}
+
+/// The last column takes what is left; where nothing is, the list scrolls to the side.
+void PixelHistoryPanel::fitColumns()
+{
+    QHeaderView *header = m_attempts->header();
+    header->setStretchLastSection(false);
+    for (int column = 0; column < m_model->columnCount(); ++column)
+        m_attempts->resizeColumnToContents(column);
+    header->setStretchLastSection(header->length() < m_attempts->viewport()->width());
 }
 
 void PixelHistoryPanel::followPosition()
@@ -189,6 +223,7 @@ void PixelHistoryPanel::describePixel()
         m_heading->setText(tr("<b>No pixel is picked</b>"));
         m_reason->setText(
             tr("Click one in the pixel grid, or on the canvas with the tool Inspect."));
+        fitReason();
         return;
     }
     const FrameView frame = m_playhead->frame()->view();
@@ -224,6 +259,7 @@ void PixelHistoryPanel::showReason(const QModelIndex &index)
     const QString reason
         = index.isValid() ? index.data(PixelHistoryModel::ReasonRole).toString() : QString();
     m_reason->setText(typesetHtml(reason));
+    fitReason();
     setAccessibleDescription(reason);
 }
 

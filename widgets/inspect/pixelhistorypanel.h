@@ -5,6 +5,7 @@
 
 class QLabel;
 class QModelIndex;
+class QScrollArea;
 class QToolButton;
 class QTreeView;
 
@@ -25,6 +26,7 @@ public:
 
 protected:
     void showEvent(QShowEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void scheduleUpdate();
@@ -33,11 +35,14 @@ private:
     void describePixel();
     void select(const QModelIndex &attempt);
     void showReason(const QModelIndex &index);
+    void fitReason();
+    void fitColumns();
     void goToWrite(const QModelIndex &index);
 
     Playhead *m_playhead;
     PixelHistoryModel *m_model;
     QLabel *m_heading;
+    QScrollArea *m_reasonArea;
     QLabel *m_reason;
     QTreeView *m_attempts;
     bool m_isStale = true;

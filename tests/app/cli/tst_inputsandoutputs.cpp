@@ -11,6 +11,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <sys/stat.h>
+
 #include <filesystem>
 #include <vector>
 
@@ -202,6 +204,50 @@ private slots:
         QVERIFY2(run.messages.contains("is the input, which it would replace"),
                  run.messages.constData());
         QCOMPARE(run.exitCode, 2);
+    }
+
+    void whatAProgramIsShownIsNotReplaced_data()
+    {
+        QTest::addColumn<QString>("output");
+        QTest::newRow("a module beside it") << "own/helper.py";
+        QTest::newRow("below it") << "own/tables/sines.txt";
+        QTest::newRow("by a link") << "link.json";
+    }
+    void whatAProgramIsShownIsNotReplaced()
+    {
+        QFETCH(QString, output);
+        QVERIFY(QDir().mkpath(path("own/tables")));
+        QVERIFY(QFile::copy(path("program.sh"), path("own/program.sh")));
+        QVERIFY(!writeFile(path("own/helper.py"), "help"));
+        QVERIFY(!writeFile(path("own/tables/sines.txt"), "0 1 0 -1"));
+        QVERIFY(QFile::link(path("own/helper.py"), path("link.json")));
+        const QByteArray before = contentOf(output);
+
+        const ProgramRun run
+            = runHere({"counterexample", "column-scan", "program:own/program.sh", "-o", output});
+
+        QCOMPARE(contentOf(output), before);
+        QVERIFY2(run.messages.contains("lies in a folder that the program is shown"),
+                 run.messages.constData());
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY(!isInput(path(output))); // of this process
+    }
+
+    void aPipeThatNobodyReadsIsNotWaitedForAndOneThatIsReadIsWritten()
+    {
+        QCOMPARE(::mkfifo(QFile::encodeName(path("pipe.ppm")).constData(), 0600), 0);
+
+        const ProgramRun unread = runHere({"render", "scene.json", "-o", "pipe.ppm"});
+        QVERIFY2(unread.messages.contains("nobody reads the pipe"), unread.messages.constData());
+        QCOMPARE(unread.exitCode, 2);
+
+        // The reader comes after the command.
+        const ProgramRun read
+            = runHere({"render", "scene.json", "-o", "pipe.ppm"},
+                      "\"$0\" \"$@\" & sleep 0.5; cat pipe.ppm > copy.ppm; wait $!");
+        QCOMPARE(read.exitCode, 0);
+        QVERIFY(contentOf("copy.ppm").startsWith("P6\n8 8\n"));
+        QCOMPARE(contentOf("copy.ppm").size(), 11 + 8 * 8 * 3);
     }
 
     void aSheetOfProbesDoesNotReplaceItsScene_data()

@@ -206,7 +206,32 @@ private slots:
             "no triangle, no w", [](Primitives &p) { p.triangles.clear(); }, Effect::Perspective,
             no, 0, "nothing is drawn in the frame");
 
-        add("no texture", none, Effect::Texture, no, 0, "no triangle's material has a texture");
+        // Of what is not drawn nothing is said, whatever it has.
+        const Change other = [](Primitives &p) {
+            p.triangles[0] = triangleAt({{{-9, 2}, {-2, 2}, {-9, 10}}});
+            setColour(p, 0);
+            setW(p, 0, 2 * attributeOne);
+            setTexture(p, 0);
+            attributesAt(p, 0).vertices[1].alpha = 12;
+            setLight(p, 1);
+            for (TriangleAttributes &each : p.attributes) {
+                for (VertexAttributes &vertex : each.vertices)
+                    vertex.normal = each.triangle == 0 ? vertex.normal : std::array<Attribute, 3>{};
+            }
+        };
+        add("colours of another", other, Effect::SmoothColour, no, 0,
+            "the vertex colours are equal in each triangle that is drawn in the frame");
+        add("w of another", other, Effect::Perspective, no, 0,
+            "w is the same at the three vertices of every triangle that is drawn in the frame");
+        add("texture of another", other, Effect::Texture, no, 0,
+            "no triangle that is drawn in the frame has a material with a texture");
+        add("light on another", other, Effect::Light, no, 0,
+            "no triangle that is drawn in the frame has normals");
+        add("alpha of another", other, Effect::Blending, no, 0,
+            "every alpha of a triangle that is drawn in the frame is 255: opaque");
+
+        add("no texture", none, Effect::Texture, no, 0,
+            "no triangle has a material with a texture");
         add(
             "a texture", [](Primitives &p) { setTexture(p, 0); }, Effect::Texture, yes, 1,
             "1 of 2 triangles has a material with a texture: “checker”");

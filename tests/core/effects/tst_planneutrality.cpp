@@ -75,6 +75,31 @@ QString changeByForcing(const QString &method, Primitives primitives, const Fram
     return {};
 }
 
+/// The same triangles, of which none has what an effect shows.
+Primitives without(Effect effect, Primitives primitives)
+{
+    for (Triangle &triangle : primitives.triangles) {
+        for (Vertex &vertex : triangle.vertices)
+            vertex.colour
+                = effect == Effect::SmoothColour ? triangle.vertices[0].colour : vertex.colour;
+    }
+    for (TriangleAttributes &attributes : primitives.attributes) {
+        for (VertexAttributes &vertex : attributes.vertices) {
+            vertex.alpha = effect == Effect::Blending ? 255 : vertex.alpha;
+            vertex.w = effect == Effect::Perspective ? attributeOne : vertex.w;
+        }
+    }
+    for (Material &material : primitives.appearance.materials) {
+        if (effect == Effect::Texture)
+            material.texture.reset();
+    }
+    if (effect == Effect::Light)
+        primitives.appearance.lights.clear();
+    if (effect == Effect::Depth)
+        primitives.appearance.depth = DepthUse::Off;
+    return primitives;
+}
+
 /// A line in and about a frame of 12 × 9 pixels; some lie along its rows and reach beyond it.
 Shape randomLine(SeededRandom &random)
 {
@@ -174,6 +199,59 @@ private slots:
                 change.isEmpty(),
                 qPrintable(QStringLiteral("seed %1, %2: ").arg(seed).arg(scene.name) + change));
         }
+    }
+
+    void whatIsForcedOffIsAsIfNoTriangleHadIt_data()
+    {
+        whatIsNotCalledForChangesNoByteEitherWay_data();
+    }
+    void whatIsForcedOffIsAsIfNoTriangleHadIt()
+    {
+        QFETCH(EffectHardship, hardship);
+        QFETCH(Antialiasing, antialiasing);
+        for (std::uint64_t seed = 0; seed < std::uint64_t(fewerIfSanitized(6)); ++seed) {
+            EffectScene scene = randomEffectScene(seed, hardship);
+            Appearance &appearance = scene.primitives.appearance;
+            appearance.antialiasing = antialiasing;
+            appearance.shading = Shading::Phong; // others light the vertices, whose colours count
+            const QString method = seed % 2 == 0 ? QStringLiteral("column-scan")
+                                                 : QStringLiteral("interpolate-barycentric");
+            for (const Effect effect : {Effect::SmoothColour, Effect::Depth, Effect::Perspective,
+                                        Effect::Texture, Effect::Light, Effect::Blending}) {
+                const FrameBuffer expected
+                    = pictureOf(method, without(effect, scene.primitives), scene.frame);
+                appearance.forced = {};
+                appearance.forced[effect] = Forcing::Off;
+                QVERIFY2(areSame(pictureOf(method, scene.primitives, scene.frame), expected),
+                         qPrintable(QStringLiteral("seed %1, %2, %3 off")
+                                        .arg(seed)
+                                        .arg(scene.name, textOf(effect))));
+                appearance.forced = {};
+            }
+        }
+    }
+
+    /// The legs of the right angle part the pixels in halves and its corner in quarters.
+    void anAreaCountsAloneWhereBlendingIsForcedOff()
+    {
+        Primitives primitives;
+        primitives.triangles = {Triangle{{{{latticePixel(1, 1), {{255, 255, 255}}},
+                                           {latticePixel(7, 1), {{255, 255, 255}}},
+                                           {latticePixel(1, 7), {{255, 255, 255}}}}}}};
+        TriangleAttributes attributes;
+        for (VertexAttributes &vertex : attributes.vertices)
+            vertex.alpha = 128;
+        primitives.attributes = {attributes};
+        primitives.appearance.antialiasing = Antialiasing::Area;
+        const auto levelsOf = [&] {
+            const FrameBuffer frame
+                = pictureOf(QStringLiteral("column-scan"), primitives, frameOf(8, 8));
+            return std::array{qRed(*frame.view().at(1, 1)), qRed(*frame.view().at(1, 2)),
+                              qRed(*frame.view().at(2, 2))};
+        };
+        QCOMPARE(levelsOf(), (std::array{32, 64, 128})); // ⌊128·A + ½⌋
+        primitives.appearance.forced[Effect::Blending] = Forcing::Off;
+        QCOMPARE(levelsOf(), (std::array{64, 128, 255})); // ⌊255·A + ½⌋
     }
 
     /// A triangle calls for colours, blending, texture and light where it is drawn at some sample

@@ -252,6 +252,7 @@ private slots:
         QFETCH(QByteArray, name);
         QFETCH(QString, shown);
         QCOMPARE(escapedName(name), shown);
+        QCOMPARE(nameShownAs(shown), name);
         static const QRegularExpression plain(QStringLiteral("\\A[A-Za-z0-9_-]+\\z"));
         QVERIFY(plain.match(idOf(name)).hasMatch());
         QVERIFY(idOf(name) != idOf(name + 'x'));

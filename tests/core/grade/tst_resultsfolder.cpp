@@ -2,6 +2,7 @@
 #include "core/grade/gradefile.h"
 #include "core/grade/gradefolder.h"
 #include "core/grade/resultsfolder.h"
+#include "core/grade/submissionfolder.h"
 #include "core/scene/inputrecord.h"
 #include "tests/support/submissions.h"
 #include "tests/support/testprogram.h"
@@ -126,6 +127,80 @@ private slots:
         QVERIFY2(refusal.contains(QStringLiteral("is not of results of grading")),
                  qPrintable(refusal));
         QVERIFY(filesIn(path("site")) == before);
+    }
+
+    void aDamagedPartIsNamedWithItsPlace_data()
+    {
+        QTest::addColumn<QByteArray>("content");
+        QTest::addColumn<QString>("place");
+        QTest::newRow("cut short") << QByteArray(R"({ "pixelplumbGrades": 1, "part")")
+                                   << QStringLiteral("part.json, line 1, column 32");
+        QTest::newRow("a word for a number")
+            << QByteArray(R"({ "pixelplumbGrades": 1, "part": "one", "of": 1, "submissions": [] })")
+            << QStringLiteral("part.json, line 1, column 34, part: ");
+        QTest::newRow("too many parts") << QByteArray(
+            R"({ "pixelplumbGrades": 1, "part": 1, "of": 100000, "submissions": [] })")
+                                        << QStringLiteral("part.json, line 1, column 43, of: ");
+    }
+    void aDamagedPartIsNamedWithItsPlace()
+    {
+        QFETCH(QByteArray, content);
+        QFETCH(QString, place);
+        QCOMPARE(graded("results"), QString());
+        QVERIFY(writeTo(path("results/part.json"), content));
+
+        const QString again = graded("results");
+        const auto merged = mergeGrades({path("results")}, path("whole"), MergeExtent::Partial);
+        const auto read = readGrades(path("results"));
+
+        QVERIFY2(again.contains(place), qPrintable(again));
+        QVERIFY(!merged);
+        QVERIFY2(merged.error().message().contains(place), qPrintable(merged.error().message()));
+        QVERIFY(!read);
+        QVERIFY2(read.error().message().contains(place), qPrintable(read.error().message()));
+        QCOMPARE(contentOf(path("results/part.json")), content);
+    }
+
+    void aGradeUnderAnotherNameIsGradedAgainAndNotRead()
+    {
+        QCOMPARE(graded("results"), QString());
+        const auto before = filesIn(path("results"));
+        const QString file = submissionFileOf(path("results"), idOf("ann"));
+        const QByteArray content = contentOf(file);
+        QVERIFY(content.contains(R"("name": "ann")"));
+        QVERIFY(writeTo(file, QByteArray(content).replace(R"("name": "ann")", R"("name": "bob")")));
+
+        const auto read = readGrades(path("results"));
+        QVERIFY(!read);
+        QVERIFY2(read.error().message().contains(QStringLiteral("is not named as grading names")),
+                 qPrintable(read.error().message()));
+
+        QCOMPARE(graded("results"), QString());
+        QCOMPARE(contentOf(file), content);
+        QVERIFY(filesIn(path("results")) == before);
+    }
+
+    void whatCannotBecomeAFolderIsSaid_data()
+    {
+        QTest::addColumn<QString>("results");
+        QTest::addColumn<QString>("why");
+        QTest::newRow("a file") << "precious"
+                                << "precious: is a file; expected a folder";
+        QTest::newRow("under a file") << "precious/below"
+                                      << "cannot be made: Not a directory";
+        QTest::newRow("a link to nowhere") << "dangling"
+                                           << "is a link to ";
+    }
+    void whatCannotBecomeAFolderIsSaid()
+    {
+        QFETCH(QString, results);
+        QFETCH(QString, why);
+        QVERIFY(QFile::link(path("nowhere"), path("dangling")));
+
+        const QString refusal = graded(results);
+
+        QVERIFY2(refusal.contains(why), qPrintable(refusal));
+        QCOMPARE(contentOf(path("precious")), QByteArray("precious"));
     }
 
     void otherFilesMayStandBesideTheResults()

@@ -343,7 +343,7 @@ private slots:
         QVERIFY(!rounded->isProved);
         QVERIFY(*rounded->wrongPixels > 0);
         QVERIFY(exact->perPixel.has_value());
-        QCOMPARE(exact->text(), QStringLiteral("All pixels correct"));
+        QCOMPARE(exact->text(), QStringLiteral("Finished: all pixels correct"));
         QVERIFY(exact->details().contains(QStringLiteral("proved to draw every pixel right")));
         QVERIFY(!rounded->details().contains(QStringLiteral("proved")));
         QVERIFY(exact->details().contains(QStringLiteral("median of ")));
@@ -373,7 +373,7 @@ private slots:
         QCOMPARE(figures->text(), QStringLiteral("truth not known"));
         QVERIFY(!figures->perPixel);
         const auto ofRun = liveFiguresOf(traceScene(scene));
-        QCOMPARE(ofRun->text(), QStringLiteral("All pixels correct"));
+        QCOMPARE(ofRun->text(), QStringLiteral("Finished: all pixels correct"));
     }
 
     void whatAProvedMethodRefusesIsWrong()
@@ -394,7 +394,7 @@ private slots:
         QVERIFY(*refused->wrongPixels > 0);
         QCOMPARE(refused->pixels, *refused->wrongPixels);
         scene.method = "polygon-parity";
-        QCOMPARE(liveFiguresOf(traceScene(scene))->text(), QStringLiteral("All pixels correct"));
+        QCOMPARE(liveFiguresOf(traceScene(scene))->text(), QStringLiteral("Finished: all pixels correct"));
     }
 
     void theSceneInHandIsTimedAsTheStudyTimesIt()

@@ -220,6 +220,124 @@ private slots:
         hasReason(10, 3, "Writes R = 0", " Column 10: The outline is one pixel high: row 3, ");
     }
 
+    /// The samples, or the area, decide; the centre has a place and no owner.
+    void underAntialiasingNoFillRuleIsNamed_data()
+    {
+        QTest::addColumn<Antialiasing>("antialiasing");
+        QTest::addColumn<QString>("reason");
+        const auto at = QStringLiteral(" The pixel's centre lies beyond L₁₂, at -3 px measured "
+                                       "along the column (-2.12132 px square to the edge).");
+        QTest::newRow("4 samples")
+            << Antialiasing::Samples4
+            << QStringLiteral("None of the pixel's 4 samples lies in the triangle.") + at;
+        QTest::newRow("area") << Antialiasing::Area
+                              << QStringLiteral("The triangle has no part of the pixel's square.")
+                + at;
+    }
+    void underAntialiasingNoFillRuleIsNamed()
+    {
+        QFETCH(Antialiasing, antialiasing);
+        QFETCH(QString, reason);
+        Scene scene = slideTriangle("column-scan");
+        scene.triangles[0].vertices[0].position = latticePixel(1, 1);
+        scene.triangles[0].vertices[1].position = latticePixel(7, 1);
+        scene.triangles[0].vertices[2].position = latticePixel(1, 7);
+        scene.appearance.antialiasing = antialiasing;
+        QCOMPARE(pixelHistory(*traceScene(scene), 6, 5).front().reason, reason);
+    }
+
+    /// (8, 6) to (12, 4) falls by ½ px a column: halfway at columns 9 and 11.
+    void aLineThatPassesMidwayIsToldWithTheTruthsChoice_data()
+    {
+        QTest::addColumn<bool>("isSteep");
+        QTest::newRow("along x") << false;
+        QTest::newRow("along y") << true;
+    }
+    void aLineThatPassesMidwayIsToldWithTheTruthsChoice()
+    {
+        QFETCH(bool, isSteep);
+        const Shape line = isSteep ? lineAt(6, 8, 4, 12) : lineAt(8, 6, 12, 4);
+        const auto traced = traceScene(sceneOf(line, "line-bresenham", frameOf(16, 16)));
+        const auto reasonAt = [&](std::int64_t along, std::int64_t across) {
+            return pixelHistory(*traced, isSteep ? across : along, isSteep ? along : across)
+                .front()
+                .reason;
+        };
+        const QString tie
+            = QStringLiteral(" A tie: the line passes exactly midway between %1 = 5 and %1 = 6 "
+                             "here, and the truth takes the greater one.")
+                  .arg(QChar(isSteep ? u'x' : u'y'));
+        QVERIFY2(reasonAt(9, 6).startsWith(QStringLiteral("Missing: ")),
+                 qPrintable(reasonAt(9, 6)));
+        QVERIFY2(reasonAt(9, 6).contains(tie), qPrintable(reasonAt(9, 6)));
+        QVERIFY2(reasonAt(9, 5).contains(QStringLiteral(" Extra: ")), qPrintable(reasonAt(9, 5)));
+        QVERIFY2(reasonAt(9, 5).contains(tie), qPrintable(reasonAt(9, 5)));
+        for (const auto &[along, across] : {std::pair(10, 6), std::pair(9, 4), std::pair(9, 7)})
+            QVERIFY2(!reasonAt(along, across).contains(QStringLiteral("A tie")),
+                     qPrintable(reasonAt(along, across)));
+    }
+
+    /// From (1/4, 3/4) to (6 1/2, 3 3/8): y(1) = 3/4 + 3/4·21/50 = 1 13/200.
+    void theFirstPixelOfALineBetweenPixelsTellsWhatIsRounded()
+    {
+        const Shape line = lineAtUnits({64, 192}, {1664, 864});
+        const auto traced = traceScene(sceneOf(line, "line-bresenham-symmetric", frameOf(16, 8)));
+        QCOMPARE(traced->trace->spanWords(0).sentence,
+                 QStringLiteral("On the column 1 the line is at y = 1 13/200, which rounds to the "
+                                "pixel (1, 1). p_k₊₁ = −3/16 < 0 decides about the next one."));
+        QCOMPARE(inSpan(*traced, 0, "y_line"), Quantity::rational(213, 200));
+    }
+
+    /// f_bc(p) = −2·area(b, c, p): of P₁P₂, from (9, 1) to (9, 2), −10 at (−1, −1) and −7 at (2,
+    /// 1).
+    void anAcceptedTieTellsTheProduct()
+    {
+        Scene scene = slideTriangle("barycentric-off-screen", FillRule::OffScreenPoint);
+        scene.triangles[0].vertices[1].position = latticePixel(9, 1);
+        scene.triangles[0].vertices[2].position = latticePixel(9, 2);
+        const QString reason = pixelHistory(*traceScene(scene), 9, 2).front().reason;
+        QVERIFY2(reason.contains(QStringLiteral(
+                     " The sample lies exactly on P₁P₂, and the rule off-screen-point gives it to "
+                     "this side: the edge's function is −10 at the off-screen point (−1, −1) and "
+                     "−7 at the vertex that faces it; their product, 70, is above 0; it lies "
+                     "exactly on P₂P₀, ")),
+                 qPrintable(reason));
+        QVERIFY2(reason.contains(QStringLiteral("is −11 at the off-screen point (−1, −1) and −7 at "
+                                                "the vertex that faces it; their product, 77, ")),
+                 qPrintable(reason));
+        // No rule is asked where none of its edges passes.
+        QVERIFY(!pixelHistory(
+                     *traceScene(slideTriangle("barycentric-off-screen", FillRule::OffScreenPoint)),
+                     4, 4)
+                     .front()
+                     .reason.contains(QStringLiteral("exactly on")));
+    }
+
+    /// Radius 5 about (8, 8), F(x, y) = x² + y² − 25 from the centre.
+    void aPixelBesideACircleTellsTheStepsNextToIt_data()
+    {
+        QTest::addColumn<QPoint>("pixel");
+        QTest::addColumn<QString>("told");
+        QTest::newRow("below the top")
+            << QPoint(8, 12) << "Step 0: The arc starts at (x_k, y_k) = (0, 5)";
+        QTest::newRow("F(2, 4 1/2) = −3/4") << QPoint(10, 12) << "Step 2: p_k = −3/4 < 0";
+        QTest::newRow("F(4, 3 1/2) = 3 1/4") << QPoint(12, 12) << "Step 4: p_k = 3 1/4 > 0";
+        QTest::newRow("mirrored") << QPoint(4, 4) << "Step 4: p_k = 3 1/4 > 0";
+    }
+    void aPixelBesideACircleTellsTheStepsNextToIt()
+    {
+        QFETCH(QPoint, pixel);
+        QFETCH(QString, told);
+        const auto traced
+            = traceScene(sceneOf(circleAt(8, 8, 5), "circle-midpoint", frameOf(16, 16)));
+        const QString reason = pixelHistory(*traced, pixel.x(), pixel.y()).front().reason;
+        QVERIFY2(reason.startsWith(QStringLiteral("The circle does not cover it. ")),
+                 qPrintable(reason));
+        QVERIFY2(reason.contains(told), qPrintable(reason));
+        QCOMPARE(pixelHistory(*traced, 8, 8).front().reason,
+                 QStringLiteral("The circle does not cover it."));
+    }
+
     void aRefusedTieTellsTheProduct()
     {
         const auto traced

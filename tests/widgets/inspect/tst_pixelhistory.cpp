@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/oracle/planeweights.h"
 #include "tests/support/defaultscene.h"
+#include "tests/support/shapes.h"
 #include "tests/support/testprogram.h"
 #include "widgets/inspect/pixelhistorypanel.h"
 #include "widgets/look/numberformat.h"
@@ -8,7 +9,10 @@
 #include "widgets/model/playhead.h"
 
 #include <QAbstractItemModelTester>
+#include <QHeaderView>
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTest>
 #include <QToolButton>
 #include <QTreeView>
@@ -33,6 +37,7 @@ private slots:
     void theAttemptInHandIsChosen();
     void historyRunsToTheWritesOfThePickedPixel();
     void historyNamesPixelColourAndTruth();
+    void aLongReasonIsSeenWholeAndNoColumnIsCutOff();
 };
 
 void TestPixelHistory::historyKeepsTheModelContract()
@@ -254,6 +259,36 @@ void TestPixelHistory::historyNamesPixelColourAndTruth()
     playhead.seek(playhead.end());
     playhead.pick(QPoint(27, 19));
     QVERIFY(!heading->text().contains(QStringLiteral("#000000")));
+}
+
+/// In the panel's place in a window of 1366 × 768.
+void TestPixelHistory::aLongReasonIsSeenWholeAndNoColumnIsCutOff()
+{
+    Playhead playhead;
+    PixelHistoryPanel panel(&playhead);
+    panel.resize(490, 300);
+    panel.show();
+    playhead.setTraced(traceScene(sceneOf(lineAt(8, 6, 12, 4), "line-bresenham", frameOf(16, 8))));
+    playhead.pick(QPoint(9, 5));
+
+    const auto *reason = panel.findChild<QLabel *>(QStringLiteral("pixelHistoryReason"));
+    const auto *area = panel.findChild<QScrollArea *>(QStringLiteral("pixelHistoryReasonArea"));
+    QVERIFY(reason->text().contains(QStringLiteral("A tie: ")));
+    QVERIFY(reason->heightForWidth(area->viewport()->width())
+            > 4 * reason->fontMetrics().lineSpacing());
+    QVERIFY(area->height() >= reason->heightForWidth(area->viewport()->width()));
+
+    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
+    playhead.pick(QPoint(9, 5));
+    const auto *tree = panel.findChild<QTreeView *>(QStringLiteral("pixelHistoryTree"));
+    for (const int width : {490, 200}) {
+        panel.resize(width, 300);
+        const int total = tree->header()->length();
+        QVERIFY(total >= tree->viewport()->width());
+        // What does not fit can be scrolled to.
+        QCOMPARE(tree->horizontalScrollBar()->maximum() > 0, total > tree->viewport()->width());
+        QVERIFY(width == 490 || total > tree->viewport()->width());
+    }
 }
 
 PIXELPLUMB_TEST(TestPixelHistory)

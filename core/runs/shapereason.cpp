@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/shapereason.h"
+
+#include "core/oracle/lineoracle.h"
+#include "core/polygons/contours.h"
+#include "core/runs/spanheadings.h"
+#include "core/scan/choicenames.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Whether a sample lies on an edge, its ends included.
+bool isOn(const ContourEdge &edge, const LatticePoint &sample)
+{
+    const auto [first, last] = std::minmax(edge.from, edge.to);
+    return first <= sample && sample <= last && doubledArea(first, last, sample) == 0;
+}
+
+/// That the fill rule alone keeps out a sample; empty where none of the polygon's edges has it.
+QString tieOfPolygonText(const Shape &polygon, FillRule rule, const LatticePoint &sample)
+{
+    const auto edges = contoursOf(polygon).edges;
+    const auto found = std::ranges::find_if(
+        edges, [&sample](const ContourEdge &edge) { return isOn(edge, sample); });
+    return found == edges.end()
+        ? QString()
+        : QStringLiteral(" The sample lies exactly on edge %1, and the rule %2 leaves it outside.")
+              .arg(found - edges.begin())
+              .arg(nameText(nameOf(rule)));
+}
+
+/// That the line is as near to the pixel as to the one beside it; empty where it is not, and where
+/// the truth has neither.
+QString tieOfLineText(const Shape &line, std::int64_t x, std::int64_t y)
+{
+    const oracle::TrueLine truth(line.vertices[0], line.vertices[1]);
+    const std::int64_t along = truth.isSteep() ? y : x;
+    const std::int64_t across = truth.isSteep() ? x : y;
+    if (along < truth.first() || along >= truth.end() || !truth.isMidwayAt(along))
+        return {};
+    const std::int64_t greater = truth.nearestAt(along);
+    if (across != greater && across != greater - 1)
+        return {};
+    const QString axis = truth.isSteep() ? QStringLiteral("x") : QStringLiteral("y");
+    return QStringLiteral(
+               " A tie: the line passes exactly midway between %1 = %2 and %1 = %3 here, "
+               "and the truth takes the greater one.")
+        .arg(axis)
+        .arg(greater - 1)
+        .arg(greater);
+}
+
+QString stepText(const ScanTrace &trace, std::size_t span)
+{
+    const QString told = trace.spanWords(span).sentence;
+    return told.isEmpty() ? told : QStringLiteral(" %1: %2").arg(spanHeading(trace, span), told);
+}
+
+/// The steps of a curve walk along it: those that wrote the four pixels next to this one tell where
+/// it goes.
+QString stepsNextToText(const ScanTrace &trace, std::size_t primitive, std::int64_t x,
+                        std::int64_t y)
+{
+    std::vector<std::size_t> spans;
+    constexpr std::array<std::array<int, 2>, 4> sides = {{{0, 1}, {0, -1}, {1, 0}, {-1, 0}}};
+    for (const auto &[right, up] : sides) {
+        const auto visit = trace.visitOf(primitive, x + right, y + up);
+        if (!visit || !trace.changes()[*visit].isWritten())
+            continue;
+        if (const std::size_t span = trace.spanOf(*visit); std::ranges::count(spans, span) == 0)
+            spans.push_back(span);
+    }
+    std::ranges::sort(spans);
+    QString text;
+    for (const std::size_t span : spans)
+        text += stepText(trace, span);
+    return text;
+}
+
+} // namespace
+
+bool isDecidedByOutline(const PixelAttempt &attempt, const ScanTrace &trace)
+{
+    return attempt.kind == PrimitiveKind::Triangle
+        && std::ranges::count(trace.numbers().span, QStringLiteral("edge_low"),
+                              &NumberDescription::id)
+        > 0;
+}
+
+QString stepBesideText(const PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x,
+                       std::int64_t y)
+{
+    if (attempt.primitive >= trace.primitiveCount())
+        return {};
+    if (attempt.kind == PrimitiveKind::Circle || attempt.kind == PrimitiveKind::Ellipse)
+        return stepsNextToText(trace, attempt.primitive, x, y);
+    if (attempt.kind != PrimitiveKind::Line && !isDecidedByOutline(attempt, trace))
+        return {};
+    const auto step = trace.spanNear(attempt.primitive, x, y);
+    return step ? stepText(trace, *step) : QString();
+}
+
+QString tieOfShapeText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
+                       std::int64_t y)
+{
+    if (attempt.kind == PrimitiveKind::Polygon)
+        return tieOfPolygonText(traced.primitives.shape(attempt.primitive),
+                                traced.scene.settings.fillRule, latticePixel(x, y));
+    if (attempt.kind == PrimitiveKind::Line)
+        return tieOfLineText(traced.primitives.shape(attempt.primitive), x, y);
+    return {};
+}
+
+} // namespace pixelplumb

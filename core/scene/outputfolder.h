@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/result.h"
+
+#include <optional>
+
+namespace pixelplumb {
+
+/// Why files cannot be written to a folder, which is made if need be; none where they can.
+std::optional<InputError> refusalOfFolder(const QString &folder);
+
+} // namespace pixelplumb
