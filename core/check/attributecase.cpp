@@ -4,8 +4,6 @@
 #include "core/frame/writtenframe.h"
 #include "core/methods/interpolationnames.h"
 
-#include <QJsonObject>
-
 #include <algorithm>
 
 namespace pixelplumb {
@@ -92,7 +90,7 @@ void readAttributes(JsonReader &json, const JsonNode &node, HardCase &hardCase)
 std::map<QString, Quantity> readExpectedValues(JsonReader &json, const JsonNode &node)
 {
     std::map<QString, Quantity> values;
-    const QStringList titles = node.value.toObject().keys();
+    const QStringList titles = node.keys();
     for (const QString &title : titles) {
         if (isChannel(title))
             values[title] = fraction(json, node[title]);

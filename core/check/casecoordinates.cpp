@@ -3,9 +3,23 @@
 
 #include "core/scene/coordinatetext.h"
 
+#include <limits>
+
 namespace pixelplumb {
 
-JsonNode member(const JsonNode &node, const char *key) { return node[QString::fromLatin1(key)]; }
+namespace {
+
+/// An integer's digits, of which there may be more than 64 bits hold.
+QString wholeText(const JsonNode &node)
+{
+    constexpr qint64 none = std::numeric_limits<qint64>::min();
+    const qint64 integer = node.toInteger(none);
+    return integer == none ? QString::fromLatin1(node.written()) : QString::number(integer);
+}
+
+} // namespace
+
+JsonNode member(const JsonNode &node, const char *key) { return node[key]; }
 
 CasePixel pixel(JsonReader &json, const JsonNode &node)
 {
@@ -18,16 +32,15 @@ CasePixel pixel(JsonReader &json, const JsonNode &node)
 
 void CaseCoordinates::readScale(const JsonNode &node)
 {
-    m_scale = member(node, "scale");
-    if (!m_scale.value.isDouble() || m_scale.value.toDouble() < 1)
-        m_json.fail(m_scale, describe(m_scale), QStringLiteral("the units in a pixel, 1 or more"));
+    const JsonNode scale = member(node, "scale");
+    m_scale = wholeText(scale);
+    if (scale.toDouble(0) < 1)
+        m_json.fail(scale, describe(scale), QStringLiteral("the units in a pixel, 1 or more"));
 }
 
 void CaseCoordinates::readOptionalScale(const JsonNode &node)
 {
-    if (member(node, "scale").isMissing())
-        m_scale.value = 1;
-    else
+    if (!member(node, "scale").isMissing())
         readScale(node);
 }
 
@@ -46,17 +59,18 @@ void CaseCoordinates::readCanvas(const JsonNode &node)
 Lattice CaseCoordinates::coordinate(const JsonNode &node)
 {
     const QString written
-        = QStringLiteral("%1/%2").arg(numberText(node.value), numberText(m_scale.value));
+        = QStringLiteral("%1/%2").arg(wholeText(node), m_scale);
     const Result<SnappedNumber> snapped = parseCoordinate(written);
-    if (!node.value.isDouble() || !snapped) {
+    if (!node.isNumber() || !snapped) {
         m_json.fail(
             node, describe(node),
             QStringLiteral("an integer in units of 1/scale px, within ±%1 px").arg(largestPixel));
         return 0;
     }
     if (snapped->isDisplaced()) {
+        const QString path = node.path();
         m_case.displacements.append(QStringLiteral("%1 by %2 px")
-                                        .arg(node.path.mid(node.path.lastIndexOf(u'.') + 1),
+                                        .arg(path.mid(path.lastIndexOf(u'.') + 1),
                                              toText(snapped->displacement)));
     }
     return snapped->units;

@@ -22,7 +22,7 @@ auto choice(JsonReader &json, const JsonNode &node, const Words &words)
     QStringList names;
     for (const auto &word : words) {
         names.append(QString::fromLatin1(word.first));
-        if (node.value.toString() == names.back())
+        if (node.toString() == names.back())
             return word.second;
     }
     json.fail(node, describe(node), QStringLiteral("one of ") + names.join(QStringLiteral(", ")));
@@ -53,7 +53,7 @@ public:
 private:
     JsonReader &m_json;
     HardCase &m_case;
-    JsonNode m_scale;
+    QString m_scale = QStringLiteral("1");
 };
 
 } // namespace pixelplumb

@@ -7,7 +7,6 @@
 #include "core/scene/coordinatetext.h"
 
 #include <QFile>
-#include <QJsonObject>
 
 #include <limits>
 
@@ -51,7 +50,7 @@ public:
     {
         m_case.id = m_json.string(member(node, "id"));
         m_case.kind = choice(m_json, member(node, "kind"), kindNames);
-        m_case.stresses = member(node, "stresses").value.toString();
+        m_case.stresses = member(node, "stresses").toString();
         switch (m_case.kind) {
         case HardCaseKind::Triangle:
         case HardCaseKind::Translation:
@@ -192,9 +191,9 @@ private:
                 continue;
             ExpectedFacts &facts = m_case.facts[rule];
             facts.pixelCount = count(member(node, "count"));
-            facts.spanHash = member(node, "span_sha").value.toString().toLatin1();
-            facts.pixelHash = member(node, "sha").value.toString().toLatin1();
-            facts.colourHash = member(node, "rgb_sha").value.toString().toLatin1();
+            facts.spanHash = member(node, "span_sha").toString().toLatin1();
+            facts.pixelHash = member(node, "sha").toString().toLatin1();
+            facts.colourHash = member(node, "rgb_sha").toString().toLatin1();
             facts.toggles = count(member(node, "toggles"));
             facts.distinctPictures = count(member(node, "distinct_pictures"));
             if (const JsonNode sums = member(node, "sum8"); !sums.isMissing())
@@ -204,7 +203,7 @@ private:
                     facts.frameCounts.push_back(m_json.integer(frame, 0, largestFact));
             }
             const JsonNode histogram = member(node, "histogram");
-            const QStringList times = histogram.value.toObject().keys();
+            const QStringList times = histogram.keys();
             for (const QString &key : times)
                 facts.histogram[key.toInt()] = m_json.integer(histogram[key], 0, largestFact);
         }
@@ -231,7 +230,7 @@ private:
             for (const auto &[name, rule] : ruleNames) {
                 const JsonNode covered = member(member(each, "in"), name);
                 if (!covered.isMissing())
-                    point.covered[rule] = covered.value.toBool();
+                    point.covered[rule] = covered.isTrue();
             }
             const std::vector<JsonNode> exact = m_json.array(member(each, "rgb"), 3);
             for (std::size_t channel = 0; channel < 3; ++channel)

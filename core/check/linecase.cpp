@@ -102,7 +102,7 @@ QStringList shortfalls(const std::vector<CasePixel> &drawn, const std::vector<Ca
 void readLineCase(JsonReader &json, const JsonNode &node, HardCase &hardCase)
 {
     const JsonNode rule = member(node, "rule");
-    if (rule.value.toString() != QLatin1String(nearestRule))
+    if (rule.toString() != QLatin1String(nearestRule))
         json.fail(rule, describe(rule), QStringLiteral("“%1”").arg(QLatin1String(nearestRule)));
     const std::vector<JsonNode> ends = json.array(member(node, "endpoints"), 2);
     CaseCoordinates coordinates(json, hardCase);

@@ -5,9 +5,6 @@
 #include "core/runs/contender.h"
 
 #include <QHash>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 
 #include <algorithm>
 
@@ -215,24 +212,23 @@ Result<std::vector<GalleryCase>> readGallery(const QByteArray &text)
     const Result<std::vector<HardCase>> cases = readHardCases(text);
     if (!cases)
         return cases.error();
-    QHash<QString, QJsonObject> remarks;
-    const QJsonArray all
-        = QJsonDocument::fromJson(text).object().value(QStringLiteral("cases")).toArray();
-    for (const QJsonValue each : all)
-        remarks.insert(each[QStringLiteral("id")].toString(), each.toObject());
+    const JsonReader json(text);
+    QHash<QString, JsonNode> remarks;
+    for (const JsonNode &each : json.root()["cases"].elements())
+        remarks.insert(each["id"].toString(), each);
 
     std::vector<GalleryCase> gallery;
     for (const HardCase &hardCase : *cases) {
         if (hardCase.triangles.empty() && hardCase.shapes.empty())
             continue;
-        const QJsonObject remark = remarks.value(hardCase.id);
+        const JsonNode remark = remarks.value(hardCase.id);
         GalleryCase entry;
         entry.hardCase = hardCase;
-        entry.family = remark.value(QStringLiteral("family")).toString(nameOf(hardCase.kind));
-        const QJsonArray failsIn = remark.value(QStringLiteral("fails_in")).toArray();
-        for (const QJsonValue each : failsIn)
+        const JsonNode family = remark["family"];
+        entry.family = family.isString() ? family.toString() : nameOf(hardCase.kind);
+        for (const JsonNode &each : remark["fails_in"].elements())
             entry.failsIn.append(each.toString());
-        entry.note = remark.value(QStringLiteral("note")).toString();
+        entry.note = remark["note"].toString();
         entry.why = sentencesOf(caseReasons, hardCase.id);
         if (entry.why.isEmpty())
             entry.why = whyOf(entry.family);

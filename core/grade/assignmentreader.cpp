@@ -8,8 +8,6 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -39,13 +37,13 @@ public:
                              QStringLiteral("points"), QStringLiteral("scenes"),
                              QStringLiteral("program")});
         Assignment assignment;
-        assignment.name = m_json.string(root[QStringLiteral("name")]);
-        readWord(root[QStringLiteral("hint")], allHintLevels, assignment.hint);
-        readWord(root[QStringLiteral("leeway")], allLeeways, assignment.leeway);
-        readWord(root[QStringLiteral("credit")], allCredits, assignment.credit);
-        readPoints(root[QStringLiteral("points")], m_points);
-        readScenes(root[QStringLiteral("scenes")], assignment.scenes);
-        if (const JsonNode program = root[QStringLiteral("program")]; !program.isMissing())
+        assignment.name = m_json.string(root["name"]);
+        readWord(root["hint"], allHintLevels, assignment.hint);
+        readWord(root["leeway"], allLeeways, assignment.leeway);
+        readWord(root["credit"], allCredits, assignment.credit);
+        readPoints(root["points"], m_points);
+        readScenes(root["scenes"], assignment.scenes);
+        if (const JsonNode program = root["program"]; !program.isMissing())
             assignment.program = readProgram(program);
         return assignment;
     }
@@ -54,7 +52,7 @@ private:
     void readFormat(const JsonNode &root)
     {
         const JsonNode format = root[formatKey];
-        if (root.value.isObject() && !format.isMissing())
+        if (root.isObject() && !format.isMissing())
             m_json.integer(format, 1, assignmentFormat);
         else
             m_json.fail(
@@ -70,7 +68,7 @@ private:
         QStringList words;
         for (const Choice each : choices)
             words += nameOf(each);
-        const qsizetype place = words.indexOf(node.value.toString());
+        const qsizetype place = words.indexOf(node.toString());
         if (place < 0)
             m_json.fail(node, describe(node), anyOf(words));
         else
@@ -90,7 +88,7 @@ private:
             const JsonNode each = node[names[qsizetype(i)]];
             if (each.isMissing())
                 continue;
-            points[i] = each.value.toDouble(-1);
+            points[i] = each.toDouble(-1);
             if (!(points[i] >= 0 && points[i] <= largestPoints))
                 m_json.fail(each, describe(each),
                             QStringLiteral("a number from 0 to %1").arg(largestPoints, 0, 'f', 0));
@@ -111,8 +109,8 @@ private:
 
     AssignedScene readScene(const JsonNode &node, const std::vector<AssignedScene> &before)
     {
-        const JsonNode name = node[QStringLiteral("name")];
-        const JsonNode content = node[QStringLiteral("scene")];
+        const JsonNode name = node["name"];
+        const JsonNode content = node["scene"];
         m_json.expectObject(
             node, {QStringLiteral("name"), QStringLiteral("scene"), QStringLiteral("points")});
         AssignedScene scene;
@@ -129,7 +127,7 @@ private:
             m_json.fail(name, QStringLiteral("%1 is a scene's already").arg(describe(name)),
                         QStringLiteral("a name for each"));
         scene.points = m_points;
-        readPoints(node[QStringLiteral("points")], scene.points);
+        readPoints(node["points"], scene.points);
         readContent(content, scene.scene);
         return scene;
     }
@@ -138,18 +136,17 @@ private:
     {
         if (m_json.hasFailed())
             return;
-        const auto reading = node.value.isObject()
-            ? pixelplumb::readScene(
-                QJsonDocument(node.value.toObject()).toJson(QJsonDocument::Compact), {}, m_folder)
-            : readSceneFile(QDir(m_folder).filePath(m_json.string(node)));
+        if (node.isObject()) {
+            scene = pixelplumb::readScene(m_json, node, m_folder);
+        } else if (const QString file = m_json.string(node); !m_json.hasFailed()) {
+            if (const auto reading = readSceneFile(QDir(m_folder).filePath(file)))
+                scene = reading->scene;
+            else
+                m_json.fail(node, reading.error().message(),
+                            QStringLiteral("a scene, or the name of a scene's file"));
+        }
         if (m_json.hasFailed())
             return;
-        if (!reading) {
-            m_json.fail(node, reading.error().message(),
-                        QStringLiteral("a scene, or the name of a scene's file"));
-            return;
-        }
-        scene = reading->scene;
         if (const QString objection = objectionTo(scene); !objection.isEmpty())
             m_json.fail(node,
                         QStringLiteral("method “%1” %2")
@@ -180,7 +177,7 @@ private:
         }
         readWord(node[input], allProgramInputs, program.input);
         readNumber(node[seconds], 3600, program.seconds);
-        if (const JsonNode memory = node[megabytes]; memory.value.toDouble(-1) == 0)
+        if (const JsonNode memory = node[megabytes]; memory.toDouble(-1) == 0)
             m_json.fail(memory, QStringLiteral("0: a class' programs may not have all memory"),
                         QStringLiteral("1 to %1; a runtime that reserves much, such as Java's or "
                                        "Go's, has enough of 65536")

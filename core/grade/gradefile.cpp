@@ -74,7 +74,7 @@ Result<Reviews> readReviews(const QByteArray &text)
     json.expectObject(json.root(), {gradesKey, reviewsKey});
     const JsonNode node = json.root()[reviewsKey];
     FieldReader reader(json, gradesFormat);
-    for (const QString &id : node.value.toObject().keys()) {
+    for (const QString &id : node.keys()) {
         GradeReview review;
         reader.read(node[id], review);
         reviews.emplace_back(id, review);

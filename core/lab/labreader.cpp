@@ -3,6 +3,8 @@
 #include "core/lab/labfile.h"
 #include "core/scene/fieldreader.h"
 
+#include <algorithm>
+
 namespace pixelplumb {
 
 template <>
@@ -23,12 +25,12 @@ Result<Study> readStudy(const QByteArray &text)
     const JsonNode version = json.root()[versionKey];
     const QString expected
         = QStringLiteral("1 to %1, the versions of a lab's file").arg(labFileVersion);
-    if (json.root().value.isObject() && version.isMissing()) {
+    if (json.root().isObject() && version.isMissing()) {
         json.fail(json.root(), QStringLiteral("no “%1”").arg(versionKey), expected);
         return json.error();
     }
     Study study;
-    const int written = version.value.toInt();
+    const auto written = int(std::clamp<qint64>(version.toInteger(0), 0, labFileVersion + 1));
     if (written < 1 || written > labFileVersion)
         json.fail(version, describe(version), expected);
     else

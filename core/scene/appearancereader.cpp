@@ -5,8 +5,6 @@
 #include "core/scene/choicereader.h"
 #include "core/scene/colourreader.h"
 
-#include <QJsonObject>
-
 #include <algorithm>
 
 namespace pixelplumb {
@@ -37,11 +35,11 @@ Material readMaterial(JsonReader &json, ReferredFiles &files, const JsonNode &no
             json.fail(texture, QStringLiteral("%1: %2").arg(read.error().place, read.error().found),
                       read.error().expected);
     }
-    readChoice(json, node[QStringLiteral("filter")], allTextureFilters, material.filter);
-    readChoice(json, node[QStringLiteral("wrap")], allTextureWraps, material.wrap);
-    readOptionalColour(json, node[QStringLiteral("diffuse")], material.diffuse);
-    readOptionalColour(json, node[QStringLiteral("specular")], material.specular);
-    if (const JsonNode shininess = node[QStringLiteral("shininess")]; !shininess.isMissing())
+    readChoice(json, node["filter"], allTextureFilters, material.filter);
+    readChoice(json, node["wrap"], allTextureWraps, material.wrap);
+    readOptionalColour(json, node["diffuse"], material.diffuse);
+    readOptionalColour(json, node["specular"], material.specular);
+    if (const JsonNode shininess = node["shininess"]; !shininess.isMissing())
         material.shininess = int(json.integer(shininess, 1, mostShininess));
     return material;
 }
@@ -51,9 +49,9 @@ std::vector<Material> readMaterials(JsonReader &json, ReferredFiles &files, cons
     std::vector<Material> materials;
     if (node.isMissing())
         return materials;
-    if (!node.value.isObject())
+    if (!node.isObject())
         json.fail(node, describe(node), QStringLiteral("an object with a material for each name"));
-    const QStringList names = node.value.toObject().keys();
+    const QStringList names = node.keys();
     for (const QString &name : names) {
         if (json.hasFailed())
             break;
@@ -121,13 +119,13 @@ Appearance readAppearance(JsonReader &json, NumberReader &numbers, ReferredFiles
                           const JsonNode &root)
 {
     Appearance appearance;
-    appearance.materials = readMaterials(json, files, root[QStringLiteral("materials")]);
-    appearance.lights = readLights(json, numbers, root[QStringLiteral("lights")]);
-    readOptionalColour(json, root[QStringLiteral("ambient")], appearance.ambient);
-    readChoice(json, root[QStringLiteral("shading")], allShadings, appearance.shading);
-    readChoice(json, root[QStringLiteral("depth")], allDepthUses, appearance.depth);
-    readChoice(json, root[QStringLiteral("depthBits")], allDepthFormats, appearance.depthFormat);
-    readChoice(json, root[QStringLiteral("antialiasing")], allAntialiasings,
+    appearance.materials = readMaterials(json, files, root["materials"]);
+    appearance.lights = readLights(json, numbers, root["lights"]);
+    readOptionalColour(json, root["ambient"], appearance.ambient);
+    readChoice(json, root["shading"], allShadings, appearance.shading);
+    readChoice(json, root["depth"], allDepthUses, appearance.depth);
+    readChoice(json, root["depthBits"], allDepthFormats, appearance.depthFormat);
+    readChoice(json, root["antialiasing"], allAntialiasings,
                appearance.antialiasing);
     return appearance;
 }

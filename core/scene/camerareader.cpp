@@ -34,7 +34,7 @@ void checkDirections(JsonReader &json, const JsonNode &node, const Camera &camer
     using Vector = SpaceVector<double>;
     const Vector sight = Vector(camera.target) - Vector(camera.eye);
     const Vector upwards(camera.up);
-    const JsonNode up = node[QStringLiteral("up")];
+    const JsonNode up = node["up"];
     if (sight.isZero())
         json.fail(node, QStringLiteral("eye and target are one point"),
                   QStringLiteral("two points, between which the camera looks"));
@@ -59,7 +59,7 @@ Camera readCamera(JsonReader &json, NumberReader &numbers, const JsonNode &node)
                        QStringLiteral("target"), QStringLiteral("up"), fieldOfViewKey, heightKey,
                        QStringLiteral("near"), QStringLiteral("far")});
     Camera camera;
-    readChoice(json, node[QStringLiteral("projection")], allProjections, camera.projection);
+    readChoice(json, node["projection"], allProjections, camera.projection);
     const auto readVector = [&](const QString &key, Vector3 &vector) {
         if (const JsonNode value = node[key]; !value.isMissing())
             vector = numbers.vector(value);
@@ -78,9 +78,9 @@ Camera readCamera(JsonReader &json, NumberReader &numbers, const JsonNode &node)
     camera.fieldOfView
         = numberBetween(json, numbers, node[fieldOfViewKey], 0, 180, camera.fieldOfView);
     camera.height = numberBetween(json, numbers, node[heightKey], 0, endless, camera.height);
-    const JsonNode far = node[QStringLiteral("far")];
+    const JsonNode far = node["far"];
     camera.near
-        = numberBetween(json, numbers, node[QStringLiteral("near")], 0, endless, camera.near);
+        = numberBetween(json, numbers, node["near"], 0, endless, camera.near);
     camera.far = numberBetween(json, numbers, far, 0, endless, camera.far);
     if (camera.far <= camera.near)
         json.fail(far.isMissing() ? node : far,

@@ -28,8 +28,9 @@ void readChoice(JsonReader &json, const JsonNode &node, const std::array<Choice,
     const auto isNumber = [](const QString &name) { return name.front().isDigit(); };
     for (std::size_t index = 0; index < Count; ++index) {
         const QString &name = names[qsizetype(index)];
-        const QString said = isNumber(name) ? numberText(node.value) : node.value.toString();
-        if (said == name && node.value.isDouble() == isNumber(name)) {
+        const bool isSaid = isNumber(name) ? node.toInteger(-1) == name.toInt()
+                                           : node.isString() && node.toString() == name;
+        if (isSaid) {
             choice = choices[index];
             return;
         }

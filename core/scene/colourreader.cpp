@@ -18,7 +18,7 @@ Colour readColour(JsonReader &json, const JsonNode &node)
     if (colour.alpha != 255)
         json.fail(node,
                   QStringLiteral("“%1” is not opaque, and only triangles are blended")
-                      .arg(node.value.toString()),
+                      .arg(node.toString()),
                   QStringLiteral("alpha ff, or #rrggbb without alpha"));
     return colour.colour;
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/coordinatetext.h"
 
-#include "core/scene/natural.h"
 #include "core/scene/shortened.h"
 
-#include <cmath>
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <algorithm>
 #include <limits>
 
 namespace pixelplumb {
@@ -15,12 +16,30 @@ constexpr qsizetype longestText = 400;
 /// Beyond it a written exponent says nothing: such a number is zero, or far outside.
 constexpr int largestExponent = 999;
 
+using Natural = boost::multiprecision::cpp_int;
+
 /// A written value: sign, numerator, denominator > 0.
 struct WrittenValue {
     bool negative = false;
     Natural numerator;
-    Natural denominator = Natural(1);
+    Natural denominator = 1;
 };
+
+/// Digits 0 … 9 only; none for an empty text and for anything else.
+std::optional<Natural> naturalOf(QStringView digits)
+{
+    const auto isDigit = [](QChar each) { return each >= u'0' && each <= u'9'; };
+    if (digits.isEmpty() || !std::ranges::all_of(digits, isDigit))
+        return std::nullopt;
+    while (digits.size() > 1 && digits.front() == u'0') // Boost takes it for octal
+        digits = digits.sliced(1);
+    return Natural(digits.toLatin1().constData());
+}
+
+Natural powerOfTen(int exponent)
+{
+    return boost::multiprecision::pow(Natural(10), unsigned(exponent));
+}
 
 QStringView takeSign(QStringView text, bool &negative)
 {
@@ -35,8 +54,8 @@ std::optional<WrittenValue> parseFraction(QStringView text)
     const qsizetype slash = text.indexOf(u'/');
     if (slash < 0)
         return std::nullopt;
-    const auto numerator = Natural::fromDigits(text.first(slash));
-    const auto denominator = Natural::fromDigits(text.sliced(slash + 1));
+    const auto numerator = naturalOf(text.first(slash));
+    const auto denominator = naturalOf(text.sliced(slash + 1));
     if (!numerator || !denominator)
         return std::nullopt;
     return WrittenValue{false, *numerator, *denominator};
@@ -48,7 +67,7 @@ std::optional<WrittenValue> parseMixed(QStringView text)
     qsizetype wholeLength = 0;
     while (wholeLength < text.size() && !text[wholeLength].isSpace())
         ++wholeLength;
-    const auto whole = Natural::fromDigits(text.first(wholeLength));
+    const auto whole = naturalOf(text.first(wholeLength));
     auto fraction = parseFraction(text.sliced(wholeLength).trimmed());
     if (!whole || !fraction)
         return std::nullopt;
@@ -63,11 +82,10 @@ std::optional<WrittenValue> parseDecimal(QStringView text)
     const qsizetype mark = qMax(text.indexOf(u'e'), text.indexOf(u'E'));
     if (mark >= 0) {
         bool negative = false;
-        const auto power = Natural::fromDigits(takeSign(text.sliced(mark + 1), negative));
+        const auto power = naturalOf(takeSign(text.sliced(mark + 1), negative));
         if (!power)
             return std::nullopt;
-        const std::uint64_t magnitude = power->toUint64().value_or(largestExponent);
-        exponent = int(qMin(magnitude, std::uint64_t(largestExponent))) * (negative ? -1 : 1);
+        exponent = std::min<Natural>(*power, largestExponent).convert_to<int>() * (negative ? -1 : 1);
         text = text.first(mark);
     }
     QString digits = text.toString();
@@ -76,12 +94,12 @@ std::optional<WrittenValue> parseDecimal(QStringView text)
         exponent -= int(digits.size() - point - 1);
         digits.remove(point, 1);
     }
-    const auto significand = Natural::fromDigits(digits);
+    const auto significand = naturalOf(digits);
     if (!significand)
         return std::nullopt;
     WrittenValue value;
-    value.numerator = exponent > 0 ? *significand * Natural::powerOfTen(exponent) : *significand;
-    value.denominator = Natural::powerOfTen(qMax(0, -exponent));
+    value.numerator = *significand * powerOfTen(qMax(0, exponent));
+    value.denominator = powerOfTen(qMax(0, -exponent));
     return value;
 }
 
@@ -102,19 +120,16 @@ std::optional<WrittenValue> parseValue(QStringView text)
 /// The value as a rational if 64 bits hold its parts, else the nearest double.
 Quantity quantityOf(const WrittenValue &value)
 {
-    const auto numerator = value.numerator.toUint64();
-    const auto denominator = value.denominator.toUint64();
-    if (numerator && denominator) {
-        const Int128 magnitude = *numerator;
-        return Quantity::rational(value.negative ? -magnitude : magnitude, *denominator);
+    constexpr auto largest = std::numeric_limits<std::uint64_t>::max();
+    if (value.numerator <= largest && value.denominator <= largest) {
+        const Int128 magnitude = value.numerator.convert_to<std::uint64_t>();
+        return Quantity::rational(value.negative ? -magnitude : magnitude,
+                                  value.denominator.convert_to<std::uint64_t>());
     }
-    int numeratorExponent = 0;
-    int denominatorExponent = 0;
-    const long double ratio = value.numerator.toFraction(numeratorExponent)
-        / value.denominator.toFraction(denominatorExponent);
+    const boost::multiprecision::cpp_rational ratio(value.numerator, value.denominator);
     // Never 0: a displacement too small for a double is still one.
-    const auto rounded = double(std::ldexp(ratio, numeratorExponent - denominatorExponent));
-    const double magnitude = qMax(rounded, std::numeric_limits<double>::denorm_min());
+    const double magnitude
+        = qMax(ratio.convert_to<double>(), std::numeric_limits<double>::denorm_min());
     return Quantity::of(value.negative ? -magnitude : magnitude);
 }
 
@@ -128,8 +143,6 @@ QString rangeText(const NumberFormat &format)
     return QStringLiteral("±%1%2").arg(format.largest).arg(QLatin1String(format.unit));
 }
 
-Natural naturalOf(std::int64_t value) { return Natural(std::uint64_t(value)); }
-
 /// A value within the format's limits.
 Result<WrittenValue> parseWithin(QStringView text, const NumberFormat &format)
 {
@@ -139,9 +152,9 @@ Result<WrittenValue> parseWithin(QStringView text, const NumberFormat &format)
     const auto value = parseValue(trimmed);
     if (!value)
         return refusal(trimmed, QStringLiteral("“%1” is no ") + QLatin1String(format.name), format);
-    if (value->denominator.isZero())
+    if (value->denominator == 0)
         return refusal(trimmed, QStringLiteral("%1 divides by zero"), format);
-    if (naturalOf(format.largest) * value->denominator < value->numerator)
+    if (format.largest * value->denominator < value->numerator)
         return refusal(trimmed, QStringLiteral("%1 is outside ") + rangeText(format), format);
     return *value;
 }
@@ -149,15 +162,14 @@ Result<WrittenValue> parseWithin(QStringView text, const NumberFormat &format)
 /// units / one − value: both over one * denominator.
 Quantity displacementOf(std::int64_t units, std::int64_t one, const WrittenValue &value)
 {
-    const Natural used = naturalOf(absolute(units)) * value.denominator;
-    const Natural written = value.numerator * naturalOf(one);
+    const Natural used = absolute(units) * value.denominator;
+    const Natural written = value.numerator * one;
     if (used == written)
         return Quantity::integer(0);
     // Away from zero means up for a positive value and down for a negative one.
     const bool awayFromZero = written < used;
-    return quantityOf({awayFromZero == value.negative,
-                       awayFromZero ? used - written : written - used,
-                       value.denominator * naturalOf(one)});
+    return quantityOf(
+        {awayFromZero == value.negative, abs(used - written), value.denominator * one});
 }
 
 } // namespace
@@ -175,12 +187,12 @@ Result<SnappedNumber> parseNumber(QStringView text, const NumberFormat &format)
         return value.error();
     // Nearest number to |value|: ⌊one·|v| + 1/2⌋, and halves down for a negative value, which is up
     // on the number line.
-    const Natural doubled = value->numerator * naturalOf(2 * format.one);
-    const Natural numerator = doubled + value->denominator;
-    const auto division = divide(numerator, value->denominator + value->denominator);
-    Q_ASSERT(division); // at most 2^45 after the range check
-    auto magnitude = std::int64_t(division->quotient);
-    if (value->negative && division->remainder.isZero() && magnitude > 0)
+    const Natural doubled = value->numerator * (2 * format.one) + value->denominator;
+    Natural quotient;
+    Natural remainder;
+    divide_qr(doubled, Natural(2 * value->denominator), quotient, remainder);
+    auto magnitude = quotient.convert_to<std::int64_t>(); // at most 2^45 after the range check
+    if (value->negative && remainder == 0 && magnitude > 0)
         --magnitude;
     SnappedNumber snapped;
     snapped.units = value->negative ? -magnitude : magnitude;
@@ -193,7 +205,7 @@ Result<double> parseReal(QStringView text, const NumberFormat &format)
     const Result<WrittenValue> value = parseWithin(text, format);
     if (!value)
         return value.error();
-    return value->numerator.isZero() ? 0 : quantityOf(*value).toDouble();
+    return value->numerator == 0 ? 0 : quantityOf(*value).toDouble();
 }
 
 QString numberText(std::int64_t units, const NumberFormat &format)

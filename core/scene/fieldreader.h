@@ -6,8 +6,6 @@
 #include "core/scene/scenefile.h"
 
 #include <QJsonDocument>
-#include <QJsonObject>
-
 #include <limits>
 
 namespace pixelplumb {
@@ -41,9 +39,9 @@ public:
     }
     void read(const JsonNode &node, double &value)
     {
-        if (!node.value.isDouble())
+        if (!node.isNumber())
             m_json.fail(node, describe(node), QStringLiteral("a number"));
-        value = node.value.toDouble();
+        value = node.toDouble(0);
     }
     void read(const JsonNode &node, QString &value) { value = m_json.string(node); }
     void read(const JsonNode &node, QStringList &value)
@@ -54,12 +52,7 @@ public:
     }
     void read(const JsonNode &node, Scene &scene)
     {
-        const auto reading
-            = readScene(QJsonDocument(node.value.toObject()).toJson(QJsonDocument::Compact));
-        if (reading)
-            scene = reading->scene;
-        else
-            m_json.fail(node, reading.error().message(), QStringLiteral("a scene"));
+        scene = readScene(m_json, node);
     }
 
     template <class Enum>
@@ -69,7 +62,7 @@ public:
         QStringList words;
         for (const Enum each : FileWords<Enum>::all) {
             words.append(fileWord(nameOf(each)));
-            if (node.value.toString() == words.back()) {
+            if (node.toString() == words.back()) {
                 value = each;
                 return;
             }

@@ -14,9 +14,9 @@ FrameSpec readFrame(JsonReader &json, const JsonNode &node)
                        QStringLiteral("background"), QStringLiteral("origin"),
                        QStringLiteral("pixelCentre"), QStringLiteral("firstPixel")});
     FrameSpec frame;
-    const JsonNode width = node[QStringLiteral("width")];
+    const JsonNode width = node["width"];
     frame.width = std::int32_t(json.integer(width, 1, largestFrameSide));
-    frame.height = std::int32_t(json.integer(node[QStringLiteral("height")], 1, largestFrameSide));
+    frame.height = std::int32_t(json.integer(node["height"], 1, largestFrameSide));
     const qint64 area = qint64(frame.width) * frame.height;
     if (area > largestFrameArea) {
         json.fail(
@@ -24,11 +24,11 @@ FrameSpec readFrame(JsonReader &json, const JsonNode &node)
             QStringLiteral("%1 × %2 are %3 pixels").arg(frame.width).arg(frame.height).arg(area),
             QStringLiteral("at most %1 pixels").arg(largestFrameArea));
     }
-    if (const JsonNode background = node[QStringLiteral("background")]; !background.isMissing())
+    if (const JsonNode background = node["background"]; !background.isMissing())
         frame.background = readColour(json, background);
-    readChoice(json, node[QStringLiteral("origin")], allFrameOrigins, frame.origin);
-    readChoice(json, node[QStringLiteral("pixelCentre")], allPixelCentres, frame.pixelCentre);
-    if (const JsonNode first = node[QStringLiteral("firstPixel")]; !first.isMissing()) {
+    readChoice(json, node["origin"], allFrameOrigins, frame.origin);
+    readChoice(json, node["pixelCentre"], allPixelCentres, frame.pixelCentre);
+    if (const JsonNode first = node["firstPixel"]; !first.isMissing()) {
         const std::vector<JsonNode> pixel = json.array(first, 2);
         frame.firstColumn = std::int32_t(json.integer(pixel[0], -largestPixel, largestPixel));
         frame.firstRow = std::int32_t(json.integer(pixel[1], -largestPixel, largestPixel));

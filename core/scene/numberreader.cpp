@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/numberreader.h"
 
+#include <charconv>
 #include <cmath>
 
 namespace pixelplumb {
@@ -9,39 +10,51 @@ namespace {
 
 constexpr qint64 beyondAllFormats = std::numeric_limits<qint64>::max();
 
+qint64 wholeNumber(QByteArrayView digits)
+{
+    qint64 number = 0;
+    const auto [end, error] = std::from_chars(digits.begin(), digits.end(), number);
+    return end == digits.end() && error == std::errc() ? number : beyondAllFormats;
+}
+
+QString writtenIn(const JsonNode &node)
+{
+    return node.isString() ? node.toString() : QString::fromLatin1(node.written());
+}
+
 } // namespace
 
 std::int64_t NumberReader::number(const JsonNode &node, const NumberFormat &format)
 {
-    if (!node.value.isDouble() && !node.value.isString()) {
+    if (!node.isNumber() && !node.isString()) {
         m_json.fail(node, describe(node), expectationOf(format));
         return 0;
     }
     // Most are whole numbers, and a scene may hold millions: no big numbers for them.
-    if (const qint64 whole = node.value.toInteger(beyondAllFormats);
+    if (const qint64 whole = wholeNumber(node.written());
         whole >= -format.largest && whole <= format.largest)
         return whole * format.one;
-    const QString written = node.value.isString() ? node.value.toString() : numberText(node.value);
+    const QString written = writtenIn(node);
     const Result<SnappedNumber> snapped = parseNumber(written, format);
     if (!snapped) {
         m_json.fail(node, snapped.error().found, snapped.error().expected);
         return 0;
     }
     if (snapped->isDisplaced())
-        m_snaps.add({node.path, written, *snapped, &format});
+        m_snaps.add({m_snaps.keepsNext() ? node.path() : QString(), written, *snapped, &format});
     return snapped->units;
 }
 
 double NumberReader::real(const JsonNode &node)
 {
-    if (node.value.isDouble() && std::abs(node.value.toDouble()) <= largestAttributeValue)
-        return node.value.toDouble();
-    if (!node.value.isDouble() && !node.value.isString()) {
+    if (const double number = node.toDouble(beyondAllFormats);
+        std::abs(number) <= largestAttributeValue)
+        return number;
+    if (!node.isNumber() && !node.isString()) {
         m_json.fail(node, describe(node), expectationOf(attributeFormat));
         return 0;
     }
-    const QString written = node.value.isString() ? node.value.toString() : numberText(node.value);
-    const Result<double> value = parseReal(written, attributeFormat);
+    const Result<double> value = parseReal(writtenIn(node), attributeFormat);
     if (!value)
         m_json.fail(node, value.error().found, value.error().expected);
     return value ? *value : 0;

@@ -196,7 +196,7 @@ void PrimitiveReader::readBezier(const JsonNode &primitive, Shape &shape)
     const QString pathKey = QStringLiteral("path");
     expectKeys(primitive, {key, colourKey, fillKey});
     const JsonNode node = primitive[key];
-    const bool isPath = node.value.isObject();
+    const bool isPath = node.isObject();
     if (!isPath) {
         appendPositions(node, {3, 4}, shape);
     } else {
@@ -217,7 +217,7 @@ void PrimitiveReader::readPolygon(const JsonNode &primitive, Shape &shape)
     const QString contoursKey = QStringLiteral("contours");
     expectKeys(primitive, {key, colourKey, fillKey});
     const JsonNode node = primitive[key];
-    if (!node.value.isObject()) {
+    if (!node.isObject()) {
         appendPositions(node, {3, PointCount::any}, shape);
     } else {
         m_json.expectObject(node, {contoursKey});
@@ -287,7 +287,7 @@ ShapeFill PrimitiveReader::fill(const JsonNode &node, PrimitiveKind kind)
     QStringList names;
     for (const FillName &each : fills) {
         names.append(QString::fromLatin1(each.name));
-        if (node.value.toString() == names.back())
+        if (node.toString() == names.back())
             return each.fill;
     }
     m_json.fail(node, describe(node), QStringLiteral("one of ") + names.join(QStringLiteral(", ")));

@@ -8,9 +8,6 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QSet>
 
 namespace pixelplumb {
@@ -59,21 +56,21 @@ Result<std::shared_ptr<const Mesh>> ReferredFiles::mesh(const QString &name)
 
 qint64 bytesToRead(const QString &path)
 {
+    constexpr qint64 largestLookedThrough = qint64(1) << 20;
     const QFileInfo file(path);
     qint64 bytes = file.size();
-    if (!file.isFile() || bytes > largestWholeText)
+    if (!file.isFile() || bytes > largestLookedThrough)
         return bytes;
     const Result<QByteArray> text = readFile(path);
     if (!text)
         return bytes;
     QSet<QString> names;
-    const QJsonObject scene = QJsonDocument::fromJson(*text).object();
-    const QJsonObject materials = scene[QStringLiteral("materials")].toObject();
-    for (const QJsonValue material : materials)
-        names.insert(material.toObject()[QStringLiteral("texture")].toString());
-    const QJsonArray primitives = scene[QStringLiteral("primitives")].toArray();
-    for (const QJsonValue primitive : primitives)
-        names.insert(primitive.toObject()[QStringLiteral("mesh")].toString());
+    const JsonReader json(*text);
+    const JsonNode materials = json.root()["materials"];
+    for (const QString &material : materials.keys())
+        names.insert(materials[material]["texture"].toString());
+    for (const JsonNode &primitive : json.root()["primitives"].elements())
+        names.insert(primitive["mesh"].toString());
     names.remove(QString());
     for (const QString &name : names)
         bytes += QFileInfo(file.absoluteDir().absoluteFilePath(name)).size();

@@ -29,9 +29,10 @@ class SnapReports {
 public:
     static constexpr std::size_t mostKept = 1000;
 
+    bool keepsNext() const { return m_kept.size() < mostKept; }
     void add(SnapReport report)
     {
-        if (m_kept.size() < mostKept)
+        if (keepsNext())
             m_kept.push_back(std::move(report));
         ++m_count;
     }
@@ -48,6 +49,8 @@ private:
     std::size_t m_count = 0;
 };
 
+class JsonNode;
+class JsonReader;
 struct Method;
 
 /// What a scene file does not name: settings are as the method has them, the method is chosen.
@@ -77,15 +80,13 @@ struct SceneReading {
 /// Reads a scene in JSON: "pixelplumb", "frame" with "width" and "height", and "primitives" must be
 /// there; everything else has a default: the method is methodFor() the scene, arithmetic and fill
 /// rule are exact and closed, or the method's first where it keeps neither.
-/// Unknown and repeated keys are errors. The listener hears how many bytes are read while a large
-/// text is read piece by piece; when it ends the reading, an error says so. Pictures and meshes are
+/// Unknown and repeated keys are errors. The listener hears how many bytes are read; when it ends the reading, an error says so. Pictures and meshes are
 /// found in the folder of the scene; empty: the current one. Their names in the scene are absolute.
 Result<SceneReading> readScene(const QByteArray &text, const ProgressListener &listener = {},
                                const QString &folder = {});
+/// The same of a scene that is part of another file; errors stay with the JsonReader.
+Scene readScene(JsonReader &json, const JsonNode &node, const QString &folder = {});
 Result<SceneReading> readSceneFile(const QString &path, const ProgressListener &listener = {});
-
-/// Texts that are larger are read piece by piece.
-inline constexpr qsizetype largestWholeText = qsizetype(1) << 20; // bytes
 
 /// The same scene gives the same bytes, whatever the locale. Pictures and meshes are named as seen
 /// from the folder; empty: as the scene has them.

@@ -6,95 +6,57 @@
 #include "core/scene/colourreader.h"
 #include "core/scene/fileaccess.h"
 #include "core/scene/framereader.h"
-#include "core/scene/jsonplaces.h"
-#include "core/scene/jsonsyntax.h"
 #include "core/scene/primitivereader.h"
-#include "core/scene/scenepieces.h"
 
 #include <QFileInfo>
 
-#include <algorithm>
-#include <optional>
-#include <span>
+#include <functional>
 
 namespace pixelplumb {
 
 namespace {
 
+constexpr auto primitivesKey = "primitives";
+
 /// Reads the parts of a scene out of a JSON text; errors stay with the JsonReader.
 class SceneReader {
 public:
-    SceneReader(JsonReader &json, const QString &folder, const ProgressListener &listener)
-        : m_json(json)
-        , m_inHand{{}, ReferredFiles(folder, listener)}
-    {
-    }
+    using MayGoOn = std::function<bool(qint64 offset)>;
 
-    /// The scene whose primitives stand apart in the text; none where `mayRead`, which is asked
-    /// before each, ended the reading.
-    template <class MayRead>
-    std::optional<Result<SceneReading>> read(const QByteArray &text,
-                                             std::span<const QByteArrayView> primitives,
-                                             const MayRead &mayRead)
+    SceneReader(JsonReader &json, ReferredFiles files, MayGoOn mayGoOn)
+        : m_json(json)
+        , m_mayGoOn(std::move(mayGoOn))
+        , m_inHand{{}, std::move(files)}
     {
-        readSurroundings();
-        for (std::size_t index = 0; index < primitives.size() && !m_json.hasFailed(); ++index) {
-            const QByteArrayView piece = primitives[index];
-            if (!mayRead(index, piece))
-                return std::nullopt;
-            const JsonExcerpt excerpt{text, elementPath(primitivesKey(), qsizetype(index)),
-                                      piece.data() - text.constData()};
-            JsonReader json(QByteArray::fromRawData(piece.data(), piece.size()), excerpt);
-            if (json.hasFailed())
-                return json.error();
-            PrimitiveReader(json, m_inHand).read(json.root());
-            if (json.hasFailed())
-                return json.error();
-        }
-        chooseMethod(m_json.root());
-        if (m_json.hasFailed())
-            return m_json.error();
-        return Result<SceneReading>(std::move(m_inHand.reading));
     }
 
     SceneReading read()
     {
         readSurroundings();
-        readPrimitives(m_json.root()[primitivesKey()]);
+        readPrimitives(m_json.root()[primitivesKey]);
         chooseMethod(m_json.root());
         return std::move(m_inHand.reading);
     }
 
 private:
-    static QString primitivesKey() { return QStringLiteral("primitives"); }
-    static QString cameraKey() { return QStringLiteral("camera"); }
-    static QString motionKey() { return QStringLiteral("motion"); }
-
     /// Everything but the primitives, and but the choice of a method, which depends on them.
     void readSurroundings()
     {
-        const JsonNode &root = m_json.root();
+        const JsonNode root = m_json.root();
         readFormat(root);
-        const QStringList keys = {QStringLiteral("pixelplumb"),
-                                  QStringLiteral("frame"),
-                                  QStringLiteral("method"),
-                                  QStringLiteral("arithmetic"),
-                                  QStringLiteral("fillRule"),
-                                  QStringLiteral("offScreenPoint"),
-                                  QStringLiteral("rounding"),
-                                  QStringLiteral("variants"),
-                                  cameraKey(),
-                                  motionKey()};
-        m_json.expectObject(root, keys + appearanceKeys() + QStringList{primitivesKey()});
-        m_inHand.reading.scene.frame = readFrame(m_json, root[QStringLiteral("frame")]);
+        const QStringList keys
+            = {"pixelplumb", "frame", "method", "arithmetic", "fillRule",
+               "offScreenPoint", "rounding", "variants", "camera", "motion"};
+        m_json.expectObject(root, keys + appearanceKeys() + QStringList{primitivesKey});
+        m_inHand.reading.scene.frame = readFrame(m_json, root["frame"]);
         readSettings(root);
         NumberReader numbers(m_json, m_inHand.reading.snaps);
         Scene &scene = m_inHand.reading.scene;
-        if (const JsonNode point = root[QStringLiteral("offScreenPoint")]; !point.isMissing())
+        if (const JsonNode point = root["offScreenPoint"]; !point.isMissing())
             scene.frame.offScreenPoint = numbers.position(point);
-        if (const JsonNode camera = root[cameraKey()]; !camera.isMissing())
+        if (const JsonNode camera = root["camera"]; !camera.isMissing())
             scene.camera = readCamera(m_json, numbers, camera);
-        if (const JsonNode motion = root[motionKey()]; !motion.isMissing())
+        if (const JsonNode motion = root["motion"]; !motion.isMissing())
             scene.motion = readMotion(numbers, motion);
         scene.appearance = readAppearance(m_json, numbers, m_inHand.files, root);
     }
@@ -102,13 +64,13 @@ private:
     /// First of all: a newer file may have keys that this program does not know.
     void readFormat(const JsonNode &root)
     {
-        const JsonNode format = root[QStringLiteral("pixelplumb")];
-        if (!root.value.isObject() || format.isMissing()) {
+        const JsonNode format = root["pixelplumb"];
+        if (!root.isObject() || format.isMissing()) {
             m_json.fail(format, QStringLiteral("no format number: this is no Pixelplumb scene"),
                         QStringLiteral("\"pixelplumb\": %1").arg(sceneFormat));
             return;
         }
-        const qint64 number = format.value.toInteger(0);
+        const qint64 number = format.toInteger(0);
         if (number > sceneFormat) {
             m_json.fail(format,
                         QStringLiteral("written by a newer Pixelplumb (format %1)").arg(number),
@@ -121,45 +83,53 @@ private:
 
     Motion readMotion(NumberReader &numbers, const JsonNode &node)
     {
-        const QString by = QStringLiteral("by");
-        const QString frames = QStringLiteral("frames");
-        m_json.expectObject(node, {by, frames});
+        m_json.expectObject(node, {"by", "frames"});
         Motion motion;
-        motion.by = numbers.position(node[by]);
-        motion.frames = int(m_json.integer(node[frames], 2, largestFrameCount));
+        motion.by = numbers.position(node["by"]);
+        motion.frames = int(m_json.integer(node["frames"], 2, largestFrameCount));
         return motion;
     }
 
     void readSettings(const JsonNode &root)
     {
         Scene &scene = m_inHand.reading.scene;
-        readChoice(m_json, root[QStringLiteral("arithmetic")], allArithmetics,
+        readChoice(m_json, root["arithmetic"], allArithmetics,
                    scene.settings.arithmetic);
-        readChoice(m_json, root[QStringLiteral("fillRule")], allFillRules, scene.settings.fillRule);
-        readChoice(m_json, root[QStringLiteral("rounding")], allByteRoundings,
+        readChoice(m_json, root["fillRule"], allFillRules, scene.settings.fillRule);
+        readChoice(m_json, root["rounding"], allByteRoundings,
                    scene.settings.rounding);
-        scene.settings.variants = readVariants(m_json, root[QStringLiteral("variants")]);
+        scene.settings.variants = readVariants(m_json, root["variants"]);
     }
 
+    /// One by one: the listener is asked before every so many whether to go on.
     void readPrimitives(const JsonNode &node)
     {
-        const std::vector<JsonNode> primitives = m_json.array(node);
-        PrimitiveReader reader(m_json, m_inHand);
-        for (const JsonNode &primitive : primitives) {
+        constexpr qsizetype betweenProgress = 1024;
+        if (!node.isArray())
+            m_json.fail(node, describe(node), QStringLiteral("an array"));
+        const QString path = node.path();
+        qsizetype index = 0;
+        node.visitElements([&](const JsonNode &primitive) {
+            if (index % betweenProgress == 0 && !m_mayGoOn(primitive.offset()))
+                m_json.fail(readingCancelled({}));
             if (m_json.hasFailed())
-                return;
-            reader.read(primitive);
-        }
+                return false;
+            JsonReader json(m_json, primitive, elementPath(path, index++));
+            PrimitiveReader(json, m_inHand).read(json.root());
+            if (json.hasFailed())
+                m_json.fail(json.error());
+            return !json.hasFailed();
+        });
     }
 
     /// The method that the scene names, or methodFor() it.
     void chooseMethod(const JsonNode &root)
     {
         Scene &scene = m_inHand.reading.scene;
-        const JsonNode node = root[QStringLiteral("method")];
+        const JsonNode node = root["method"];
         OpenSettings &open = m_inHand.reading.open;
-        open = {node.isMissing(), root[QStringLiteral("arithmetic")].isMissing(),
-                root[QStringLiteral("fillRule")].isMissing()};
+        open = {node.isMissing(), root["arithmetic"].isMissing(),
+                root["fillRule"].isMissing()};
         const Method *method = nullptr;
         if (open.method) {
             method = &methodFor(scene, open);
@@ -184,42 +154,15 @@ private:
     {
         const ScanSettings &settings = m_inHand.reading.scene.settings;
         if (!method.supports(settings.arithmetic))
-            return root[QStringLiteral("arithmetic")];
+            return root["arithmetic"];
         return root[method.supports(settings.fillRule) ? QStringLiteral("variants")
                                                        : QStringLiteral("fillRule")];
     }
 
     JsonReader &m_json;
+    MayGoOn m_mayGoOn;
     SceneInHand m_inHand;
 };
-
-constexpr std::size_t primitivesBetweenProgress = 1024;
-
-/// A document of a million triangles would take gigabytes: its primitives are read one by one.
-/// None where the text has no primitives that could be told apart.
-std::optional<Result<SceneReading>> readByPieces(const QByteArray &text,
-                                                 const ProgressListener &listener,
-                                                 const QString &folder)
-{
-    const InputError cancelled = readingCancelled({});
-    const auto mayGoOn = [&](const char *place) {
-        return goesOn(listener, {JobPhase::Reading, place - text.constData(), text.size()});
-    };
-    if (!mayGoOn(text.constData()))
-        return cancelled;
-    const std::optional<ScenePieces> pieces = piecesOf(text);
-    if (!pieces)
-        return std::nullopt;
-    JsonReader json(pieces->frame, {text, {}, 0, pieces->gapAt, pieces->gap});
-    if (json.hasFailed())
-        return json.error();
-    const auto mayRead = [&](std::size_t index, QByteArrayView piece) {
-        return index % primitivesBetweenProgress != 0 || mayGoOn(piece.data());
-    };
-    const auto reading
-        = SceneReader(json, folder, listener).read(text, pieces->primitives, mayRead);
-    return reading ? reading : cancelled;
-}
 
 } // namespace
 
@@ -233,20 +176,28 @@ QString SnapReport::message() const
 Result<SceneReading> readScene(const QByteArray &text, const ProgressListener &listener,
                                const QString &folder)
 {
-    if (text.size() > largestWholeText) {
-        // Where it is no JSON that is known at once, before anything is built of it.
-        if (const auto error = jsonSyntaxError(text))
-            return *error;
-        if (auto reading = readByPieces(text, listener, folder))
-            return std::move(*reading);
-    }
-    JsonReader json(text);
+    const auto mayGoOn = [&](qint64 offset) {
+        return goesOn(listener, {JobPhase::Reading, offset, text.size()});
+    };
+    if (!mayGoOn(0))
+        return readingCancelled({});
+    JsonReader json(text, primitivesKey);
     if (json.hasFailed())
         return json.error();
-    SceneReading reading = SceneReader(json, folder, listener).read();
+    SceneReading reading = SceneReader(json, ReferredFiles(folder, listener), mayGoOn).read();
     if (json.hasFailed())
         return json.error();
     return reading;
+}
+
+Scene readScene(JsonReader &json, const JsonNode &node, const QString &folder)
+{
+    JsonReader part(json, node, node.path(), primitivesKey);
+    const auto mayGoOn = [](qint64) { return true; };
+    SceneReading reading = SceneReader(part, ReferredFiles(folder, {}), mayGoOn).read();
+    if (part.hasFailed())
+        json.fail(part.error());
+    return reading.scene;
 }
 
 Result<SceneReading> readSceneFile(const QString &path, const ProgressListener &listener)

@@ -91,14 +91,14 @@ void SolidReader::readCorners(const JsonNode &primitive, Solid &solid)
         checkPolygon(node, solid);
     const auto count = qsizetype(solid.corners.size());
     readCornerColours(primitive, solid);
-    if (const JsonNode texture = primitive[QStringLiteral("uv")]; !texture.isMissing()) {
+    if (const JsonNode texture = primitive["uv"]; !texture.isMissing()) {
         const std::vector<JsonNode> points = m_json.array(texture, count);
         for (std::size_t i = 0; i < points.size() && !m_json.hasFailed(); ++i) {
             const std::vector<JsonNode> numbers = m_json.array(points[i], 2);
             solid.corners[i].texture = {m_numbers.real(numbers[0]), m_numbers.real(numbers[1])};
         }
     }
-    if (const JsonNode normals = primitive[QStringLiteral("normals")]; !normals.isMissing()) {
+    if (const JsonNode normals = primitive["normals"]; !normals.isMissing()) {
         const std::vector<JsonNode> directions = m_json.array(normals, count);
         for (std::size_t i = 0; i < directions.size() && !m_json.hasFailed(); ++i) {
             solid.corners[i].normal = m_numbers.vector(directions[i]);
@@ -166,7 +166,7 @@ void SolidReader::readSphere(const JsonNode &primitive, Solid &solid)
     const JsonNode node = primitive[nameText(nameOf(solid.kind))];
     solid.corners = {{m_numbers.vector(node)}};
     solid.radius
-        = m_numbers.positive(primitive[QStringLiteral("radius")], QStringLiteral("a radius"));
+        = m_numbers.positive(primitive["radius"], QStringLiteral("a radius"));
     readSegments(primitive[segmentsKey], {3, 2}, solid);
     checkReach(node, solid.corners.front().position, solid.radius);
 }
@@ -205,11 +205,11 @@ void SolidReader::readMesh(const JsonNode &primitive, Solid &solid)
         return;
     }
     solid.mesh = *mesh;
-    if (const JsonNode at = primitive[QStringLiteral("at")]; !at.isMissing())
+    if (const JsonNode at = primitive["at"]; !at.isMissing())
         solid.at = m_numbers.vector(at);
-    if (const JsonNode scale = primitive[QStringLiteral("scale")]; !scale.isMissing())
+    if (const JsonNode scale = primitive["scale"]; !scale.isMissing())
         solid.scale = m_numbers.positive(scale, QStringLiteral("a scale"));
-    if (const JsonNode rotate = primitive[QStringLiteral("rotate")]; !rotate.isMissing())
+    if (const JsonNode rotate = primitive["rotate"]; !rotate.isMissing())
         solid.rotate = m_numbers.vector(rotate);
     double radius = 0;
     for (const SolidCorner &corner : solid.mesh->corners)

@@ -15,7 +15,7 @@ namespace pixelplumb {
 namespace {
 
 /// The shortest decimal that means the same double.
-QByteArray realText(double value) { return numberText(QJsonValue(value)).toUtf8(); }
+QByteArray realText(double value) { return numberText(value).toUtf8(); }
 
 QByteArray realsText(std::span<const double> values)
 {

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/jsontext.h"
+
+#include <rapidjson/memorystream.h>
+#include <rapidjson/reader.h>
+
+#include <limits>
+#include <set>
+#include <string>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr std::size_t deepestNesting = 1024;
+constexpr unsigned flags = rapidjson::kParseValidateEncodingFlag;
+
+struct JsonFault {
+    quint32 offset = 0;
+    QString path;
+    QString found; ///< empty: what stands there
+    QString expected;
+};
+
+/// What stands in place of half a character.
+QString wholeCharacters() { return QStringLiteral("both \\u escapes of a character, or none"); }
+
+/// Notes where values stand while RapidJSON goes through the text.
+class Collector : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Collector> {
+public:
+    Collector(const rapidjson::MemoryStream &stream, JsonText &json, QByteArrayView folded)
+        : m_stream(stream)
+        , m_json(json)
+        , m_folded(folded)
+    {
+    }
+
+    /// What RapidJSON does not look for: it ends the parsing, or is told of a text that is JSON.
+    std::optional<JsonFault> fault;
+
+    // RapidJSON's events, and its names for them.
+    bool Default() // a number or a word
+    {
+        const auto isInside = [](char byte) {
+            return byte == '-' || byte == '+' || byte == '.' || (byte >= '0' && byte <= '9')
+                || (byte >= 'A' && byte <= 'Z') || (byte >= 'a' && byte <= 'z');
+        };
+        const char *first = m_stream.src_;
+        while (first > m_stream.begin_ && isInside(first[-1]))
+            --first;
+        return takeScalar(first, kindOf(*first));
+    }
+    bool String(const char *text, rapidjson::SizeType length, bool /*copy*/)
+    {
+        return takeScalar(firstOfString(), JsonKind::String) && isText(text, length);
+    }
+    bool Key(const char *text, rapidjson::SizeType length, bool /*copy*/)
+    {
+        const auto offset = quint32(firstOfString() - m_stream.begin_);
+        m_open.back().key = {offset, end() - offset, place() + 1, JsonKind::String};
+        if (isKept())
+            m_json.values.push_back(m_open.back().key);
+        if (!m_keys[m_open.size() - 1].emplace(text, length).second)
+            m_hasRepeatedKey = !fault;
+        return isText(text, length);
+    }
+    bool StartObject()
+    {
+        if (m_keys.size() <= m_open.size())
+            m_keys.emplace_back();
+        m_keys[m_open.size()].clear();
+        return open(JsonKind::Object);
+    }
+    bool StartArray() { return open(JsonKind::Array); }
+    bool EndObject(rapidjson::SizeType members) { return close(members); }
+    bool EndArray(rapidjson::SizeType elements) { return close(elements); }
+
+private:
+    struct Open {
+        JsonKind kind;
+        quint32 place; ///< in the list of values
+        bool isFolded = false; ///< its elements are
+        qsizetype children = 0; ///< that are begun
+        JsonValue key = {}; ///< of the last one
+    };
+
+    static JsonKind kindOf(char first)
+    {
+        switch (first) {
+        case 'n':
+            return JsonKind::Null;
+        case 'f':
+            return JsonKind::False;
+        case 't':
+            return JsonKind::True;
+        default:
+            return JsonKind::Number;
+        }
+    }
+
+    quint32 place() const { return quint32(m_json.values.size()); }
+    quint32 end() const { return quint32(m_stream.src_ - m_stream.begin_); }
+    /// The last one's; every other in it has a backslash before it.
+    const char *firstOfString() const
+    {
+        const char *quote = m_stream.src_ - 2;
+        while (*quote != '"' || (quote > m_stream.begin_ && quote[-1] == '\\'))
+            --quote;
+        return quote;
+    }
+    /// Whether what a value holds is told: not of elements that are folded.
+    bool isKept() const { return m_open.size() < 3 || !m_open[1].isFolded; }
+
+    bool isText(const char *text, rapidjson::SizeType length)
+    {
+        const QByteArrayView view(text, length);
+        if (view.isValidUtf8())
+            return true;
+        // RapidJSON passes the second half of a character that has no first one.
+        fault = JsonFault{quint32(firstOfString() - m_stream.begin_), {}, {}, wholeCharacters()};
+        return false;
+    }
+    void begin(quint32 offset)
+    {
+        if (!m_open.empty())
+            ++m_open.back().children;
+        if (m_hasRepeatedKey) {
+            m_hasRepeatedKey = false;
+            fault = JsonFault{offset, openPath(), QStringLiteral("the key is there twice"),
+                              QStringLiteral("every key once")};
+        }
+    }
+    bool takeScalar(const char *first, JsonKind kind)
+    {
+        const auto offset = quint32(first - m_stream.begin_);
+        begin(offset);
+        if (isKept())
+            m_json.values.push_back({offset, end() - offset, place() + 1, kind});
+        return true;
+    }
+    bool open(JsonKind kind)
+    {
+        const quint32 offset = end() - 1;
+        begin(offset);
+        if (m_open.size() >= deepestNesting) {
+            fault = JsonFault{
+                offset, {}, {}, QStringLiteral("at most %1 levels").arg(deepestNesting)};
+            return false;
+        }
+        const bool isFolded = m_open.size() == 1 && kind == JsonKind::Array && !m_folded.isEmpty()
+            && m_open[0].kind == JsonKind::Object
+            && m_json.isString(m_json.values.back(), QAnyStringView(QUtf8StringView(m_folded)));
+        const quint32 own = place();
+        if (isKept())
+            m_json.values.push_back({offset, 0, own + 1, kind});
+        m_open.push_back({kind, own, isFolded});
+        return true;
+    }
+    bool close(rapidjson::SizeType size)
+    {
+        const Open closed = m_open.back();
+        m_open.pop_back();
+        if (isKept()) {
+            m_json.values[closed.place].size = size;
+            m_json.values[closed.place].next = place();
+        }
+        return true;
+    }
+    /// Of the value that begins.
+    QString openPath() const
+    {
+        QString path = m_json.path;
+        for (const Open &open : m_open) {
+            path = open.kind == JsonKind::Array
+                ? elementPath(path, open.children - 1)
+                : memberPath(path, m_json.string(open.key));
+        }
+        return path;
+    }
+
+    const rapidjson::MemoryStream &m_stream;
+    JsonText &m_json;
+    QByteArrayView m_folded;
+    std::vector<Open> m_open;
+    std::vector<std::set<std::string, std::less<>>> m_keys; ///< of the objects that are open
+    bool m_hasRepeatedKey = false;
+};
+
+/// What should stand where RapidJSON found something else.
+QString expectedAt(rapidjson::ParseErrorCode code, char found)
+{
+    switch (code) {
+    case rapidjson::kParseErrorDocumentRootNotSingular:
+        return QStringLiteral("the text's end");
+    case rapidjson::kParseErrorObjectMissName:
+        return QStringLiteral("a key in quotation marks");
+    case rapidjson::kParseErrorObjectMissColon:
+        return QStringLiteral("“:”");
+    case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
+        return QStringLiteral("“,” or “}”");
+    case rapidjson::kParseErrorArrayMissCommaOrSquareBracket:
+        return QStringLiteral("“,” or “]”");
+    case rapidjson::kParseErrorStringUnicodeEscapeInvalidHex:
+        return QStringLiteral("four hexadecimal digits after \\u");
+    case rapidjson::kParseErrorStringUnicodeSurrogateInvalid:
+        return wholeCharacters();
+    case rapidjson::kParseErrorStringEscapeInvalid:
+        return found == '\\' ? QStringLiteral("one of \" \\ / b f n r t u after \\")
+                             : QStringLiteral("the end of a string");
+    case rapidjson::kParseErrorStringMissQuotationMark:
+        return QStringLiteral("the end of a string");
+    case rapidjson::kParseErrorStringInvalidEncoding:
+        return QStringLiteral("text in UTF-8");
+    case rapidjson::kParseErrorNumberTooBig:
+        return QStringLiteral("a number below 1.8e308");
+    case rapidjson::kParseErrorNumberMissFraction:
+    case rapidjson::kParseErrorNumberMissExponent:
+        return QStringLiteral("a digit");
+    default:
+        return QStringLiteral("a value");
+    }
+}
+
+/// What stands at an offset, as a message quotes it.
+QString foundAt(const QByteArray &text, qsizetype offset)
+{
+    constexpr qsizetype quotedBytes = 12, quotedCharacters = 8;
+    if (offset >= text.size())
+        return QStringLiteral("the text ends");
+    const QString found = QString::fromUtf8(text.mid(offset, quotedBytes));
+    return QStringLiteral("“%1”").arg(found.left(quotedCharacters).simplified());
+}
+
+/// Of a word that is no value RapidJSON tells the letter that is wrong.
+std::size_t firstOfWord(const QByteArray &text, std::size_t offset)
+{
+    while (offset > 0 && text[qsizetype(offset) - 1] >= 'a' && text[qsizetype(offset) - 1] <= 'z')
+        --offset;
+    return offset;
+}
+
+} // namespace
+
+Result<JsonText> parseJson(const QByteArray &text, QByteArrayView folded)
+{
+    constexpr QByteArrayView byteOrderMark = "\xef\xbb\xbf";
+    const auto size = std::size_t(text.size());
+    if (size > std::numeric_limits<quint32>::max())
+        return InputError{{}, QStringLiteral("more than 4 GiB"), {}};
+    rapidjson::MemoryStream stream(text.constData(), size);
+    if (text.startsWith(byteOrderMark))
+        stream.src_ += byteOrderMark.size();
+    Result<JsonText> json = JsonText{text, {}, {}};
+    Collector collector(stream, *json, folded);
+    rapidjson::Reader reader;
+    const rapidjson::ParseResult parsed = reader.Parse<flags>(stream, collector);
+    if (parsed.Code() == rapidjson::kParseErrorDocumentEmpty && stream.Tell() == size)
+        return InputError{{}, QStringLiteral("the input is empty"), QStringLiteral("JSON")};
+    std::optional<JsonFault> fault = collector.fault;
+    if (parsed.IsError() && parsed.Code() != rapidjson::kParseErrorTermination) {
+        const auto offset = parsed.Code() == rapidjson::kParseErrorValueInvalid
+            ? firstOfWord(text, parsed.Offset())
+            : parsed.Offset();
+        fault = JsonFault{
+            quint32(offset), {}, {}, expectedAt(parsed.Code(), offset < size ? text[qsizetype(offset)] : '\0')};
+    } else if (stream.Tell() < size && !parsed.IsError()) { // to RapidJSON a byte 0 is the end
+        fault = JsonFault{quint32(stream.Tell()), {}, {}, QStringLiteral("the text's end")};
+    }
+    if (!fault)
+        return json;
+    return InputError{placeOf(text, fault->offset, fault->path),
+                      fault->found.isEmpty() ? foundAt(text, fault->offset) : fault->found,
+                      fault->expected};
+}
+
+JsonText unfolded(const JsonText &whole, quint32 offset, const QString &path,
+                  QByteArrayView folded)
+{
+    JsonText json{whole.text, path, {}};
+    rapidjson::MemoryStream stream(whole.text.constData(), std::size_t(whole.text.size()));
+    stream.src_ += offset;
+    Collector collector(stream, json, folded);
+    rapidjson::Reader().Parse<flags | rapidjson::kParseStopWhenDoneFlag>(stream, collector);
+    return json;
+}
+
+QString JsonText::string(const JsonValue &string) const
+{
+    struct Decoder : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Decoder> {
+        QString decoded;
+        bool String(const char *text, rapidjson::SizeType length, bool /*copy*/)
+        {
+            decoded = QString::fromUtf8(text, qsizetype(length));
+            return true;
+        }
+    };
+    const QByteArrayView token = written(string);
+    if (!token.contains('\\'))
+        return QString::fromUtf8(token.sliced(1, token.size() - 2));
+    rapidjson::MemoryStream stream(token.data(), std::size_t(token.size()));
+    Decoder decoder;
+    rapidjson::Reader().Parse(stream, decoder);
+    return decoder.decoded;
+}
+
+} // namespace pixelplumb
