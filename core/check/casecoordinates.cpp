@@ -58,8 +58,7 @@ void CaseCoordinates::readCanvas(const JsonNode &node)
 
 Lattice CaseCoordinates::coordinate(const JsonNode &node)
 {
-    const QString written
-        = QStringLiteral("%1/%2").arg(wholeText(node), m_scale);
+    const QString written = QStringLiteral("%1/%2").arg(wholeText(node), m_scale);
     const Result<SnappedNumber> snapped = parseCoordinate(written);
     if (!node.isNumber() || !snapped) {
         m_json.fail(
@@ -69,9 +68,9 @@ Lattice CaseCoordinates::coordinate(const JsonNode &node)
     }
     if (snapped->isDisplaced()) {
         const QString path = node.path();
-        m_case.displacements.append(QStringLiteral("%1 by %2 px")
-                                        .arg(path.mid(path.lastIndexOf(u'.') + 1),
-                                             toText(snapped->displacement)));
+        m_case.displacements.append(
+            QStringLiteral("%1 by %2 px")
+                .arg(path.mid(path.lastIndexOf(u'.') + 1), toText(snapped->displacement)));
     }
     return snapped->units;
 }

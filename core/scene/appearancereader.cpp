@@ -125,8 +125,7 @@ Appearance readAppearance(JsonReader &json, NumberReader &numbers, ReferredFiles
     readChoice(json, root["shading"], allShadings, appearance.shading);
     readChoice(json, root["depth"], allDepthUses, appearance.depth);
     readChoice(json, root["depthBits"], allDepthFormats, appearance.depthFormat);
-    readChoice(json, root["antialiasing"], allAntialiasings,
-               appearance.antialiasing);
+    readChoice(json, root["antialiasing"], allAntialiasings, appearance.antialiasing);
     return appearance;
 }
 

@@ -79,8 +79,7 @@ Camera readCamera(JsonReader &json, NumberReader &numbers, const JsonNode &node)
         = numberBetween(json, numbers, node[fieldOfViewKey], 0, 180, camera.fieldOfView);
     camera.height = numberBetween(json, numbers, node[heightKey], 0, endless, camera.height);
     const JsonNode far = node["far"];
-    camera.near
-        = numberBetween(json, numbers, node["near"], 0, endless, camera.near);
+    camera.near = numberBetween(json, numbers, node["near"], 0, endless, camera.near);
     camera.far = numberBetween(json, numbers, far, 0, endless, camera.far);
     if (camera.far <= camera.near)
         json.fail(far.isMissing() ? node : far,

@@ -85,7 +85,8 @@ std::optional<WrittenValue> parseDecimal(QStringView text)
         const auto power = naturalOf(takeSign(text.sliced(mark + 1), negative));
         if (!power)
             return std::nullopt;
-        exponent = std::min<Natural>(*power, largestExponent).convert_to<int>() * (negative ? -1 : 1);
+        exponent
+            = std::min<Natural>(*power, largestExponent).convert_to<int>() * (negative ? -1 : 1);
         text = text.first(mark);
     }
     QString digits = text.toString();

@@ -6,6 +6,7 @@
 #include "core/scene/scenefile.h"
 
 #include <QJsonDocument>
+
 #include <limits>
 
 namespace pixelplumb {
@@ -50,10 +51,7 @@ public:
         for (const JsonNode &each : m_json.array(node))
             value.append(m_json.string(each));
     }
-    void read(const JsonNode &node, Scene &scene)
-    {
-        scene = readScene(m_json, node);
-    }
+    void read(const JsonNode &node, Scene &scene) { scene = readScene(m_json, node); }
 
     template <class Enum>
     requires std::is_enum_v<Enum>

@@ -67,7 +67,7 @@ public:
     bool StartObject()
     {
         if (m_keys.size() <= m_open.size())
-            m_keys.emplace_back();
+            m_keys.resize(m_open.size() + 1);
         m_keys[m_open.size()].clear();
         return open(JsonKind::Object);
     }
@@ -171,9 +171,8 @@ private:
     {
         QString path = m_json.path;
         for (const Open &open : m_open) {
-            path = open.kind == JsonKind::Array
-                ? elementPath(path, open.children - 1)
-                : memberPath(path, m_json.string(open.key));
+            path = open.kind == JsonKind::Array ? elementPath(path, open.children - 1)
+                                                : memberPath(path, m_json.string(open.key));
         }
         return path;
     }
@@ -182,7 +181,8 @@ private:
     JsonText &m_json;
     QByteArrayView m_folded;
     std::vector<Open> m_open;
-    std::vector<std::set<std::string, std::less<>>> m_keys; ///< of the objects that are open
+    std::vector<std::set<std::string, std::less<>>>
+        m_keys; ///< of the objects that are open, by depth
     bool m_hasRepeatedKey = false;
 };
 
@@ -261,8 +261,11 @@ Result<JsonText> parseJson(const QByteArray &text, QByteArrayView folded)
         const auto offset = parsed.Code() == rapidjson::kParseErrorValueInvalid
             ? firstOfWord(text, parsed.Offset())
             : parsed.Offset();
-        fault = JsonFault{
-            quint32(offset), {}, {}, expectedAt(parsed.Code(), offset < size ? text[qsizetype(offset)] : '\0')};
+        fault
+            = JsonFault{quint32(offset),
+                        {},
+                        {},
+                        expectedAt(parsed.Code(), offset < size ? text[qsizetype(offset)] : '\0')};
     } else if (stream.Tell() < size && !parsed.IsError()) { // to RapidJSON a byte 0 is the end
         fault = JsonFault{quint32(stream.Tell()), {}, {}, QStringLiteral("the text's end")};
     }
@@ -273,8 +276,7 @@ Result<JsonText> parseJson(const QByteArray &text, QByteArrayView folded)
                       fault->expected};
 }
 
-JsonText unfolded(const JsonText &whole, quint32 offset, const QString &path,
-                  QByteArrayView folded)
+JsonText unfolded(const JsonText &whole, quint32 offset, const QString &path, QByteArrayView folded)
 {
     JsonText json{whole.text, path, {}};
     rapidjson::MemoryStream stream(whole.text.constData(), std::size_t(whole.text.size()));

@@ -88,13 +88,13 @@ JsonNode JsonNode::operator[](QAnyStringView key) const
     });
     if (found != 0)
         return at(found);
-    return m_text == nullptr ? *this : missing(memberPath(path(), key.toString()));
+    return missing(memberPath(m_missing, key.toString()));
 }
 
 JsonNode JsonNode::operator[](qsizetype index) const
 {
     if (!isArray() || index >= size())
-        return m_text == nullptr ? *this : missing(elementPath(path(), index));
+        return missing(elementPath(m_missing, index));
     quint32 place = m_place + 1;
     for (qsizetype i = 0; i < index; ++i)
         place = m_text->values[place].next;
@@ -163,9 +163,10 @@ qint64 JsonNode::toInteger(qint64 otherwise) const
 
 QString JsonNode::path() const
 {
-    if (m_text == nullptr || !m_missing.isEmpty())
-        return m_missing;
-    return m_text->pathOf(m_place);
+    const QString there = m_text == nullptr ? QString() : m_text->pathOf(m_place);
+    if (m_missing.isEmpty())
+        return there;
+    return m_missing.startsWith(u'[') ? there + m_missing : memberPath(there, m_missing);
 }
 
 } // namespace pixelplumb

@@ -107,7 +107,7 @@ private:
 
     const JsonText *m_text = nullptr;
     quint32 m_place = 0; ///< of the value, or of the innermost that is there around it
-    QString m_missing; ///< its path where it is not there
+    QString m_missing; ///< where it is not there: its path from there on
 };
 
 template <class Visit>

@@ -56,10 +56,9 @@ Result<std::shared_ptr<const Mesh>> ReferredFiles::mesh(const QString &name)
 
 qint64 bytesToRead(const QString &path)
 {
-    constexpr qint64 largestLookedThrough = qint64(1) << 20;
     const QFileInfo file(path);
     qint64 bytes = file.size();
-    if (!file.isFile() || bytes > largestLookedThrough)
+    if (!file.isFile() || bytes > shortText)
         return bytes;
     const Result<QByteArray> text = readFile(path);
     if (!text)

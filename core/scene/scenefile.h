@@ -80,13 +80,17 @@ struct SceneReading {
 /// Reads a scene in JSON: "pixelplumb", "frame" with "width" and "height", and "primitives" must be
 /// there; everything else has a default: the method is methodFor() the scene, arithmetic and fill
 /// rule are exact and closed, or the method's first where it keeps neither.
-/// Unknown and repeated keys are errors. The listener hears how many bytes are read; when it ends the reading, an error says so. Pictures and meshes are
-/// found in the folder of the scene; empty: the current one. Their names in the scene are absolute.
+/// Unknown and repeated keys are errors. The listener hears how many bytes are read; when it ends
+/// the reading, an error says so. Pictures and meshes are found in the folder of the scene; empty:
+/// the current one. Their names in the scene are absolute.
 Result<SceneReading> readScene(const QByteArray &text, const ProgressListener &listener = {},
                                const QString &folder = {});
 /// The same of a scene that is part of another file; errors stay with the JsonReader.
 Scene readScene(JsonReader &json, const JsonNode &node, const QString &folder = {});
 Result<SceneReading> readSceneFile(const QString &path, const ProgressListener &listener = {});
+
+/// Of texts up to this size the listener hears nothing: they are read at once.
+inline constexpr qsizetype shortText = qsizetype(1) << 20; // bytes
 
 /// The same scene gives the same bytes, whatever the locale. Pictures and meshes are named as seen
 /// from the folder; empty: as the scene has them.

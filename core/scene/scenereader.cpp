@@ -45,8 +45,8 @@ private:
         const JsonNode root = m_json.root();
         readFormat(root);
         const QStringList keys
-            = {"pixelplumb", "frame", "method", "arithmetic", "fillRule",
-               "offScreenPoint", "rounding", "variants", "camera", "motion"};
+            = {"pixelplumb",     "frame",    "method",   "arithmetic", "fillRule",
+               "offScreenPoint", "rounding", "variants", "camera",     "motion"};
         m_json.expectObject(root, keys + appearanceKeys() + QStringList{primitivesKey});
         m_inHand.reading.scene.frame = readFrame(m_json, root["frame"]);
         readSettings(root);
@@ -93,11 +93,9 @@ private:
     void readSettings(const JsonNode &root)
     {
         Scene &scene = m_inHand.reading.scene;
-        readChoice(m_json, root["arithmetic"], allArithmetics,
-                   scene.settings.arithmetic);
+        readChoice(m_json, root["arithmetic"], allArithmetics, scene.settings.arithmetic);
         readChoice(m_json, root["fillRule"], allFillRules, scene.settings.fillRule);
-        readChoice(m_json, root["rounding"], allByteRoundings,
-                   scene.settings.rounding);
+        readChoice(m_json, root["rounding"], allByteRoundings, scene.settings.rounding);
         scene.settings.variants = readVariants(m_json, root["variants"]);
     }
 
@@ -128,8 +126,7 @@ private:
         Scene &scene = m_inHand.reading.scene;
         const JsonNode node = root["method"];
         OpenSettings &open = m_inHand.reading.open;
-        open = {node.isMissing(), root["arithmetic"].isMissing(),
-                root["fillRule"].isMissing()};
+        open = {node.isMissing(), root["arithmetic"].isMissing(), root["fillRule"].isMissing()};
         const Method *method = nullptr;
         if (open.method) {
             method = &methodFor(scene, open);
@@ -177,7 +174,8 @@ Result<SceneReading> readScene(const QByteArray &text, const ProgressListener &l
                                const QString &folder)
 {
     const auto mayGoOn = [&](qint64 offset) {
-        return goesOn(listener, {JobPhase::Reading, offset, text.size()});
+        return text.size() <= shortText
+            || goesOn(listener, {JobPhase::Reading, offset, text.size()});
     };
     if (!mayGoOn(0))
         return readingCancelled({});

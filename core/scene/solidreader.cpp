@@ -165,8 +165,7 @@ void SolidReader::readSphere(const JsonNode &primitive, Solid &solid)
 {
     const JsonNode node = primitive[nameText(nameOf(solid.kind))];
     solid.corners = {{m_numbers.vector(node)}};
-    solid.radius
-        = m_numbers.positive(primitive["radius"], QStringLiteral("a radius"));
+    solid.radius = m_numbers.positive(primitive["radius"], QStringLiteral("a radius"));
     readSegments(primitive[segmentsKey], {3, 2}, solid);
     checkReach(node, solid.corners.front().position, solid.radius);
 }

@@ -75,9 +75,7 @@ private slots:
         row("width with a fraction", frameOf(R"({ "width": 2.5, "height": 2 })"),
             "line 1, column 40, frame.width: 2.5; expected an integer from 1 to 32768");
         row("width beyond 64 bits", frameOf(R"({ "width": 1e30, "height": 2 })"),
-            "line 1, column 40, frame.width: 1000000000000000019884624838656; expected an integer "
-            "from 1 to "
-            "32768");
+            "line 1, column 40, frame.width: 1e30; expected an integer from 1 to 32768");
         row("area too large", frameOf(R"({ "width": 32768, "height": 32768 })"),
             "line 1, column 40, frame.width: 32768 × 32768 are 1073741824 pixels; expected at most "
             "268435456 "
@@ -103,7 +101,7 @@ private slots:
             "a column ends at its two bounds whatever edge they belong to; it keeps closed, "
             "half-open-column, open");
         row("coordinate too large", sceneOfTriangleAt("3e9"),
-            "line 5, column 21, primitives[0].triangle[0][0]: 3000000000 is outside ±1073741824 "
+            "line 5, column 21, primitives[0].triangle[0][0]: 3e9 is outside ±1073741824 "
             "px; expected "
             "a coordinate such as 26, 26.5 or 53/2 within ±1073741824 px");
         row("coordinate nan", sceneOfTriangleAt("\"nan\""),
@@ -187,7 +185,7 @@ private slots:
             return text + "] }";
         };
         const QByteArray large = textOf(7, 20'000);
-        QVERIFY(large.size() > largestWholeText);
+        QVERIFY(large.size() > shortText);
 
         QCOMPARE(errorOf(large), errorOf(textOf(7, 1)));
         QVERIFY(errorOf(large) != QStringLiteral("no error"));
@@ -208,7 +206,7 @@ private slots:
         row("key", "{ colors: 1 }] }", "column 3: “colors:”; expected a key in quotation marks");
         row("colon", "{ \"a\" 1 }] }", "column 7: “1 }] }”; expected “:”");
         row("string", "\"abc", "column 5: the text ends; expected the end of a string");
-        row("escape", "\"a\\q\"] }", "column 4: “q\"] }”; expected one of");
+        row("escape", "\"a\\q\"] }", "column 3: “\\q\"] }”; expected one of");
         row("number", "1.] }", "column 3: “] }”; expected a digit");
         row("zero", "012] }", "column 2: “12] }”; expected “,” or “]”");
         row("word", "nil] }", "column 1: “nil] }”; expected a value");

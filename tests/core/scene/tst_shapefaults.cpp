@@ -103,7 +103,7 @@ private slots:
             json("{ 'text': 'a', 'at': [0, 0], 'height': 0, 'color': '#000000' }"),
             "line 3, column 40, primitives[0].height: a height of 0 px; expected 1/256 px or more");
         row("coordinate too large", json("{ 'line': [[0, 0], [1, 3e9]], 'colors': [] }"),
-            "line 3, column 24, primitives[0].line[1][1]: 3000000000 is outside ±1073741824 px; "
+            "line 3, column 24, primitives[0].line[1][1]: 3e9 is outside ±1073741824 px; "
             "expected a coordinate such as 26, 26.5 or 53/2 within ±1073741824 px");
         row("a triangle after a line",
             json("{ 'line': [[0, 0], [1, 1]], 'colors': ['#000000', '#000000'] },\n{ 'triangle': "

@@ -104,7 +104,7 @@ private slots:
         row("unknown projection", withCamera("{ 'projection': 'fish-eye' }"),
             "camera.projection: “fish-eye”; expected one of perspective, orthographic");
         row("eye too far", withCamera("{ 'eye': [0, 0, 1e300] }"),
-            "camera.eye[2]: 1e+300 is outside ±1048576; expected a number such as 1, 0.5 or 1/3 "
+            "camera.eye[2]: 1e300 is outside ±1048576; expected a number such as 1, 0.5 or 1/3 "
             "within ±1048576");
 
         row("materials in a list", with("'materials': []"),
