@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/jsonfault.h"
 #include "core/scene/jsontext.h"
 
 #include <rapidjson/memorystream.h>
@@ -14,16 +15,6 @@ namespace {
 
 constexpr std::size_t deepestNesting = 1024;
 constexpr unsigned flags = rapidjson::kParseValidateEncodingFlag;
-
-struct JsonFault {
-    quint32 offset = 0;
-    QString path;
-    QString found; ///< empty: what stands there
-    QString expected;
-};
-
-/// What stands in place of half a character.
-QString wholeCharacters() { return QStringLiteral("both \\u escapes of a character, or none"); }
 
 /// Notes where values stand while RapidJSON goes through the text.
 class Collector : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Collector> {
@@ -185,51 +176,6 @@ private:
         m_keys; ///< of the objects that are open, by depth
     bool m_hasRepeatedKey = false;
 };
-
-/// What should stand where RapidJSON found something else.
-QString expectedAt(rapidjson::ParseErrorCode code, char found)
-{
-    switch (code) {
-    case rapidjson::kParseErrorDocumentRootNotSingular:
-        return QStringLiteral("the text's end");
-    case rapidjson::kParseErrorObjectMissName:
-        return QStringLiteral("a key in quotation marks");
-    case rapidjson::kParseErrorObjectMissColon:
-        return QStringLiteral("“:”");
-    case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
-        return QStringLiteral("“,” or “}”");
-    case rapidjson::kParseErrorArrayMissCommaOrSquareBracket:
-        return QStringLiteral("“,” or “]”");
-    case rapidjson::kParseErrorStringUnicodeEscapeInvalidHex:
-        return QStringLiteral("four hexadecimal digits after \\u");
-    case rapidjson::kParseErrorStringUnicodeSurrogateInvalid:
-        return wholeCharacters();
-    case rapidjson::kParseErrorStringEscapeInvalid:
-        return found == '\\' ? QStringLiteral("one of \" \\ / b f n r t u after \\")
-                             : QStringLiteral("the end of a string");
-    case rapidjson::kParseErrorStringMissQuotationMark:
-        return QStringLiteral("the end of a string");
-    case rapidjson::kParseErrorStringInvalidEncoding:
-        return QStringLiteral("text in UTF-8");
-    case rapidjson::kParseErrorNumberTooBig:
-        return QStringLiteral("a number below 1.8e308");
-    case rapidjson::kParseErrorNumberMissFraction:
-    case rapidjson::kParseErrorNumberMissExponent:
-        return QStringLiteral("a digit");
-    default:
-        return QStringLiteral("a value");
-    }
-}
-
-/// What stands at an offset, as a message quotes it.
-QString foundAt(const QByteArray &text, qsizetype offset)
-{
-    constexpr qsizetype quotedBytes = 12, quotedCharacters = 8;
-    if (offset >= text.size())
-        return QStringLiteral("the text ends");
-    const QString found = QString::fromUtf8(text.mid(offset, quotedBytes));
-    return QStringLiteral("“%1”").arg(found.left(quotedCharacters).simplified());
-}
 
 /// Of a word that is no value RapidJSON tells the letter that is wrong.
 std::size_t firstOfWord(const QByteArray &text, std::size_t offset)
