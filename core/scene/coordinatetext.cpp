@@ -12,7 +12,6 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr qsizetype longestText = 400;
 /// Beyond it a written exponent says nothing: such a number is zero, or far outside.
 constexpr int largestExponent = 999;
 
@@ -147,7 +146,7 @@ QString rangeText(const NumberFormat &format)
 /// A value within the format's limits.
 Result<WrittenValue> parseWithin(QStringView text, const NumberFormat &format)
 {
-    if (text.size() > longestText)
+    if (text.size() > longestNumberText)
         return refusal(text, QStringLiteral("“%1” is longer than 400 characters"), format);
     const QStringView trimmed = text.trimmed();
     const auto value = parseValue(trimmed);

@@ -27,6 +27,9 @@ inline constexpr NumberFormat coordinateFormat
 inline constexpr NumberFormat attributeFormat
     = {attributeOne, largestAttributeValue, "number", "1, 0.5 or 1/3", "", "read as"};
 
+/// Characters of a number that is read to its last digit.
+inline constexpr qsizetype longestNumberText = 400;
+
 /// A number as it was written, brought to its format.
 struct SnappedNumber {
     std::int64_t units = 0;

@@ -207,11 +207,12 @@ Result<JsonText> parseJson(const QByteArray &text, QByteArrayView folded)
         const auto offset = parsed.Code() == rapidjson::kParseErrorValueInvalid
             ? firstOfWord(text, parsed.Offset())
             : parsed.Offset();
-        fault
-            = JsonFault{quint32(offset),
-                        {},
-                        {},
-                        expectedAt(parsed.Code(), offset < size ? text[qsizetype(offset)] : '\0')};
+        const char found = offset < size ? text[qsizetype(offset)] : '\0';
+        fault = JsonFault{quint32(offset),
+                          {},
+                          {},
+                          json->values.empty() ? QStringLiteral("JSON")
+                                               : expectedAt(parsed.Code(), found)};
     } else if (stream.Tell() < size && !parsed.IsError()) { // to RapidJSON a byte 0 is the end
         fault = JsonFault{quint32(stream.Tell()), {}, {}, QStringLiteral("the text's end")};
     }
@@ -236,9 +237,9 @@ QString JsonText::string(const JsonValue &string) const
 {
     struct Decoder : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Decoder> {
         QString decoded;
-        bool String(const char *text, rapidjson::SizeType length, bool /*copy*/)
+        bool String(const char *utf8, rapidjson::SizeType length, bool /*copy*/)
         {
-            decoded = QString::fromUtf8(text, qsizetype(length));
+            decoded = QString::fromUtf8(utf8, qsizetype(length));
             return true;
         }
     };

@@ -19,7 +19,11 @@ qint64 wholeNumber(QByteArrayView digits)
 
 QString writtenIn(const JsonNode &node)
 {
-    return node.isString() ? node.toString() : QString::fromLatin1(node.written());
+    if (node.isString())
+        return node.toString();
+    const QByteArrayView digits = node.written();
+    return digits.size() > longestNumberText ? numberText(digits.toDouble())
+                                             : QString::fromLatin1(digits);
 }
 
 } // namespace

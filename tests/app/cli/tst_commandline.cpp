@@ -209,7 +209,7 @@ private slots:
         const std::tuple<const char *, QByteArray, const char *> inputs[]
             = {{"nothing", "", "-, the input is empty; expected JSON"},
                {"cut short", whole.first(whole.size() / 2), "-, line "},
-               {"binary", QByteArray(300, '\xff'), "-, line 1, column 2: "},
+               {"binary", QByteArray(300, '\xff'), "-, line 1, column 1: "},
                {"a number", "7", "-, line 1"},
                {"wrong types", "{\"pixelplumb\": [], \"version\": {}, \"cases\": 3}",
                 "-, line 1, column "},

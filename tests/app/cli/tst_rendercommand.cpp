@@ -39,7 +39,7 @@ private slots:
         QTest::newRow("infinity") << QByteArray(sceneOfSize(5, 5)).replace("90000, 0", "\"inf\", 0")
                                   << "“inf” is no coordinate";
         QTest::newRow("3e9") << QByteArray(sceneOfSize(5, 5)).replace("90000, 0", "3e9, 0")
-                             << "3000000000 is outside ±1073741824 px";
+                             << "3e9 is outside ±1073741824 px";
         QTest::newRow("newer")
             << QByteArray(sceneOfSize(5, 5)).replace("\"pixelplumb\": 1", "\"pixelplumb\": 2")
             << "written by a newer Pixelplumb (format 2)";

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/appearance.h"
+#include "core/scene/appearancenames.h"
+#include "core/scene/jsonfields.h"
+
+/// What a scene file calls the parts of an appearance: one list a part, by which they are read and
+/// written, in this order. What is left out is as by default, and what is by default is left out.
+namespace pixelplumb {
+
+/// A number in [first, last].
+template <class Number>
+struct NumberWithin {
+    Number &number;
+    int first;
+    int last;
+};
+template <class Number>
+NumberWithin(Number &, int, int) -> NumberWithin<Number>;
+
+/// One of several choices.
+template <class Choice, class Choices>
+struct ChoiceOf {
+    Choice &choice;
+    const Choices &all;
+};
+template <class Choice, class Choices>
+ChoiceOf(Choice &, const Choices &) -> ChoiceOf<Choice, Choices>;
+
+template <PartOf<Material> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("texture", self.texture);
+    visit("filter", ChoiceOf{self.filter, allTextureFilters});
+    visit("wrap", ChoiceOf{self.wrap, allTextureWraps});
+    visit("diffuse", self.diffuse);
+    visit("specular", self.specular);
+    visit("shininess", NumberWithin{self.shininess, 1, mostShininess});
+}
+
+template <PartOf<Appearance> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("materials", self.materials);
+    visit("lights", self.lights);
+    visit("ambient", self.ambient);
+    visit("shading", ChoiceOf{self.shading, allShadings});
+    visit("depth", ChoiceOf{self.depth, allDepthUses});
+    visit("depthBits", ChoiceOf{self.depthFormat, allDepthFormats});
+    visit("antialiasing", ChoiceOf{self.antialiasing, allAntialiasings});
+}
+
+template <class Part>
+QStringList fieldNames()
+{
+    QStringList names;
+    const Part part;
+    eachField(part, [&](const char *name, const auto &) { names.append(QLatin1String(name)); });
+    return names;
+}
+
+} // namespace pixelplumb
