@@ -31,11 +31,8 @@ public:
     {
         const JsonNode &root = m_json.root();
         readFormat(root);
-        m_json.expectObject(root,
-                            {formatKey, QStringLiteral("name"), QStringLiteral("hint"),
-                             QStringLiteral("leeway"), QStringLiteral("credit"),
-                             QStringLiteral("points"), QStringLiteral("scenes"),
-                             QStringLiteral("program")});
+        m_json.expectObject(
+            root, {formatKey, "name", "hint", "leeway", "credit", "points", "scenes", "program"});
         Assignment assignment;
         assignment.name = m_json.string(root["name"]);
         readWord(root["hint"], allHintLevels, assignment.hint);
@@ -111,8 +108,7 @@ private:
     {
         const JsonNode name = node["name"];
         const JsonNode content = node["scene"];
-        m_json.expectObject(
-            node, {QStringLiteral("name"), QStringLiteral("scene"), QStringLiteral("points")});
+        m_json.expectObject(node, {"name", "scene", "points"});
         AssignedScene scene;
         scene.name = m_json.string(name);
         static const QRegularExpression plain(QStringLiteral("\\A[A-Za-z0-9_-]{1,64}\\z"));
@@ -163,27 +159,22 @@ private:
 
     AssignedProgram readProgram(const JsonNode &node)
     {
-        const QString file = QStringLiteral("file");
-        const QString input = QStringLiteral("input");
-        const QString seconds = QStringLiteral("seconds");
-        const QString megabytes = QStringLiteral("megabytes");
-        const QString output = QStringLiteral("outputMegabytes");
-        m_json.expectObject(node, {file, input, seconds, megabytes, output});
+        m_json.expectObject(node, {"file", "input", "seconds", "megabytes", "outputMegabytes"});
         AssignedProgram program;
-        if (const JsonNode name = node[file]; !name.isMissing()) {
+        if (const JsonNode name = node["file"]; !name.isMissing()) {
             program.file = m_json.string(name);
             if (program.file.contains(u'/') || program.file.startsWith(u'.'))
                 m_json.fail(name, describe(name), QStringLiteral("a file's name, without folders"));
         }
-        readWord(node[input], allProgramInputs, program.input);
-        readNumber(node[seconds], 3600, program.seconds);
-        if (const JsonNode memory = node[megabytes]; memory.toDouble(-1) == 0)
+        readWord(node["input"], allProgramInputs, program.input);
+        readNumber(node["seconds"], 3600, program.seconds);
+        if (const JsonNode memory = node["megabytes"]; memory.toDouble(-1) == 0)
             m_json.fail(memory, QStringLiteral("0: a class' programs may not have all memory"),
                         QStringLiteral("1 to %1; a runtime that reserves much, such as Java's or "
                                        "Go's, has enough of 65536")
                             .arg(1 << 20));
-        readNumber(node[megabytes], 1 << 20, program.megabytes);
-        readNumber(node[output], 1024, program.outputMegabytes);
+        readNumber(node["megabytes"], 1 << 20, program.megabytes);
+        readNumber(node["outputMegabytes"], 1024, program.outputMegabytes);
         return program;
     }
 

@@ -51,33 +51,29 @@ void checkDirections(JsonReader &json, const JsonNode &node, const Camera &camer
 
 Camera readCamera(JsonReader &json, NumberReader &numbers, const JsonNode &node)
 {
-    const QString fieldOfViewKey = QStringLiteral("fieldOfView");
-    const QString heightKey = QStringLiteral("height");
     constexpr double endless = std::numeric_limits<double>::infinity();
-    json.expectObject(node,
-                      {QStringLiteral("projection"), QStringLiteral("eye"),
-                       QStringLiteral("target"), QStringLiteral("up"), fieldOfViewKey, heightKey,
-                       QStringLiteral("near"), QStringLiteral("far")});
+    json.expectObject(
+        node, {"projection", "eye", "target", "up", "fieldOfView", "height", "near", "far"});
     Camera camera;
     readChoice(json, node["projection"], allProjections, camera.projection);
-    const auto readVector = [&](const QString &key, Vector3 &vector) {
+    const auto readVector = [&](const char *key, Vector3 &vector) {
         if (const JsonNode value = node[key]; !value.isMissing())
             vector = numbers.vector(value);
     };
-    readVector(QStringLiteral("eye"), camera.eye);
-    readVector(QStringLiteral("target"), camera.target);
-    readVector(QStringLiteral("up"), camera.up);
+    readVector("eye", camera.eye);
+    readVector("target", camera.target);
+    readVector("up", camera.up);
     const bool isPerspective = camera.projection == Projection::Perspective;
-    if (const JsonNode foreign = node[isPerspective ? heightKey : fieldOfViewKey];
-        !foreign.isMissing())
+    const auto own = QLatin1String(isPerspective ? "fieldOfView" : "height");
+    const auto others = QLatin1String(isPerspective ? "height" : "fieldOfView");
+    if (const JsonNode foreign = node[others]; !foreign.isMissing())
         json.fail(foreign,
                   QStringLiteral("“%1” of a camera that is %2")
-                      .arg(isPerspective ? heightKey : fieldOfViewKey,
-                           nameText(nameOf(camera.projection))),
-                  QStringLiteral("“%1”").arg(isPerspective ? fieldOfViewKey : heightKey));
+                      .arg(others, nameText(nameOf(camera.projection))),
+                  QStringLiteral("“%1”").arg(own));
     camera.fieldOfView
-        = numberBetween(json, numbers, node[fieldOfViewKey], 0, 180, camera.fieldOfView);
-    camera.height = numberBetween(json, numbers, node[heightKey], 0, endless, camera.height);
+        = numberBetween(json, numbers, node["fieldOfView"], 0, 180, camera.fieldOfView);
+    camera.height = numberBetween(json, numbers, node["height"], 0, endless, camera.height);
     const JsonNode far = node["far"];
     camera.near = numberBetween(json, numbers, node["near"], 0, endless, camera.near);
     camera.far = numberBetween(json, numbers, far, 0, endless, camera.far);

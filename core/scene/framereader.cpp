@@ -10,9 +10,7 @@ namespace pixelplumb {
 FrameSpec readFrame(JsonReader &json, const JsonNode &node)
 {
     json.expectObject(node,
-                      {QStringLiteral("width"), QStringLiteral("height"),
-                       QStringLiteral("background"), QStringLiteral("origin"),
-                       QStringLiteral("pixelCentre"), QStringLiteral("firstPixel")});
+                      {"width", "height", "background", "origin", "pixelCentre", "firstPixel"});
     FrameSpec frame;
     const JsonNode width = node["width"];
     frame.width = std::int32_t(json.integer(width, 1, largestFrameSide));

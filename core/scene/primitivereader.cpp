@@ -166,12 +166,11 @@ void PrimitiveReader::readRound(const JsonNode &primitive, Shape &shape)
 {
     const QString key = keyOf(shape.kind);
     const bool isCircle = shape.kind == PrimitiveKind::Circle;
-    const QString centreKey = QStringLiteral("centre");
-    const QString radiusKey = isCircle ? QStringLiteral("radius") : QStringLiteral("radii");
+    const QString radiusKey = isCircle ? "radius" : "radii";
     expectKeys(primitive, {key, colourKey, fillKey});
     const JsonNode node = primitive[key];
-    m_json.expectObject(node, {centreKey, radiusKey});
-    const LatticePoint centre = m_numbers.position(node[centreKey]);
+    m_json.expectObject(node, {"centre", radiusKey});
+    const LatticePoint centre = m_numbers.position(node["centre"]);
     LatticePoint radii;
     if (isCircle) {
         radii.x = radii.y = m_numbers.length(node[radiusKey], QStringLiteral("a radius"));
@@ -193,15 +192,14 @@ void PrimitiveReader::readRound(const JsonNode &primitive, Shape &shape)
 void PrimitiveReader::readBezier(const JsonNode &primitive, Shape &shape)
 {
     const QString key = keyOf(shape.kind);
-    const QString pathKey = QStringLiteral("path");
     expectKeys(primitive, {key, colourKey, fillKey});
     const JsonNode node = primitive[key];
     const bool isPath = node.isObject();
     if (!isPath) {
         appendPositions(node, {3, 4}, shape);
     } else {
-        m_json.expectObject(node, {pathKey});
-        appendParts(node[pathKey], QStringLiteral("no piece"), {3, 4}, shape);
+        m_json.expectObject(node, {"path"});
+        appendParts(node["path"], QStringLiteral("no piece"), {3, 4}, shape);
     }
     shape.fill = fill(primitive[fillKey], shape.kind);
     if (isPath && shape.fill == ShapeFill::Outline)
@@ -214,14 +212,13 @@ void PrimitiveReader::readBezier(const JsonNode &primitive, Shape &shape)
 void PrimitiveReader::readPolygon(const JsonNode &primitive, Shape &shape)
 {
     const QString key = keyOf(shape.kind);
-    const QString contoursKey = QStringLiteral("contours");
     expectKeys(primitive, {key, colourKey, fillKey});
     const JsonNode node = primitive[key];
     if (!node.isObject()) {
         appendPositions(node, {3, PointCount::any}, shape);
     } else {
-        m_json.expectObject(node, {contoursKey});
-        appendParts(node[contoursKey], QStringLiteral("no contour"), {3, PointCount::any}, shape);
+        m_json.expectObject(node, {"contours"});
+        appendParts(node["contours"], QStringLiteral("no contour"), {3, PointCount::any}, shape);
     }
     shape.fill = fill(primitive[fillKey], shape.kind);
     readColourOfAll(primitive, shape);
@@ -230,12 +227,10 @@ void PrimitiveReader::readPolygon(const JsonNode &primitive, Shape &shape)
 void PrimitiveReader::readText(const JsonNode &primitive, Shape &shape)
 {
     const QString key = keyOf(shape.kind);
-    const QString atKey = QStringLiteral("at");
-    const QString heightKey = QStringLiteral("height");
-    expectKeys(primitive, {key, atKey, heightKey, colourKey});
+    expectKeys(primitive, {key, "at", "height", colourKey});
     shape.text = m_json.string(primitive[key]).toStdString();
-    shape.vertices = {{m_numbers.position(primitive[atKey]), {}}};
-    shape.textHeight = m_numbers.length(primitive[heightKey], QStringLiteral("a height"));
+    shape.vertices = {{m_numbers.position(primitive["at"]), {}}};
+    shape.textHeight = m_numbers.length(primitive["height"], QStringLiteral("a height"));
     // What fonts are drawn for: the outlines of a letter may overlap.
     shape.fill = ShapeFill::NonZero;
     readColourOfAll(primitive, shape);

@@ -27,16 +27,15 @@ QStringList keysOf(SolidKind kind)
     switch (kind) {
     case SolidKind::Triangle3:
     case SolidKind::Polygon3:
-        return keys + QStringList{solidColoursKey, QStringLiteral("uv"), QStringLiteral("normals")};
+        return keys + QStringList{solidColoursKey, "uv", "normals"};
     case SolidKind::Plane:
         break;
     case SolidKind::Sphere:
-        return keys + QStringList{QStringLiteral("radius"), segmentsKey};
+        return keys + QStringList{"radius", segmentsKey};
     case SolidKind::Patch:
         return keys + QStringList{segmentsKey};
     case SolidKind::Mesh:
-        return keys
-            + QStringList{QStringLiteral("at"), QStringLiteral("scale"), QStringLiteral("rotate")};
+        return keys + QStringList{"at", "scale", "rotate"};
     }
     return keys;
 }
@@ -45,7 +44,7 @@ QStringList keysOf(SolidKind kind)
 
 Solid SolidReader::read(const JsonNode &primitive, SolidKind kind)
 {
-    m_json.expectObject(primitive, keysOf(kind) + QStringList{QStringLiteral("hidden")});
+    m_json.expectObject(primitive, keysOf(kind) + QStringList{"hidden"});
     Solid solid;
     solid.kind = kind;
     solid.material = readMaterialName(m_json, primitive[solidMaterialKey], m_materials);
