@@ -51,7 +51,7 @@ std::int64_t NumberReader::number(const JsonNode &node, const NumberFormat &form
 
 double NumberReader::real(const JsonNode &node)
 {
-    if (const double number = node.toDouble(beyondAllFormats);
+    if (const double number = node.toDouble(std::numeric_limits<double>::infinity());
         std::abs(number) <= largestAttributeValue)
         return number;
     if (!node.isNumber() && !node.isString()) {
