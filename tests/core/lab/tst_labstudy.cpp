@@ -394,7 +394,8 @@ private slots:
         QVERIFY(*refused->wrongPixels > 0);
         QCOMPARE(refused->pixels, *refused->wrongPixels);
         scene.method = "polygon-parity";
-        QCOMPARE(liveFiguresOf(traceScene(scene))->text(), QStringLiteral("Finished: all pixels correct"));
+        QCOMPARE(liveFiguresOf(traceScene(scene))->text(),
+                 QStringLiteral("Finished: all pixels correct"));
     }
 
     void theSceneInHandIsTimedAsTheStudyTimesIt()
