@@ -471,7 +471,8 @@ private slots:
         const auto window = windowWithDefect("rounding-truncate");
         const auto *figures = named<QLabel>(*window, "statusFigures");
         QTRY_VERIFY(judgement(*window));
-        QTRY_VERIFY_WITH_TIMEOUT(figures->toolTip().contains("Finished: all pixels correct"), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(figures->toolTip().contains("Finished: all pixels correct"),
+                                 60'000);
         QVERIFY2(figures->text().startsWith("Submission: Wrong"), qPrintable(figures->text()));
         QVERIFY(!figures->text().contains("correct"));
 
