@@ -121,6 +121,28 @@ SampleBox boxAround(const Shape &shape)
     return {floorPixel(left), ceilPixel(right) + 1, floorPixel(low), ceilPixel(high) + 1};
 }
 
+/// Whether a line passes all pixels of the frame by: on the sample columns (rows where it is steep)
+/// of the frame it is more than half a pixel beyond its rows (columns).
+bool passesBy(const Shape &line, const FrameView &frame)
+{
+    const LatticePoint &a = line.vertices.front().position;
+    const LatticePoint &b = line.vertices.back().position;
+    const bool isSteep = absolute(b.y - a.y) >= absolute(b.x - a.x);
+    const Lattice besideX = isSteep ? halfPixel : 0;
+    const Lattice besideY = isSteep ? 0 : halfPixel;
+    const LatticePoint low = latticePixel(frame.firstColumn, frame.firstRow);
+    const LatticePoint high = latticePixel(frame.endColumn() - 1, frame.endRow() - 1);
+    int above = 0, below = 0; // corners on each side of the line
+    for (const Lattice x : {low.x - besideX, high.x + besideX}) {
+        for (const Lattice y : {low.y - besideY, high.y + besideY}) {
+            const Int128 side = doubledArea(a, b, {x, y});
+            above += side > 0 ? 1 : 0;
+            below += side < 0 ? 1 : 0;
+        }
+    }
+    return above == 4 || below == 4;
+}
+
 } // namespace
 
 BorderCrossing borderCrossingOf(const Triangle &triangle, const SampledFrame &where)
@@ -149,6 +171,9 @@ BorderCrossing borderCrossingOf(const Shape &shape, const SampledFrame &where)
     const BorderCrossing crossing = crossingOfBox(box, frame);
     if (crossing != BorderCrossing::MayCross || shape.kind == PrimitiveKind::Text)
         return crossing;
+    if (shape.kind == PrimitiveKind::Line && where.antialiasing == Antialiasing::None
+        && passesBy(shape, frame))
+        return BorderCrossing::Outside;
     // From a vertex within to one beyond it crosses somewhere; a circle's vertices are none of its
     // points.
     const auto isWithin = [&](const Vertex &vertex) {

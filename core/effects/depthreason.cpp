@@ -19,12 +19,13 @@ QString depthReason(const DepthAnswer &answer)
     case Ground::FewTriangles:
         return QStringLiteral("no two triangles are drawn in the frame");
     case Ground::SameDepth:
-        return QStringLiteral("all triangles have the same depth");
+        return QStringLiteral("all triangles that are drawn in the frame have the same depth");
     case Ground::InOrder:
-        return QStringLiteral("every triangle is nearer than all that are drawn before it, or as "
-                              "near");
+        return QStringLiteral(
+            "of the triangles that are drawn in the frame, each is nearer than all "
+            "before it, or as near");
     case Ground::Apart:
-        return QStringLiteral("no two triangles overlap");
+        return QStringLiteral("no two triangles that are drawn in the frame overlap");
     case Ground::NotBehind:
         return QStringLiteral(
             "where triangles overlap or touch, the later one is nearer or as near");

@@ -37,8 +37,8 @@ QString smoothColourReason(const NeedsTally &tally, const Appearance &appearance
     if (appearance.shading == Shading::Flat && tally.of[Effect::Light].primitives > 0)
         return QStringLiteral("flat light gives each triangle one colour");
     if (tally.ownColours > 0)
-        return QStringLiteral("no triangle and no line%1 has vertex colours that differ")
-            .arg(amongDrawn(tally));
+        return QStringLiteral("no triangle and no line that the method draws has vertex colours "
+                              "that differ");
     if (tally.outside > 0)
         return QStringLiteral("the vertex colours are equal in each %1%2")
             .arg(noun, amongDrawn(tally));
@@ -177,8 +177,8 @@ QString paintedTwiceWords(const Primitives &primitives, const NeedsTally &tally,
     const SharedSamples shared = sharedSamplesOf(tally.blended, others, frame);
     if (shared.samples == 0)
         return {};
-    return QStringLiteral("; the closed rule paints %1%2 on their shared edges twice, one of them "
-                          "(%3, %4)")
+    return QStringLiteral("; the closed rule gives %1%2 on shared edges to both triangles, one of "
+                          "them (%3, %4)")
         .arg(shared.isExact ? QString() : QStringLiteral("at most "))
         .arg(shared.samples == 1 ? QStringLiteral("1 sample")
                                  : QStringLiteral("%1 samples").arg(shared.samples))

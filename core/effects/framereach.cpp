@@ -224,11 +224,14 @@ bool hasEdgePixels(const Triangle &triangle, const SampledFrame &where)
             ? square.isEnteredBy(a, b) && !square.hasAsBorder(a, b)
             : square.isMetBy(a, b);
     }
-    // A triangle may be drawn without antialiasing alone: between the samples of its pixels.
-    return isMet
-        && (!reachOf(triangle, where).isEmpty()
-            || !reachOf(triangle, {where.frame, where.rule, Antialiasing::None, where.isExact})
-                    .isEmpty());
+    return isMet;
+}
+
+bool isDrawnEitherWay(const Triangle &triangle, const SampledFrame &where)
+{
+    return !reachOf(triangle, where).isEmpty()
+        || !reachOf(triangle, {where.frame, where.rule, Antialiasing::None, where.isExact})
+                .isEmpty();
 }
 
 bool hasEdgePixels(const Shape &stroke, const SampledFrame &where)

@@ -48,10 +48,12 @@ std::int64_t mostPixelsOf(const Shape &stroke, const FrameView &frame);
 /// Through how many of them an edge may pass.
 std::int64_t mostEdgePixelsOf(const Triangle &triangle, const SampledFrame &where);
 
-/// Whether an edge of a triangle that has an area and is drawn so, or without antialiasing, meets a
-/// pixel of the frame: with 4 or 16 samples its closed square, where areas are covered so that some
-/// of the square lies to each side. Exact; where none does, antialiasing changes nothing.
+/// Whether an edge of a triangle that has an area meets a pixel of the frame: with 4 or 16 samples
+/// its closed square, where areas are covered so that some of the square lies to each side. Exact.
 bool hasEdgePixels(const Triangle &triangle, const SampledFrame &where);
+/// Whether it is drawn so, or would be without antialiasing: between the samples of its pixels, on
+/// their own. Where no triangle is, antialiasing changes nothing.
+bool isDrawnEitherWay(const Triangle &triangle, const SampledFrame &where);
 /// Whether a line or curve one pixel wide covers a part of the frame and its border meets a pixel
 /// so. Of a curve the joints of its pieces count, too.
 bool hasEdgePixels(const Shape &stroke, const SampledFrame &where);

@@ -25,7 +25,8 @@ public:
     void add(std::size_t index, const Triangle &triangle, const TriangleAttributes *attributes)
     {
         if (hasEdgePixels(triangle, m_asked))
-            m_tally.of[Effect::Antialiasing].add(mostEdgePixelsOf(triangle, m_asked));
+            m_edges.add(mostEdgePixelsOf(triangle, m_asked));
+        m_isAnyDrawn = m_isAnyDrawn || isDrawnEitherWay(triangle, m_asked);
         const SampleBox reach = reachOf(triangle, m_where);
         if (reach.isEmpty()) {
             ++m_tally.outside;
@@ -50,9 +51,22 @@ public:
         addDetails(triangle, *attributes, needs);
     }
 
+    /// Once all are added: the edges of one that lies between all samples part the pixels of
+    /// others, where there are any.
+    void endTriangles()
+    {
+        if (m_isAnyDrawn)
+            m_tally.of[Effect::Antialiasing] = m_edges;
+    }
+
     void add(const Shape &shape)
     {
-        const BorderCrossing crossing = borderCrossingOf(shape, m_where);
+        if (isStroke(shape) && isPoint(shape) && m_asked.antialiasing != Antialiasing::None) {
+            ++m_tally.outside; // one pixel wide and of no length
+            return;
+        }
+        const BorderCrossing crossing
+            = borderCrossingOf(shape, isStroke(shape) ? m_asked : m_where);
         if (crossing == BorderCrossing::Outside) {
             ++m_tally.outside;
             return;
@@ -75,6 +89,12 @@ public:
     const NeedsTally &tally() const { return m_tally; }
 
 private:
+    static bool isPoint(const Shape &line)
+    {
+        return line.kind == PrimitiveKind::Line
+            && line.vertices.front().position == line.vertices.back().position;
+    }
+
     std::int64_t pixelsOfFrame() const
     {
         return std::int64_t(m_where.frame.width) * m_where.frame.height;
@@ -90,9 +110,10 @@ private:
         const bool crosses = crossing == BorderCrossing::Crosses;
         m_tally.crossing += crosses ? 1 : 0;
         m_tally.cutAtNear += isCut ? 1 : 0;
-        if (crosses || isCut)
+        const bool mayCross = crossing == BorderCrossing::MayCross;
+        if (crosses || isCut || mayCross)
             m_tally.of[Effect::Clipping].add(pixels);
-        m_tally.mayCross += crossing == BorderCrossing::MayCross ? 1 : 0;
+        m_tally.mayCross += mayCross ? 1 : 0;
     }
 
     void addDetails(const Triangle &triangle, const TriangleAttributes &attributes,
@@ -110,8 +131,14 @@ private:
         if (!needs.effects.blending)
             return;
         m_tally.blended.push_back(&triangle);
-        for (const VertexAttributes &vertex : attributes.vertices)
-            m_tally.lowestAlpha = std::min(m_tally.lowestAlpha, int(vertex.alpha));
+        const bool isSegment = doubledArea(triangle) == 0;
+        const auto order = sortedByColumn(triangle);
+        for (const std::size_t place : {0, 1, 2}) {
+            const auto vertex = std::size_t(order[place]);
+            if (!isSegment || place != 1)
+                m_tally.lowestAlpha
+                    = std::min(m_tally.lowestAlpha, int(attributes.vertices[vertex].alpha));
+        }
     }
 
     void addTexture(const Texture *texture)
@@ -125,6 +152,8 @@ private:
     const Appearance &m_appearance;
     const std::vector<std::size_t> &m_cutAtNear;
     SampledFrame m_where;
+    NeedsTally::Touched m_edges; ///< of triangles
+    bool m_isAnyDrawn = false; ///< of them
     SampledFrame m_asked; ///< with the antialiasing that the appearance says
     NeedsTally m_tally;
 };
@@ -142,6 +171,7 @@ NeedsTally tallyNeeds(const Primitives &primitives, const SampledFrame &where)
         if (hasAttributes)
             ++attributes;
     }
+    count.endTriangles();
     for (const Shape &shape : primitives.shapes)
         count.add(shape);
     return count.tally();

@@ -122,7 +122,7 @@ EffectPlan planFor(const Primitives &primitives, const ScanSettings &settings,
     const DepthAnswer depth = depthQuestion(primitives, settings, frame, plan.antialiasing);
     plan.verdicts = requirementsWith(primitives, settings, where, depth);
     plan.batches = batchesOf(primitives, where, depth);
-    plan.smoothLines = runsOnLines(primitives, where);
+    plan.smoothLines = runsOnLines(primitives, {frame, settings.fillRule, plan.strokeAntialiasing});
     plan.vertexLight
         = lightsVertices(appearance)
         && std::ranges::any_of(primitives.attributes, [&](const TriangleAttributes &attributes) {

@@ -50,22 +50,21 @@ EffectVerdict depthVerdict(const Primitives &primitives, const NeedsTally &tally
 
 Verdict verdictOf(Effect effect, const NeedsTally &tally)
 {
-    if (tally.of[effect].primitives > 0)
-        return Verdict::CalledFor;
-    const bool isInDoubt = effect == Effect::Clipping && tally.mayCross > 0;
-    return isInDoubt ? Verdict::NotRuledOut : Verdict::NotCalledFor;
+    if (tally.of[effect].primitives == 0)
+        return Verdict::NotCalledFor;
+    const bool isInDoubt
+        = effect == Effect::Clipping && tally.crossing == 0 && tally.cutAtNear == 0;
+    return isInDoubt ? Verdict::NotRuledOut : Verdict::CalledFor;
 }
 
 /// What is asked for; none where that is as called for and nothing calls for it.
-template <class All>
-Antialiasing runningOn(const All &all, const Appearance &appearance, const SampledFrame &asked)
+template <class IsCalledFor>
+Antialiasing runningOf(const Appearance &appearance, const SampledFrame &asked,
+                       const IsCalledFor &isCalledFor)
 {
-    if (asked.antialiasing == Antialiasing::None
-        || appearance.forced[Effect::Antialiasing] != Forcing::AsCalledFor)
-        return asked.antialiasing;
-    const bool isCalledFor = std::ranges::any_of(
-        all, [&](const auto &primitive) { return hasEdgePixels(primitive, asked); });
-    return isCalledFor ? asked.antialiasing : Antialiasing::None;
+    const bool runs = asked.antialiasing == Antialiasing::None
+        || appearance.forced[Effect::Antialiasing] != Forcing::AsCalledFor || isCalledFor();
+    return runs ? asked.antialiasing : Antialiasing::None;
 }
 
 } // namespace
@@ -88,15 +87,26 @@ Antialiasing triangleAntialiasing(const Primitives &primitives, const ScanSettin
                                   const FrameView &frame)
 {
     const Appearance &appearance = primitives.appearance;
-    return runningOn(primitives.triangles, appearance,
-                     sampledFrame(frame, settings, antialiasingOf(appearance)));
+    const SampledFrame asked = sampledFrame(frame, settings, antialiasingOf(appearance));
+    const auto isSoOfAny = [&](const auto &is) {
+        return std::ranges::any_of(primitives.triangles,
+                                   [&](const Triangle &triangle) { return is(triangle, asked); });
+    };
+    // The edges of one that lies between all samples part the pixels of others.
+    return runningOf(appearance, asked, [&] {
+        return isSoOfAny([](const auto &...of) { return hasEdgePixels(of...); })
+            && isSoOfAny(isDrawnEitherWay);
+    });
 }
 
 Antialiasing strokeAntialiasing(const Primitives &primitives, const FrameView &frame)
 {
     const Appearance &appearance = primitives.appearance;
-    return runningOn(primitives.shapes, appearance,
-                     {frame, FillRule::Closed, antialiasingOf(appearance)});
+    const SampledFrame asked{frame, FillRule::Closed, antialiasingOf(appearance)};
+    return runningOf(appearance, asked, [&] {
+        return std::ranges::any_of(primitives.shapes,
+                                   [&](const Shape &shape) { return hasEdgePixels(shape, asked); });
+    });
 }
 
 PerEffect<EffectVerdict> requirementsWith(const Primitives &primitives,

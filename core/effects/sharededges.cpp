@@ -82,11 +82,14 @@ std::vector<SharedEdge> edgesOf(std::span<const Triangle *const> triangles, cons
 {
     std::vector<SharedEdge> edges;
     for (const Triangle *triangle : triangles) {
+        const auto first = std::ptrdiff_t(edges.size());
         for (std::size_t i = 0; i < 3; ++i) {
             const LatticePoint &a = triangle->vertices[i].position;
             const LatticePoint &b = triangle->vertices[(i + 1) % 3].position;
             const SharedEdge edge{std::min(a, b), std::max(a, b)};
-            if (samplesOn(edge, frame).count > 0)
+            // A segment that goes there and back has one edge twice.
+            const bool isKnown = std::find(edges.begin() + first, edges.end(), edge) != edges.end();
+            if (!isKnown && samplesOn(edge, frame).count > 0)
                 edges.push_back(edge);
         }
     }

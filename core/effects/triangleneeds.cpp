@@ -9,12 +9,29 @@ namespace pixelplumb {
 
 namespace {
 
-template <class Vertices, class Value>
-bool differ(const Vertices &vertices, Value value)
-{
-    return std::invoke(value, vertices[0]) != std::invoke(value, vertices[1])
-        || std::invoke(value, vertices[0]) != std::invoke(value, vertices[2]);
-}
+/// Compares a value between the vertices that a triangle carries something from.
+class Carriers {
+public:
+    explicit Carriers(const Triangle &triangle)
+        : m_order(sortedByColumn(triangle))
+        , m_isSegment(doubledArea(triangle) == 0)
+    {
+    }
+
+    /// Of a segment its ends, which its middle vertex only lies between.
+    template <class Vertices, class Value>
+    bool differIn(const Vertices &vertices, Value value) const
+    {
+        const auto at = [&](std::size_t place) {
+            return std::invoke(value, vertices[std::size_t(m_order[place])]);
+        };
+        return at(0) != at(2) || (!m_isSegment && at(0) != at(1));
+    }
+
+private:
+    std::array<int, 3> m_order;
+    bool m_isSegment = false;
+};
 
 /// Whether light depends on where a sample is: a light far away shines everywhere alike, and so
 /// does its highlight for a viewer far away.
@@ -46,26 +63,30 @@ TriangleNeeds needsOf(const Triangle &triangle, const TriangleAttributes *attrib
                       const Appearance &appearance)
 {
     TriangleNeeds needs;
-    needs.carriesColour = differ(triangle.vertices, &Vertex::colour);
-    needs.effects.smooth = needs.carriesColour;
+    const Carriers carriers(triangle);
+    needs.carriesColour = carriers.differIn(triangle.vertices, &Vertex::colour);
+    // One colour is the first vertex's, which may lie in the middle of a segment.
+    const auto order = sortedByColumn(triangle);
+    needs.effects.smooth = needs.carriesColour
+        || triangle.vertices[0].colour != triangle.vertices[std::size_t(order[0])].colour;
     if (!attributes)
         return needs;
     const std::array<VertexAttributes, 3> &vertices = attributes->vertices;
-    needs.carriesAlpha = differ(vertices, &VertexAttributes::alpha);
-    needs.effects.blending = needs.carriesAlpha || vertices[0].alpha < 255;
+    needs.carriesAlpha = carriers.differIn(vertices, &VertexAttributes::alpha);
+    needs.effects.blending = needs.carriesAlpha || vertices[std::size_t(order[0])].alpha < 255;
     if (textureOf(*attributes, appearance)) {
         needs.effects.texture = true;
-        needs.carriesTexture = differ(vertices, &VertexAttributes::texture);
+        needs.carriesTexture = carriers.differIn(vertices, &VertexAttributes::texture);
     }
     const bool isLit = !appearance.lights.empty() && hasNormals(*attributes);
     needs.vertexLight = isLit && appearance.shading != Shading::Phong;
     if (isLit && appearance.shading == Shading::Phong) {
         needs.effects.light = true;
-        needs.carriesLight = differ(vertices, &VertexAttributes::normal)
-            || (differ(vertices, &VertexAttributes::place)
+        needs.carriesLight = carriers.differIn(vertices, &VertexAttributes::normal)
+            || (carriers.differIn(vertices, &VertexAttributes::place)
                 && placeCounts(materialOf(appearance, attributes->material), appearance));
     }
-    needs.wDiffers = differ(vertices, &VertexAttributes::w);
+    needs.wDiffers = carriers.differIn(vertices, &VertexAttributes::w);
     needs.effects.perspective = needs.wDiffers && needs.carriesAnything();
     return needs;
 }

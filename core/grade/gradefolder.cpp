@@ -7,6 +7,7 @@
 #include "core/grade/resultsfolder.h"
 #include "core/number/failure.h"
 #include "core/scene/fileaccess.h"
+#include "core/scene/inputrecord.h"
 
 #include <QBuffer>
 #include <QCryptographicHash>
@@ -247,6 +248,8 @@ Result<std::optional<GradeReport>> gradeFolder(const GradingOrder &order,
     part.submissions.sort();
     std::erase_if(*names, [&](const QByteArray &name) { return !isOfShard(name, order.shard); });
     if (auto error = refusalOf(order))
+        return *error;
+    if (auto error = noteInputFolder(order.submissions))
         return *error;
     const ResultsFolder results(order.results);
     if (auto error = beginResults(order.results, part))

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace pixelplumb {
 
@@ -41,20 +42,23 @@ QString limitWord(const char *name, __rlimit_resource resource, rlim_t soft, rli
     return QStringLiteral("--%1=%2:%3").arg(QLatin1String(name), text(soft), text(hard));
 }
 
-QStringList limitWords(const ProgramLimits &limits, rlim_t processes)
+/// Of each process. `processes`, which are counted by user: none where they are not limited.
+QStringList limitWords(const ProgramLimits &limits, std::optional<rlim_t> processes)
 {
     const auto word = [](const char *name, __rlimit_resource resource, rlim_t limit) {
         return limitWord(name, resource, limit, limit);
     };
     const auto seconds = rlim_t(limits.wholeSeconds());
-    return {QStringLiteral("/usr/bin/prlimit"),
-            // Of each process. It is told first, so that its end can be told from others.
-            limitWord("cpu", RLIMIT_CPU, seconds, seconds + 1),
-            word("as", RLIMIT_AS, limits.memory > 0 ? rlim_t(limits.memory) : RLIM_INFINITY),
-            word("fsize", RLIMIT_FSIZE, rlim_t(limits.files)),
-            word("nofile", RLIMIT_NOFILE, openFiles), word("nproc", RLIMIT_NPROC, processes),
-            word("core", RLIMIT_CORE, 0), word("msgqueue", RLIMIT_MSGQUEUE, 0),
-            QStringLiteral("--")};
+    QStringList words = {
+        QStringLiteral("/usr/bin/prlimit"),
+        // Of each process. It is told first, so that its end can be told from others.
+        limitWord("cpu", RLIMIT_CPU, seconds, seconds + 1),
+        word("as", RLIMIT_AS, limits.memory > 0 ? rlim_t(limits.memory) : RLIM_INFINITY),
+        word("fsize", RLIMIT_FSIZE, rlim_t(limits.files)), word("nofile", RLIMIT_NOFILE, openFiles),
+        word("core", RLIMIT_CORE, 0), word("msgqueue", RLIMIT_MSGQUEUE, 0)};
+    if (processes)
+        words += word("nproc", RLIMIT_NPROC, *processes);
+    return words + QStringList(QStringLiteral("--"));
 }
 
 QStringList wordsOf(const StudentProgram &student)
@@ -162,7 +166,8 @@ QStringList limitedCommand(const StudentProgram &student, const ProgramLimits &l
 QStringList sandboxedCommand(const StudentProgram &student, const ProgramLimits &limits,
                              const ProgramUser &user, int filter)
 {
-    return QStringList{bubblewrapPath()} + separationWords(user)
+    // The sandbox's first process can be traced by the program, and made to work for it.
+    return limitWords(limits, std::nullopt) + QStringList{bubblewrapPath()} + separationWords(user)
         + viewWords(student.shown, limits.files)
         + QStringList{QStringLiteral("--seccomp"), QString::number(filter), QStringLiteral("--")}
     + limitWords(limits, rlim_t(limits.processes)) + user.command() + wordsOf(student);

@@ -102,8 +102,10 @@ Result<StudentProgram> studentProgramOf(const QStringList &words, ShownFiles sho
     }
     student.shown.removeDuplicates();
     for (const QString &each : student.shown) {
-        if (QFileInfo(each).isDir())
-            noteInputFolder(each);
+        if (!QFileInfo(each).isDir())
+            continue;
+        if (auto refusal = noteInputFolder(each))
+            return *refusal;
     }
     return student;
 }

@@ -4,6 +4,7 @@
 #include "core/frame/writtenframe.h"
 #include "core/lab/picturejudge.h"
 #include "core/oracle/oracle.h"
+#include "core/oracle/truepicture.h"
 
 namespace pixelplumb {
 
@@ -39,6 +40,23 @@ const std::vector<LabContender> &orderedContenders()
     return contenders;
 }
 
+/// False where the listener, asked after each plain triangle, ended it.
+template <class GoesOn>
+bool drawTruth(const Primitives &primitives, const Scene &scene, const EffectPlan &plan,
+               const FrameView &frame, const GoesOn &goesOn)
+{
+    if (!plan.isPlain()) {
+        oracle::drawPicture(primitives, scene.settings, plan, frame);
+        return goesOn();
+    }
+    for (const Triangle &triangle : primitives.triangles) {
+        oracle::draw(triangle, boundaryRuleOf(scene), scene.settings.rounding, frame);
+        if (!goesOn())
+            return false;
+    }
+    return true;
+}
+
 } // namespace
 
 std::span<const CostOrderEntry> costOrder() { return publishedOrder; }
@@ -46,7 +64,7 @@ std::span<const CostOrderEntry> costOrder() { return publishedOrder; }
 std::optional<CostOrderChoice> firstInOrder(Budget budget, const Scene &scene,
                                             const ProgressListener &listener)
 {
-    const Primitives primitives{primitivesOnSamples(scene).triangles, {}};
+    const Primitives primitives = primitivesOnSamples(scene);
     std::optional<WrittenFrame> truth;
     std::int64_t done = 0;
     const auto all = std::int64_t(orderedContenders().size());
@@ -55,24 +73,29 @@ std::optional<CostOrderChoice> firstInOrder(Budget budget, const Scene &scene,
             return std::nullopt;
         ScanSettings settings = scene.settings;
         settings.arithmetic = contender.arithmetic;
-        if (!contender.method->refusal(settings).isEmpty())
+        const WrittenFrame drawn(scene.frame);
+        const EffectPlan plan = planFor(primitives, settings, drawn.view());
+        if (!contender.method->refusal(settings).isEmpty()
+            || !contender.method->objection(plan, settings).isEmpty())
             continue;
-        if (contender.isProved()) {
+        // The proofs are those of triangles without effects.
+        if (contender.isProved() && plan.isPlain()) {
             return CostOrderChoice{&contender, BudgetGround::Proof,
                                    QStringLiteral("proved for ") + contender.domain(), settings};
         }
-        if (budget == Budget::Exact)
+        if (budget == Budget::Exact && plan.isPlain())
             continue;
         if (!truth) {
             truth.emplace(scene.frame);
-            for (const Triangle &triangle : primitives.triangles) {
-                oracle::draw(triangle, boundaryRuleOf(scene), settings.rounding, truth->view());
-                if (!goesOn(listener, {JobPhase::Judging, done, all}))
-                    return std::nullopt;
-            }
+            if (!drawTruth(primitives, scene, plan, truth->view(), [&] {
+                    return goesOn(listener, {JobPhase::Judging, done, all});
+                }))
+                return std::nullopt;
         }
-        const WrittenFrame drawn(scene.frame);
-        contender.draw(primitives, settings, drawn.view());
+        if (plan.isPlain())
+            contender.draw(primitives, settings, drawn.view());
+        else
+            contender.method->draw(primitives, settings, drawn.view());
         const AccuracyFigures figures = figuresOfPicture(truth->view(), drawn.view());
         if (!meets(budget, figures))
             continue;
@@ -85,8 +108,8 @@ std::optional<CostOrderChoice> firstInOrder(Budget budget, const Scene &scene,
             settings};
     }
     return CostOrderChoice{nullptr, BudgetGround::Nobody,
-                           QStringLiteral("no method of the order keeps the scene's fill rule "
-                                          "and meets “%1”")
+                           QStringLiteral("no method of the order keeps the scene's fill rule, "
+                                          "does what it calls for and meets “%1”")
                                .arg(textOf(budget)),
                            scene.settings};
 }

@@ -84,6 +84,25 @@ QString unknownVariantText(const Method &method, Variant variant)
         : text + QStringLiteral(", and this one knows ") + namesOf(method.variants).join(separator);
 }
 
+/// Colours are what most methods are about: only those that shade by a plan can leave them out.
+QString smoothColourObjection(const Method &method, const EffectPlan &plan,
+                              const ScanSettings &settings)
+{
+    const bool isLeftOut = plan.verdicts[Effect::SmoothColour].verdict == Verdict::CalledFor
+        && !plan.runs(Effect::SmoothColour);
+    const auto shades = [](const Method &each) { return each.supports(Effect::Blending); };
+    if (!isLeftOut || shades(method))
+        return {};
+    QStringList able;
+    for (const Method &each : methods()) {
+        if (each.draws(PrimitiveKind::Triangle) && shades(each) && each.supports(settings.fillRule))
+            able.append(each.id);
+    }
+    return QStringLiteral("cannot leave out smooth colour, which is forced off; %1 can")
+        .arg(able.isEmpty() ? QStringLiteral("no method that keeps the fill rule")
+                            : able.join(QStringLiteral(", ")));
+}
+
 } // namespace
 
 QString Method::objection(const ScanSettings &settings) const
@@ -105,7 +124,11 @@ QString Method::objection(const ScanSettings &settings) const
 
 QString Method::objection(const EffectPlan &plan, const ScanSettings &settings) const
 {
-    if (plan.isPlain() || !draws(PrimitiveKind::Triangle))
+    if (!draws(PrimitiveKind::Triangle))
+        return {};
+    if (const QString text = smoothColourObjection(*this, plan, settings); !text.isEmpty())
+        return text;
+    if (plan.isPlain())
         return {};
     const std::vector<Effect> run = shadingEffectsOf(plan);
     std::vector<Effect> missing = run;

@@ -81,15 +81,19 @@ bool isPathOfInput(const QString &path)
     return all.paths.contains(QFileInfo(path).canonicalFilePath());
 }
 
+bool isIn(const QString &folder, const QString &file)
+{
+    return file.startsWith(folder.endsWith(u'/') ? folder : folder + u'/');
+}
+
 /// Where it is a file that is there.
 bool isInInputFolder(const QString &path)
 {
     const QString canonical = QFileInfo(path).canonicalFilePath();
     Inputs &all = inputs();
     const std::lock_guard lock(all.mutex);
-    return std::ranges::any_of(all.folders, [&](const QString &folder) {
-        return canonical.startsWith(folder.endsWith(u'/') ? folder : folder + u'/');
-    });
+    return std::ranges::any_of(all.folders,
+                               [&](const QString &folder) { return isIn(folder, canonical); });
 }
 
 InputError wouldReplace(const QString &place)
@@ -141,13 +145,19 @@ std::optional<InputError> noteInput(const QString &path)
     return refusalToRead(file);
 }
 
-void noteInputFolder(const QString &path)
+std::optional<InputError> noteInputFolder(const QString &path)
 {
-    Inputs &all = inputs();
-    const std::lock_guard lock(all.mutex);
     const QString canonical = QFileInfo(path).canonicalFilePath();
-    if (all.records > 0 && !canonical.isEmpty())
+    if (canonical.isEmpty())
+        return std::nullopt;
+    Inputs &all = inputs();
+    if (const std::lock_guard lock(all.mutex); all.records > 0)
         all.folders.insert(canonical);
+    const QFileInfo output(
+        QFile::symLinkTarget(QStringLiteral("/proc/self/fd/%1").arg(STDOUT_FILENO)));
+    return output.isFile() && output.size() > 0 && isIn(canonical, output.canonicalFilePath())
+        ? std::optional(standardOutputWouldReplace())
+        : std::nullopt;
 }
 
 std::optional<InputError> noteStandardInput()
@@ -173,8 +183,8 @@ std::optional<InputError> refusalToWrite(const QString &path)
     if (isInput(identityOf(path)) || isPathOfInput(path))
         return wouldReplace(path);
     return InputError{path,
-                      QStringLiteral("lies in a folder that the program is shown, and may be read "
-                                     "by it"),
+                      QStringLiteral("lies in a folder that is shown to a program, or graded, and "
+                                     "may have been read"),
                       QStringLiteral("a new file, or one elsewhere")};
 }
 

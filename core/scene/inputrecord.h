@@ -20,9 +20,10 @@ public:
 /// Makes a file that is read, or is going to be, an input. An error where standard output or
 /// standard error lead to it: it would be changed as it is read.
 std::optional<InputError> noteInput(const QString &path);
-/// Makes all files that lie in a folder inputs, and in the folders below: a program is shown them,
-/// and nobody knows which it reads.
-void noteInputFolder(const QString &path);
+/// Makes all files that lie in a folder inputs, and in the folders below: what is shown all of them
+/// may read any. An error where standard output leads to one that is not empty, and would be
+/// changed.
+std::optional<InputError> noteInputFolder(const QString &path);
 /// The same as noteInput() of the file that standard input leads to.
 std::optional<InputError> noteStandardInput();
 

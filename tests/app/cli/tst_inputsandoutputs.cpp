@@ -227,10 +227,41 @@ private slots:
             = runHere({"counterexample", "column-scan", "program:own/program.sh", "-o", output});
 
         QCOMPARE(contentOf(output), before);
-        QVERIFY2(run.messages.contains("lies in a folder that the program is shown"),
+        QVERIFY2(run.messages.contains("lies in a folder that is shown to a program"),
                  run.messages.constData());
         QCOMPARE(run.exitCode, 2);
         QVERIFY(!isInput(path(output))); // of this process
+    }
+
+    void standardOutputDoesNotChangeWhatAProgramIsShown_data()
+    {
+        QTest::addColumn<QByteArray>("content");
+        QTest::newRow("what is there") << QByteArray("help");
+        QTest::newRow("nothing yet") << QByteArray();
+    }
+    void standardOutputDoesNotChangeWhatAProgramIsShown()
+    {
+        QFETCH(QByteArray, content);
+        QVERIFY(QDir().mkpath(path("own")));
+        QVERIFY(QFile::copy(path("program.sh"), path("own/program.sh")));
+        QVERIFY(!writeFile(path("own/helper.py"), content));
+
+        const ProgramRun run = runHere({"try", "own/program.sh", "--scene", "scene.json"},
+                                       "\"$0\" \"$@\" >> own/helper.py");
+
+        QCOMPARE(contentOf("own/helper.py") == content, !content.isEmpty());
+        QCOMPARE(run.messages.contains("standard output: is the input"), !content.isEmpty());
+    }
+
+    void gradingDoesNotChangeASubmissionByStandardOutput()
+    {
+        QVERIFY(!writeFile(path("subs/ann/one.txt"), "picture"));
+        const ProgramRun run
+            = runHere({"grade", "subs", "--assignment", "assignment.json", "-o", "results"},
+                      "\"$0\" \"$@\" >> subs/ann/one.txt");
+        QCOMPARE(contentOf("subs/ann/one.txt"), QByteArray("picture"));
+        QVERIFY2(run.messages.contains("standard output: is the input"), run.messages.constData());
+        QCOMPARE(run.exitCode, 2);
     }
 
     void aPipeThatNobodyReadsIsNotWaitedForAndOneThatIsReadIsWritten()

@@ -73,7 +73,8 @@ private slots:
             },
             Effect::Clipping, yes, 1, "1 of 2 triangles crosses the frame's border");
 
-        add("no depths", none, Effect::Depth, no, 0, "all triangles have the same depth");
+        add("no depths", none, Effect::Depth, no, 0,
+            "all triangles that are drawn in the frame have the same depth");
         add(
             "a segment behind",
             [](Primitives &p) {
@@ -125,14 +126,16 @@ private slots:
                 setDepths(p, 1, {1, 2, 3});
             },
             Effect::Depth, no, 0,
-            "every triangle is nearer than all that are drawn before it, or as near");
+            "of the triangles that are drawn in the frame, each is nearer than all before it, or "
+            "as "
+            "near");
         add(
             "side by side",
             [](Primitives &p) {
                 setDepths(p, 0, {1, 1, 1});
                 setDepths(p, 1, {2, 2, 2});
             },
-            Effect::Depth, no, 0, "no two triangles overlap");
+            Effect::Depth, no, 0, "no two triangles that are drawn in the frame overlap");
         add(
             "tilted, but nearer where they overlap",
             [](Primitives &p) {
@@ -206,6 +209,42 @@ private slots:
             "no triangle, no w", [](Primitives &p) { p.triangles.clear(); }, Effect::Perspective,
             no, 0, "nothing is drawn in the frame");
 
+        // Of a segment its ends alone are carried.
+        const Change segment = [](Primitives &p) {
+            p.triangles = {triangleAt({{{1, 1}, {3, 3}, {5, 5}}})};
+            setColour(p, 0);
+            attributesAt(p, 0).vertices[1].alpha = 128;
+            setW(p, 0, 2 * attributeOne);
+            std::swap(p.attributes[0].vertices[2].w, p.attributes[0].vertices[1].w);
+        };
+        add("a segment's middle colour", segment, Effect::SmoothColour, no, 0,
+            "the vertex colours are equal");
+        add("a segment's middle alpha", segment, Effect::Blending, no, 0,
+            "every alpha is 255: opaque");
+        add("a segment's middle w", segment, Effect::Perspective, no, 0,
+            "w is the same at the three vertices of every triangle");
+        add(
+            "a segment whose middle is the first vertex",
+            [=](Primitives &p) {
+                segment(p);
+                std::swap(p.triangles[0].vertices[0], p.triangles[0].vertices[1]);
+            },
+            Effect::SmoothColour, yes, 1, "the triangle has vertex colours that differ");
+        add(
+            "a segment's lowest alpha",
+            [=](Primitives &p) {
+                segment(p);
+                attributesAt(p, 0).vertices[2].alpha = 200;
+            },
+            Effect::Blending, yes, 1, "the triangle has an alpha below 255, the lowest is 200");
+        add(
+            "a segment that goes there and back",
+            [](Primitives &p) {
+                p.triangles[0] = triangleAt({{{1, 1}, {5, 1}, {1, 1}}});
+                setAlpha(p, 0, 128);
+            },
+            Effect::Blending, yes, 1, "1 of 2 triangles has an alpha below 255, the lowest is 128");
+
         // Of what is not drawn nothing is said, whatever it has.
         const Change other = [](Primitives &p) {
             p.triangles[0] = triangleAt({{{-9, 2}, {-2, 2}, {-9, 10}}});
@@ -278,8 +317,8 @@ private slots:
                 setAlpha(p, 1, 254);
             },
             Effect::Blending, yes, 2,
-            "both triangles have an alpha below 255, the lowest is 128; the closed rule paints 9 "
-            "samples on their shared edges twice, one of them (2, 10)");
+            "both triangles have an alpha below 255, the lowest is 128; the closed rule gives 9 "
+            "samples on shared edges to both triangles, one of them (2, 10)");
         add(
             "a pane beside what is opaque",
             [](Primitives &p) {
@@ -287,8 +326,8 @@ private slots:
                 setAlpha(p, 0, 128);
             },
             Effect::Blending, yes, 1,
-            "1 of 2 triangles has an alpha below 255, the lowest is 128; the closed rule paints 9 "
-            "samples on their shared edges twice, one of them (2, 10)");
+            "1 of 2 triangles has an alpha below 255, the lowest is 128; the closed rule gives 9 "
+            "samples on shared edges to both triangles, one of them (2, 10)");
         add(
             "a face that the near plane cuts", [](Primitives &p) { p.cutAtNear = {1}; },
             Effect::Clipping, yes, 1, "1 of 2 triangles is of a face that the near plane cuts");
@@ -350,7 +389,8 @@ private slots:
         for (const FillRule rule : allFillRules) {
             const EffectVerdict verdict = verdictsOf(
                 primitives, {Arithmetic::Exact, rule, ByteRounding::Nearest})[Effect::Blending];
-            QCOMPARE(verdict.reason.contains(QStringLiteral("twice")), rule == FillRule::Closed);
+            QCOMPARE(verdict.reason.contains(QStringLiteral("shared edges")),
+                     rule == FillRule::Closed);
         }
     }
 
@@ -368,6 +408,40 @@ private slots:
         QVERIFY(planOf(primitives).batches.empty());
     }
 
+    void aLineThatPassesTheFrameByCallsForNothing()
+    {
+        Primitives primitives;
+        Shape line = smoothLine();
+        line.vertices[0].position = latticePixel(-5, 1);
+        line.vertices[1].position = latticePixel(1, -5);
+        primitives.shapes = {line};
+        QCOMPARE(verdictsOf(primitives)[Effect::SmoothColour].reason,
+                 QStringLiteral("nothing is drawn in the frame"));
+        QVERIFY(!planOf(primitives).runs(Effect::SmoothColour));
+        // (−5, 5) to (5, −5) has the pixel (0, 0).
+        primitives.shapes[0].vertices[0].position = latticePixel(-5, 5);
+        primitives.shapes[0].vertices[1].position = latticePixel(5, -5);
+        QCOMPARE(verdictsOf(primitives)[Effect::SmoothColour].verdict, Verdict::CalledFor);
+        QVERIFY(planOf(primitives).runs(Effect::SmoothColour));
+    }
+
+    void aCircleThatMayCrossTheBorderIsCounted()
+    {
+        Primitives primitives;
+        Shape circle = smoothLine();
+        circle.kind = PrimitiveKind::Circle;
+        circle.vertices[0].position = latticePixel(0, 10);
+        circle.vertices[1].position = latticePixel(4, 14);
+        primitives.shapes = {circle};
+        const EffectVerdict clipping = verdictsOf(primitives)[Effect::Clipping];
+        QCOMPARE(clipping.verdict, Verdict::NotRuledOut);
+        QCOMPARE(clipping.primitives, std::size_t(1));
+        QCOMPARE(clipping.pixels, std::int64_t(32 * 24));
+        QCOMPARE(clipping.reason,
+                 QStringLiteral("the bounding box of 1 of 1 primitives crosses the frame's "
+                                "border"));
+    }
+
     void pointsHaveEachItsOwnColourAndNoneChangesOnTheWay()
     {
         Primitives primitives;
@@ -377,8 +451,10 @@ private slots:
         const EffectVerdict verdict = verdictsOf(primitives)[Effect::SmoothColour];
 
         QCOMPARE(verdict.verdict, Verdict::NotCalledFor);
-        QCOMPARE(verdict.reason,
-                 QStringLiteral("no triangle and no line has vertex colours that differ"));
+        QCOMPARE(
+            verdict.reason,
+            QStringLiteral("no triangle and no line that the method draws has vertex colours that "
+                           "differ"));
     }
 };
 

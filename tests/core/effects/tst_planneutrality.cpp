@@ -9,6 +9,7 @@
 #include "core/oracle/truepicture.h"
 #include "core/scene/asciiraster.h"
 #include "tests/support/effectscenes.h"
+#include "tests/support/plannedtriangles.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/testprogram.h"
 
@@ -252,6 +253,64 @@ private slots:
         QCOMPARE(levelsOf(), (std::array{32, 64, 128})); // ⌊128·A + ½⌋
         primitives.appearance.forced[Effect::Blending] = Forcing::Off;
         QCOMPARE(levelsOf(), (std::array{64, 128, 255})); // ⌊255·A + ½⌋
+    }
+
+    /// A sliver between all samples draws nothing, but its edges part a pixel of the board.
+    void anEdgeBetweenTheSamplesPartsThePixelsOfOthers_data()
+    {
+        QTest::addColumn<Antialiasing>("antialiasing");
+        QTest::newRow("4 samples") << Antialiasing::Samples4;
+        QTest::newRow("16 samples") << Antialiasing::Samples16;
+    }
+    void anEdgeBetweenTheSamplesPartsThePixelsOfOthers()
+    {
+        QFETCH(Antialiasing, antialiasing);
+        Primitives primitives;
+        primitives.triangles = {triangleAt({{{-9, -9}, {20, -9}, {-9, 20}}}), triangleAt({})};
+        setTexture(primitives, 0);
+        for (VertexAttributes &vertex : primitives.attributes[0].vertices)
+            vertex.texture = {9 * vertex.texture[0], 9 * vertex.texture[1]};
+        auto &sliver = primitives.triangles[1].vertices;
+        sliver[0].position = {320, 64};
+        sliver[1].position = {352, 64};
+        sliver[2].position = {352, 96};
+        primitives.appearance.antialiasing = antialiasing;
+        const FrameSpec spec = frameOf(3, 2);
+        const FrameBuffer truth(spec);
+        const EffectPlan plan = planFor(primitives, {}, truth.view());
+        QCOMPARE(plan.antialiasing, antialiasing);
+        QCOMPARE(plan.verdicts[Effect::Antialiasing].verdict, Verdict::CalledFor);
+        QCOMPARE(plan.verdicts[Effect::Antialiasing].primitives, std::size_t(1));
+        oracle::drawPicture(primitives, {}, plan, truth.view());
+        const FrameBuffer drawn = pictureOf(QStringLiteral("column-scan"), primitives, spec);
+        QVERIFY(areSame(drawn, truth));
+        primitives.appearance.forced[Effect::Antialiasing] = Forcing::Off;
+        QVERIFY(!areSame(pictureOf(QStringLiteral("column-scan"), primitives, spec), drawn));
+    }
+
+    /// Only what shades by a plan can leave out colours; the others say so.
+    void aMethodThatCannotLeaveOutColoursSaysSo()
+    {
+        Primitives primitives;
+        primitives.triangles = {triangleAt({{{1, 1}, {7, 1}, {1, 7}}})};
+        primitives.triangles[0].vertices[1].colour = {{255, 0, 0}};
+        primitives.appearance.forced[Effect::SmoothColour] = Forcing::Off;
+        const FrameBuffer frame(frameOf(8, 8));
+        const EffectPlan plan = planFor(primitives, {}, frame.view());
+        int able = 0;
+        for (const Method &method : methods()) {
+            if (!method.draws(PrimitiveKind::Triangle))
+                continue;
+            const FrameBuffer drawn = pictureOf(method.id, primitives, frameOf(8, 8));
+            const bool isFlat = *drawn.view().at(1, 1) == *drawn.view().at(4, 2);
+            QVERIFY2(method.objection(plan, {}).isEmpty() == isFlat, qPrintable(method.id));
+            able += isFlat ? 1 : 0;
+        }
+        QCOMPARE(able, 4);
+        QVERIFY(methodNamed(u"row-walk")
+                    ->objection(plan, {})
+                    .startsWith(QStringLiteral("cannot leave out smooth colour, which is forced "
+                                               "off; column-scan, ")));
     }
 
     /// A triangle calls for colours, blending, texture and light where it is drawn at some sample

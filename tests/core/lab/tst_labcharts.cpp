@@ -3,6 +3,7 @@
 #include "core/lab/costorder.h"
 #include "core/lab/pareto.h"
 #include "core/lab/sizestudy.h"
+#include "core/oracle/truepicture.h"
 #include "tests/support/defaultscene.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
@@ -346,6 +347,46 @@ private slots:
         QVERIFY(choice->contender != nullptr);
         QVERIFY(choice->ground == BudgetGround::Proof);
         QCOMPARE(choice->settings.fillRule, rule);
+    }
+
+    /// What a scene calls for is drawn, or nobody is chosen.
+    void anAccuracyIsChosenForWhatTheSceneCallsFor_data()
+    {
+        QTest::addColumn<FillRule>("rule");
+        QTest::addColumn<Antialiasing>("antialiasing");
+        QTest::addColumn<bool>("isDrawn");
+        for (const Antialiasing antialiasing : {Antialiasing::None, Antialiasing::Samples4}) {
+            const char *samples = antialiasing == Antialiasing::None ? "alpha" : "four samples";
+            QTest::addRow("%s, closed", samples) << FillRule::Closed << antialiasing << true;
+            QTest::addRow("%s, off-screen-point", samples)
+                << FillRule::OffScreenPoint << antialiasing << false;
+        }
+    }
+    void anAccuracyIsChosenForWhatTheSceneCallsFor()
+    {
+        QFETCH(FillRule, rule);
+        QFETCH(Antialiasing, antialiasing);
+        QFETCH(bool, isDrawn);
+        Scene scene = defaultSceneIn(Arithmetic::Exact);
+        scene.settings.fillRule = rule;
+        scene.appearance.antialiasing = antialiasing;
+        TriangleAttributes attributes;
+        attributes.vertices[1].alpha = 128;
+        scene.attributes = {attributes};
+        for (const Budget budget : {Budget::Exact, Budget::OneLevel, Budget::TenPerMillion}) {
+            const auto choice = firstInOrder(budget, scene);
+            QCOMPARE(choice->contender != nullptr, isDrawn);
+            if (!isDrawn)
+                continue;
+            QCOMPARE(choice->ground, BudgetGround::Measurement);
+            const Primitives primitives = primitivesOnSamples(scene);
+            FrameBuffer truth(scene.frame);
+            FrameBuffer drawn(scene.frame);
+            oracle::drawPicture(primitives, scene.settings,
+                                planFor(primitives, scene.settings, truth.view()), truth.view());
+            choice->contender->method->draw(primitives, choice->settings, drawn.view());
+            QVERIFY(drawn.image() == truth.image());
+        }
     }
 };
 
