@@ -171,8 +171,8 @@ BorderCrossing borderCrossingOf(const Shape &shape, const SampledFrame &where)
     const BorderCrossing crossing = crossingOfBox(box, frame);
     if (crossing != BorderCrossing::MayCross || shape.kind == PrimitiveKind::Text)
         return crossing;
-    if (shape.kind == PrimitiveKind::Line && where.antialiasing == Antialiasing::None
-        && passesBy(shape, frame))
+    if (shape.kind == PrimitiveKind::Line && shape.vertices.size() == 2
+        && where.antialiasing == Antialiasing::None && passesBy(shape, frame))
         return BorderCrossing::Outside;
     // From a vertex within to one beyond it crosses somewhere; a circle's vertices are none of its
     // points.

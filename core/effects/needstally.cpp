@@ -91,7 +91,7 @@ public:
 private:
     static bool isPoint(const Shape &line)
     {
-        return line.kind == PrimitiveKind::Line
+        return line.kind == PrimitiveKind::Line && !line.vertices.empty()
             && line.vertices.front().position == line.vertices.back().position;
     }
 

@@ -98,8 +98,8 @@ QString LiveFigures::text() const
     if (!wrongPixels)
         return QStringLiteral("truth not known");
     if (*wrongPixels == 0)
-        return QStringLiteral("Finished: all pixels correct");
-    return QStringLiteral("Finished: %1 px wrong, truth %2 px").arg(*wrongPixels).arg(pixels);
+        return QStringLiteral("When finished: all pixels correct");
+    return QStringLiteral("When finished: %1 px wrong, truth %2 px").arg(*wrongPixels).arg(pixels);
 }
 
 QString LiveFigures::timeText() const

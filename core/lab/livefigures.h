@@ -22,7 +22,7 @@ struct LiveFigures {
     std::optional<Spread> perPixel;
     int rounds = 0;
 
-    /// "Finished: all pixels correct", "Finished: 68 px wrong, truth 1320 px"
+    /// "When finished: all pixels correct", "When finished: 68 px wrong, truth 1320 px"
     QString text() const;
     /// "plain kernel 1.10 ns a pixel"; empty where nothing was timed.
     QString timeText() const;

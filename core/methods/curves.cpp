@@ -114,7 +114,7 @@ Method circleMidpointMethod()
             {{VariantSet().with(Variant::StayAtZero),
               QStringLiteral("if p ≤ 0 (of a circle p ≤ ¼, which a whole number takes for 0): y "
                              "stays")}}},
-           {1, QStringLiteral("else: y goes inwards until it is"), {Moment::Cross}},
+           {1, QStringLiteral("else: y goes inwards until it is, or y = 0"), {Moment::Cross}},
            {1,
             QStringLiteral("p ← F at the next midpoint, by adding Δp"),
             {Moment::Stay, Moment::Cross}},

@@ -58,6 +58,8 @@ QString incrementFormula(const MidpointStep &step)
 /// On the steep arc of an ellipse x_k counts rows and y_k columns.
 QString branchText(const MidpointStep &step)
 {
+    if (step.down == 0 && step.y == 0)
+        return QStringLiteral("y_k stays 0, on the axis");
     if (step.down == 0)
         return QStringLiteral("y_k stays %1").arg(step.y);
     const QString line = step.arc == 0 ? QStringLiteral("row") : QStringLiteral("column");
@@ -142,8 +144,13 @@ void tellCurve(StepWords &words, const MidpointStep &step)
     const Quantity decision = Quantity::rational(step.decision, step.decisionUnit);
     const Quantity increment
         = Quantity::rational(step.nextDecision - step.decision, step.decisionUnit);
-    words.sentence = QStringLiteral("p_k = %1: the midpoint is %2, so %3; Δp = %4%5.")
+    // No row lies inwards of the axis, whatever the midpoint says.
+    const bool staysAnyway = step.down == 0 && step.y == 0 && decision.numerator() > 0;
+    if (staysAnyway)
+        words.moment = Moment::Cross;
+    words.sentence = QStringLiteral("p_k = %1: the midpoint is %2, %3 %4; Δp = %5%6.")
                          .arg(midpointSignText(decision), sideText(step, decision),
+                              staysAnyway ? QStringLiteral("but") : QStringLiteral("so"),
                               branchText(step), incrementFormula(step), term(increment));
 }
 

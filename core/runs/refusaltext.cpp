@@ -39,23 +39,46 @@ Quantity edgeFunctionAt(const LatticePoint &from, const LatticePoint &to, const 
     return Quantity::rational(-doubledArea(from, to, point), squareUnitsPerPixel);
 }
 
-/// On which sides of an edge the off-screen point and the triangle lie: whether f_bc(a)·f_bc(r) >
-/// 0.
-QString sidesText(const Triangle &triangle, const oracle::EdgeVerdict &edge,
-                  const LatticePoint &offScreenPoint)
+/// Whether the method's set-up has a number of its own of this kind for each edge: "s_0".
+bool hasForEachEdge(const TracedScene &traced, const char *id)
 {
+    return std::ranges::count(traced.trace->numbers().setUp,
+                              QString::fromLatin1(id) + QStringLiteral("_0"),
+                              &NumberDescription::id)
+        > 0;
+}
+
+/// On which sides of an edge the off-screen point and the triangle lie, in the numbers of the
+/// method: whether f_bc(a)·f_bc(r) > 0.
+QString sidesText(const TracedScene &traced, std::size_t index, const oracle::EdgeVerdict &edge)
+{
+    const Triangle &triangle = traced.primitives.triangles[index];
+    const LatticePoint offScreenPoint = boundaryRuleOf(traced.scene).offScreenPoint;
     const auto position
         = [&](int vertex) { return triangle.vertices[std::size_t(vertex)].position; };
-    const auto functionAt = [&](const LatticePoint &point) {
-        return edgeFunctionAt(position(edge.from), position(edge.to), point);
-    };
-    const Quantity atPoint = functionAt(offScreenPoint);
-    const Quantity atFacing = functionAt(position(3 - edge.from - edge.to));
-    const Quantity product = productOf(atFacing, atPoint);
+    const LatticePoint facing = position(3 - edge.from - edge.to);
+    const Quantity product
+        = productOf(edgeFunctionAt(position(edge.from), position(edge.to), offScreenPoint),
+                    edgeFunctionAt(position(edge.from), position(edge.to), facing));
+    const bool isOnSameSide = product.numerator() > 0;
+    // A solved system has equations of another scale, one for each edge.
+    if (hasForEachEdge(traced, "q"))
+        return (isOnSameSide
+                    ? QStringLiteral("the off-screen point %1 lies on the side of the vertex that "
+                                     "faces it")
+                    : QStringLiteral("the off-screen point %1 does not lie on the side of the "
+                                     "vertex that faces it"))
+            .arg(pointText(offScreenPoint));
+    // Exchanged sides make a function positive inside.
+    const Quantity given = edgeFunctionAt(position(edge.from), position(edge.to), facing);
+    const bool isExchanged = hasForEachEdge(traced, "s") && given.numerator() < 0;
+    const int from = isExchanged ? edge.to : edge.from;
+    const int to = isExchanged ? edge.from : edge.to;
     return QStringLiteral("the edge's function is %1 at the off-screen point %2 and %3 at the "
                           "vertex that faces it; their product, %4, is %5 0")
-        .arg(term(atPoint), pointText(offScreenPoint), term(atFacing), term(product),
-             product.numerator() > 0 ? QStringLiteral("above") : QStringLiteral("not above"));
+        .arg(term(edgeFunctionAt(position(from), position(to), offScreenPoint)),
+             pointText(offScreenPoint), term(edgeFunctionAt(position(from), position(to), facing)),
+             term(product), isOnSameSide ? QStringLiteral("above") : QStringLiteral("not above"));
 }
 
 } // namespace
@@ -73,9 +96,9 @@ QString tieText(const TracedScene &traced, std::size_t triangle, const oracle::E
     if (std::ranges::find_if(there.edges, isSame)->accepts) {
         const QString given
             = QStringLiteral("the rule %1 gives it to the other side").arg(nameText(nameOf(rule)));
-        return rule != FillRule::OffScreenPoint ? given
-                                                : given + QStringLiteral(": ")
-                + sidesText(own, edge, boundaryRuleOf(traced.scene).offScreenPoint);
+        return rule != FillRule::OffScreenPoint
+            ? given
+            : given + QStringLiteral(": ") + sidesText(traced, triangle, edge);
     }
     if (rule == FillRule::OffScreenPoint)
         return QStringLiteral("the off-screen point lies on this edge's line too: neither side "
@@ -89,10 +112,9 @@ QString keptTieText(const TracedScene &traced, std::size_t triangle,
     const FillRule rule = traced.scene.settings.fillRule;
     const QString kept
         = QStringLiteral("the rule %1 gives it to this side").arg(nameText(nameOf(rule)));
-    return rule != FillRule::OffScreenPoint ? kept
-                                            : kept + QStringLiteral(": ")
-            + sidesText(traced.primitives.triangles[triangle], edge,
-                        boundaryRuleOf(traced.scene).offScreenPoint);
+    return rule != FillRule::OffScreenPoint
+        ? kept
+        : kept + QStringLiteral(": ") + sidesText(traced, triangle, edge);
 }
 
 std::vector<SampleDecision> decisionsOf(const std::vector<NumberDescription> &columns,

@@ -101,7 +101,7 @@ void walkEdges(const Triangle &triangle, const ScanSettings &settings, FrameView
     if constexpr (std::is_same_v<Observer, NullObserver>)
         scan(observer); // there is nothing to tell on
     else
-        scan(EdgeWalkListener<A, axis, Observer>(seen, intervals, view.firstRow, observer));
+        scan(EdgeWalkListener<A, axis, Observer>(triangle, intervals, view.firstRow, observer));
 }
 
 /// The same with the departures of the settings. Nothing departs in a triangle that has no area.

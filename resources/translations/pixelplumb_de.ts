@@ -1210,7 +1210,7 @@
         <translation>Wahrheit nicht bekannt</translation>
     </message>
     <message>
-        <source>Finished: all pixels correct</source>
+        <source>When finished: all pixels correct</source>
         <translation>Am Ende: alle Pixel richtig</translation>
     </message>
     <message>
@@ -1218,7 +1218,7 @@
         <translation>Dass das Verfahren jedes Pixel richtig zeichnet, ist bewiesen.</translation>
     </message>
     <message>
-        <source>Finished: %1 px wrong, truth %2 px</source>
+        <source>When finished: %1 px wrong, truth %2 px</source>
         <translation>Am Ende: %1 px falsch, Wahrheit %2 px</translation>
     </message>
     <message>

@@ -79,6 +79,7 @@ PixelHistoryPanel::PixelHistoryPanel(Playhead *playhead, QWidget *parent)
     m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_reasonArea->setObjectName(QStringLiteral("pixelHistoryReasonArea"));
     m_reasonArea->setFrameShape(QFrame::NoFrame);
+    m_reasonArea->setFocusPolicy(Qt::NoFocus); // its text takes it
     m_reasonArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_reasonArea->setWidgetResizable(true);
     m_reasonArea->setWidget(m_reason);

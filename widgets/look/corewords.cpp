@@ -208,9 +208,9 @@ constexpr const char *context = "pixelplumb::CoreWords";
     // Errors and times of the scene in hand, and the time that is left.
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "nothing to measure yet"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "truth not known"),
-    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "Finished: all pixels correct"),
+    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "When finished: all pixels correct"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "The method is proved to draw every pixel right."),
-    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "Finished: %1 px wrong, truth %2 px"),
+    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "When finished: %1 px wrong, truth %2 px"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "plain kernel %1 ns a pixel"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords",
                       "The time is that of the plain kernel, the one that is stepped through, on "

@@ -13,8 +13,8 @@ namespace pixelplumb {
 /// window's own sentences. One without a translation stays as it is.
 QString coreWord(const QString &english);
 QString coreWord(std::string_view english);
-/// Several of them, line by line and word by word: "Finished: 68 px wrong, truth 1320 px · plain
-/// kernel 3.02 ns a pixel".
+/// Several of them, line by line and word by word: "When finished: 68 px wrong, truth 1320 px ·
+/// plain kernel 3.02 ns a pixel".
 QString coreWords(const QString &english, const QString &separator);
 
 } // namespace pixelplumb

@@ -343,7 +343,7 @@ private slots:
         QVERIFY(!rounded->isProved);
         QVERIFY(*rounded->wrongPixels > 0);
         QVERIFY(exact->perPixel.has_value());
-        QCOMPARE(exact->text(), QStringLiteral("Finished: all pixels correct"));
+        QCOMPARE(exact->text(), QStringLiteral("When finished: all pixels correct"));
         QVERIFY(exact->details().contains(QStringLiteral("proved to draw every pixel right")));
         QVERIFY(!rounded->details().contains(QStringLiteral("proved")));
         QVERIFY(exact->details().contains(QStringLiteral("median of ")));
@@ -373,7 +373,7 @@ private slots:
         QCOMPARE(figures->text(), QStringLiteral("truth not known"));
         QVERIFY(!figures->perPixel);
         const auto ofRun = liveFiguresOf(traceScene(scene));
-        QCOMPARE(ofRun->text(), QStringLiteral("Finished: all pixels correct"));
+        QCOMPARE(ofRun->text(), QStringLiteral("When finished: all pixels correct"));
     }
 
     void whatAProvedMethodRefusesIsWrong()
@@ -395,7 +395,7 @@ private slots:
         QCOMPARE(refused->pixels, *refused->wrongPixels);
         scene.method = "polygon-parity";
         QCOMPARE(liveFiguresOf(traceScene(scene))->text(),
-                 QStringLiteral("Finished: all pixels correct"));
+                 QStringLiteral("When finished: all pixels correct"));
     }
 
     void theSceneInHandIsTimedAsTheStudyTimesIt()

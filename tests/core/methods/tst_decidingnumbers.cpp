@@ -277,6 +277,74 @@ private slots:
                      qPrintable(reasonAt(along, across)));
     }
 
+    /// Edge equations exchange the sides of P₀P₁, whose function was −48 at P₂; the solved system
+    /// has other numbers.
+    void aTieIsToldInTheMethodsOwnNumbers_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<QString>("told");
+        QTest::newRow("exchanged")
+            << "edge-equations"
+            << "the edge's function is −11 at the off-screen point (−1, −1) and 48 at the vertex "
+               "that faces it; their product, −528, is not above 0; ";
+        QTest::newRow("as given")
+            << "barycentric-all"
+            << "the edge's function is 11 at the off-screen point (−1, −1) and −48 at the vertex "
+               "that faces it; their product, −528, is not above 0; ";
+        QTest::newRow("solved") << "edge-equations-solved"
+                                << "gives it to the other side: the off-screen point (−1, −1) does "
+                                   "not lie on the side of the vertex that faces it; ";
+    }
+    void aTieIsToldInTheMethodsOwnNumbers()
+    {
+        QFETCH(QString, method);
+        QFETCH(QString, told);
+        const auto traced
+            = traceScene(slideTriangle(method.toLatin1().constData(), FillRule::OffScreenPoint));
+        const QString reason = pixelHistory(*traced, 2, 1).front().reason;
+        QVERIFY2(reason.contains(told), qPrintable(reason));
+        if (method == QStringLiteral("edge-equations"))
+            QCOMPARE(inSetUp(*traced, "E₀(r)"), Quantity::integer(-11));
+    }
+
+    void aSegmentKeepsItsMiddleVertex_data()
+    {
+        QTest::addColumn<QString>("method");
+        for (const char *method : {"column-scan", "row-walk", "row-walk-constant-rate"})
+            QTest::newRow(method) << QString::fromLatin1(method);
+    }
+    void aSegmentKeepsItsMiddleVertex()
+    {
+        QFETCH(QString, method);
+        Scene scene = slideTriangle(method.toLatin1().constData());
+        scene.triangles[0].vertices[1].position = latticePixel(6, 3);
+        scene.triangles[0].vertices[2].position = latticePixel(10, 5);
+        const auto traced = traceScene(scene);
+        QCOMPARE(inSetUp(*traced, "x₁"), Quantity::integer(6));
+        QCOMPARE(inSetUp(*traced, "y₁"), Quantity::integer(3));
+        QCOMPARE(inSetUp(*traced, "G₁"), Quantity::integer(255));
+    }
+
+    /// b = 8 along, a = 1 across: F(8, −½) = 64 + 16 − 64 = 16, and no row is inwards of y = 0.
+    void anArcThatEndsOnTheAxisStaysThere()
+    {
+        const Shape ellipse = ellipseAtUnits(latticePixel(8, 10), unitsPerPixel, 8 * unitsPerPixel);
+        const auto traced = traceScene(sceneOf(ellipse, "circle-midpoint", frameOf(20, 20)));
+        int onAxis = 0;
+        for (std::size_t span = 0; span < traced->trace->spanCount(); ++span) {
+            const StepWords words = traced->trace->spanWords(span);
+            if (!words.sentence.contains(QStringLiteral("on the axis")))
+                continue;
+            ++onAxis;
+            QVERIFY2(words.sentence.startsWith(
+                         QStringLiteral("p_k = 16 > 0: the midpoint is outside, but y_k stays 0, "
+                                        "on the axis; ")),
+                     qPrintable(words.sentence));
+            QCOMPARE(words.moment, Moment::Cross);
+        }
+        QCOMPARE(onAxis, 1);
+    }
+
     /// From (1/4, 3/4) to (6 1/2, 3 3/8): y(1) = 3/4 + 3/4·21/50 = 1 13/200.
     void theFirstPixelOfALineBetweenPixelsTellsWhatIsRounded()
     {

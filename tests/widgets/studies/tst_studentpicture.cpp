@@ -471,13 +471,13 @@ private slots:
         const auto window = windowWithDefect("rounding-truncate");
         const auto *figures = named<QLabel>(*window, "statusFigures");
         QTRY_VERIFY(judgement(*window));
-        QTRY_VERIFY_WITH_TIMEOUT(figures->toolTip().contains("Finished: all pixels correct"),
+        QTRY_VERIFY_WITH_TIMEOUT(figures->toolTip().contains("When finished: all pixels correct"),
                                  60'000);
         QVERIFY2(figures->text().startsWith("Submission: Wrong"), qPrintable(figures->text()));
         QVERIFY(!figures->text().contains("correct"));
 
         QTest::mouseClick(named<QToolButton>(*window, "submissionRemove"), Qt::LeftButton);
-        QTRY_COMPARE(figures->text(), QStringLiteral("Finished: all pixels correct"));
+        QTRY_COMPARE(figures->text(), QStringLiteral("When finished: all pixels correct"));
     }
 
     void theBugIsNamedInWordsForBoth()
