@@ -2,6 +2,7 @@
 #include "core/scene/referredfiles.h"
 
 #include "core/scene/fileaccess.h"
+#include "core/scene/jsonreader.h"
 #include "core/scene/meshfile.h"
 #include "core/scene/scenefile.h"
 #include "core/scene/texturefile.h"
