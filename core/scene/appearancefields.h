@@ -5,6 +5,8 @@
 #include "core/scene/appearancenames.h"
 #include "core/scene/jsonfields.h"
 
+#include <QStringList>
+
 /// What a scene file calls the parts of an appearance: one list a part, by which they are read and
 /// written, in this order. What is left out is as by default, and what is by default is left out.
 namespace pixelplumb {
