@@ -111,7 +111,8 @@ QString writtenText(const PixelAttempt &attempt)
 
 /// On which edges a sample lies that was written, and why they are the triangle's own; empty where
 /// no rule gives an edge to one of its sides.
-QString keptTiesText(const PixelAttempt &attempt, const TracedScene &traced)
+QString keptTiesText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
+                     std::int64_t y)
 {
     const FillRule rule = traced.scene.settings.fillRule;
     if (rule == FillRule::Closed || rule == FillRule::Open || attempt.verdict.zeroArea)
@@ -122,7 +123,7 @@ QString keptTiesText(const PixelAttempt &attempt, const TracedScene &traced)
         if (edge.edgeFunction == 0 && edge.accepts)
             ties.append(
                 QStringLiteral("exactly on %1, and %2")
-                    .arg(attempt.edgeNames[i], keptTieText(traced, attempt.primitive, edge)));
+                    .arg(attempt.edgeNames[i], tieText(traced, attempt.primitive, edge, x, y)));
     }
     return ties.isEmpty()
         ? QString()
@@ -257,7 +258,7 @@ QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced, std::in
             + approximation();
     if (attempt.kind != PrimitiveKind::Triangle)
         return text;
-    text += keptTiesText(attempt, traced);
+    text += keptTiesText(attempt, traced, x, y);
     const Colour exact
         = oracle::byteColourAt(traced.primitives.triangles[attempt.primitive], attempt.change.x,
                                attempt.change.y, traced.scene.settings.rounding);

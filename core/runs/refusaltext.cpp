@@ -57,9 +57,10 @@ QString sidesText(const TracedScene &traced, std::size_t index, const oracle::Ed
     const auto position
         = [&](int vertex) { return triangle.vertices[std::size_t(vertex)].position; };
     const LatticePoint facing = position(3 - edge.from - edge.to);
-    const Quantity product
-        = productOf(edgeFunctionAt(position(edge.from), position(edge.to), offScreenPoint),
-                    edgeFunctionAt(position(edge.from), position(edge.to), facing));
+    const auto functionAt = [&](const LatticePoint &point) {
+        return edgeFunctionAt(position(edge.from), position(edge.to), point);
+    };
+    const Quantity product = productOf(functionAt(facing), functionAt(offScreenPoint));
     const bool isOnSameSide = product.numerator() > 0;
     // A solved system has equations of another scale, one for each edge.
     if (hasForEachEdge(traced, "q"))
@@ -70,15 +71,13 @@ QString sidesText(const TracedScene &traced, std::size_t index, const oracle::Ed
                                      "vertex that faces it"))
             .arg(pointText(offScreenPoint));
     // Exchanged sides make a function positive inside.
-    const Quantity given = edgeFunctionAt(position(edge.from), position(edge.to), facing);
-    const bool isExchanged = hasForEachEdge(traced, "s") && given.numerator() < 0;
-    const int from = isExchanged ? edge.to : edge.from;
-    const int to = isExchanged ? edge.from : edge.to;
+    const bool isExchanged = hasForEachEdge(traced, "s") && functionAt(facing).numerator() < 0;
+    const Quantity sign = Quantity::integer(isExchanged ? -1 : 1);
     return QStringLiteral("the edge's function is %1 at the off-screen point %2 and %3 at the "
                           "vertex that faces it; their product, %4, is %5 0")
-        .arg(term(edgeFunctionAt(position(from), position(to), offScreenPoint)),
-             pointText(offScreenPoint), term(edgeFunctionAt(position(from), position(to), facing)),
-             term(product), isOnSameSide ? QStringLiteral("above") : QStringLiteral("not above"));
+        .arg(term(productOf(sign, functionAt(offScreenPoint))), pointText(offScreenPoint),
+             term(productOf(sign, functionAt(facing))), term(product),
+             isOnSameSide ? QStringLiteral("above") : QStringLiteral("not above"));
 }
 
 } // namespace
@@ -86,35 +85,27 @@ QString sidesText(const TracedScene &traced, std::size_t index, const oracle::Ed
 QString tieText(const TracedScene &traced, std::size_t triangle, const oracle::EdgeVerdict &edge,
                 std::int64_t x, std::int64_t y)
 {
-    const Triangle &own = traced.primitives.triangles[triangle];
-    const Triangle neighbour = acrossEdge(own, edge);
+    const FillRule rule = traced.scene.settings.fillRule;
+    const auto givenTo = [&](const QString &side) {
+        const QString given
+            = QStringLiteral("the rule %1 gives it to %2").arg(nameText(nameOf(rule)), side);
+        return rule != FillRule::OffScreenPoint
+            ? given
+            : given + QStringLiteral(": ") + sidesText(traced, triangle, edge);
+    };
+    if (edge.accepts)
+        return givenTo(QStringLiteral("this side"));
+    const Triangle neighbour = acrossEdge(traced.primitives.triangles[triangle], edge);
     const auto isSame = [&](const oracle::EdgeVerdict &other) {
         return other.from == edge.from && other.to == edge.to;
     };
     const oracle::SampleVerdict there = verdictOn(neighbour, traced, x, y);
-    const FillRule rule = traced.scene.settings.fillRule;
-    if (std::ranges::find_if(there.edges, isSame)->accepts) {
-        const QString given
-            = QStringLiteral("the rule %1 gives it to the other side").arg(nameText(nameOf(rule)));
-        return rule != FillRule::OffScreenPoint
-            ? given
-            : given + QStringLiteral(": ") + sidesText(traced, triangle, edge);
-    }
+    if (std::ranges::find_if(there.edges, isSame)->accepts)
+        return givenTo(QStringLiteral("the other side"));
     if (rule == FillRule::OffScreenPoint)
         return QStringLiteral("the off-screen point lies on this edge's line too: neither side "
                               "owns it");
     return QStringLiteral("the rule %1 gives it to neither side").arg(nameText(nameOf(rule)));
-}
-
-QString keptTieText(const TracedScene &traced, std::size_t triangle,
-                    const oracle::EdgeVerdict &edge)
-{
-    const FillRule rule = traced.scene.settings.fillRule;
-    const QString kept
-        = QStringLiteral("the rule %1 gives it to this side").arg(nameText(nameOf(rule)));
-    return rule != FillRule::OffScreenPoint
-        ? kept
-        : kept + QStringLiteral(": ") + sidesText(traced, triangle, edge);
 }
 
 std::vector<SampleDecision> decisionsOf(const std::vector<NumberDescription> &columns,

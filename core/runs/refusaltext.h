@@ -23,14 +23,10 @@ std::vector<SampleDecision> decisionsOf(const std::vector<NumberDescription> &co
 QString refusalSentence(const TracedScene &traced, std::size_t triangle, const SampleRecord &sample,
                         std::span<const SampleDecision> decisions);
 
-/// Of an edge that refuses a sample exactly on it, after the edge's name: who owns it, by which
-/// rule.
+/// Of an edge that a sample lies exactly on, after the edge's name: who owns it, by which rule. The
+/// edge accepts the sample only under a rule that gives an edge to one of its sides.
 QString tieText(const TracedScene &traced, std::size_t triangle, const oracle::EdgeVerdict &edge,
                 std::int64_t x, std::int64_t y);
-
-/// The same of an edge that accepts it, under a rule that gives an edge to one of its sides.
-QString keptTieText(const TracedScene &traced, std::size_t triangle,
-                    const oracle::EdgeVerdict &edge);
 
 /// That a triangle whose pixels have more than one sample has none of a pixel; empty where they
 /// have one.
