@@ -36,6 +36,23 @@ QString passingText(const PixelAttempt &attempt, const ScanTrace &trace)
     return trace.sampleWords(step.span, step.sample - trace.firstSampleOf(step.span)).sentence;
 }
 
+/// "exactly on P₀P₁, and the rule …; it lies exactly on …": the edges on which the sample lies, of
+/// those that are asked for; empty where it lies on none.
+template <class IsAskedFor>
+QString tiesText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
+                 std::int64_t y, const IsAskedFor &isAskedFor)
+{
+    QStringList ties;
+    for (std::size_t i = 0; i < attempt.verdict.edges.size(); ++i) {
+        const oracle::EdgeVerdict &edge = attempt.verdict.edges[i];
+        if (edge.edgeFunction == 0 && isAskedFor(edge))
+            ties.append(
+                QStringLiteral("exactly on %1, and %2")
+                    .arg(attempt.edgeNames[i], tieText(traced, attempt.primitive, edge, x, y)));
+    }
+    return ties.join(QStringLiteral("; it lies "));
+}
+
 /// Which edge keeps the sample out, by how much, under which rule; of shapes, what the kernel
 /// found.
 QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
@@ -66,17 +83,11 @@ QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std:
         = noPart.isEmpty() ? QStringLiteral("the sample") : QStringLiteral("the pixel's centre");
     const QString start = noPart.isEmpty() ? noPart : noPart + u' ';
     if (refusing->edgeFunction == 0) {
-        QStringList ties;
-        for (std::size_t i = 0; i < attempt.verdict.edges.size(); ++i) {
-            const oracle::EdgeVerdict &each = attempt.verdict.edges[i];
-            if (each.edgeFunction == 0 && !each.accepts)
-                ties.append(
-                    QStringLiteral("exactly on %1, and %2")
-                        .arg(attempt.edgeNames[i], tieText(traced, attempt.primitive, each, x, y)));
-        }
         return start
             + QStringLiteral("T%1 lies %2.")
-                  .arg(sample.sliced(1), ties.join(QStringLiteral("; it lies ")));
+                  .arg(sample.sliced(1), tiesText(attempt, traced, x, y, [](const auto &each) {
+                           return !each.accepts;
+                       }));
     }
     // Its samples, or its area, have decided; the centre's place is told for orientation.
     if (!noPart.isEmpty())
@@ -117,17 +128,9 @@ QString keptTiesText(const PixelAttempt &attempt, const TracedScene &traced, std
     const FillRule rule = traced.scene.settings.fillRule;
     if (rule == FillRule::Closed || rule == FillRule::Open || attempt.verdict.zeroArea)
         return {};
-    QStringList ties;
-    for (std::size_t i = 0; i < attempt.verdict.edges.size(); ++i) {
-        const oracle::EdgeVerdict &edge = attempt.verdict.edges[i];
-        if (edge.edgeFunction == 0 && edge.accepts)
-            ties.append(
-                QStringLiteral("exactly on %1, and %2")
-                    .arg(attempt.edgeNames[i], tieText(traced, attempt.primitive, edge, x, y)));
-    }
-    return ties.isEmpty()
-        ? QString()
-        : QStringLiteral(" The sample lies %1.").arg(ties.join(QStringLiteral("; it lies ")));
+    const QString ties
+        = tiesText(attempt, traced, x, y, [](const auto &each) { return each.accepts; });
+    return ties.isEmpty() ? ties : QStringLiteral(" The sample lies %1.").arg(ties);
 }
 
 /// By which numbers the kernel refused a sample of a triangle.
