@@ -131,14 +131,7 @@ private:
         if (!needs.effects.blending)
             return;
         m_tally.blended.push_back(&triangle);
-        const bool isSegment = doubledArea(triangle) == 0;
-        const auto order = sortedByColumn(triangle);
-        for (const std::size_t place : {0, 1, 2}) {
-            const auto vertex = std::size_t(order[place]);
-            if (!isSegment || place != 1)
-                m_tally.lowestAlpha
-                    = std::min(m_tally.lowestAlpha, int(attributes.vertices[vertex].alpha));
-        }
+        m_tally.lowestAlpha = std::min(m_tally.lowestAlpha, needs.lowestAlpha);
     }
 
     void addTexture(const Texture *texture)

@@ -28,6 +28,17 @@ public:
         return at(0) != at(2) || (!m_isSegment && at(0) != at(1));
     }
 
+    /// The first of them.
+    std::size_t first() const { return std::size_t(m_order[0]); }
+    template <class Vertices, class Value>
+    auto leastIn(const Vertices &vertices, Value value) const
+    {
+        const auto at = [&](std::size_t place) {
+            return std::invoke(value, vertices[std::size_t(m_order[place])]);
+        };
+        return std::min({at(0), at(m_isSegment ? 0 : 1), at(2)});
+    }
+
 private:
     std::array<int, 3> m_order;
     bool m_isSegment = false;
@@ -66,14 +77,14 @@ TriangleNeeds needsOf(const Triangle &triangle, const TriangleAttributes *attrib
     const Carriers carriers(triangle);
     needs.carriesColour = carriers.differIn(triangle.vertices, &Vertex::colour);
     // One colour is the first vertex's, which may lie in the middle of a segment.
-    const auto order = sortedByColumn(triangle);
     needs.effects.smooth = needs.carriesColour
-        || triangle.vertices[0].colour != triangle.vertices[std::size_t(order[0])].colour;
+        || triangle.vertices[0].colour != triangle.vertices[carriers.first()].colour;
     if (!attributes)
         return needs;
     const std::array<VertexAttributes, 3> &vertices = attributes->vertices;
     needs.carriesAlpha = carriers.differIn(vertices, &VertexAttributes::alpha);
-    needs.effects.blending = needs.carriesAlpha || vertices[std::size_t(order[0])].alpha < 255;
+    needs.lowestAlpha = carriers.leastIn(vertices, &VertexAttributes::alpha);
+    needs.effects.blending = needs.lowestAlpha < 255;
     if (textureOf(*attributes, appearance)) {
         needs.effects.texture = true;
         needs.carriesTexture = carriers.differIn(vertices, &VertexAttributes::texture);

@@ -10,6 +10,7 @@ namespace pixelplumb {
 struct TriangleNeeds {
     EffectSet effects; ///< depth is a question of the others: none
     bool vertexLight = false; ///< in set-up, of flat and Gouraud shading
+    int lowestAlpha = 255; ///< that it carries
 
     // What perspective is asked by.
     bool wDiffers = false; ///< between the vertices
