@@ -5,18 +5,24 @@
 #include "core/scene/inputrecord.h"
 #include "core/scene/shortened.h"
 
+#include <cerrno>
 #include <cstdio>
 
 namespace pixelplumb::cli {
 
 namespace {
 
+int printFault = 0; ///< errno of the first failure to print; 0: none
+
 /// Where a stream leads to an input it would harm it: even a refusal is kept back.
 void writeBytes(std::FILE *stream, const QByteArray &bytes)
 {
     if (isInput(fileno(stream)))
         return;
-    std::fwrite(bytes.constData(), 1, std::size_t(bytes.size()), stream);
+    const auto size = std::size_t(bytes.size());
+    if (std::fwrite(bytes.constData(), 1, size, stream) != size && stream == stdout
+        && printFault == 0)
+        printFault = errno;
 }
 
 } // namespace
@@ -36,6 +42,18 @@ void printLines(const QStringList &lines) { writeBytes(stdout, shownLines(lines)
 void printJson(const QJsonDocument &document)
 {
     writeBytes(stdout, escapedJson(document.toJson()));
+}
+
+std::optional<InputError> finishPrinting()
+{
+    if (std::fflush(stdout) != 0 && printFault == 0)
+        printFault = errno;
+    if (printFault == 0 && std::ferror(stdout) == 0)
+        return std::nullopt;
+    QString what = QStringLiteral("cannot be written");
+    if (printFault != 0)
+        what += QStringLiteral(": ") + qt_error_string(printFault);
+    return InputError{QStringLiteral("standard output"), what, {}};
 }
 
 void sayLine(const QString &line)

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/scene/result.h"
+
 #include <QJsonDocument>
 #include <QStringList>
+
+#include <optional>
 
 namespace pixelplumb::cli {
 
@@ -21,6 +25,9 @@ QByteArray shownLines(const QStringList &lines);
 void printLine(const QString &line);
 void printLines(const QStringList &lines);
 void printJson(const QJsonDocument &document);
+/// Writes what is still held back; an error where that, or anything before, could not be written: a
+/// full disk shows only now.
+std::optional<InputError> finishPrinting();
 /// A message: a line on stderr, shortened where it is very long.
 void sayLine(const QString &line);
 

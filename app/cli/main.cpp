@@ -8,7 +8,6 @@
 #include <QLoggingCategory>
 
 #include <algorithm>
-#include <cstdio>
 #include <exception>
 
 namespace pixelplumb::cli {
@@ -152,10 +151,10 @@ int main(int argc, char *argv[])
     QLoggingCategory::setFilterRules(QStringLiteral("qt.gui.imageio*=false"));
     try {
         ExitCode code = pixelplumb::cli::run(QCoreApplication::arguments().sliced(1));
-        // A full disk behind stdout shows only now, unless a command has told of it.
-        const bool isFull = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
-        if (isFull && code != ExitCode::Usage) {
-            sayLine(QStringLiteral("pixelplumb-cli: standard output: cannot be written"));
+        // Unless a command has told of it.
+        const auto error = pixelplumb::cli::finishPrinting();
+        if (error && code != ExitCode::Usage) {
+            sayLine(QStringLiteral("pixelplumb-cli: ") + error->message());
             code = ExitCode::Usage;
         }
         return int(code);

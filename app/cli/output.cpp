@@ -19,8 +19,8 @@ std::optional<InputError> Output::open()
         return m_file->open();
     if (auto refusal = refusalToPrint())
         return refusal;
-    return m_standardOutput.open(stdout, QIODevice::WriteOnly) ? std::nullopt
-                                                               : std::optional(error());
+    return m_standardOutput.open(fileno(stdout), QIODevice::WriteOnly) ? std::nullopt
+                                                                       : std::optional(error());
 }
 
 QIODevice &Output::device()

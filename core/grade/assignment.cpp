@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/assignment.h"
 
+#include "core/grade/showntext.h"
 #include "core/scene/scenefile.h"
 
 #include <QJsonArray>
@@ -123,7 +124,7 @@ QByteArray writeAssignment(const Assignment &assignment)
                        {QStringLiteral("scenes"), scenes}};
     if (assignment.program)
         object.insert(QStringLiteral("program"), assignedJson(*assignment.program));
-    return QJsonDocument(object).toJson();
+    return escapedJson(QJsonDocument(object).toJson());
 }
 
 } // namespace pixelplumb

@@ -2,8 +2,8 @@
 #include "core/grade/gradefile.h"
 
 #include "core/grade/gradefields.h"
-#include "core/grade/oldgrades.h"
 #include "core/grade/resultsfolder.h"
+#include "core/grade/seal.h"
 #include "core/grade/submissionfolder.h"
 #include "core/scene/fieldreader.h"
 #include "core/scene/fieldwriter.h"
@@ -28,6 +28,38 @@ bool expectFormat(JsonReader &json)
     if (!json.hasFailed())
         json.integer(json.root()[gradesKey], 1, gradesFormat);
     return !json.hasFailed();
+}
+
+/// What a file of ours says, edited or not.
+template <class Part>
+Result<Part> readOurs(const QByteArray &text)
+{
+    JsonReader json(text);
+    Part part;
+    if (expectFormat(json))
+        FieldReader(json, gradesFormat).readMembers(json.root(), part, {gradesKey, sealKey});
+    return json.hasFailed() ? Result<Part>(json.error()) : Result<Part>(std::move(part));
+}
+
+/// The same, unless its seal is broken.
+template <class Part>
+Result<Part> readSealed(const QByteArray &text, const QByteArray &about)
+{
+    Result<Part> part = readOurs<Part>(text);
+    if (!part || isSealed(text, about))
+        return part;
+    return InputError{{},
+                      QStringLiteral("has been edited since grading wrote it, or is of another "
+                                     "assignment or version"),
+                      QStringLiteral("what grading wrote; grade the submissions again")};
+}
+
+template <class Part>
+QByteArray writeSealed(const Part &part, const QByteArray &about)
+{
+    QJsonObject object = jsonOf(part).toObject();
+    object.insert(gradesKey, gradesFormat);
+    return sealed(std::move(object), about);
 }
 
 /// What a reader found, or its error with the file's name.
@@ -99,41 +131,28 @@ bool hasOwnNames(const GradedSubmission &submission, const QString &file)
 
 } // namespace
 
-QByteArray writeGradedSubmission(const GradedSubmission &submission)
+QByteArray writeGradedSubmission(const GradedSubmission &submission, const QByteArray &assignment)
 {
-    QJsonObject object = jsonOf(submission).toObject();
-    object.insert(gradesKey, gradesFormat);
-    return QJsonDocument(object).toJson();
+    return writeSealed(submission, assignment);
 }
 
-Result<GradedSubmission> readGradedSubmission(const QByteArray &text)
+Result<GradedSubmission> readGradedSubmission(const QByteArray &text, const QByteArray &assignment)
 {
-    JsonReader json(text);
-    GradedSubmission submission;
-    if (expectFormat(json))
-        FieldReader(json, gradesFormat).readMembers(json.root(), submission, {gradesKey});
-    if (json.hasFailed())
-        return json.error();
-    return submission;
+    return readSealed<GradedSubmission>(text, assignment);
 }
 
-QByteArray writeGradedPart(const GradedPart &part)
-{
-    QJsonObject object = jsonOf(part).toObject();
-    object.insert(gradesKey, gradesFormat);
-    return QJsonDocument(object).toJson();
-}
+QByteArray writeGradedPart(const GradedPart &part) { return writeSealed(part, {}); }
 
 Result<GradedPart> readGradedPart(const QString &results)
 {
-    return readAt<GradedPart>(ResultsFolder(results), partFile, [](const QByteArray &text) {
-        JsonReader json(text);
-        GradedPart part;
-        if (expectFormat(json))
-            FieldReader(json, gradesFormat).readMembers(json.root(), part, {gradesKey});
-        json.integer(json.root()[QStringLiteral("of")], 1, mostParts);
-        return json.hasFailed() ? Result<GradedPart>(json.error()) : Result<GradedPart>(part);
+    auto part = readAt<GradedPart>(ResultsFolder(results), partFile, [](const QByteArray &text) {
+        return readSealed<GradedPart>(text, {});
     });
+    if (part && (part->of < 1 || part->of > mostParts))
+        return InputError{ResultsFolder(results).pathOf(partFile),
+                          QStringLiteral("is one of %1 parts").arg(part->of),
+                          QStringLiteral("1 to %1 parts").arg(mostParts)};
+    return part;
 }
 
 QString assignmentFileOf(const QString &results)
@@ -146,14 +165,19 @@ QString submissionFileOf(const QString &results, const QString &id)
     return ResultsFolder(results).pathOf(submissionFile(id));
 }
 
-std::optional<InputError> beginResults(const QString &results, const GradedPart &part)
+Result<Descriptor> beginResults(const QString &results, const GradedPart &part)
 {
     const ResultsFolder folder(results);
     for (const QString &name : resultFiles()) {
         if (auto refusal = refusalToWrite(folder.pathOf(name)))
-            return refusal;
+            return *refusal;
     }
-    if (const auto known = readGradedPart(results); !known) {
+    auto taken = folder.take();
+    if (!taken)
+        return taken;
+    // One that was edited is replaced as a whole.
+    const auto known = readAt<GradedPart>(folder, partFile, readOurs<GradedPart>);
+    if (!known) {
         if (folder.has(partFile))
             return InputError{known.error().place,
                               QStringLiteral("is not of results of grading: ")
@@ -170,9 +194,11 @@ std::optional<InputError> beginResults(const QString &results, const GradedPart 
                                   QStringLiteral("an empty folder, or one that grading wrote")};
         }
     }
-    if (auto error = folder.make())
-        return error;
-    return folder.write(partFile, writeGradedPart(part));
+    if (auto error = folder.makeFolders())
+        return *error;
+    if (auto error = folder.write(partFile, writeGradedPart(part)))
+        return *error;
+    return taken;
 }
 
 Result<GradeReport> readGrades(const QString &results)
@@ -185,13 +211,12 @@ Result<GradeReport> readGrades(const QString &results)
     if (!assignment)
         return assignment.error();
     GradeReport report{std::move(*assignment), {}, {}};
+    const QByteArray asked = writeAssignment(report.assignment);
     for (const QString &file : folder.filesIn(QStringLiteral("grades"))) {
         if (!file.endsWith(QStringLiteral(".json")))
             continue;
         const QString path = QStringLiteral("grades/") + file;
-        const auto read = [&report](const QByteArray &text) {
-            return readGradedSubmission(inFrameCoordinates(text, report.assignment));
-        };
+        const auto read = [&](const QByteArray &text) { return readGradedSubmission(text, asked); };
         auto submission = readAt<GradedSubmission>(folder, path, read);
         if (!submission)
             return submission.error();

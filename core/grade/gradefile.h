@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/grade/descriptor.h"
 #include "core/grade/gradereport.h"
 
 namespace pixelplumb {
@@ -8,9 +9,11 @@ namespace pixelplumb {
 /// Of the JSON of results, and the newest that is read.
 inline constexpr int gradesFormat = 1;
 
-/// A submission's own file, which grading writes; without the review.
-QByteArray writeGradedSubmission(const GradedSubmission &submission);
-Result<GradedSubmission> readGradedSubmission(const QByteArray &text);
+/// A submission's own file, which grading writes and seals (seal.h); without the review. The
+/// assignment is what writeAssignment() writes. A text of another one, or that somebody has edited,
+/// is an error.
+QByteArray writeGradedSubmission(const GradedSubmission &submission, const QByteArray &assignment);
+Result<GradedSubmission> readGradedSubmission(const QByteArray &text, const QByteArray &assignment);
 
 /// Which submissions a folder of results is of: what was there when they were graded, and the share
 /// of them that this run had.
@@ -22,8 +25,8 @@ struct GradedPart {
 
     friend bool operator==(const GradedPart &, const GradedPart &) = default;
 };
-QByteArray writeGradedPart(const GradedPart &part);
-/// That of a folder of results; an error where there is none, too.
+QByteArray writeGradedPart(const GradedPart &part); ///< with its seal
+/// That of a folder of results; an error where there is none, or an edited one.
 Result<GradedPart> readGradedPart(const QString &results);
 
 /// The path of the assignment in a folder of results, and of a submission's grade.
@@ -31,8 +34,9 @@ QString assignmentFileOf(const QString &results);
 QString submissionFileOf(const QString &results, const QString &id);
 
 /// Makes a folder of results, or takes up one that is there, and says which part it is. An error
-/// where what stands under the names of results was not written by grading.
-std::optional<InputError> beginResults(const QString &results, const GradedPart &part);
+/// where what stands under the names of results was not written by grading. Other runs are refused
+/// as long as the descriptor is open.
+Result<Descriptor> beginResults(const QString &results, const GradedPart &part);
 
 /// A folder of results, whole or as far as its grading came, with the reviews.
 Result<GradeReport> readGrades(const QString &results);

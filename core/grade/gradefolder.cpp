@@ -43,7 +43,8 @@ QByteArray rasterOf(const Picture &picture)
 }
 
 /// Writes what was graded: the pictures first, for the grade names them.
-std::optional<InputError> write(const ResultsFolder &results, GradedWork &work)
+std::optional<InputError> write(const ResultsFolder &results, GradedWork &work,
+                                const QByteArray &assignment)
 {
     GradedSubmission &submission = work.submission;
     for (std::size_t i = 0; i < work.pictures.size(); ++i) {
@@ -59,7 +60,8 @@ std::optional<InputError> write(const ResultsFolder &results, GradedWork &work)
             = results.write(scene.picture, picture.hasColours ? pngOf(picture) : rasterOf(picture)))
             return error;
     }
-    return results.write(submissionFile(submission.id), writeGradedSubmission(submission));
+    return results.write(submissionFile(submission.id),
+                         writeGradedSubmission(submission, assignment));
 }
 
 bool isOfShard(const QByteArray &name, const GradeShard &shard)
@@ -79,14 +81,14 @@ QByteArray circumstances(const Grader &grader, const QString &version)
     return hash.result();
 }
 
-/// A grade that was given already; none where it is not there or of something else.
+/// A grade that was given already; none where it is not there, edited or of something else.
 std::optional<GradedSubmission> knownGrade(const ResultsFolder &results, const QByteArray &name,
-                                           const QString &digest)
+                                           const QString &digest, const QByteArray &assignment)
 {
     const Result<QByteArray> text = results.read(submissionFile(idOf(name)));
     if (!text || digest.isEmpty())
         return std::nullopt;
-    const Result<GradedSubmission> known = readGradedSubmission(*text);
+    const Result<GradedSubmission> known = readGradedSubmission(*text, assignment);
     if (!known || known->digest != digest || known->searchError || known->id != idOf(name)
         || known->name != escapedName(name))
         return std::nullopt;
@@ -104,6 +106,7 @@ public:
         : m_order(order)
         , m_grader(assignment)
         , m_results(order.results)
+        , m_assignment(writeAssignment(assignment))
         , m_circumstances(circumstances(m_grader, order.version))
         , m_names(std::move(names))
         , m_listener(listener)
@@ -157,13 +160,13 @@ private:
             digest = QString::fromLatin1(
                 QCryptographicHash::hash(m_circumstances + *bytes, QCryptographicHash::Sha256)
                     .toHex());
-        if (knownGrade(m_results, name, digest))
+        if (knownGrade(m_results, name, digest, m_assignment))
             return std::nullopt;
         std::optional<GradedWork> graded = m_grader.grade(entry, m_stop.get_token());
         if (!graded)
             return std::nullopt;
         graded->submission.digest = digest;
-        return write(m_results, *graded);
+        return write(m_results, *graded, m_assignment);
     }
 
     void tell(std::int64_t more)
@@ -177,6 +180,7 @@ private:
     const GradingOrder &m_order;
     Grader m_grader;
     ResultsFolder m_results;
+    QByteArray m_assignment; ///< as it is written
     QByteArray m_circumstances;
     std::vector<QByteArray> m_names;
     const ProgressListener &m_listener;
@@ -252,8 +256,9 @@ Result<std::optional<GradeReport>> gradeFolder(const GradingOrder &order,
     if (auto error = noteInputFolder(order.submissions))
         return *error;
     const ResultsFolder results(order.results);
-    if (auto error = beginResults(order.results, part))
-        return *error;
+    const auto taken = beginResults(order.results, part);
+    if (!taken)
+        return taken.error();
     if (auto error = results.write(assignmentFile, writeAssignment(assignment)))
         return *error;
     FolderGrading grading(order, assignment, *names, listener);

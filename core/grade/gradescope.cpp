@@ -44,7 +44,7 @@ QJsonObject gradescopeJson(const GradedSubmission &submission, const Assignment 
 
 QByteArray gradescopeOf(const GradedSubmission &submission, const Assignment &assignment)
 {
-    return QJsonDocument(gradescopeJson(submission, assignment)).toJson();
+    return escapedJson(QJsonDocument(gradescopeJson(submission, assignment)).toJson());
 }
 
 QByteArray gradescopeOf(const GradeReport &report)
@@ -63,7 +63,7 @@ QByteArray gradescopeOf(const GradeReport &report)
         object.insert(QStringLiteral("missing"), QJsonArray::fromStringList(report.missing));
     if (const QString text = unsandboxedText(report); !text.isEmpty())
         object.insert(QStringLiteral("noSandbox"), text);
-    return QJsonDocument(object).toJson();
+    return escapedJson(QJsonDocument(object).toJson());
 }
 
 } // namespace pixelplumb

@@ -162,8 +162,9 @@ Result<GradeReport> mergeGrades(const QStringList &parts, const QString &results
         if (auto error = incompleteness(*read, merged.missing))
             return *error;
     }
-    if (auto error = beginResults(results, whole))
-        return *error;
+    const auto taken = beginResults(results, whole);
+    if (!taken)
+        return taken.error();
     const ResultsFolder folder(results);
     for (MergedPart &each : *read) {
         for (GradedSubmission &submission : each.report.submissions) {

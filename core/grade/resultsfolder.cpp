@@ -11,6 +11,7 @@
 #include <QFile>
 #include <QUuid>
 
+#include <sys/file.h>
 #include <sys/stat.h>
 
 #include <cerrno>
@@ -93,10 +94,24 @@ Result<ResultsFolder::Place> ResultsFolder::placeOf(const QString &file) const
     return place;
 }
 
-std::optional<InputError> ResultsFolder::make() const
+Result<Descriptor> ResultsFolder::take() const
 {
     if (auto refusal = refusalOfFolder(m_path))
-        return refusal;
+        return *refusal;
+    Descriptor folder(::open(QFile::encodeName(m_path).constData(), folderFlags));
+    if (flock(folder.number(), LOCK_EX | LOCK_NB) == 0)
+        return folder;
+    if (errno == EWOULDBLOCK)
+        return InputError{m_path, QStringLiteral("another run is writing results to it"),
+                          QStringLiteral("its end, or another folder")};
+    if (errno == EOPNOTSUPP || errno == ENOLCK)
+        return folder; // on such a disk nobody is kept out
+    return InputError{m_path, QStringLiteral("cannot be read: ") + qt_error_string(errno),
+                      QStringLiteral("a folder")};
+}
+
+std::optional<InputError> ResultsFolder::makeFolders() const
+{
     for (const QString &name : folders()) {
         const auto place = placeOf(name);
         if (!place)

@@ -33,8 +33,11 @@ public:
 
     QString pathOf(const QString &file) const; ///< for who is told of it
 
-    /// Makes it and the folders in it, if need be.
-    std::optional<InputError> make() const;
+    /// Makes it, if need be, for one run alone: another one is refused as long as the descriptor is
+    /// open.
+    Result<Descriptor> take() const;
+    /// Makes the folders in it, if need be.
+    std::optional<InputError> makeFolders() const;
     /// Whether anything has the name, whatever it is.
     bool has(const QString &file) const;
     Result<QByteArray> read(const QString &file) const;

@@ -14,6 +14,7 @@ namespace pixelplumb {
 namespace {
 
 constexpr std::size_t deepestNesting = 1024;
+constexpr std::size_t mostValues = std::size_t(1) << 24; ///< that are kept: 256 MiB
 constexpr unsigned flags = rapidjson::kParseValidateEncodingFlag;
 
 /// Notes where values stand while RapidJSON goes through the text.
@@ -49,8 +50,8 @@ public:
     {
         const auto offset = quint32(firstOfString() - m_stream.begin_);
         m_open.back().key = {offset, end() - offset, place() + 1, JsonKind::String};
-        if (isKept())
-            m_json.values.push_back(m_open.back().key);
+        if (!keep(m_open.back().key))
+            return false;
         if (!m_keys[m_open.size() - 1].emplace(text, length).second)
             m_hasRepeatedKey = !fault;
         return isText(text, length);
@@ -115,19 +116,33 @@ private:
     {
         if (!m_open.empty())
             ++m_open.back().children;
+        if (m_open.size() == 2)
+            m_inElement = 0;
         if (m_hasRepeatedKey) {
             m_hasRepeatedKey = false;
             fault = JsonFault{offset, openPath(), QStringLiteral("the key is there twice"),
                               QStringLiteral("every key once")};
         }
     }
+    bool keep(const JsonValue &value)
+    {
+        const std::size_t before = isKept() ? m_json.values.size() : m_inElement++;
+        if (before >= mostValues) {
+            fault = JsonFault{value.offset, openPath(), QStringLiteral("a value too many"),
+                              QStringLiteral("at most %1 in a file without primitives, or in one "
+                                             "primitive")
+                                  .arg(mostValues)};
+            return false;
+        }
+        if (isKept())
+            m_json.values.push_back(value);
+        return true;
+    }
     bool takeScalar(const char *first, JsonKind kind)
     {
         const auto offset = quint32(first - m_stream.begin_);
         begin(offset);
-        if (isKept())
-            m_json.values.push_back({offset, end() - offset, place() + 1, kind});
-        return true;
+        return keep({offset, end() - offset, place() + 1, kind});
     }
     bool open(JsonKind kind)
     {
@@ -142,8 +157,8 @@ private:
             && m_open[0].kind == JsonKind::Object
             && m_json.isString(m_json.values.back(), QAnyStringView(QUtf8StringView(m_folded)));
         const quint32 own = place();
-        if (isKept())
-            m_json.values.push_back({offset, 0, own + 1, kind});
+        if (!keep({offset, 0, own + 1, kind}))
+            return false;
         m_open.push_back({kind, own, isFolded});
         return true;
     }
@@ -174,6 +189,7 @@ private:
     std::vector<Open> m_open;
     std::vector<std::set<std::string, std::less<>>>
         m_keys; ///< of the objects that are open, by depth
+    std::size_t m_inElement = 0; ///< values of the element in hand, where elements are folded
     bool m_hasRepeatedKey = false;
 };
 

@@ -6,7 +6,7 @@
 #include "core/geometry/attributes.h"
 #include "core/scene/fileaccess.h"
 #include "core/scene/meshtext.h"
-#include "core/scene/solidlimits.h"
+#include "core/scene/scenelimits.h"
 
 #include <QList>
 

@@ -5,8 +5,8 @@
 #include "core/scene/attributereader.h"
 #include "core/scene/choicereader.h"
 #include "core/scene/colourreader.h"
+#include "core/scene/scenelimits.h"
 #include "core/scene/shapenames.h"
-#include "core/scene/solidlimits.h"
 #include "core/scene/solidreader.h"
 
 namespace pixelplumb {
@@ -228,7 +228,9 @@ void PrimitiveReader::readText(const JsonNode &primitive, Shape &shape)
 {
     const QString key = keyOf(shape.kind);
     expectKeys(primitive, {key, "at", "height", colourKey});
-    shape.text = m_json.string(primitive[key]).toStdString();
+    const QString text = m_json.string(primitive[key]);
+    countVertices(primitive[key], text.size());
+    shape.text = text.toStdString();
     shape.vertices = {{m_numbers.position(primitive["at"]), {}}};
     shape.textHeight = m_numbers.length(primitive["height"], QStringLiteral("a height"));
     // What fonts are drawn for: the outlines of a letter may overlap.
@@ -236,8 +238,18 @@ void PrimitiveReader::readText(const JsonNode &primitive, Shape &shape)
     readColourOfAll(primitive, shape);
 }
 
+void PrimitiveReader::countVertices(const JsonNode &node, qsizetype more)
+{
+    m_inHand.shapeVertices += std::size_t(more);
+    if (m_inHand.shapeVertices > mostShapeVertices)
+        m_json.fail(node, tooManyVertices(m_inHand.shapeVertices), fewerVertices());
+}
+
 void PrimitiveReader::appendPositions(const JsonNode &node, PointCount count, Shape &shape)
 {
+    countVertices(node, node.size());
+    if (m_json.hasFailed())
+        return;
     for (const LatticePoint &position : m_numbers.positions(node, count))
         shape.vertices.push_back({position, {}});
 }

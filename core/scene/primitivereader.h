@@ -14,6 +14,7 @@ struct SceneInHand {
     SceneReading reading;
     ReferredFiles files;
     std::size_t solidTriangles = 0; ///< into which its solids are cut so far
+    std::size_t shapeVertices = 0; ///< of its shapes so far; characters count as one
 };
 
 /// Reads the primitives of a scene; errors stay with the JsonReader.
@@ -44,6 +45,8 @@ private:
     void readPolygon(const JsonNode &primitive, Shape &shape);
     void readText(const JsonNode &primitive, Shape &shape);
 
+    /// Counts so many more vertices or characters of the scene's shapes; an error above the limit.
+    void countVertices(const JsonNode &node, qsizetype more);
     void appendPositions(const JsonNode &node, PointCount count, Shape &shape);
     /// The arrays of points of a shape that has several; `none` is what is said where it has none.
     void appendParts(const JsonNode &node, const QString &none, PointCount count, Shape &shape);

@@ -5,7 +5,7 @@
 #include "core/scene/appearancenames.h"
 #include "core/scene/attributereader.h"
 #include "core/scene/colourreader.h"
-#include "core/scene/solidlimits.h"
+#include "core/scene/scenelimits.h"
 #include "core/space/polygonshape.h"
 #include "core/space/spacevector.h"
 

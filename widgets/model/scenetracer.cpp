@@ -2,7 +2,7 @@
 #include "widgets/model/scenetracer.h"
 
 #include "core/runs/sceneplan.h"
-#include "core/scene/solidlimits.h"
+#include "core/scene/scenelimits.h"
 #include "widgets/model/runnotes.h"
 
 #include <chrono>

@@ -193,10 +193,14 @@ private slots:
         // A grade that is there is taken as it is; nobody looks at the submission again.
         const QString kept = grades.filePath(grades.entryList(QDir::Files).front());
         const QByteArray grade = contentOf(kept);
-        QByteArray touched = grade;
-        QVERIFY(writeTo(kept, touched.replace("\"differing\": ", "\"differing\": 7")));
+        const QByteArray assignment = writeAssignment(m_assignment);
+        auto touched = readGradedSubmission(grade, assignment);
+        QVERIFY(touched.isOk());
+        touched->differing += 7;
+        const QByteArray other = writeGradedSubmission(*touched, assignment);
+        QVERIFY(writeTo(kept, other));
         graded(order);
-        QVERIFY(contentOf(kept).contains("\"differing\": 7"));
+        QCOMPARE(contentOf(kept), other);
         QVERIFY(writeTo(kept, grade));
         graded(order);
 

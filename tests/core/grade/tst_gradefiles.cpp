@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/gradefile.h"
+#include "core/grade/gradereports.h"
 #include "core/grade/submissionfolder.h"
 #include "core/scene/fileaccess.h"
 #include "tests/support/sourcetree.h"
@@ -139,53 +140,50 @@ private slots:
         scene.checks = {{Check::Coverage, true, 2.5, 2.5}};
         graded.scenes = {scene};
 
-        const auto again = readGradedSubmission(writeGradedSubmission(graded));
+        const auto again = readGradedSubmission(writeGradedSubmission(graded, "about"), "about");
         QVERIFY2(again.isOk(), again ? "" : qPrintable(again.error().message()));
         QVERIFY(*again == graded);
     }
 
-    void aGradeOfBeforeHasItsPixelInFrameCoordinates_data()
+    void aGradeInWhichAByteWasChangedIsRefused()
     {
-        QTest::addColumn<QByteArray>("frame");
-        QTest::addColumn<int>("x");
-        QTest::addColumn<int>("y");
-        QTest::newRow("y upward") << QByteArray(R"("width": 8, "height": 6)") << 2 << 4;
-        QTest::newRow("y downward")
-            << QByteArray(R"("width": 8, "height": 6, "origin": "top-left")") << 2 << 1;
-        QTest::newRow("another first pixel")
-            << QByteArray(R"("width": 8, "height": 6, "firstPixel": [10, 20])") << 12 << 24;
+        GradedSubmission graded
+            = submission("ann", GradeVerdict::Wrong, {candidate("unsorted-colours")});
+        GradedScene scene;
+        scene.counts = {1, 2, 3, 4, 5};
+        scene.checks = {{Check::Coverage, true, 2.5, 2.5}};
+        graded.scenes = {scene};
+        const QByteArray written = writeGradedSubmission(graded, "about");
+        QVERIFY(readGradedSubmission(written, "about").isOk());
+        QVERIFY(!readGradedSubmission(written, "about something else"));
+        for (qsizetype i = 0; i < written.size(); ++i) {
+            QByteArray edited = written;
+            edited[i] = edited[i] == '9' ? '8' : '9';
+            QVERIFY2(!readGradedSubmission(edited, "about"), edited.mid(i - 10, 20).constData());
+            edited.remove(i, 1);
+            QVERIFY2(!readGradedSubmission(edited, "about"), edited.mid(i - 10, 20).constData());
+        }
+        const auto edited = readGradedSubmission(
+            QByteArray(written).replace("\"points\": 2.5", "\"points\": 1.5"), "about");
+        QVERIFY2(edited.error().message().contains("has been edited since grading wrote it"),
+                 qPrintable(edited.error().message()));
     }
-    void aGradeOfBeforeHasItsPixelInFrameCoordinates()
+
+    void whatCannotBeShownIsWrittenAsItsCode()
     {
-        QFETCH(QByteArray, frame);
-        QFETCH(int, x);
-        QFETCH(int, y);
-        QByteArray scene = oneScene;
-        scene.replace(R"("width": 8, "height": 6)", frame);
-        const QTemporaryDir folder;
-        QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("grades")));
-        QVERIFY(!writeFile(assignmentFileOf(folder.path()),
-                           R"({ "pixelplumbAssignment": 1, "name": "", "scenes": [
-                                { "name": "one", "scene": )"
-                               + scene + " } ] }"));
-        GradedSubmission graded = submission("ann", GradeVerdict::Wrong);
-        GradedScene one;
-        one.scene = QStringLiteral("one");
-        one.firstDifference = FramePixel{2, 1};
-        graded.scenes = {one};
-        const QByteArray written = writeGradedSubmission(graded);
-        QVERIFY(written.contains("\"y\": 1"));
-        const QString path = submissionFileOf(folder.path(), graded.id);
-        QVERIFY(!writeFile(path, QByteArray(written).replace("\"y\": 1", "\"line\": 1")));
-
-        const auto read = readGrades(folder.path());
-
-        QVERIFY2(read.isOk(), read ? "" : qPrintable(read.error().message()));
-        const FramePixel expected{x, y};
-        QVERIFY(read->submissions[0].scenes[0].firstDifference == expected);
-
-        QVERIFY(!writeFile(path, written)); // of today it is left as it is
-        QVERIFY(readGrades(folder.path())->submissions[0] == graded);
+        const QString hidden = QStringLiteral("a\u202Eb\U000E0001c");
+        GradeReport report;
+        report.assignment = *readAssignment(assignmentWith({}));
+        report.assignment.name = hidden;
+        report.submissions = {submission("ann", GradeVerdict::Wrong)};
+        report.submissions[0].searchError = hidden;
+        report.submissions[0].review.comment = hidden;
+        const QByteArray assignment = writeAssignment(report.assignment);
+        for (const QByteArray &text : {assignment, gradescopeOf(report), junitOf(report),
+                                       writeGradedSubmission(report.submissions[0], assignment)}) {
+            QVERIFY2(!text.contains("\u202E") && !text.contains("\U000E0001"), text.constData());
+        }
+        QCOMPARE(readAssignment(assignment)->name, hidden);
     }
 
     void whatTheAssistantSaidIsKeptApart()
@@ -196,7 +194,8 @@ private slots:
             = {submission("ann", GradeVerdict::Right), submission("bob", GradeVerdict::Wrong)};
         report.submissions[1].review = {QStringLiteral("See me."), true};
         QVERIFY(!writeReviews(folder.path(), report));
-        const QByteArray grade = writeGradedSubmission(report.submissions[1]);
+        const QByteArray grade = writeGradedSubmission(
+            report.submissions[1], writeAssignment(*readAssignment(assignmentWith({}))));
         QVERIFY(!grade.contains("See me."));
 
         QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("grades")));

@@ -140,6 +140,42 @@ private slots:
             QVERIFY2(!readScene(text.first(length)).isOk(), qPrintable(QString::number(length)));
     }
 
+    void whatTakesTooMuchMemoryIsRefusedWithItsPlace_data()
+    {
+        QTest::addColumn<QByteArray>("primitives");
+        QTest::addColumn<QString>("told");
+        constexpr qsizetype most = 2'097'152;
+        const QByteArray half = QByteArray("[0,0],").repeated(most / 2 - 1) + "[1,9]";
+        const QByteArray polygon
+            = "{ \"polygon\": [" + half + "], \"color\": \"#000000\", \"fill\": \"even-odd\" }";
+        QTest::newRow("as many as may be") << polygon + ",\n" + polygon << QString();
+        QTest::newRow("vertices of three polygons")
+            << polygon + ",\n" + polygon + ",\n" + polygon
+            << QStringLiteral(
+                   "line 5, column 14, primitives[2].polygon: with it the scene's shapes "
+                   "have 3145728 vertices and characters; expected at most 2097152");
+        QTest::newRow("characters")
+            << "{ \"text\": \"" + QByteArray(most + 1, 'a')
+                + "\", \"at\": [0, 0], \"height\": 9, \"color\": \"#000000\" }"
+            << QStringLiteral("line 3, column 11, primitives[0].text: with it the scene's shapes "
+                              "have 2097153 vertices and characters");
+        QTest::newRow("values of one primitive")
+            << "{ \"polygon\": [" + QByteArray("0,").repeated(16'777'216) + "0]}"
+            << QStringLiteral(
+                   "line 3, column 33554443, primitives[0].polygon[16777214]: a value too "
+                   "many; expected at most 16777216 in a file without primitives, or in "
+                   "one primitive");
+    }
+    void whatTakesTooMuchMemoryIsRefusedWithItsPlace()
+    {
+        QFETCH(QByteArray, primitives);
+        QFETCH(QString, told);
+        const auto reading = readScene(sceneOfPrimitives(primitives));
+        const QString message = reading ? QString() : reading.error().message();
+        QCOMPARE(message.isEmpty(), told.isEmpty());
+        QVERIFY2(message.startsWith(told), qPrintable(message));
+    }
+
     void survivesAnyByteThatIsWrong()
     {
         constexpr std::array wrongBytes = {'\0', '"', '{', ']', '9', '-', '\\', '\xff'};

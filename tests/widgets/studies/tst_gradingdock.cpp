@@ -156,7 +156,7 @@ private slots:
                                            QStringLiteral("there is no bwrap")};
         QFile file(submissionFileOf(classroom.results(), ran.id));
         QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(writeGradedSubmission(ran));
+        file.write(writeGradedSubmission(ran, writeAssignment(book(*window).report().assignment)));
         file.close();
         book(*window).open(classroom.results());
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/scene/solidlimits.h"
+#include "core/scene/scenelimits.h"
 
 #include "core/geometry/attributes.h"
 #include "core/geometry/triangle.h"
@@ -36,5 +36,12 @@ QString tooManyTriangles(std::size_t count)
 }
 
 QString fewerTriangles() { return QStringLiteral("at most %1 triangles").arg(mostSolidTriangles); }
+
+QString tooManyVertices(std::size_t count)
+{
+    return QStringLiteral("with it the scene's shapes have %1 vertices and characters").arg(count);
+}
+
+QString fewerVertices() { return QStringLiteral("at most %1").arg(mostShapeVertices); }
 
 } // namespace pixelplumb
