@@ -248,25 +248,6 @@
     </message>
 </context>
 <context>
-    <name>pixelplumb::ColourVision</name>
-    <message>
-        <source>protanopia</source>
-        <translation>Protanopie</translation>
-    </message>
-    <message>
-        <source>deuteranopia</source>
-        <translation>Deuteranopie</translation>
-    </message>
-    <message>
-        <source>tritanopia</source>
-        <translation>Tritanopie</translation>
-    </message>
-    <message>
-        <source>ordinary vision</source>
-        <translation>gewöhnliches Sehen</translation>
-    </message>
-</context>
-<context>
     <name>pixelplumb::ColumnTable</name>
     <message>
         <source>Columns of the scan</source>
@@ -2819,10 +2800,6 @@
         <translation>Der nächste Klick sagt, wozu da ist, was er trifft (Umschalt+F1)</translation>
     </message>
     <message>
-        <source>&amp;Change keys…</source>
-        <translation>Tasten ä&amp;ndern …</translation>
-    </message>
-    <message>
         <source>&amp;About Pixelplumb</source>
         <translation>Ü&amp;ber Pixelplumb</translation>
     </message>
@@ -3027,85 +3004,6 @@
     <message>
         <source>Alt+arrows</source>
         <translation>Alt+Pfeile</translation>
-    </message>
-</context>
-<context>
-    <name>pixelplumb::KeysDialog</name>
-    <message>
-        <source>Actions and their keys</source>
-        <translation>Aktionen und ihre Tasten</translation>
-    </message>
-    <message>
-        <source>Press the key that the action in hand shall have</source>
-        <translation>Die Taste drücken, die die aktuelle Aktion haben soll</translation>
-    </message>
-    <message>
-        <source>Change keys</source>
-        <translation>Tasten ändern</translation>
-    </message>
-    <message>
-        <source>Show the actions with these words</source>
-        <translation>Die Aktionen mit diesen Wörtern zeigen</translation>
-    </message>
-    <message>
-        <source>find an action or a key</source>
-        <translation>eine Aktion oder Taste suchen</translation>
-    </message>
-    <message>
-        <source>action</source>
-        <translation>Aktion</translation>
-    </message>
-    <message>
-        <source>key</source>
-        <translation>Taste</translation>
-    </message>
-    <message>
-        <source>No key</source>
-        <translation>Keine Taste</translation>
-    </message>
-    <message>
-        <source>The action has no key</source>
-        <translation>Die Aktion hat keine Taste</translation>
-    </message>
-    <message>
-        <source>Default</source>
-        <translation>Vorgabe</translation>
-    </message>
-    <message>
-        <source>The key that the action had first</source>
-        <translation>Die Taste, die die Aktion zuerst hatte</translation>
-    </message>
-    <message>
-        <source>All defaults</source>
-        <translation>Alle Vorgaben</translation>
-    </message>
-    <message>
-        <source>Every action has the key that it had first</source>
-        <translation>Jede Aktion hat die Taste, die sie zuerst hatte</translation>
-    </message>
-    <message>
-        <source>Every action has the key that it had first.</source>
-        <translation>Jede Aktion hat die Taste, die sie zuerst hatte.</translation>
-    </message>
-    <message>
-        <source>%1 ▸ %2</source>
-        <translation>%1 ▸ %2</translation>
-    </message>
-    <message>
-        <source>%1 is a key of the canvas and of the fields themselves: take another.</source>
-        <translation>%1 ist eine Taste der Zeichenfläche und der Felder selbst: eine andere nehmen.</translation>
-    </message>
-    <message>
-        <source>%1 is the key of “%2”: take another, or take that one&apos;s key away first.</source>
-        <translation>%1 ist die Taste von „%2“: eine andere nehmen oder jener erst ihre wegnehmen.</translation>
-    </message>
-    <message>
-        <source>“%1” has no key.</source>
-        <translation>„%1“ hat keine Taste.</translation>
-    </message>
-    <message>
-        <source>“%1” has the key %2.</source>
-        <translation>„%1“ hat die Taste %2.</translation>
     </message>
 </context>
 <context>
@@ -4768,53 +4666,6 @@
     </message>
 </context>
 <context>
-    <name>pixelplumb::PerformanceCacheLines</name>
-    <message>
-        <source>Cache lines that a column walk and a strip walk touch</source>
-        <translation>Cachezeilen, die ein Gang die Spalten hinauf und ein Gang entlang des Streifens berühren</translation>
-    </message>
-    <message>
-        <source>Up the columns: %1 changes of line, %2 misses. Along the strip: %3 changes, %4 misses. %5 lines fall on %6 of %7 sets.</source>
-        <translation>Die Spalten hinauf: %1 Wechsel der Cachezeile, %2 Fehlzugriffe. Entlang des Streifens: %3 Wechsel, %4 Fehlzugriffe. %5 Cachezeilen fallen auf %6 von %7 Sätzen.</translation>
-    </message>
-    <message>
-        <source>column walk</source>
-        <translation>die Spalten hinauf</translation>
-    </message>
-    <message>
-        <source>strip walk</source>
-        <translation>entlang des Streifens</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 changes of line</source>
-        <translation>
-            <numerusform>%1 Wechsel der Cachezeile</numerusform>
-            <numerusform>%1 Wechsel der Cachezeile</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 misses</source>
-        <translation>
-            <numerusform>%1 Fehlzugriff</numerusform>
-            <numerusform>%1 Fehlzugriffe</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 lines in all</source>
-        <translation>
-            <numerusform>%1 Cachezeile insgesamt</numerusform>
-            <numerusform>%1 Cachezeilen insgesamt</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 of %2 sets, at most %3 lines in one (%4 fit)</source>
-        <translation>
-            <numerusform>%1 von %2 Sätzen, höchstens %3 Zeile in einem (%4 passen)</numerusform>
-            <numerusform>%1 von %2 Sätzen, höchstens %3 Zeilen in einem (%4 passen)</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>pixelplumb::PerformancePanel</name>
     <message>
         <source>Performance</source>
@@ -4853,20 +4704,8 @@
         <translation>Benutzte schnelle Kerne</translation>
     </message>
     <message>
-        <source>Distance of the rows</source>
-        <translation>Abstand der Zeilen</translation>
-    </message>
-    <message>
-        <source>The lowest rows of the strip through the picked pixel; each bar is a line of the cache, each dot asks for another one. Below: how many of the strip&apos;s lines, from the lowest row to the highest, fall on each set of the first-level cache.</source>
-        <translation>Die untersten Zeilen des Streifens durch das gewählte Pixel; jeder Balken ist eine Cachezeile, jeder Punkt verlangt eine andere. Darunter: wie viele Cachezeilen des Streifens, von der untersten bis zur obersten Bildzeile, auf jeden Satz des Caches der ersten Stufe fallen.</translation>
-    </message>
-    <message>
         <source>Fast kernels, and why</source>
         <translation>Schnelle Kerne, und warum</translation>
-    </message>
-    <message>
-        <source>What a strip of columns asks of the cache</source>
-        <translation>Was ein Streifen von Spalten vom Cache verlangt</translation>
     </message>
     <message>
         <source>The measurement was cancelled.</source>
@@ -4887,18 +4726,6 @@
     <message>
         <source>Known after a measurement.</source>
         <translation>Nach einer Messung bekannt.</translation>
-    </message>
-    <message>
-        <source>rows as they are, %1 bytes apart</source>
-        <translation>Zeilen, wie sie sind, im Abstand von %1 Bytes</translation>
-    </message>
-    <message>
-        <source>rows without padding, %1 bytes apart</source>
-        <translation>Zeilen ohne Auffüllung, im Abstand von %1 Bytes</translation>
-    </message>
-    <message>
-        <source>rows at a power of two, %1 bytes apart</source>
-        <translation>Zeilen bei einer Zweierpotenz, im Abstand von %1 Bytes</translation>
     </message>
 </context>
 <context>
@@ -7398,22 +7225,6 @@
         <source>d&amp;ark</source>
         <translation>d&amp;unkel</translation>
     </message>
-    <message>
-        <source>Seen &amp;with</source>
-        <translation>Gesehe&amp;n</translation>
-    </message>
-    <message>
-        <source>no &amp;red cones (%1)</source>
-        <translation>ohne &amp;rote Zapfen (%1)</translation>
-    </message>
-    <message>
-        <source>no &amp;green cones (%1)</source>
-        <translation>ohne grü&amp;ne Zapfen (%1)</translation>
-    </message>
-    <message>
-        <source>no &amp;blue cones (%1)</source>
-        <translation>ohne &amp;blaue Zapfen (%1)</translation>
-    </message>
 </context>
 <context>
     <name>pixelplumb::WhatsThis</name>
@@ -7510,24 +7321,12 @@
         <translation>Die Abgaben eines bewerteten Ordners, nach Ursachen, mit dem, was jede erfährt. J und K gehen zur nächsten und zur vorigen, A nimmt ihre Bewertung an, C kommentiert sie.</translation>
     </message>
     <message>
-        <source>What was done to the scene, in order: a click goes back, or on again, to there.</source>
-        <translation>Was an der Szene getan wurde, der Reihe nach: Ein Klick geht dorthin zurück oder wieder vor.</translation>
-    </message>
-    <message>
         <source>Opens, saves and exports scenes, and shows the examples.</source>
         <translation>Öffnet, speichert und exportiert Szenen und zeigt die Beispiele.</translation>
     </message>
     <message>
         <source>Changes the scene, and takes back what was changed; chooses what a click on the canvas does.</source>
         <translation>Ändert die Szene und nimmt zurück, was geändert wurde; wählt, was ein Klick auf die Zeichenfläche tut.</translation>
-    </message>
-    <message>
-        <source>What is drawn over the frame, how large, in which colours, seen by which eyes, and which panels are shown.</source>
-        <translation>Was über die Bildfläche gezeichnet wird, wie groß, in welchen Farben, mit welchen Augen gesehen, und welche Bereiche gezeigt werden.</translation>
-    </message>
-    <message>
-        <source>Shows the canvas, the panels and the tool bars as they look to people who lack one kind of cones, until it ends. The frame, what is exported and all numbers are as ever.</source>
-        <translation>Zeigt die Zeichenfläche, die Bereiche und die Werkzeugleisten, wie sie für Menschen aussehen, denen eine Art von Zapfen fehlt, bis es endet. Die Bildfläche, alles Exportierte und alle Zahlen sind wie immer.</translation>
     </message>
     <message>
         <source>Lays the figures of the course texts over the scene, at the step in hand.</source>
@@ -7557,17 +7356,13 @@
         <source>Lets the scene move by a fraction of a pixel a frame, and counts the pixels that flicker beside those of the truth. The frame of its slider is what the canvas shows and what is stepped through.</source>
         <translation>Lässt die Szene sich je Bild um einen Bruchteil eines Pixels bewegen und zählt die Pixel, die flimmern, neben denen der Wahrheit. Das Bild des Reglers ist das, das die Zeichenfläche zeigt und das in Schritten gezeichnet wird.</translation>
     </message>
+    <message>
+        <source>What is drawn over the frame, how large, in which colours, and which panels are shown.</source>
+        <translation>Was über die Bildfläche gezeichnet wird, wie groß, in welchen Farben, und welche Bereiche gezeigt werden.</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::WindowDocks</name>
-    <message>
-        <source>What was done: a click goes back to there</source>
-        <translation>Was getan wurde: Ein Klick geht dorthin zurück</translation>
-    </message>
-    <message>
-        <source>as it was opened</source>
-        <translation>wie geöffnet</translation>
-    </message>
     <message>
         <source>Formula</source>
         <translation>Formel</translation>
@@ -7640,10 +7435,6 @@
         <source>Grading</source>
         <translation>Bewertung</translation>
     </message>
-    <message>
-        <source>Edits</source>
-        <translation>Änderungen</translation>
-    </message>
 </context>
 <context>
     <name>pixelplumb::WindowStatusBar</name>
@@ -7674,14 +7465,6 @@
     <message>
         <source>Cancel tracing</source>
         <translation>Aufzeichnung abbrechen</translation>
-    </message>
-    <message>
-        <source>The canvas, panels and tool bars look as they do to such eyes; a click ends it. The frame, what is exported and all numbers are as ever.</source>
-        <translation>Die Zeichenfläche, die Bereiche und die Werkzeugleisten sehen aus wie für solche Augen; ein Klick beendet es. Die Bildfläche, alles Exportierte und alle Zahlen sind wie immer.</translation>
-    </message>
-    <message>
-        <source>seen with %1</source>
-        <translation>gesehen mit %1</translation>
     </message>
 </context>
 </TS>

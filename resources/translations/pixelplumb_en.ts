@@ -172,37 +172,6 @@
     </message>
 </context>
 <context>
-    <name>pixelplumb::PerformanceCacheLines</name>
-    <message numerus="yes">
-        <source>%1 changes of line</source>
-        <translation>
-            <numerusform>%1 change of line</numerusform>
-            <numerusform>%1 changes of line</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 misses</source>
-        <translation>
-            <numerusform>%1 miss</numerusform>
-            <numerusform>%1 misses</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 lines in all</source>
-        <translation>
-            <numerusform>%1 line in all</numerusform>
-            <numerusform>%1 lines in all</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 of %2 sets, at most %3 lines in one (%4 fit)</source>
-        <translation>
-            <numerusform>%1 of %2 sets, at most %3 line in one (%4 fit)</numerusform>
-            <numerusform>%1 of %2 sets, at most %3 lines in one (%4 fit)</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>pixelplumb::PerformanceText</name>
     <message numerus="yes">
         <source>%1 triangles</source>

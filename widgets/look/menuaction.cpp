@@ -49,21 +49,6 @@ QString tipWithKey(const QString &tip, const QKeySequence &key)
         : QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText));
 }
 
-void changeKeys(QAction *action, const QList<QKeySequence> &keys)
-{
-    constexpr const char *namesKey = "tipNamesKey"; // though it has none now
-    const QString named = tipWithKey({}, action->shortcut());
-    QString tip = action->toolTip();
-    if (!named.isEmpty()) {
-        action->setProperty(namesKey, tip.endsWith(named));
-        if (tip.endsWith(named))
-            tip.chop(named.size());
-    }
-    action->setShortcuts(keys);
-    if (action->property(namesKey).toBool())
-        action->setToolTip(tipWithKey(tip, action->shortcut()));
-}
-
 void confineKeyTo(QWidget *widget, QAction *action)
 {
     action->setShortcutContext(Qt::WidgetShortcut);

@@ -32,8 +32,6 @@ void setListedText(QAction *action, const QString &text);
 
 /// "Play (Space)"; without a key the tip alone.
 QString tipWithKey(const QString &tip, const QKeySequence &key);
-/// Gives the action other keys; a tool tip that ends with its first key ends with the new one.
-void changeKeys(QAction *action, const QList<QKeySequence> &keys);
 
 /// Lets the action's key act only while the widget has the focus: for keys that are letters or
 /// digits, which belong to whatever is typed elsewhere.

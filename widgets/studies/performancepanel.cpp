@@ -4,10 +4,8 @@
 #include "widgets/look/numberlayout.h"
 #include "widgets/model/measuringpool.h"
 #include "widgets/model/playhead.h"
-#include "widgets/studies/performancecachelines.h"
 #include "widgets/studies/performancetext.h"
 
-#include <QComboBox>
 #include <QEvent>
 #include <QLabel>
 #include <QProgressBar>
@@ -15,13 +13,9 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include <bit>
-
 namespace pixelplumb {
 
 namespace {
-
-constexpr std::int64_t stripColumns = 16; // of the fast kernels' strips: a cache line
 
 QLabel *textLabel(const char *name, QWidget *parent)
 {
@@ -65,9 +59,7 @@ PerformancePanel::PerformancePanel(Playhead *playhead, QWidget *parent)
     layout->addWidget(scroll, 1);
 
     connect(&m_job, &Job::progressChanged, this, &PerformancePanel::tellProgress);
-    connect(m_stride, &QComboBox::currentIndexChanged, this, &PerformancePanel::showCacheLines);
     connect(playhead, &Playhead::tracedChanged, this, &PerformancePanel::forget);
-    connect(playhead, &Playhead::pickedPixelChanged, this, &PerformancePanel::showCacheLines);
     forget();
 }
 
@@ -108,14 +100,6 @@ QWidget *PerformancePanel::contents()
                            "to that of memset over as many pixels"));
     m_routes = textLabel("performanceRoutes", contents);
     m_routes->setAccessibleName(tr("Fast kernels used"));
-    m_stride = new QComboBox(contents);
-    m_stride->setObjectName(QStringLiteral("performanceStride"));
-    m_stride->setAccessibleName(tr("Distance of the rows"));
-    m_cacheLines = new PerformanceCacheLines(contents);
-    m_cacheLines->setToolTip(
-        tr("The lowest rows of the strip through the picked pixel; each bar is a line of the "
-           "cache, each dot asks for another one. Below: how many of the strip's lines, from the "
-           "lowest row to the highest, fall on each set of the first-level cache."));
     auto *layout = new QVBoxLayout(contents);
     layout->setContentsMargins(0, 0, 8, 8);
     layout->setSpacing(8);
@@ -123,9 +107,6 @@ QWidget *PerformancePanel::contents()
     layout->addWidget(m_times);
     layout->addWidget(headingLabel(tr("Fast kernels, and why"), contents));
     layout->addWidget(m_routes);
-    layout->addWidget(headingLabel(tr("What a strip of columns asks of the cache"), contents));
-    layout->addWidget(m_stride, 0, Qt::AlignLeft);
-    layout->addWidget(m_cacheLines);
     layout->addStretch();
     return contents;
 }
@@ -162,7 +143,6 @@ void PerformancePanel::forget()
     present();
     tell(m_playhead->traced() ? tr("Measure draws this scene for a second or so.")
                               : tr("The scene is being drawn."));
-    showCacheLines();
 }
 
 void PerformancePanel::take(std::optional<SceneTiming> timing)
@@ -197,46 +177,6 @@ void PerformancePanel::tellProgress(const JobProgress &progress)
 {
     m_progress->setRange(0, int(progress.total));
     m_progress->setValue(int(progress.done));
-}
-
-void PerformancePanel::showCacheLines()
-{
-    const FrameBuffer *frame = m_playhead->frame();
-    m_stride->setEnabled(frame != nullptr);
-    if (!frame || !isVisible())
-        return;
-    const FrameView view = frame->view();
-    const auto rowBytes = std::int64_t(view.stride) * std::int64_t(sizeof(QRgb));
-    const auto unpadded = std::int64_t(view.width) * std::int64_t(sizeof(QRgb));
-    const std::array<std::int64_t, 3> distances
-        = {rowBytes, unpadded, std::int64_t(std::bit_ceil(std::uint64_t(unpadded)))};
-    const std::array<QString, 3> texts
-        = {tr("rows as they are, %1 bytes apart"), tr("rows without padding, %1 bytes apart"),
-           tr("rows at a power of two, %1 bytes apart")};
-    const QSignalBlocker blocker(m_stride);
-    for (int i = 0; i < int(distances.size()); ++i) {
-        if (m_stride->count() == i)
-            m_stride->addItem({});
-        m_stride->setItemText(i, texts[std::size_t(i)].arg(std::abs(distances[std::size_t(i)])));
-    }
-    PixelPlaces places(view);
-    places.bytesPerRow = distances[std::size_t(std::max(0, m_stride->currentIndex()))];
-
-    const std::int64_t picked = m_playhead->pickedPixel()
-        ? m_playhead->pickedPixel()->x() - view.firstColumn
-        : view.width / 2;
-    PixelBlock block;
-    block.columns = std::min<std::int64_t>(stripColumns, view.width);
-    block.firstColumn = std::clamp<std::int64_t>(picked / stripColumns * stripColumns, 0,
-                                                 view.width - block.columns);
-    block.rows = view.height;
-    m_cacheLines->showStrip(places, block, firstLevelDataCache());
-}
-
-void PerformancePanel::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    showCacheLines();
 }
 
 void PerformancePanel::changeEvent(QEvent *event)

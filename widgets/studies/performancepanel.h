@@ -7,19 +7,17 @@
 #include <QWidget>
 
 class QBoxLayout;
-class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
 
 namespace pixelplumb {
 
-class PerformanceCacheLines;
 class Playhead;
 
-/// What drawing the playhead's scene takes by the plain and by the fast kernels, which of these
-/// took which triangles and why, and what a column and a strip of its frame ask of the cache
-/// (objectName "performance"). Measures beside the GUI thread, when asked to.
+/// What drawing the playhead's scene takes by the plain and by the fast kernels, and which of these
+/// took which triangles and why (objectName "performance"). Measures beside the GUI thread, when
+/// asked to.
 class PerformancePanel : public QWidget {
     Q_OBJECT
 
@@ -31,7 +29,6 @@ public:
     /// Nothing before the first measurement, after a cancelled one, and after a change of the
     /// scene.
     const std::optional<SceneTiming> &timing() const { return m_timing; }
-    PerformanceCacheLines *cacheLines() const { return m_cacheLines; }
 
     QSize sizeHint() const override { return {460, 560}; }
 
@@ -44,7 +41,6 @@ signals:
 
 protected:
     void changeEvent(QEvent *event) override;
-    void showEvent(QShowEvent *event) override;
 
 private:
     QBoxLayout *controls();
@@ -54,7 +50,6 @@ private:
     void tell(const QString &text);
     void present();
     void tellProgress(const JobProgress &progress);
-    void showCacheLines();
 
     Playhead *m_playhead;
     QPushButton *m_measure = nullptr;
@@ -63,8 +58,6 @@ private:
     QLabel *m_summary = nullptr;
     QLabel *m_times = nullptr;
     QLabel *m_routes = nullptr;
-    QComboBox *m_stride = nullptr;
-    PerformanceCacheLines *m_cacheLines = nullptr;
     std::optional<SceneTiming> m_timing;
     Job m_job;
 };

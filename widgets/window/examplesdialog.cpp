@@ -94,8 +94,6 @@ ExamplesDialog::ExamplesDialog(const std::vector<Example> &examples,
     drawNext();
 }
 
-QWidget *ExamplesDialog::list() const { return m_list; }
-
 void ExamplesDialog::addScenes(const std::vector<Example> &examples)
 {
     for (const Example &example : examples)

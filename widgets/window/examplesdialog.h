@@ -23,7 +23,6 @@ public:
     ExamplesDialog(const std::vector<Example> &examples, const std::vector<GalleryCase> &cases,
                    QWidget *parent = nullptr);
 
-    QWidget *list() const; ///< which holds the pictures
     int picturesLeft() const; ///< to be drawn
     bool isDrawn(int row) const { return !m_pictures[std::size_t(row)]; }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/window/helpmenu.h"
 
-#include "widgets/dialogs/keysdialog.h"
 #include "widgets/dialogs/keysheet.h"
 #include "widgets/look/menuaction.h"
 #include "widgets/window/whatsthis.h"
@@ -25,7 +24,6 @@ HelpMenu::HelpMenu(QMenuBar *bar)
         = addMenuAction(this, "whatsThis", tr("&What's This?"), Qt::SHIFT | Qt::Key_F1,
                         [this] { enterWhatsThis(m_bar->window()); });
     whatsThis->setToolTip(tr("The next click tells what it hits is for (Shift+F1)"));
-    addMenuAction(this, "changeKeys", tr("&Change keys…"), {}, [this] { changeKeys(); });
     addMenuAction(this, "showAbout", tr("&About Pixelplumb"), {}, [this] { showAbout(); });
 }
 
@@ -45,8 +43,6 @@ void HelpMenu::showKeys()
     sheet->setAttribute(Qt::WA_DeleteOnClose);
     sheet->show();
 }
-
-void HelpMenu::changeKeys() { KeysDialog(menus(), m_bar->window()).exec(); }
 
 void HelpMenu::showAbout()
 {

@@ -7,8 +7,8 @@ class QMenuBar;
 
 namespace pixelplumb {
 
-/// The key sheet and other keys, made from the menus of the bar, what the window's parts are for,
-/// and what the program is.
+/// The key sheet, made from the menus of the bar, what the window's parts are for, and what the
+/// program is.
 class HelpMenu : public QMenu {
     Q_OBJECT
 
@@ -20,7 +20,6 @@ public:
 
 private:
     void showKeys();
-    void changeKeys();
     void showAbout();
 
     QMenuBar *m_bar;

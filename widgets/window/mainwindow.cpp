@@ -4,7 +4,6 @@
 #include "core/runs/clampeddepths.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/canvas/overdrawoverlay.h"
-#include "widgets/dialogs/keysdialog.h"
 #include "widgets/files/autosave.h"
 #include "widgets/files/recentfiles.h"
 #include "widgets/files/sceneexports.h"
@@ -13,7 +12,6 @@
 #include "widgets/inspect/primitivespanel.h"
 #include "widgets/lab/accuracylab.h"
 #include "widgets/look/colourbutton.h"
-#include "widgets/look/colourvisionswitch.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/messagebar.h"
 #include "widgets/look/paletteswitch.h"
@@ -77,7 +75,6 @@ MainWindow::MainWindow(QWidget *parent)
     makeMenus();
     makeToolBars();
     setStatusBar(new WindowStatusBar(m_parts, this));
-    showInColourVision();
     connectParts();
     connectStudies(m_parts, *m_docks, this);
     m_docks->panel<PrimitivesPanel>()->takeKeysOf(m_editMenu->deletion());
@@ -108,7 +105,6 @@ void MainWindow::makeParts()
     m_parts.playhead = new Playhead(this);
     m_parts.options = new DisplayOptions(this);
     m_parts.effects = new EffectSwitches(this);
-    m_parts.vision = new ColourVisionSwitch(this);
     m_parts.tracer = new SceneTracer(this);
     m_parts.previewer = new ScenePreviewer(this);
     m_parts.recent = new RecentFiles(this);
@@ -154,9 +150,7 @@ void MainWindow::makeMenus()
     menuBar()->addMenu(new LayersMenu(m_parts, this));
     menuBar()->addMenu(new StepMenu(m_parts, this));
     menuBar()->addMenu(new MethodMenu(m_parts, this));
-    auto *help = new HelpMenu(menuBar());
-    menuBar()->addMenu(help);
-    restoreKeys(help->menus());
+    menuBar()->addMenu(new HelpMenu(menuBar()));
     connect(m_viewMenu, &ViewMenu::layoutResetRequested, this, [this] {
         for (QToolBar *bar : findChildren<QToolBar *>())
             bar->show();
@@ -190,16 +184,6 @@ void MainWindow::makeToolBars()
     QToolBar *steps = addBar("stepperToolBar", tr("Tools and stepper"));
     steps->addActions(m_editMenu->tools());
     steps->addWidget(new StepperBar(m_parts.playhead, *m_parts.steps));
-}
-
-/// A dock's own frame has no colours to be told apart, and a floating one is a window.
-void MainWindow::showInColourVision()
-{
-    m_parts.vision->addPart(centralWidget());
-    for (const QDockWidget *dock : m_docks->all())
-        m_parts.vision->addPart(dock->widget());
-    for (QToolBar *bar : findChildren<QToolBar *>())
-        m_parts.vision->addPart(bar);
 }
 
 void MainWindow::connectParts()

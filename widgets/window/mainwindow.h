@@ -60,7 +60,6 @@ private:
     void makeCentre();
     void makeToolBars();
     void makeMenus();
-    void showInColourVision();
     void connectParts();
     void traceDocument();
     void takeTrace(const std::shared_ptr<const TracedScene> &traced);

@@ -22,7 +22,6 @@
 #include "widgets/studies/submissionpanel.h"
 
 #include <QCoreApplication>
-#include <QUndoView>
 
 namespace pixelplumb {
 
@@ -57,15 +56,6 @@ QWidget *predict(const WindowParts &parts)
 }
 
 QWidget *primitives(const WindowParts &parts) { return new PrimitivesPanel(parts.document); }
-
-QWidget *edits(const WindowParts &parts)
-{
-    auto *view = named(new QUndoView(parts.document->undoStack()), "edits",
-                       QCoreApplication::translate("pixelplumb::WindowDocks",
-                                                   "What was done: a click goes back to there"));
-    view->setEmptyLabel(QCoreApplication::translate("pixelplumb::WindowDocks", "as it was opened"));
-    return view;
-}
 
 QWidget *grading(const WindowParts &) { return new GradingPanel; }
 
@@ -117,8 +107,6 @@ constexpr Panel table[] = {
     {"submissionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Submission"), submission,
      leftArea, hiddenAtFirst, finished},
     {"gradingDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Grading"), grading, bottomArea,
-     hiddenAtFirst},
-    {"editsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Edits"), edits, leftArea,
      hiddenAtFirst},
 };
 

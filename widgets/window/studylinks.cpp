@@ -6,7 +6,6 @@
 #include "widgets/files/studentpicturefiles.h"
 #include "widgets/inspect/pixelhistorypanel.h"
 #include "widgets/lab/accuracylab.h"
-#include "widgets/look/colourvisionswitch.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/messagebar.h"
 #include "widgets/model/playhead.h"
@@ -162,7 +161,6 @@ void showExamples(const WindowParts &parts, WindowDocks &docks, QWidget *window)
     auto *panel = docks.panel<HardCasesPanel>();
     panel->load();
     auto *dialog = new ExamplesDialog(examples(), panel->cases(), window);
-    parts.vision->addPart(dialog->list());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     QObject::connect(dialog, &ExamplesDialog::sceneChosen, parts.files, &SceneFiles::openFile,
                      Qt::QueuedConnection); // which may ask, when the dialog is gone

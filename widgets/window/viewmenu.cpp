@@ -4,7 +4,6 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/canvas/overdrawoverlay.h"
 #include "widgets/inspect/pixelgrid.h"
-#include "widgets/look/colourvisionswitch.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/menuaction.h"
 #include "widgets/look/paletteswitch.h"
@@ -17,17 +16,16 @@ namespace pixelplumb {
 namespace {
 
 /// An entry of a group, one of which is checked: that of the choice that the switch has.
-template <class Switch, class Choice>
 void addChoice(QActionGroup *group, QMenu *menu, const char *name, const QString &text,
-               Switch *chooser, Choice choice)
+               PaletteSwitch *palettes, PaletteChoice choice)
 {
     QAction *action
-        = addMenuAction(menu, name, text, {}, [chooser, choice] { chooser->choose(choice); });
+        = addMenuAction(menu, name, text, {}, [palettes, choice] { palettes->choose(choice); });
     action->setCheckable(true);
     group->addAction(action);
     const auto update
-        = [chooser, action, choice] { action->setChecked(chooser->choice() == choice); };
-    QObject::connect(chooser, &Switch::changed, action, update);
+        = [palettes, action, choice] { action->setChecked(palettes->choice() == choice); };
+    QObject::connect(palettes, &PaletteSwitch::changed, action, update);
     update();
 }
 
@@ -45,7 +43,6 @@ ViewMenu::ViewMenu(const WindowParts &parts, WindowDocks *docks, PaletteSwitch *
     addDocks(parts, docks);
     addSeparator();
     addPalettes(palettes);
-    addVisions(parts.vision);
     addMenuAction(this, "resetLayout", tr("Reset the &layout"), {},
                   [this] { emit layoutResetRequested(); });
 }
@@ -136,20 +133,6 @@ void ViewMenu::addPalettes(PaletteSwitch *palettes)
     addChoice(group, menu, "paletteSystem", tr("as the &desktop"), palettes, PaletteChoice::System);
     addChoice(group, menu, "paletteLight", tr("&light"), palettes, PaletteChoice::Light);
     addChoice(group, menu, "paletteDark", tr("d&ark"), palettes, PaletteChoice::Dark);
-}
-
-void ViewMenu::addVisions(ColourVisionSwitch *visions)
-{
-    QMenu *menu = addMenu(tr("Seen &with"));
-    menu->setObjectName(QStringLiteral("visionMenu"));
-    auto *group = new QActionGroup(menu);
-    const auto add = [&](const char *name, const QString &text, ColourVision vision) {
-        addChoice(group, menu, name, text.arg(nameOf(vision)), visions, vision);
-    };
-    add("visionOrdinary", QStringLiteral("&%1"), ColourVision::Ordinary);
-    add("visionProtanopia", tr("no &red cones (%1)"), ColourVision::Protanopia);
-    add("visionDeuteranopia", tr("no &green cones (%1)"), ColourVision::Deuteranopia);
-    add("visionTritanopia", tr("no &blue cones (%1)"), ColourVision::Tritanopia);
 }
 
 } // namespace pixelplumb

@@ -10,8 +10,7 @@ namespace pixelplumb {
 class PaletteSwitch;
 class WindowDocks;
 
-/// What is drawn over the frame, how large, in which colours, seen by which eyes, and which panels
-/// are shown.
+/// What is drawn over the frame, how large, in which colours, and which panels are shown.
 class ViewMenu : public QMenu {
     Q_OBJECT
 
@@ -31,7 +30,6 @@ private:
     void addZoom(Canvas *canvas);
     void addDocks(const WindowParts &parts, WindowDocks *docks);
     void addPalettes(PaletteSwitch *palettes);
-    void addVisions(ColourVisionSwitch *visions);
 
     QAction *m_grid = nullptr;
     QAction *m_differences = nullptr;

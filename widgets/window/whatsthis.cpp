@@ -154,10 +154,6 @@ constexpr PartExplanation explanations[] = {
          "pixelplumb::WhatsThis",
          "The submissions of a graded folder, by cause, with what each student is told. J and K go "
          "to the next and the previous one, A accepts its grade, C comments on it.")},
-    {"editsDock",
-     QT_TRANSLATE_NOOP(
-         "pixelplumb::WhatsThis",
-         "What was done to the scene, in order: a click goes back, or on again, to there.")},
 
     {"fileMenu",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
@@ -168,13 +164,8 @@ constexpr PartExplanation explanations[] = {
                        "on the canvas does.")},
     {"viewMenu",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
-                       "What is drawn over the frame, how large, in which colours, seen by which "
-                       "eyes, and which panels are shown.")},
-    {"visionMenu",
-     QT_TRANSLATE_NOOP(
-         "pixelplumb::WhatsThis",
-         "Shows the canvas, the panels and the tool bars as they look to people who lack one kind "
-         "of cones, until it ends. The frame, what is exported and all numbers are as ever.")},
+                       "What is drawn over the frame, how large, in which colours, and which "
+                       "panels are shown.")},
     {"layersMenu",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
                        "Lays the figures of the course texts over the scene, at the step in "

@@ -4,7 +4,6 @@
 namespace pixelplumb {
 
 class Canvas;
-class ColourVisionSwitch;
 class DisplayOptions;
 class EffectSwitches;
 class MessageBar;
@@ -27,7 +26,6 @@ struct WindowParts {
     Playhead *playhead = nullptr;
     DisplayOptions *options = nullptr;
     EffectSwitches *effects = nullptr;
-    ColourVisionSwitch *vision = nullptr;
     SceneTracer *tracer = nullptr;
     ScenePreviewer *previewer = nullptr;
     RecentFiles *recent = nullptr;

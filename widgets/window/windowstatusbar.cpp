@@ -4,12 +4,9 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/files/sceneexports.h"
 #include "widgets/files/scenefiles.h"
-#include "widgets/look/colourvisionswitch.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenetracer.h"
 #include "widgets/window/statusfields.h"
-
-#include <QToolButton>
 
 namespace pixelplumb {
 
@@ -23,7 +20,6 @@ WindowStatusBar::WindowStatusBar(const WindowParts &parts, QWidget *window)
     : QStatusBar(window)
 {
     addFields(parts);
-    addVision(parts.vision);
     connect(addJob(parts.files->loading(),
                    {QStringLiteral("loadProgress"), tr("Progress of opening"),
                     QStringLiteral("cancelLoad"), tr("Cancel opening")}),
@@ -57,26 +53,6 @@ void WindowStatusBar::addFields(const WindowParts &parts)
     auto *fields = new StatusFields(parts.playhead, parts.student);
     addWidget(fields, 1);
     connect(parts.canvas, &Canvas::hovered, fields, &StatusFields::setHovered);
-}
-
-/// It ends by a click what it tells of.
-void WindowStatusBar::addVision(ColourVisionSwitch *vision)
-{
-    auto *button = new QToolButton(this);
-    button->setObjectName(QStringLiteral("statusVision"));
-    button->setAutoRaise(true);
-    button->setToolTip(tr("The canvas, panels and tool bars look as they do to such eyes; a click "
-                          "ends it. The frame, what is exported and all numbers are as ever."));
-    addPermanentWidget(button);
-    const auto tell = [vision, button] {
-        button->setText(tr("seen with %1").arg(nameOf(vision->choice())));
-        button->setAccessibleName(button->text());
-        button->setVisible(vision->choice() != ColourVision::Ordinary);
-    };
-    connect(button, &QAbstractButton::clicked, vision,
-            [vision] { vision->choose(ColourVision::Ordinary); });
-    connect(vision, &ColourVisionSwitch::changed, button, tell);
-    tell();
 }
 
 } // namespace pixelplumb

@@ -8,8 +8,7 @@
 
 namespace pixelplumb {
 
-/// Where the pointer and time are, the jobs beside the window, and by which eyes it is seen if not
-/// by ordinary ones.
+/// Where the pointer and time are, and the jobs beside the window.
 class WindowStatusBar : public QStatusBar {
     Q_OBJECT
 
@@ -22,7 +21,6 @@ public slots:
 private:
     JobBar *addJob(const Job &job, const JobBar::Names &names);
     void addFields(const WindowParts &parts);
-    void addVision(ColourVisionSwitch *vision);
 };
 
 } // namespace pixelplumb

@@ -71,7 +71,6 @@ QMap<QString, Way> ways()
              window.findChild<QAbstractButton *>(QStringLiteral("gradingOpen"))->click();
          }},
         {"keySheet", byAction("showKeys")},
-        {"keysDialog", byAction("changeKeys")},
         {"about", byAction("showAbout")},
         {"unsavedChanges",
          [](MainWindow &window) {

@@ -48,8 +48,6 @@ private slots:
                                     << "";
         QTest::newRow("this method") << "methodDock"
                                      << "";
-        QTest::newRow("edits") << "editsDock"
-                               << "edits";
     }
     void theKeyOfADockGivesItsContentTheFocus()
     {

@@ -5,7 +5,6 @@
 #include "tests/support/scanning.h"
 #include "tests/support/testprogram.h"
 #include "widgets/model/playhead.h"
-#include "widgets/studies/performancecachelines.h"
 #include "widgets/studies/performancepanel.h"
 
 #include <QLabel>
@@ -37,7 +36,7 @@ Scene twoTriangles()
 
 } // namespace
 
-/// The dock that measures, and its picture of the cache.
+/// The dock that measures.
 class TestPerformanceDock : public QObject {
     Q_OBJECT
 
@@ -48,8 +47,7 @@ private slots:
         PerformancePanel panel(&playhead);
         QCOMPARE(panel.objectName(), QStringLiteral("performance"));
         for (const char *name : {"performanceMeasure", "performanceCancel", "performanceProgress",
-                                 "performanceSummary", "performanceTimes", "performanceRoutes",
-                                 "performanceStride", "performanceCacheLines"})
+                                 "performanceSummary", "performanceTimes", "performanceRoutes"})
             QVERIFY2(named<QWidget>(panel, name), name);
     }
 
@@ -155,57 +153,6 @@ private slots:
         QCOMPARE(spreadOf({5, 1, 4, 2, 3}), (Spread{2, 3, 4}));
         QCOMPARE(spreadOf({7}), (Spread{7, 7, 7}));
         QCOMPARE(spreadOf({1, 2}), (Spread{1.25, 1.5, 1.75}));
-    }
-
-    /// Four rows of 16 pixels, a cache line each, three lines apart, in a cache of 8 sets of 2.
-    void countsTheLinesOfASmallFrame()
-    {
-        const DataCache cache{64, 8, 2};
-        const PixelPlaces places(0, 3 * 64);
-        const PixelBlock block{0, 0, 16, 4};
-        const CacheWalk up = walk(places, block, WalkOrder::UpColumns, cache);
-        QCOMPARE(up.lines, std::int64_t(4));
-        QCOMPARE(up.changes, std::int64_t(4 * 16)); // another line a pixel
-        QCOMPARE(up.misses, std::int64_t(4)); // and each is still there
-        QCOMPARE(up.linesOfSet, (std::vector<int>{1, 1, 0, 1, 0, 0, 1, 0})); // lines 0, 3, 6, 9
-        QCOMPARE(up.usedSets(), 4);
-        const CacheWalk along = walk(places, block, WalkOrder::AlongRows, cache);
-        QCOMPARE(along.lines, std::int64_t(4));
-        QCOMPARE(along.changes, std::int64_t(4)); // a line a row
-        QCOMPARE(along.misses, std::int64_t(4));
-        QCOMPARE(along.linesOfSet, up.linesOfSet);
-    }
-
-    /// The same rows eight lines apart: all four lines want the two places of one set.
-    void seesRowsThatFallOnOneSet()
-    {
-        const DataCache cache{64, 8, 2};
-        const PixelPlaces places(5 * 64, -8 * 64); // in memory the rows go downward
-        const CacheWalk up = walk(places, {0, 0, 16, 4}, WalkOrder::UpColumns, cache);
-        QCOMPARE(up.usedSets(), 1);
-        QCOMPARE(up.linesOfSet[5], 4);
-        QCOMPARE(up.misses, std::int64_t(4 * 16)); // every line is gone when its turn comes again
-        const CacheWalk along = walk(places, {0, 0, 16, 4}, WalkOrder::AlongRows, cache);
-        QCOMPARE(along.misses, std::int64_t(4));
-    }
-
-    void countsBothLinesOfAStripThatLiesAcrossThem()
-    {
-        const PixelPlaces places(0, 3 * 64);
-        const CacheWalk along = walk(places, {8, 0, 16, 4}, WalkOrder::AlongRows, {64, 8, 2});
-        QCOMPARE(along.lines, std::int64_t(8));
-        QCOMPARE(along.changes, std::int64_t(8));
-    }
-
-    void showsTheStripThroughThePickedPixel()
-    {
-        Playhead playhead;
-        playhead.setTraced(traceScene(twoTriangles()));
-        PerformancePanel panel(&playhead);
-        panel.show();
-        playhead.pick({100, 50});
-        QCOMPARE(panel.cacheLines()->stripWalk().lines, std::int64_t(120)); // one a row
-        QCOMPARE(panel.cacheLines()->columnWalk().changes, std::int64_t(120 * 16));
     }
 };
 

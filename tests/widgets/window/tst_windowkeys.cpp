@@ -3,7 +3,6 @@
 #include "tests/support/openwindow.h"
 #include "tests/support/testprogram.h"
 #include "widgets/canvas/canvas.h"
-#include "widgets/dialogs/keysdialog.h"
 #include "widgets/dialogs/keysheet.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/menuaction.h"
@@ -14,13 +13,7 @@
 #include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QDockWidget>
-#include <QKeySequenceEdit>
-#include <QLabel>
-#include <QLineEdit>
-#include <QSettings>
-#include <QSignalSpy>
 #include <QTest>
-#include <QTreeWidget>
 
 namespace tst_windowkeys {
 
@@ -48,112 +41,6 @@ private slots:
         QCOMPARE(playhead.position(), playhead.end());
         QTest::keyClick(window.get(), Qt::Key_F5, Qt::ShiftModifier);
         QCOMPARE(playhead.position(), std::size_t(0));
-    }
-
-    void aKeyThatIsChangedCountsAtOnceAndInTheNextSession()
-    {
-        {
-            const auto window = openedWindow();
-            KeysDialog dialog(named<HelpMenu>(*window, "helpMenu")->menus(), window.get());
-            press(dialog, "Next column", Qt::Key_F6);
-
-            QAction *next = action(*window, "nextColumn");
-            QCOMPARE(next->shortcuts(), QList{QKeySequence(Qt::Key_F6)});
-            QCOMPARE(next->toolTip(), QStringLiteral("Go on to the next column (F6)"));
-            QCOMPARE(named<QLabel>(dialog, "keysMessage")->text(),
-                     QStringLiteral("“Next column” has the key F6."));
-            press(dialog, "Play", Qt::Key_F7);
-            QCOMPARE(action(*window, "play")->toolTip(),
-                     QStringLiteral("Play by the chosen unit (F7)"));
-        }
-        const auto window = openedWindow();
-        const Playhead &playhead = *window->parts().playhead;
-        const std::size_t start = playhead.position();
-        QTest::keyClick(window.get(), Qt::Key_F10);
-        QCOMPARE(playhead.position(), start);
-        QTest::keyClick(window.get(), Qt::Key_F6);
-        QVERIFY(playhead.position() > start);
-
-        KeysDialog dialog(named<HelpMenu>(*window, "helpMenu")->menus(), window.get());
-        named<QAbstractButton>(dialog, "keysAllDefaults")->click();
-        QCOMPARE(action(*window, "nextColumn")->shortcut(), QKeySequence(Qt::Key_F10));
-        QCOMPARE(action(*window, "play")->toolTip(),
-                 QStringLiteral("Play by the chosen unit (Space)"));
-        QVERIFY(QSettings().allKeys().filter(QStringLiteral("keys/")).isEmpty());
-    }
-
-    void theRowInHandIsOneThatIsSeen()
-    {
-        const auto window = openedWindow();
-        KeysDialog dialog(named<HelpMenu>(*window, "helpMenu")->menus(), window.get());
-        auto *rows = named<QTreeWidget>(dialog, "keysRows");
-        named<QLineEdit>(dialog, "keysFilter")->setText(QStringLiteral("hide"));
-        QVERIFY(rows->currentItem()->text(0).contains(QStringLiteral("Hide")));
-        named<QLineEdit>(dialog, "keysFilter")->setText(QStringLiteral("no such words"));
-        QVERIFY(!rows->currentItem());
-        const auto *field = named<QKeySequenceEdit>(dialog, "keysField");
-        QVERIFY(!field->isEnabled());
-        QVERIFY(field->keySequence().isEmpty());
-        named<QLineEdit>(dialog, "keysFilter")->clear();
-        QVERIFY(rows->currentItem());
-
-        named<QAbstractButton>(dialog, "keysAllDefaults")->click();
-        QCOMPARE(named<QLabel>(dialog, "keysMessage")->text(),
-                 QStringLiteral("Every action has the key that it had first."));
-        rows->setCurrentItem(rowOf(dialog, "Annotated grid (SVG)"));
-        named<QAbstractButton>(dialog, "keysDefault")->click(); // which is none
-        QCOMPARE(named<QLabel>(dialog, "keysMessage")->text(),
-                 QStringLiteral("“Annotated grid (SVG)” has no key."));
-    }
-
-    void aKeyThatAnotherActionHasIsNotTaken()
-    {
-        const auto window = openedWindow();
-        KeysDialog dialog(named<HelpMenu>(*window, "helpMenu")->menus(), window.get());
-        press(dialog, "Next column", Qt::Key_F11);
-
-        QCOMPARE(action(*window, "nextColumn")->shortcut(), QKeySequence(Qt::Key_F10));
-        QCOMPARE(named<QLabel>(dialog, "keysMessage")->text(),
-                 QStringLiteral("F11 is the key of “Next pixel”: take another, or take that one's "
-                                "key away first."));
-        press(dialog, "Next pixel", Qt::Key_F6);
-        press(dialog, "Next column", Qt::Key_F11);
-        QCOMPARE(action(*window, "nextColumn")->shortcut(), QKeySequence(Qt::Key_F11));
-        named<QTreeWidget>(dialog, "keysRows")->setCurrentItem(rowOf(dialog, "Next pixel"));
-        named<QAbstractButton>(dialog, "keysDefault")->click();
-        QCOMPARE(action(*window, "nextPixel")->shortcut(), QKeySequence(Qt::Key_F6));
-        press(dialog, "Next column", Qt::Key_Left); // which the canvas has
-        QCOMPARE(action(*window, "nextColumn")->shortcut(), QKeySequence(Qt::Key_F11));
-        QVERIFY(named<QLabel>(dialog, "keysMessage")->text().startsWith("Left is a key of the"));
-        press(dialog, "Next pixel", Qt::Key_F6);
-        named<QAbstractButton>(dialog, "keysNone")->click();
-        QVERIFY(action(*window, "nextPixel")->shortcuts().isEmpty());
-        QCOMPARE(action(*window, "nextPixel")->toolTip(), QStringLiteral("Write the next pixel"));
-        press(dialog, "Next pixel", Qt::Key_F7);
-        QCOMPARE(action(*window, "nextPixel")->toolTip(),
-                 QStringLiteral("Write the next pixel (F7)"));
-    }
-
-    void theFieldShowsTheKeyThatIsKeptAndNoMore()
-    {
-        const auto window = openedWindow();
-        KeysDialog dialog(named<HelpMenu>(*window, "helpMenu")->menus(), window.get());
-        dialog.show();
-        named<QTreeWidget>(dialog, "keysRows")->setCurrentItem(rowOf(dialog, "Next column"));
-        auto *field = named<QKeySequenceEdit>(dialog, "keysField");
-        const auto *shown = field->findChild<QLineEdit *>();
-
-        QTest::keyPress(field, Qt::Key_Control, Qt::ControlModifier);
-        QCOMPARE(shown->text(), QStringLiteral("F10")); // as long as there is no key
-        QTest::keyRelease(field, Qt::Key_Control);
-        QTest::keyClick(field, Qt::Key_K, Qt::ControlModifier);
-        QCOMPARE(shown->text(), QStringLiteral("Ctrl+K"));
-        QTest::keyClick(field, Qt::Key_L, Qt::ControlModifier); // a chord has no second key
-        QCOMPARE(shown->text(), QStringLiteral("Ctrl+L"));
-        QCOMPARE(action(*window, "nextColumn")->shortcuts(),
-                 QList{QKeySequence(Qt::CTRL | Qt::Key_L)});
-        QTest::keyClick(field, Qt::Key_F11); // another action's
-        QCOMPARE(shown->text(), QStringLiteral("Ctrl+L"));
     }
 
     void f9StopsTheRunAtTheColumnInHand()
@@ -254,8 +141,6 @@ private slots:
         const auto *help = named<HelpMenu>(*window, "helpMenu");
         QVERIFY(keySheetHtml(help->menus()).contains("<td>Undo</td>"));
         QVERIFY(!keySheetHtml(help->menus()).contains("Undo place vertex"));
-        const KeysDialog dialog(help->menus(), window.get());
-        QVERIFY(rowOf(dialog, "Undo"));
         QTest::keyClick(window->parts().canvas, Qt::Key_Escape);
         QVERIFY(keySheetHtml(help->menus()).contains("<td>Undo</td>"));
     }
@@ -283,23 +168,6 @@ private slots:
     }
 
 private:
-    static QTreeWidgetItem *rowOf(const KeysDialog &dialog, const char *text)
-    {
-        return named<QTreeWidget>(dialog, "keysRows")
-            ->findItems(QStringLiteral("▸ ") + QLatin1String(text), Qt::MatchEndsWith)
-            .value(0);
-    }
-    static void press(const KeysDialog &dialog, const char *text, Qt::Key key)
-    {
-        QTreeWidgetItem *row = rowOf(dialog, text);
-        QVERIFY(row);
-        named<QTreeWidget>(dialog, "keysRows")->setCurrentItem(row);
-        auto *field = named<QKeySequenceEdit>(dialog, "keysField");
-        QSignalSpy finished(field, &QKeySequenceEdit::editingFinished);
-        QTest::keyClick(field, key);
-        QCOMPARE(finished.count(), 1); // it waits for no more keys
-    }
-
     IsolatedSettings m_settings;
 };
 
