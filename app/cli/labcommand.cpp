@@ -10,7 +10,6 @@
 #include "app/cli/suggestion.h"
 #include "core/grade/showntext.h"
 #include "core/lab/budget.h"
-#include "core/lab/labcomparison.h"
 #include "core/lab/labfile.h"
 #include "core/measure/timeleft.h"
 #include "core/scan/choicenames.h"
@@ -30,7 +29,6 @@ const QString accuracyOnlyOption = QStringLiteral("accuracy-only");
 const QString budgetOption = QStringLiteral("budget");
 const QString formatOption = QStringLiteral("format");
 const QString outputOption = QStringLiteral("output");
-const QString compareOption = QStringLiteral("compare");
 const QString ownSceneFamily = QStringLiteral("own-scene");
 
 enum class LabFormat { Text, Csv, Json };
@@ -112,9 +110,6 @@ Result<StudySettings> settingsFrom(const CommandLine &line)
     if (!families)
         return families.error();
     settings.families = *families;
-    // Who asks for some families alone waits for nothing else.
-    if (!families->isEmpty())
-        settings.growthRounds = 0;
     const auto contenders = chosenContenders(line);
     if (!contenders)
         return contenders.error();
@@ -142,42 +137,6 @@ Result<StudySettings> settingsFrom(const CommandLine &line)
         settings.ownScene = std::make_shared<const Scene>(reading->scene);
     }
     return settings;
-}
-
-Result<Study> readStudyAt(const QString &path)
-{
-    const Result<QByteArray> text = readInput(path);
-    if (!text)
-        return text.error();
-    Result<Study> study = readStudy(*text);
-    if (study)
-        return study;
-    return errorIn(path, study.error());
-}
-
-ExitCode compareFiles(const CommandLine &line)
-{
-    for (const QString &option :
-         {quickOption, fullOption, QStringLiteral("seed"), familyOption, contenderOption,
-          accuracyOnlyOption, budgetOption, formatOption, outputOption}) {
-        if (line.isSet(option))
-            return line.refuse(QStringLiteral("--compare measures and writes nothing; expected "
-                                              "it without --%1")
-                                   .arg(option));
-    }
-    if (line.argument(0).isEmpty())
-        return line.refuse(
-            QStringLiteral("--compare: the second file is missing; expected BEFORE.json "
-                           "AFTER.json"));
-    const Result<Study> before = readStudyAt(line.value(compareOption));
-    if (!before)
-        return line.refuse(before.error());
-    const Result<Study> after = readStudyAt(line.argument(0));
-    if (!after)
-        return line.refuse(after.error());
-    const LabComparison comparison = compareStudies(*before, *after);
-    printLines(textOf(comparison));
-    return comparison.isWorse() ? ExitCode::FallsShort : ExitCode::Done;
 }
 
 /// The scene, or else random triangles, or else the first family that was asked for.
@@ -235,10 +194,6 @@ void addOptions(CommandLine &line)
                     QStringLiteral("Write to a file; - is standard output."),
                     QStringLiteral("file"),
                     QStringLiteral("-")});
-    line.addOption({compareOption,
-                    QStringLiteral("Measure nothing: compare this study's JSON with a later one's, "
-                                   "which stands in SCENE's place."),
-                    QStringLiteral("before.json")});
 }
 
 Study runShowingTime(const StudySettings &settings)
@@ -265,8 +220,6 @@ ExitCode lab(const Command &command, const QStringList &arguments)
     addOptions(line);
     if (const auto ended = line.parse(arguments))
         return *ended;
-    if (line.isSet(compareOption))
-        return compareFiles(line);
     const Result<LabFormat> format = chosenFormat(line);
     if (!format)
         return line.refuse(format.error());

@@ -133,54 +133,6 @@ QStringList fitText(const Study &study)
     + aligned(lines);
 }
 
-/// How a contender's time grows with each size.
-QStringList growthText(const Study &study)
-{
-    if (study.growth.empty())
-        return {};
-    std::vector<Line> lines = {{QStringLiteral("contender")}};
-    for (const SizeAxis axis : allSizeAxes)
-        lines.front().push_back(nameOf(axis));
-    lines.front().emplace_back();
-    for (const StudyContender &contender : study.contenders) {
-        Line line = {contender.id};
-        for (const SizeAxis axis : allSizeAxes) {
-            const auto curve = std::ranges::find_if(study.growth, [&](const SizeCurve &each) {
-                return each.contender == contender.id && each.axis == axis;
-            });
-            if (curve != study.growth.end())
-                line.push_back(number(curve->exponent, 2));
-        }
-        line.emplace_back();
-        if (line.size() == lines.front().size())
-            lines.push_back(line);
-    }
-    return QStringList{QString(),
-                       QStringLiteral("How times grow: exponent of the width, the area, the number "
-                                      "of triangles, over the larger half of the sizes")}
-    + aligned(lines);
-}
-
-/// How far the bounds of the column scan drift at most.
-QStringList driftText(const Study &study)
-{
-    if (study.drift.empty())
-        return {};
-    std::vector<Line> lines
-        = {{QStringLiteral("arithmetic"), QStringLiteral("columns"),
-            QStringLiteral("largest error px"), QStringLiteral("proved limit px"), QString()}};
-    for (const DriftCurve &curve : study.drift) {
-        if (curve.points.empty())
-            continue;
-        const auto largest = std::ranges::max_element(curve.points, {}, &DriftPoint::error);
-        lines.push_back({nameText(nameOf(curve.arithmetic)), QString::number(curve.points.size()),
-                         shortNumber(largest->error), shortNumber(curve.points.back().limit),
-                         QString()});
-    }
-    return QStringList{QString(), QStringLiteral("How far the column scan's bounds drift")}
-    + aligned(lines);
-}
-
 /// How even lines are in all directions.
 QStringList brightnessText(const Study &study)
 {
@@ -233,8 +185,6 @@ QStringList textOf(const Study &study)
     for (const StudyFamily &family : study.families)
         text += familyText(study, family);
     text += fitText(study);
-    text += growthText(study);
-    text += driftText(study);
     text += effectsText(study);
     text << QString() << QStringLiteral("again: ") + study.command;
     return text;

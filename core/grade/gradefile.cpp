@@ -37,7 +37,7 @@ Result<Part> readOurs(const QByteArray &text)
     JsonReader json(text);
     Part part;
     if (expectFormat(json))
-        FieldReader(json, gradesFormat).readMembers(json.root(), part, {gradesKey, sealKey});
+        FieldReader(json).readMembers(json.root(), part, {gradesKey, sealKey});
     return json.hasFailed() ? Result<Part>(json.error()) : Result<Part>(std::move(part));
 }
 
@@ -105,7 +105,7 @@ Result<Reviews> readReviews(const QByteArray &text)
         return json.error();
     json.expectObject(json.root(), {gradesKey, reviewsKey});
     const JsonNode node = json.root()[reviewsKey];
-    FieldReader reader(json, gradesFormat);
+    FieldReader reader(json);
     for (const QString &id : node.keys()) {
         GradeReview review;
         reader.read(node[id], review);

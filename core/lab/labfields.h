@@ -126,37 +126,6 @@ void eachField(Self &self, const Visit &visit)
     visit("load", self.load);
 }
 
-template <PartOf<SizePoint> Self, class Visit>
-void eachField(Self &self, const Visit &visit)
-{
-    visit("size", self.size);
-    visit("perDraw", self.perDraw);
-}
-
-template <PartOf<SizeCurve> Self, class Visit>
-void eachField(Self &self, const Visit &visit)
-{
-    visit("contender", self.contender);
-    visit("axis", self.axis);
-    visit("points", self.points);
-    visit("exponent", self.exponent);
-}
-
-template <PartOf<DriftPoint> Self, class Visit>
-void eachField(Self &self, const Visit &visit)
-{
-    visit("column", self.column);
-    visit("error", self.error);
-    visit("limit", self.limit);
-}
-
-template <PartOf<DriftCurve> Self, class Visit>
-void eachField(Self &self, const Visit &visit)
-{
-    visit("arithmetic", self.arithmetic);
-    visit("points", self.points);
-}
-
 template <PartOf<EffectRow> Self, class Visit>
 void eachField(Self &self, const Visit &visit)
 {
@@ -221,8 +190,6 @@ void eachField(Self &self, const Visit &visit)
     visit("contenders", self.contenders);
     visit("families", self.families);
     visit("rows", self.rows);
-    visit("drift", self.drift);
-    visit("growth", self.growth);
     visit("effects", self.effects);
     visit("rounds", self.rounds);
     visit("complete", self.isComplete);
@@ -237,10 +204,6 @@ struct FileWords<LabOutcome> {
     static constexpr std::array all
         = {LabOutcome::Pending, LabOutcome::Measured, LabOutcome::Refused, LabOutcome::TookTooLong,
            LabOutcome::Failed};
-};
-template <>
-struct FileWords<SizeAxis> {
-    static constexpr const auto &all = allSizeAxes;
 };
 template <>
 struct FileWords<LabKernel> {

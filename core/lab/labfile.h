@@ -6,15 +6,8 @@
 
 namespace pixelplumb {
 
-/// Of the JSON that writeStudy() writes. readStudy() reads all up to it and says which it was of
-/// others.
-///
-/// 1. the first
-/// 2. contenders have a "kernel", "plain", "SIMD" or "peer"; before, only the contender's id tells
-/// it;
-///    drift and growth are in the file
-/// 3. what effects cost is in the file
-inline constexpr int labFileVersion = 3;
+/// Of the JSON that writeStudy() writes, and the only one that readStudy() reads.
+inline constexpr int labFileVersion = 4;
 
 /// The same study, the same bytes.
 QByteArray writeStudy(const Study &study);

@@ -44,8 +44,6 @@ QString commandFor(const StudySettings &settings)
     return words.join(u' ');
 }
 
-constexpr std::int64_t driftColumns = 2003; ///< a prime
-
 bool drawsNothing(const AccuracyFigures &figures)
 {
     return figures.missing + figures.tiesMissing == figures.pixels
@@ -89,7 +87,7 @@ public:
 
     Study run()
     {
-        m_study.isComplete = judgeAndStart() && finishRace() && addCurves();
+        m_study.isComplete = judgeAndStart() && finishRace() && addEffects();
         addFits();
         return m_study;
     }
@@ -183,19 +181,8 @@ private:
         return true;
     }
 
-    bool addCurves()
+    bool addEffects()
     {
-        if (!m_plan.hasCurves())
-            return true;
-        auto drift = driftOver(driftColumns, m_scale.next(m_times.drift));
-        if (!drift)
-            return false;
-        m_study.drift = std::move(*drift);
-        auto growth
-            = runSizeStudy(m_plan.growing, m_plan.growthRounds, m_scale.next(m_times.growth));
-        if (!growth)
-            return false;
-        m_study.growth = std::move(*growth);
         if (!m_plan.hasEffects)
             return true;
         auto effects = runEffectStudy(m_plan.rounds, m_scale.next(m_times.effects));

@@ -6,7 +6,6 @@
 #include "core/lab/labcontender.h"
 #include "core/lab/labfamily.h"
 #include "core/lab/labfigures.h"
-#include "core/lab/sizestudy.h"
 #include "core/measure/machine.h"
 #include "core/number/jobprogress.h"
 
@@ -30,7 +29,6 @@ struct StudySettings {
     /// Seconds of processor time of a timed draw, beyond which it is not timed; 0: the extent's.
     double longestDrawSeconds = 0;
     int rounds = -1; ///< of timing; below 0: the extent's; 0: nothing is timed
-    int growthRounds = -1; ///< of how times grow; below 0: the extent's; 0: no curves
 };
 
 /// s that the study takes about on two idle cores, for who waits.
@@ -105,8 +103,6 @@ struct Study {
     std::vector<StudyContender> contenders;
     std::vector<StudyFamily> families;
     std::vector<LabRow> rows; ///< by families, each with all contenders in their order
-    std::vector<DriftCurve> drift;
-    std::vector<SizeCurve> growth;
     std::vector<EffectRow> effects;
     int rounds = 0; ///< of timing, done
     bool isComplete = false;
@@ -135,10 +131,9 @@ struct StudyListener {
 };
 
 /// Judges every contender on every family and times each family once as soon as it is judged, then
-/// times all of them in turn, round by round; then it measures how increments drift and how times
-/// grow. The accuracy depends on nothing but the settings: how much
-/// is judged is limited in samples, and the limit in seconds only ends what hangs. Nothing of it is
-/// thrown when a contender fails.
+/// times all of them in turn, round by round; then it measures what effects cost. The accuracy
+/// depends on nothing but the settings: how much is judged is limited in samples, and the limit in
+/// seconds only ends what hangs. Nothing of it is thrown when a contender fails.
 Study runStudy(const StudySettings &settings, const StudyListener &listener = {});
 
 } // namespace pixelplumb

@@ -9,8 +9,6 @@ namespace {
 constexpr double quickJudging = 0.065; ///< of a family
 constexpr double fullJudging = 0.2; ///< of a family
 constexpr double oneRound = 0.0085; ///< of a family
-constexpr double oneGrowthRound = 0.05;
-constexpr double wholeDrift = 0.1; ///< of all together
 constexpr double effectJudging = 1.5; ///< of all together
 constexpr double oneEffectRound = 0.25; ///< of all together
 
@@ -23,7 +21,6 @@ StudyPlan studyPlanFor(const StudySettings &settings)
         plan.accuracy = {600'000'000, 60, 200'000, 1'000'000, 40'000};
         plan.race.longestDraw = 60e6;
         plan.rounds = 7;
-        plan.growthRounds = 7;
     }
     if (settings.mostSamples > 0)
         plan.accuracy.mostSamples = settings.mostSamples;
@@ -33,13 +30,7 @@ StudyPlan studyPlanFor(const StudySettings &settings)
         plan.race.longestDraw = settings.longestDrawSeconds * 1e9;
     if (settings.rounds >= 0)
         plan.rounds = settings.rounds;
-    if (settings.growthRounds >= 0)
-        plan.growthRounds = settings.growthRounds;
-    if (plan.rounds == 0)
-        plan.growthRounds = 0;
-    plan.hasEffects
-        = plan.hasCurves() && settings.contenders.empty() && settings.families.isEmpty();
-    plan.growing = settings.contenders.empty() ? growingContenders() : settings.contenders;
+    plan.hasEffects = plan.rounds > 0 && settings.contenders.empty() && settings.families.isEmpty();
     return plan;
 }
 
@@ -50,10 +41,6 @@ StudyTimes studyTimesFor(const StudySettings &settings, const StudyPlan &plan)
     times.judging
         = contenders * (settings.extent == StudyExtent::Quick ? quickJudging : fullJudging);
     times.round = contenders * oneRound;
-    if (plan.hasCurves()) {
-        times.drift = wholeDrift;
-        times.growth = double(plan.growing.size()) * plan.growthRounds * oneGrowthRound;
-    }
     if (plan.hasEffects)
         times.effects = effectJudging + plan.rounds * oneEffectRound;
     return times;

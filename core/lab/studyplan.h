@@ -11,11 +11,7 @@ struct StudyPlan {
     AccuracyOptions accuracy;
     RaceOptions race;
     int rounds = 5;
-    std::vector<LabContender> growing; ///< whose growth is measured
-    int growthRounds = 3; ///< 0: no curves
     bool hasEffects = true; ///< whether effects are measured: in studies of everything
-
-    bool hasCurves() const { return growthRounds > 0; }
 };
 
 /// s that parts of a study take about on two idle cores: rates that were measured once, times how
@@ -23,13 +19,11 @@ struct StudyPlan {
 struct StudyTimes {
     double judging = 0; ///< a family
     double round = 0; ///< a family
-    double drift = 0;
-    double growth = 0;
     double effects = 0;
 
     double ofAll(std::size_t families, int rounds) const
     {
-        return double(families) * (judging + rounds * round) + drift + growth + effects;
+        return double(families) * (judging + rounds * round) + effects;
     }
 };
 StudyTimes studyTimesFor(const StudySettings &settings, const StudyPlan &plan);

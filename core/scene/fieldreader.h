@@ -14,9 +14,8 @@ namespace pixelplumb {
 /// Reads into parts by their lists of fields; errors stay with the JsonReader.
 class FieldReader {
 public:
-    FieldReader(JsonReader &json, int version)
+    explicit FieldReader(JsonReader &json)
         : m_json(json)
-        , m_version(version)
     {
     }
 
@@ -104,7 +103,7 @@ private:
     template <class T>
     void readMember(const JsonNode &node, T &value)
     {
-        if ((m_version >= firstVersionWith<T> || !node.isMissing()) && !m_json.hasFailed())
+        if (!m_json.hasFailed())
             read(node, value);
     }
     template <class T>
@@ -116,7 +115,6 @@ private:
     }
 
     JsonReader &m_json;
-    int m_version; ///< of the file
 };
 
 } // namespace pixelplumb

@@ -22,10 +22,6 @@ concept HasFields = requires(T &part)
     eachField(part, [](const char *, const auto &) {});
 };
 
-/// The first version of a file that has fields of this type; earlier ones may lack them.
-template <class T>
-inline constexpr int firstVersionWith = 1;
-
 /// The names of an enumeration's values in files.
 template <class Enum>
 struct FileWords;

@@ -51,10 +51,6 @@
         <translation>Ergebnisse öffnen</translation>
     </message>
     <message>
-        <source>Compare with Earlier Results</source>
-        <translation>Mit früheren Ergebnissen vergleichen</translation>
-    </message>
-    <message>
         <source>Save the Results</source>
         <translation>Ergebnisse speichern</translation>
     </message>
@@ -109,10 +105,6 @@
     <message>
         <source>SVG drawings (*.svg);;PNG pictures (*.png);;Numbers, CSV (*.csv)</source>
         <translation>SVG-Zeichnungen (*.svg);;PNG-Bilder (*.png);;Zahlen, CSV (*.csv)</translation>
-    </message>
-    <message>
-        <source>Nothing is measured yet that %1 could be compared with: press Run or open results first.</source>
-        <translation>Noch ist nichts gemessen, womit %1 verglichen werden könnte: erst messen oder Ergebnisse öffnen.</translation>
     </message>
 </context>
 <context>
@@ -771,22 +763,6 @@
         <translation>nichts</translation>
     </message>
     <message>
-        <source>within spread</source>
-        <translation>in der Streuung</translation>
-    </message>
-    <message>
-        <source>faster</source>
-        <translation>schneller</translation>
-    </message>
-    <message>
-        <source>slower</source>
-        <translation>langsamer</translation>
-    </message>
-    <message>
-        <source>not comparable</source>
-        <translation>nicht vergleichbar</translation>
-    </message>
-    <message>
         <source>smooth colour</source>
         <translation>Farbverlauf</translation>
     </message>
@@ -1153,10 +1129,6 @@
     <message>
         <source>Hard cases</source>
         <translation>Schwierige Fälle</translation>
-    </message>
-    <message>
-        <source>width</source>
-        <translation>Breite</translation>
     </message>
     <message>
         <source>area</source>
@@ -1554,56 +1526,6 @@
     <message>
         <source>Drawn to the end: every pixel is as in the truth.</source>
         <translation>Bis zum Ende gezeichnet: Jedes Pixel ist wie in der Wahrheit.</translation>
-    </message>
-</context>
-<context>
-    <name>pixelplumb::DriftPlot</name>
-    <message>
-        <source>Drift of increments over the columns</source>
-        <translation>Drift von Inkrementen über die Spalten</translation>
-    </message>
-    <message>
-        <source>%1: %2 px, at most %3 px by proof</source>
-        <translation>%1: %2 px, nach Beweis höchstens %3 px</translation>
-    </message>
-    <message numerus="yes">
-        <source>&lt;b&gt;after %n columns&lt;/b&gt;</source>
-        <translation>
-            <numerusform>&lt;b&gt;nach %n Spalte&lt;/b&gt;</numerusform>
-            <numerusform>&lt;b&gt;nach %n Spalten&lt;/b&gt;</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>columns walked</source>
-        <translation>gegangene Spalten</translation>
-    </message>
-    <message>
-        <source>px</source>
-        <translation>px</translation>
-    </message>
-    <message>
-        <source>error of a bound, px</source>
-        <translation>Fehler einer Grenze, px</translation>
-    </message>
-    <message>
-        <source>Drift is computed at the end of a study.</source>
-        <translation>Die Drift wird am Ende einer Studie berechnet.</translation>
-    </message>
-    <message>
-        <source>limit by proof</source>
-        <translation>bewiesene Schranke</translation>
-    </message>
-    <message>
-        <source>No error of this arithmetic can be larger: its curve stays below the dotted one of its colour.</source>
-        <translation>Kein Fehler dieser Arithmetik kann größer sein: Ihre Kurve bleibt unter der punktierten in ihrer Farbe.</translation>
-    </message>
-    <message>
-        <source>½ px</source>
-        <translation>½ px</translation>
-    </message>
-    <message>
-        <source>From here on a bound is off by half a pixel and more.</source>
-        <translation>Von hier an liegt eine Grenze um ein halbes Pixel und mehr daneben.</translation>
     </message>
 </context>
 <context>
@@ -3066,79 +2988,10 @@
     </message>
 </context>
 <context>
-    <name>pixelplumb::LabChanges</name>
-    <message>
-        <source>What changed</source>
-        <translation>Was sich geändert hat</translation>
-    </message>
-    <message>
-        <source>Before and after</source>
-        <translation>Vorher und nachher</translation>
-    </message>
-    <message>
-        <source>contender</source>
-        <translation>Kandidat</translation>
-    </message>
-    <message>
-        <source>family</source>
-        <translation>Familie</translation>
-    </message>
-    <message>
-        <source>before, ns a pixel</source>
-        <translation>vorher, ns je Pixel</translation>
-    </message>
-    <message>
-        <source>after, ns a pixel</source>
-        <translation>nachher, ns je Pixel</translation>
-    </message>
-    <message>
-        <source>×</source>
-        <translation>×</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>wrong before, ppm</source>
-        <translation>falsch vorher, ppm</translation>
-    </message>
-    <message>
-        <source>wrong after, ppm</source>
-        <translation>falsch nachher, ppm</translation>
-    </message>
-    <message>
-        <source>Before: %1. %2 faster, %3 slower, %4 within their spread.</source>
-        <translation>Vorher: %1. %2 schneller, %3 langsamer, %4 innerhalb ihrer Streuung.</translation>
-    </message>
-    <message>
-        <source>No accuracy changed.</source>
-        <translation>Keine Genauigkeit hat sich geändert.</translation>
-    </message>
-    <message numerus="yes">
-        <source>≠ Accuracy changed in %n rows.</source>
-        <translation>
-            <numerusform>≠ Die Genauigkeit hat sich in %n Zeile geändert.</numerusform>
-            <numerusform>≠ Die Genauigkeit hat sich in %n Zeilen geändert.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n rows are missing.</source>
-        <translation>
-            <numerusform>%n Zeile fehlt.</numerusform>
-            <numerusform>%n Zeilen fehlen.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>pixelplumb::LabCharts</name>
     <message>
         <source>Whose misses</source>
         <translation>Wessen Verfehltes</translation>
-    </message>
-    <message>
-        <source>Which size grows</source>
-        <translation>Welche Größe wächst</translation>
     </message>
     <message>
         <source>What accuracy costs here</source>
@@ -3193,36 +3046,12 @@
         <translation>Was Vorbereitung, Spalten und Pixel brauchen</translation>
     </message>
     <message>
-        <source>Growth</source>
-        <translation>Wachstum</translation>
-    </message>
-    <message>
-        <source>How times grow with sizes</source>
-        <translation>Wie Zeiten mit Größen wachsen</translation>
-    </message>
-    <message>
-        <source>Drift</source>
-        <translation>Drift</translation>
-    </message>
-    <message>
-        <source>How errors of increments grow with the columns</source>
-        <translation>Wie Fehler von Inkrementen mit den Spalten wachsen</translation>
-    </message>
-    <message>
         <source>Effects</source>
         <translation>Effekte</translation>
     </message>
     <message>
         <source>What effects cost and what they mend</source>
         <translation>Was Effekte kosten und was sie verbessern</translation>
-    </message>
-    <message>
-        <source>Changes</source>
-        <translation>Änderungen</translation>
-    </message>
-    <message>
-        <source>Before and after</source>
-        <translation>Vorher und nachher</translation>
     </message>
 </context>
 <context>
@@ -3276,10 +3105,6 @@
         <translation>Dateien des Labors</translation>
     </message>
     <message>
-        <source>Save, open and compare results; charts as figures</source>
-        <translation>Ergebnisse speichern, öffnen und vergleichen; Diagramme als Abbildungen</translation>
-    </message>
-    <message>
         <source>&amp;Open results …</source>
         <translation>Ergebnisse ö&amp;ffnen …</translation>
     </message>
@@ -3300,10 +3125,6 @@
         <translation>Als &amp;Tabelle speichern, CSV …</translation>
     </message>
     <message>
-        <source>&amp;Compare with earlier results …</source>
-        <translation>Mit früheren Ergebnissen &amp;vergleichen …</translation>
-    </message>
-    <message>
         <source>Save the chart, SVG, &amp;PNG or CSV …</source>
         <translation>Diagramm speichern, SVG, &amp;PNG oder CSV …</translation>
     </message>
@@ -3322,6 +3143,10 @@
     <message>
         <source>End the study and keep what it has</source>
         <translation>Die Studie beenden und behalten, was sie hat</translation>
+    </message>
+    <message>
+        <source>Save and open results; charts as figures</source>
+        <translation>Ergebnisse speichern und öffnen; Diagramme als Abbildungen</translation>
     </message>
 </context>
 <context>
@@ -5784,53 +5609,6 @@
     <message>
         <source>Tracing was cancelled: the panels show the run before. Undo the change, or change the scene again to trace it.</source>
         <translation>Das Aufzeichnen wurde abgebrochen: Die Bereiche zeigen den Lauf davor. Rückgängig machen, oder die Szene noch einmal ändern, damit sie aufgezeichnet wird.</translation>
-    </message>
-</context>
-<context>
-    <name>pixelplumb::ScalingPlot</name>
-    <message>
-        <source>width of one triangle of constant height, px</source>
-        <translation>Breite eines Dreiecks von gleicher Höhe, px</translation>
-    </message>
-    <message>
-        <source>area of one triangle of constant shape, px</source>
-        <translation>Fläche eines Dreiecks von gleicher Form, px</translation>
-    </message>
-    <message>
-        <source>triangles of constant size</source>
-        <translation>Dreiecke gleicher Größe</translation>
-    </message>
-    <message>
-        <source>Times over sizes</source>
-        <translation>Zeiten über Größen</translation>
-    </message>
-    <message>
-        <source>%1  ~ n^%2</source>
-        <translation>%1  ~ n^%2</translation>
-    </message>
-    <message>
-        <source>µs</source>
-        <translation>µs</translation>
-    </message>
-    <message>
-        <source>a draw, µs</source>
-        <translation>je Zeichnen, µs</translation>
-    </message>
-    <message>
-        <source>n^1 doubles its time where the size doubles, n^0 does not grow: the exponent is fitted to the larger half of the sizes.</source>
-        <translation>n^1 verdoppelt die Zeit, wo die Größe sich verdoppelt, n^0 wächst nicht: Der Exponent ist an die größere Hälfte der Größen angepasst.</translation>
-    </message>
-    <message>
-        <source>How times grow is measured at the end of a study.</source>
-        <translation>Wie Zeiten wachsen, wird am Ende einer Studie gemessen.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>n = %1: %2 µs</source>
-        <translation>n = %1: %2 µs</translation>
     </message>
 </context>
 <context>

@@ -74,16 +74,6 @@
     </message>
 </context>
 <context>
-    <name>pixelplumb::DriftPlot</name>
-    <message numerus="yes">
-        <source>&lt;b&gt;after %n columns&lt;/b&gt;</source>
-        <translation>
-            <numerusform>&lt;b&gt;after %n column&lt;/b&gt;</numerusform>
-            <numerusform>&lt;b&gt;after %n columns&lt;/b&gt;</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>pixelplumb::EffectsText</name>
     <message numerus="yes">
         <source>%n pixels change, marked on the canvas</source>
@@ -100,23 +90,6 @@
         <translation>
             <numerusform>%1 pixel</numerusform>
             <numerusform>%1 pixels</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>pixelplumb::LabChanges</name>
-    <message numerus="yes">
-        <source>≠ Accuracy changed in %n rows.</source>
-        <translation>
-            <numerusform>≠ Accuracy changed in %n row.</numerusform>
-            <numerusform>≠ Accuracy changed in %n rows.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n rows are missing.</source>
-        <translation>
-            <numerusform>%n row is missing.</numerusform>
-            <numerusform>%n rows are missing.</numerusform>
         </translation>
     </message>
 </context>

@@ -7,7 +7,6 @@
 #include "widgets/lab/labrun.h"
 #include "widgets/lab/labtext.h"
 #include "widgets/look/elidedlabel.h"
-#include "widgets/look/shownname.h"
 #include "widgets/model/playhead.h"
 
 #include <QApplication>
@@ -79,11 +78,6 @@ void AccuracyLab::connectControls()
         if (const QString path = m_files->askForInput(tr("Open Results")); !path.isEmpty())
             openResults(path);
     });
-    connect(m_controls, &LabControls::compareRequested, this, [this] {
-        if (const QString path = m_files->askForInput(tr("Compare with Earlier Results"));
-            !path.isEmpty())
-            compareWith(path);
-    });
     connect(m_controls, &LabControls::saveRequested, this, [this] {
         const QString path = m_files->askForOutput(
             tr("Save the Results"), tr("Results of the lab (*.json)"), QStringLiteral("json"));
@@ -139,12 +133,8 @@ void AccuracyLab::cancel() { m_run->cancel(); }
 
 void AccuracyLab::takeNews(const SharedResults &news)
 {
-    const bool wasOfRun = m_shown.areOfRun();
-    if (!m_shown.takeNews(news, m_controls->family()))
-        return;
-    if (!wasOfRun)
-        m_charts->forgetChanges();
-    showResults();
+    if (m_shown.takeNews(news, m_controls->family()))
+        showResults();
 }
 
 void AccuracyLab::endRun()
@@ -161,7 +151,6 @@ void AccuracyLab::endRun()
 void AccuracyLab::replaceBy(const SharedResults &results)
 {
     m_shown.replaceBy(results);
-    m_charts->forgetChanges();
     showResults();
 }
 
@@ -252,21 +241,6 @@ bool AccuracyLab::openResults(const QString &path)
         return false;
     m_run->drop();
     replaceBy(std::make_shared<const Study>(std::move(*study)));
-    return true;
-}
-
-bool AccuracyLab::compareWith(const QString &path)
-{
-    if (!results()) {
-        emit complaint(tr("Nothing is measured yet that %1 could be compared with: press Run or "
-                          "open results first.")
-                           .arg(shownName(path)));
-        return false;
-    }
-    const std::optional<Study> before = m_files->read(path);
-    if (!before)
-        return false;
-    m_charts->showChanges(*before, *results(), shownName(path));
     return true;
 }
 

@@ -43,7 +43,6 @@ public:
     void setSceneModified(bool isModified) { m_isSceneModified = isModified; }
     /// False after a complaint.
     bool openResults(const QString &path);
-    bool compareWith(const QString &path);
 
     QSize sizeHint() const override { return {960, 600}; }
 

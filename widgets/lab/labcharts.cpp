@@ -2,17 +2,13 @@
 #include "widgets/lab/labcharts.h"
 
 #include "widgets/lab/coststack.h"
-#include "widgets/lab/driftplot.h"
 #include "widgets/lab/labanswers.h"
-#include "widgets/lab/labchanges.h"
 #include "widgets/lab/labeffects.h"
 #include "widgets/lab/labfiltermenu.h"
 #include "widgets/lab/labtable.h"
 #include "widgets/lab/labtext.h"
 #include "widgets/lab/missplot.h"
 #include "widgets/lab/paretoplot.h"
-#include "widgets/lab/scalingplot.h"
-#include "widgets/look/corewords.h"
 #include "widgets/look/elidedlabel.h"
 #include "widgets/look/elidingbox.h"
 
@@ -100,12 +96,8 @@ LabCharts::LabCharts(QWidget *parent)
     , m_answers(new LabAnswers(this))
     , m_misses(new MissPlot(this))
     , m_costs(new CostStack(this))
-    , m_scaling(new ScalingPlot(this))
-    , m_drift(new DriftPlot(this))
     , m_effects(new LabEffects(this))
-    , m_changes(new LabChanges(this))
     , m_contender(namedBox("labMissContender", tr("Whose misses"), this))
-    , m_sizeAxis(namedBox("labSizeAxis", tr("Which size grows"), this))
     , m_filter(new LabFilterMenu(this))
     , m_price(new ElidedLabel(this))
 {
@@ -128,13 +120,7 @@ LabCharts::LabCharts(QWidget *parent)
     scroller->setWidgetResizable(true);
     scroller->setWidget(m_costs);
     addPage(nullptr, scroller, tr("Parts"), tr("What set-up, columns and pixels take"));
-    addPage(m_sizeAxis, m_scaling, tr("Growth"), tr("How times grow with sizes"));
-    addPage(nullptr, m_drift, tr("Drift"), tr("How errors of increments grow with the columns"));
     addPage(nullptr, m_effects, tr("Effects"), tr("What effects cost and what they mend"));
-    addPage(nullptr, m_changes, tr("Changes"), tr("Before and after"));
-    forgetChanges();
-    for (const SizeAxis axis : allSizeAxes)
-        m_sizeAxis->addItem(coreWord(nameOf(axis)), int(axis));
 
     connect(m_pareto, &ParetoPlot::contenderClicked, this, [this](const QString &contender) {
         select(contender);
@@ -146,8 +132,6 @@ LabCharts::LabCharts(QWidget *parent)
     connect(m_answers, &LabAnswers::contenderSelected, this, &LabCharts::select);
     connect(m_contender, &QComboBox::activated, this,
             [this] { select(m_contender->currentData().toString()); });
-    connect(m_sizeAxis, &QComboBox::currentIndexChanged, this,
-            [this] { m_scaling->show(m_shown, SizeAxis(m_sizeAxis->currentData().toInt())); });
     connect(m_filter, &LabFilterMenu::filterChanged, this, &LabCharts::showAll);
 }
 
@@ -178,8 +162,6 @@ void LabCharts::showAll()
     fillContenders();
     showMisses();
     m_costs->show(m_shown, m_family);
-    m_scaling->show(m_shown, SizeAxis(m_sizeAxis->currentData().toInt()));
-    m_drift->show(m_shown);
     m_effects->show(*m_results);
 }
 
@@ -206,16 +188,6 @@ void LabCharts::select(const QString &contender)
     m_table->select(contender);
     showMisses();
 }
-
-void LabCharts::showChanges(const Study &before, const Study &after, const QString &beforeName)
-{
-    m_changes->show(before, after, beforeName);
-    const int page = indexOf(m_changes->parentWidget());
-    setTabVisible(page, true);
-    setCurrentIndex(page);
-}
-
-void LabCharts::forgetChanges() { setTabVisible(indexOf(m_changes->parentWidget()), false); }
 
 LabPlot *LabCharts::chartInFront() const
 {

@@ -11,16 +11,13 @@ class QComboBox;
 namespace pixelplumb {
 
 class CostStack;
-class DriftPlot;
 class ElidedLabel;
 class LabAnswers;
-class LabChanges;
 class LabEffects;
 class LabFilterMenu;
 class LabTable;
 class MissPlot;
 class ParetoPlot;
-class ScalingPlot;
 
 /// The charts and tables of the lab, a tab each (objectName "labTabs"). A contender that is chosen
 /// in one is chosen in all.
@@ -31,9 +28,6 @@ public:
     explicit LabCharts(QWidget *parent = nullptr);
 
     void show(const SharedResults &results, const QString &family, const ErrorAxis &axis);
-    /// Beside an earlier study, on a tab of its own, which comes to the front.
-    void showChanges(const Study &before, const Study &after, const QString &beforeName);
-    void forgetChanges();
 
     /// The chart in front; null where that is a table.
     LabPlot *chartInFront() const;
@@ -60,12 +54,8 @@ private:
     LabAnswers *m_answers;
     MissPlot *m_misses;
     CostStack *m_costs;
-    ScalingPlot *m_scaling;
-    DriftPlot *m_drift;
     LabEffects *m_effects;
-    LabChanges *m_changes;
     QComboBox *m_contender; ///< whose misses are shown
-    QComboBox *m_sizeAxis;
     LabFilterMenu *m_filter;
     ElidedLabel *m_price; ///< what accuracy costs, in words
     SharedResults m_results;

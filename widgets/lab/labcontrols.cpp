@@ -78,7 +78,7 @@ void LabControls::addFileMenu(QBoxLayout *row)
     button->setObjectName(QStringLiteral("labFiles"));
     button->setText(tr("Files"));
     button->setAccessibleName(tr("Files of the lab"));
-    button->setToolTip(tr("Save, open and compare results; charts as figures"));
+    button->setToolTip(tr("Save and open results; charts as figures"));
     button->setPopupMode(QToolButton::InstantPopup);
     auto *menu = new QMenu(button);
     const auto add = [this, menu](const char *name, const QString &text, auto signal) {
@@ -93,9 +93,6 @@ void LabControls::addFileMenu(QBoxLayout *row)
     m_outputs += add("labSave", tr("&Save results …"), &LabControls::saveRequested);
     m_outputs
         += add("labSaveTable", tr("Save as a &table, CSV …"), &LabControls::saveTableRequested);
-    menu->addSeparator();
-    m_outputs
-        += add("labCompare", tr("&Compare with earlier results …"), &LabControls::compareRequested);
     menu->addSeparator();
     m_outputs += add("labSaveChart", tr("Save the chart, SVG, &PNG or CSV …"),
                      &LabControls::saveChartRequested);

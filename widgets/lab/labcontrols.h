@@ -43,7 +43,6 @@ signals:
     void choiceChanged(); ///< of the family or the error
     void openRequested();
     void earlierRequested();
-    void compareRequested();
     void saveRequested();
     void saveTableRequested();
     void saveChartRequested();

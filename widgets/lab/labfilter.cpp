@@ -20,10 +20,6 @@ std::shared_ptr<const Study> filtered(const std::shared_ptr<const Study> &result
     const auto isOut = [&filter](const QString &contender) { return filter.leavesOut(contender); };
     std::erase_if(kept->contenders, [&](const StudyContender &each) { return isOut(each.id); });
     std::erase_if(kept->rows, [&](const LabRow &each) { return isOut(each.contender); });
-    std::erase_if(kept->growth, [&](const SizeCurve &each) { return isOut(each.contender); });
-    std::erase_if(kept->drift, [&](const DriftCurve &each) {
-        return filter.arithmetics.contains(each.arithmetic);
-    });
     if (filter.straightLoops == LabFilter::StraightLoops::LeftOut) {
         for (LabRow &row : kept->rows) {
             if (row.cost)

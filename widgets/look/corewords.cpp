@@ -95,10 +95,6 @@ constexpr const char *context = "pixelplumb::CoreWords";
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "nothing"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "right in coverage"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "undecidable in coverage"),
-    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "within spread"),
-    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "faster"),
-    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "slower"),
-    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "not comparable"),
     // Effects and the verdicts on them.
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "smooth colour"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "clipping"),
@@ -198,7 +194,6 @@ constexpr const char *context = "pixelplumb::CoreWords";
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "Mesh"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "Own scene"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "Hard cases"),
-    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "width"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "area"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "triangles"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "exact"),

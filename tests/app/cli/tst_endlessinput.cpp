@@ -33,7 +33,6 @@ private slots:
             const QString name = QString::fromLatin1(input);
             row({"render", name, "--ascii"}, megabytes);
             row({"check", name}, megabytes);
-            row({"lab", "--compare", name, defaultScene()}, megabytes);
             row({"try", "--scene", name, "true"}, megabytes);
             row({"grade", ".", "--assignment", name, "-o", "never"}, megabytes);
             const QString larger = QStringLiteral("cannot be read: it is larger than 1025 MiB");

@@ -69,7 +69,6 @@ private slots:
         row("no submissions",
             {"grade", "@", "--assignment", sceneFile("../assignments/column-scan.json"), "-o", "r"},
             {}, 2);
-        row("no study", {"lab", "--compare", "@", defaultScene()}, "{}", 2);
         row("no cases", {"check", "@"}, "{}", 2);
         row("no such program", {"try", "--scene", defaultScene(), "@"}, {}, 2);
         row("a program that is none", {"counterexample", "column-scan", "program:\"@\""}, {}, 2);

@@ -43,7 +43,7 @@ private slots:
                  result.output.constData());
     }
 
-    void writesWhatCanBeReadAndCompared()
+    void writesWhatCanBeRead()
     {
         const QTemporaryDir folder;
         const QString file = folder.filePath(QStringLiteral("study.json"));
@@ -52,32 +52,10 @@ private slots:
         QFile opened(file);
         QVERIFY(opened.open(QIODevice::ReadOnly));
         const Result<Study> study = readStudy(opened.readAll());
-        const ProgramRun compared = run({"lab", "--compare", file, file});
 
         QCOMPARE(written.exitCode, 0);
         QVERIFY(bool(study));
         QCOMPARE(study->rows.size(), std::size_t(2));
-        QCOMPARE(compared.exitCode, 0);
-        QVERIFY2(compared.output.contains("0 slower, 2 within spread"),
-                 compared.output.constData());
-    }
-
-    void aComparisonFallsShortWhereAContenderIsMissing()
-    {
-        const QTemporaryDir folder;
-        const QString both = folder.filePath(QStringLiteral("both.json"));
-        const QString one = folder.filePath(QStringLiteral("one.json"));
-        QCOMPARE(lab({"--format", "json", "-o", both}).exitCode, 0);
-        QCOMPARE(run({"lab", defaultScene(), "--family", "own-scene", "--contender",
-                      "column-scan:exact", "--format", "json", "-o", one})
-                     .exitCode,
-                 0);
-
-        const ProgramRun compared = run({"lab", "--compare", both, one});
-
-        QCOMPARE(compared.exitCode, 1);
-        QVERIFY2(compared.output.contains("0 less accurate, 1 missing"),
-                 compared.output.constData());
     }
 
     void printsCsv()
@@ -172,8 +150,6 @@ private slots:
         QTest::newRow("accuracy within a budget")
             << QStringList{"--accuracy-only", "--format", "csv", "--budget", "exact"}
             << QByteArray("--accuracy-only and --budget; expected one of them");
-        QTest::newRow("comparison")
-            << QStringList{"--compare", "a.json"} << QByteArray("the second file is missing");
     }
     void refusesWhatItDoesNotKnow()
     {
@@ -218,16 +194,6 @@ private slots:
 
         QCOMPARE(result.exitCode, 0);
         QVERIFY2(result.messages.contains("exact on ties: Column scan, exact"),
-                 result.messages.constData());
-    }
-
-    void comparingTakesNoOptionsOfMeasuring()
-    {
-        const ProgramRun result
-            = run({"lab", "--compare", "before.json", "after.json", "--budget", "exact"});
-
-        QCOMPARE(result.exitCode, 2);
-        QVERIFY2(result.messages.contains("expected it without --budget"),
                  result.messages.constData());
     }
 

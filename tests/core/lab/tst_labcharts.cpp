@@ -2,7 +2,6 @@
 #include "core/lab/budget.h"
 #include "core/lab/costorder.h"
 #include "core/lab/pareto.h"
-#include "core/lab/sizestudy.h"
 #include "core/oracle/truepicture.h"
 #include "tests/support/defaultscene.h"
 #include "tests/support/sourcetree.h"
@@ -273,32 +272,6 @@ private slots:
         QVERIFY(fit->perTriangle >= 0 && fit->perColumn >= 0 && fit->perPixel >= 0);
         QVERIFY(fit->residual > 0);
         QVERIFY(!fitCost(std::span(points).first(2)));
-    }
-
-    void anExponentIsTheSlopeOfTheLogarithms()
-    {
-        std::vector<SizePoint> points;
-        for (const double size : {10.0, 20.0, 50.0, 400.0})
-            points.push_back({size, {0, 3 * std::pow(size, 1.5), 0}});
-
-        QVERIFY(std::abs(*fittedExponent(points) - 1.5) < 1e-12);
-        QVERIFY(!fittedExponent(std::span(points).first(1)));
-    }
-
-    void driftStaysBelowItsProvedBound()
-    {
-        const auto curves = driftOver(2039);
-
-        QCOMPARE(curves->size(), std::size_t(4)); // float32, float64, 16.16, 32.32
-        for (const DriftCurve &curve : *curves) {
-            QVERIFY(curve.points.size() > 2000);
-            double largest = 0;
-            for (const DriftPoint &point : curve.points) {
-                QVERIFY(point.error <= point.limit);
-                largest = std::max(largest, point.error);
-            }
-            QVERIFY(largest > 0);
-        }
     }
 
     void theOrderOfCostIsSortedAndItsContendersExist()

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lab/labfile.h"
 #include "core/lab/livefigures.h"
-#include "core/lab/sizestudy.h"
 #include "core/lab/study.h"
 #include "tests/support/caselist.h"
 #include "tests/support/defaultscene.h"
@@ -36,7 +35,6 @@ StudySettings smallStudy()
         = contendersOf({QStringLiteral("column-scan:exact"), QStringLiteral("column-scan:float32"),
                         QStringLiteral("column-scan:exact:fast")});
     settings.rounds = 0;
-    settings.growthRounds = 0;
     settings.longestDrawSeconds = 3600; // whatever the machine
     return settings;
 }
@@ -412,40 +410,6 @@ private slots:
         QCOMPARE(live->timedPixels, 3 * live->pixels);
         QVERIFY(live->perPixel.has_value());
         QVERIFY(live->rounds > 0);
-    }
-
-    void aSizeStudyHasACurveForEachAxis()
-    {
-        const auto contenders = contendersOf({QStringLiteral("column-scan:exact")});
-
-        const auto curves = runSizeStudy(contenders, 1);
-
-        QCOMPARE(curves->size(), allSizeAxes.size());
-        for (const SizeCurve &curve : *curves) {
-            QCOMPARE(curve.points.size(), std::size_t(7));
-            QVERIFY(curve.exponent.has_value());
-        }
-        QVERIFY(!runSizeStudy(contenders, 1, [](const JobProgress &) { return false; }));
-    }
-
-    void aContenderThatFailsIsLeftOutOfTheSizes()
-    {
-        std::vector<LabContender> contenders
-            = contendersOf({QStringLiteral("column-scan:exact"), QStringLiteral("row-walk:exact")});
-        // It gets through the first axis, whose frames are 37 px high.
-        contenders[1].draw = [](const Primitives &, const ScanSettings &, FrameView frame) {
-            if (frame.height > 100)
-                throw std::runtime_error("out of luck");
-        };
-
-        const auto curves = runSizeStudy(contenders, 2);
-
-        QVERIFY(curves.has_value());
-        QCOMPARE(curves->size(), allSizeAxes.size());
-        for (const SizeCurve &curve : *curves) {
-            QCOMPARE(curve.contender, QStringLiteral("column-scan:exact"));
-            QCOMPARE(curve.points.size(), std::size_t(7));
-        }
     }
 
     void theCommandDoesItAgain_data()

@@ -2,13 +2,11 @@
 #include "tests/support/madestudy.h"
 #include "tests/support/testprogram.h"
 #include "widgets/lab/coststack.h"
-#include "widgets/lab/driftplot.h"
 #include "widgets/lab/labfilter.h"
 #include "widgets/lab/labmarks.h"
 #include "widgets/lab/labtext.h"
 #include "widgets/lab/missplot.h"
 #include "widgets/lab/paretoplot.h"
-#include "widgets/lab/scalingplot.h"
 #include "widgets/lab/wrappedlines.h"
 
 #include <QApplication>
@@ -24,8 +22,8 @@ namespace {
 
 const ErrorAxis &wrongPixels() { return *errorAxisNamed(QStringLiteral("wrong-pixels")); }
 
-/// Two plain kernels and their SIMD twins, with what grows and drifts; measured on a loaded machine
-/// by a command that has no spaces to break it at.
+/// Two plain kernels and their SIMD twins; measured on a loaded machine by a command that has no
+/// spaces to break it at.
 std::shared_ptr<Study> twins()
 {
     auto results = madeResults({{"column-scan:float32", 2.0, 5221},
@@ -36,12 +34,6 @@ std::shared_ptr<Study> twins()
     results->conditions.load = 7;
     results->conditions.flags = QStringLiteral("-O0");
     results->conditions.buildType = QStringLiteral("Release");
-    for (const char *id : {"column-scan:float32", "row-walk:float32"})
-        results->growth.push_back({QLatin1String(id),
-                                   SizeAxis::Width,
-                                   {{10, {90, 100, 110}}, {100, {900, 1000, 1100}}},
-                                   1.0});
-    results->drift.push_back({Arithmetic::Float32, {{1, 1e-7, 1e-6}, {10, 1e-6, 1e-5}}});
     return results;
 }
 
@@ -64,7 +56,7 @@ std::unique_ptr<ParetoPlot> paretoOfTwins(const QSize &size = {800, 420})
 /// All texts of a drawing, one after the other.
 QString textsOf(LabPlot &plot) { return QString::fromUtf8(plot.svg({})); }
 
-enum class Chart { Pareto, Misses, Parts, Growth, Drift };
+enum class Chart { Pareto, Misses, Parts };
 
 std::unique_ptr<LabPlot> chartOf(Chart chart)
 {
@@ -81,16 +73,6 @@ std::unique_ptr<LabPlot> chartOf(Chart chart)
     case Chart::Parts: {
         auto plot = shownPlot<CostStack>();
         plot->show(results, family);
-        return plot;
-    }
-    case Chart::Growth: {
-        auto plot = shownPlot<ScalingPlot>();
-        plot->show(results, SizeAxis::Width);
-        return plot;
-    }
-    case Chart::Drift: {
-        auto plot = shownPlot<DriftPlot>();
-        plot->show(results);
         return plot;
     }
     }
@@ -239,8 +221,6 @@ private slots:
             contenders.append(contender.id);
         QCOMPARE(contenders, left);
         QCOMPARE(results->rows.size(), std::size_t(2 * left.size()));
-        QCOMPARE(results->drift.size(), std::size_t(part == 1 ? 0 : 1));
-        QCOMPARE(results->growth.size(), std::size_t(part == 1 ? 0 : part == 3 ? 1 : 2));
     }
 
     void everyBarOfThePartsHasItsHeight()
@@ -289,13 +269,6 @@ private slots:
         QTest::newRow("parts") << Chart::Parts
                                << QStringLiteral("Cost of set-up, columns and pixels: Family f")
                                << QByteArray("column-scan:exact,0.2,0.6,0.5,3.6,4,4.4\r\n");
-        QTest::newRow("growth")
-            << Chart::Growth
-            << QStringLiteral("Times over sizes: width of one triangle of constant height, px")
-            << QByteArray("row-walk:float32,width,100,900,1000,1100,1\r\n");
-        QTest::newRow("drift") << Chart::Drift
-                               << QStringLiteral("Drift of increments over the columns")
-                               << QByteArray("float32,10,1e-06,1e-05\r\n");
     }
     void everyChartCarriesItsConditionsOnPaper()
     {

@@ -4,14 +4,12 @@
 #include "tests/support/testprogram.h"
 #include "widgets/lab/costparts.h"
 #include "widgets/lab/coststack.h"
-#include "widgets/lab/driftplot.h"
 #include "widgets/lab/labanswers.h"
 #include "widgets/lab/labelplaces.h"
 #include "widgets/lab/labtable.h"
 #include "widgets/lab/labtext.h"
 #include "widgets/lab/missplot.h"
 #include "widgets/lab/paretoplot.h"
-#include "widgets/lab/scalingplot.h"
 
 #include <QAbstractItemModelTester>
 #include <QHeaderView>
@@ -210,10 +208,6 @@ private slots:
             QCOMPARE(shown<MissPlot>(one, family, only) != shown<MissPlot>(none, family, only),
                      isJudged);
             QCOMPARE(shown<CostStack>(one, family) != shown<CostStack>(none, family), isJudged);
-            // Nothing was drawn in several sizes, and no number drifts.
-            QCOMPARE(shown<ScalingPlot>(one, SizeAxis::Area),
-                     shown<ScalingPlot>(none, SizeAxis::Area));
-            QCOMPARE(shown<DriftPlot>(one), shown<DriftPlot>(none));
         }
     }
 

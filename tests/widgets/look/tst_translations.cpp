@@ -4,7 +4,6 @@
 #include "core/grade/picturediff.h"
 #include "core/lab/operation.h"
 #include "core/lab/pareto.h"
-#include "core/lab/sizestudy.h"
 #include "core/layers/layer.h"
 #include "core/methods/method.h"
 #include "core/scan/choicenames.h"
@@ -150,7 +149,6 @@ QStringList namesOfCore()
     append(allGradeVerdicts);
     append(allDisagreements);
     append(allOperations);
-    append(allSizeAxes);
     for (const Method &method : methods())
         names += titleOf(method.family);
     for (const Layer &layer : layers())
