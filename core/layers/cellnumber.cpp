@@ -43,7 +43,7 @@ LayerInk inkOf(const Quantity &number)
 
 QString smallCellNote()
 {
-    return QStringLiteral("Numbers stand in cells of %1 pixels and more: enlarge the picture")
+    return QStringLiteral("Zoom in to read the numbers: a cell needs %1 pixels")
         .arg(leastNumberCell);
 }
 

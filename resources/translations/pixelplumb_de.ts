@@ -43,7 +43,7 @@
         <translation>Warnungen</translation>
     </message>
     <message>
-        <source>Machine, compiler, and the command that does it again</source>
+        <source>Machine, compiler and command to reproduce this</source>
         <translation>Rechner, Compiler und der Befehl, der es wiederholt</translation>
     </message>
     <message>
@@ -67,7 +67,7 @@
         <translation>CSV-Tabellen (*.csv)</translation>
     </message>
     <message>
-        <source>There is no command: the scene was in no file when it was measured. Save it and run the lab again.</source>
+        <source>There is no command: the scene had not been saved when measured. Save it and run the lab again.</source>
         <translation>Es gibt keinen Befehl: Die Szene war in keiner Datei, als gemessen wurde. Erst speichern, dann noch einmal messen.</translation>
     </message>
     <message>
@@ -1506,8 +1506,8 @@
         <translation>Die Diagnose passt nicht in den Speicher.</translation>
     </message>
     <message>
-        <source>Parts at step %1, %2: %3.</source>
-        <translation>Weicht ab bei Schritt %1, %2: %3.</translation>
+        <source>First wrong number: step %1, %2: %3.</source>
+        <translation>Erste falsche Zahl: Schritt %1, %2: %3.</translation>
     </message>
     <message>
         <source>Known defects draw this picture, but for pixels that may be either way:</source>
@@ -1734,7 +1734,7 @@
         <translation>Mit ihm, je geschriebenes Pixel: Tiefen gelesen und geschrieben, Divisionen durch 1/w, Texel gelesen, Normalen auf Länge 1 gebracht, Überblendungen, Abtastpunkte</translation>
     </message>
     <message>
-        <source>With it against without it, and between which a half of the measurements lies</source>
+        <source>Time with ÷ time without; interquartile range</source>
         <translation>Mit ihm gegenüber ohne ihn, und wozwischen eine Hälfte der Messungen liegt</translation>
     </message>
     <message>
@@ -2221,7 +2221,7 @@
         <translation>Zwei Zahlen stehen für ein Pixel, eine für eine Zeile, # mit einer für einen Schritt.</translation>
     </message>
     <message>
-        <source>Nothing has a row %1.</source>
+        <source>There is no row %1.</source>
         <translation>Nichts hat eine Zeile %1.</translation>
     </message>
     <message>
@@ -2241,7 +2241,7 @@
         <translation>Zwei Zahlen stehen für ein Pixel, eine für einen Schritt der Form, # mit einer für einen Schritt des Laufs.</translation>
     </message>
     <message>
-        <source>Nothing has a step %1 of its own.</source>
+        <source>The shape has no step %1.</source>
         <translation>Nichts hat einen eigenen Schritt %1.</translation>
     </message>
     <message>
@@ -2261,7 +2261,7 @@
         <translation>Zwei Zahlen stehen für ein Pixel, eine für eine Spalte, # mit einer für einen Schritt.</translation>
     </message>
     <message>
-        <source>Nothing has a column %1.</source>
+        <source>There is no column %1.</source>
         <translation>Nichts hat eine Spalte %1.</translation>
     </message>
     <message>
@@ -2691,7 +2691,7 @@
         <translation>richtig unter jeder Regel, die der Fall kennt</translation>
     </message>
     <message>
-        <source>How every method does at the case</source>
+        <source>How each method handles this case</source>
         <translation>Wie jedes Verfahren bei dem Fall abschneidet</translation>
     </message>
     <message>
@@ -4260,7 +4260,7 @@
         </translation>
     </message>
     <message>
-        <source>The scene stands still. Move it by a few pixels in many frames, and what comes and goes without reason is seen.</source>
+        <source>The scene stands still. Move it by a few pixels in many frames: pixels that flicker are counted.</source>
         <translation>Die Szene steht still. Bewegt sie sich um einige Pixel in vielen Bildern, ist zu sehen, was ohne Grund kommt und geht.</translation>
     </message>
     <message>
@@ -4272,8 +4272,8 @@
         <translation>Die Bilder werden gezeichnet.</translation>
     </message>
     <message>
-        <source>In %1 frames pixels come or go %2, in truth %3.</source>
-        <translation>In %1 Bildern kommen oder gehen Pixel %2, in Wahrheit %3.</translation>
+        <source>Over %1 frames pixels toggle %2; exactly, %3.</source>
+        <translation>Über %1 Bilder wechseln Pixel %2; exakt gerechnet %3.</translation>
     </message>
     <message>
         <source>frame %1 of %2</source>
@@ -4756,8 +4756,8 @@
         <translation>weist ab</translation>
     </message>
     <message>
-        <source>%1 px square to it</source>
-        <translation>%1 px senkrecht zu ihr</translation>
+        <source>%1 px from the edge</source>
+        <translation>%1 px von der Kante</translation>
     </message>
     <message numerus="yes">
         <source>and %n more that refuse it</source>
@@ -7127,7 +7127,7 @@
         <translation>Fragt nach dem, was folgt (y_B, die Zeilen, die Inkremente oder das nächste Pixel), bevor es gezeigt wird, und sagt mit dem Grund, was richtig und was falsch ist. Die Eingabetaste prüft, was eingegeben ist, eine Zahl oder x, y des Pixels, und geht weiter. Solange dieser Bereich zu sehen ist, verbergen die anderen, was voraus liegt, und die Wahrheit.</translation>
     </message>
     <message>
-        <source>The run on one line, with marks where vertices, ties and clamps are and where the first pixel is wrong; columns stand below those of the canvas, at every zoom. A drag goes to another step. Arrows go by the unit of playing, with Ctrl from mark to mark, PageUp and PageDown by columns or rows, Home and End to the ends.</source>
+        <source>Timeline of the steps, lined up with the picture, with marks at vertices, ties and clamps and at the first wrong pixel. A drag goes to another step. Arrows go by the unit of playing, with Ctrl from mark to mark, PageUp and PageDown by columns or rows, Home and End to the ends.</source>
         <translation>Der Lauf auf einer Linie, mit Marken, wo Eckpunkte, Grenzfälle und Begrenzungen sind und wo das erste Pixel falsch ist; Spalten stehen in jeder Vergrößerung unter denen der Zeichenfläche. Ziehen geht zu einem anderen Schritt. Pfeile gehen in der Einheit des Abspielens, mit Strg von Marke zu Marke, Bild auf und Bild ab um Spalten oder Zeilen, Pos1 und Ende an die Enden.</translation>
     </message>
     <message>

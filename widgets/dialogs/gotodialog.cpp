@@ -35,20 +35,20 @@ SpanWords wordsFor(SpanAxis axis)
             GoToDialog::tr("&Pixel, row or step"),
             GoToDialog::tr("27 19   a pixel;   27   a row;   #611   a step"),
             GoToDialog::tr("Type two numbers for a pixel, one for a row, # and one for a step."),
-            GoToDialog::tr("Nothing has a row %1."), GoToDialog::tr("Goes to row %1.")};
+            GoToDialog::tr("There is no row %1."), GoToDialog::tr("Goes to row %1.")};
     case SpanAxis::Free:
         return {
             GoToDialog::tr("&Pixel, step of the shape or step of the run"),
             GoToDialog::tr("27 19   a pixel;   27   a shape's step;   #611   a step"),
             GoToDialog::tr("Type two numbers for a pixel, one for a shape's step, # and one for "
                            "a step of the run."),
-            GoToDialog::tr("Nothing has a step %1 of its own."),
+            GoToDialog::tr("The shape has no step %1."),
             GoToDialog::tr("Goes to the shape's step %1.")};
     }
     return {GoToDialog::tr("&Pixel, column or step"),
             GoToDialog::tr("27 19   a pixel;   27   a column;   #611   a step"),
             GoToDialog::tr("Type two numbers for a pixel, one for a column, # and one for a step."),
-            GoToDialog::tr("Nothing has a column %1."), GoToDialog::tr("Goes to column %1.")};
+            GoToDialog::tr("There is no column %1."), GoToDialog::tr("Goes to column %1.")};
 }
 
 } // namespace

@@ -42,7 +42,7 @@ AccuracyLab::AccuracyLab(Playhead *playhead, QWidget *parent)
     m_warnings->setObjectName(QStringLiteral("labWarnings"));
     m_warnings->setAccessibleName(tr("Warnings"));
     m_conditions->setObjectName(QStringLiteral("labConditions"));
-    m_conditions->setAccessibleName(tr("Machine, compiler, and the command that does it again"));
+    m_conditions->setAccessibleName(tr("Machine, compiler and command to reproduce this"));
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 4);
     layout->setSpacing(4);
@@ -94,7 +94,7 @@ void AccuracyLab::connectControls()
     connect(m_controls, &LabControls::earlierRequested, this, &AccuracyLab::showEarlier);
     connect(m_controls, &LabControls::copyCommandRequested, this, [this] {
         if (results()->command.isEmpty()) {
-            emit complaint(tr("There is no command: the scene was in no file when it was measured. "
+            emit complaint(tr("There is no command: the scene had not been saved when measured. "
                               "Save it and run the lab again."));
             return;
         }

@@ -151,7 +151,8 @@ QString PixelHistoryModel::edgeText(const PixelAttempt &attempt, std::size_t ind
     default:
         break;
     }
-    return tr("%1 px square to it").arg(QString::number(edge.distance, 'g', 4).replace(u'-', u'−'));
+    return tr("%1 px from the edge")
+        .arg(QString::number(edge.distance, 'g', 4).replace(u'-', u'−'));
 }
 
 QString PixelHistoryModel::detailText(const PixelAttempt &attempt, std::size_t row,

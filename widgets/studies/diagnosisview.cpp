@@ -241,7 +241,7 @@ void DiagnosisView::showChosen()
             text = sentencesText(candidate, &Defect::forAssistant);
         if (const auto &step = m_named->steps[std::size_t(row)])
             text += (text.isEmpty() ? QString() : QStringLiteral("\n"))
-                + tr("Parts at step %1, %2: %3.")
+                + tr("First wrong number: step %1, %2: %3.")
                       .arg(step->step + 1)
                       .arg(step->heading, step->text);
     }

@@ -90,8 +90,7 @@ void EffectsPanel::makeTable()
         ->setToolTip(tr("With it on, for each pixel written: depths read and written, divisions by "
                         "1/w, texels read, normals made unit length, blends, samples"));
     m_table->horizontalHeaderItem(EffectRatio)
-        ->setToolTip(
-            tr("With it against without it, and between which a half of the measurements lies"));
+        ->setToolTip(tr("Time with ÷ time without; interquartile range"));
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(EffectReason, QHeaderView::Stretch);

@@ -51,7 +51,7 @@ HardCasesVerdicts::HardCasesVerdicts(QWidget *parent)
     : QTableWidget(0, columnsInAll, parent)
 {
     setObjectName(QStringLiteral("hardCaseVerdicts"));
-    setAccessibleName(tr("How every method does at the case"));
+    setAccessibleName(tr("How each method handles this case"));
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionMode(QAbstractItemView::NoSelection);
     verticalHeader()->hide();

@@ -263,14 +263,14 @@ void MotionPanel::tell()
     const auto timesText = [](std::int64_t count) { return tr("%n times", nullptr, int(count)); };
     QString text;
     if (!m_document->scene().motion)
-        text = tr("The scene stands still. Move it by a few pixels in many frames, and what comes "
-                  "and goes without reason is seen.");
+        text = tr("The scene stands still. Move it by a few pixels in many frames: pixels that "
+                  "flicker are counted.");
     else if (!m_objection.isEmpty())
         text = tr("The method %1.").arg(withTitles(m_objection));
     else if (!m_study)
         text = tr("The frames are being drawn.");
     else
-        text = tr("In %1 frames pixels come or go %2, in truth %3.")
+        text = tr("Over %1 frames pixels toggle %2; exactly, %3.")
                    .arg(m_study->frames.size())
                    .arg(timesText(m_study->toggled()), timesText(m_study->truthToggled()));
     m_summary->setText(text);

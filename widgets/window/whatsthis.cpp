@@ -31,9 +31,9 @@ constexpr PartExplanation explanations[] = {
     {"scrubber",
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",
-         "The run on one line, with marks where vertices, ties and clamps are and where the first "
-         "pixel is wrong; columns stand below those of the canvas, at every zoom. A drag goes to "
-         "another step. Arrows go by the unit of playing, with Ctrl from mark to "
+         "Timeline of the steps, lined up with the picture, with marks at vertices, ties and "
+         "clamps and at the first wrong pixel. A drag goes to another step. Arrows go by the unit "
+         "of playing, with Ctrl from mark to "
          "mark, PageUp and PageDown by columns or rows, Home and End to the ends.")},
     {"methodBox",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",

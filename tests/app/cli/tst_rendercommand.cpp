@@ -244,8 +244,8 @@ private slots:
         QCOMPARE(QString::fromUtf8(result.messages),
                  QStringLiteral("--layers edge-table: “Column scan” has no such numbers, unlike "
                                 "“Polygon by parity”, “Bézier path: filled”, “Text as "
-                                "outlines”\nNumbers stand in cells of 24 pixels and "
-                                "more: enlarge the picture\n"));
+                                "outlines”\nZoom in to read the numbers: a cell needs "
+                                "24 pixels\n"));
     }
 
     void theAffineMapIsTheOneThatIsAskedFor()

@@ -89,7 +89,7 @@ private slots:
                          QStringLiteral("39"));
 
         QCOMPARE(dialog.findChild<QLabel *>(QStringLiteral("goToVerdict"))->text(),
-                 QStringLiteral("Nothing has a row 39."));
+                 QStringLiteral("There is no row 39."));
         QVERIFY(!dialog.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok)->isEnabled());
     }
 };

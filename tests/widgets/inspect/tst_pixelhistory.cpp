@@ -77,7 +77,7 @@ void TestPixelHistory::historyOfAWrittenPixelListsChannels()
         QCOMPARE(at(PixelHistoryModel::WhatColumn),
                  QStringLiteral("edge %1").arg(attempt.edgeNames[std::size_t(edge)]));
         QCOMPARE(at(PixelHistoryModel::ByteColumn), QStringLiteral("accepts"));
-        QVERIFY(at(PixelHistoryModel::ExactColumn).contains(QStringLiteral("px square to it")));
+        QVERIFY(at(PixelHistoryModel::ExactColumn).contains(QStringLiteral("px from the edge")));
     }
     QCOMPARE(model.index(0, PixelHistoryModel::UsedColumn, written).data().toString(),
              displayText(attempt.sample->colour[0]));

@@ -506,7 +506,7 @@ private slots:
         const Scene right = document->scene();
         nameTheBug(*window);
         choose(*window, "colours-120");
-        QVERIFY(text(*window, "diagnosisSentence").contains("Parts at step "));
+        QVERIFY(text(*window, "diagnosisSentence").contains("First wrong number: step "));
 
         QTest::mouseClick(named<QPushButton>(*window, "diagnosisOpen"), Qt::LeftButton);
 
@@ -559,7 +559,7 @@ private slots:
         const auto window = windowWithDefect("upside-down");
         nameTheBug(*window);
         choose(*window, "upside-down");
-        QVERIFY(!text(*window, "diagnosisSentence").contains("Parts at step"));
+        QVERIFY(!text(*window, "diagnosisSentence").contains("First wrong number: step"));
         QVERIFY(!named<QPushButton>(*window, "diagnosisOpen")->isEnabled());
     }
 
