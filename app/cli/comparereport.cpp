@@ -146,10 +146,9 @@ QStringList pixelLines(const PixelComparison &pixel)
         if (!opinion.words.isEmpty())
             reasons.append(QStringLiteral("    %1 %2").arg(i + 1).arg(opinion.words));
     }
-    return QStringList{QStringLiteral("(%1, %2) %3: %4")
-                           .arg(pixel.x)
-                           .arg(pixel.y)
-                           .arg(nameOf(pixel.reason), values.join(QStringLiteral(", ")))}
+    return QStringList{withMinus(QStringLiteral("(%1, %2) ").arg(pixel.x).arg(pixel.y))
+                       + QStringLiteral("%1: %2").arg(nameOf(pixel.reason),
+                                                      values.join(QStringLiteral(", ")))}
     + reasons;
 }
 

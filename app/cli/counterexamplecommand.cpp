@@ -93,11 +93,10 @@ QStringList linesOf(const Sides &sides, const CounterSearch &search)
     constexpr std::size_t mostListed = 8;
     const auto pixels = differingPixelsOf(example);
     for (std::size_t i = 0; i < std::min(pixels.size(), mostListed); ++i)
-        lines += QStringLiteral("pixel (%1, %2): %3 has %4, %5 %6")
-                     .arg(pixels[i].x)
-                     .arg(pixels[i].y)
-                     .arg(sources[0].name, colourText(pixels[i].one), sources[1].name,
-                          colourText(pixels[i].other));
+        lines += withMinus(QStringLiteral("pixel (%1, %2)").arg(pixels[i].x).arg(pixels[i].y))
+            + QStringLiteral(": %1 has %2, %3 %4")
+                  .arg(sources[0].name, colourText(pixels[i].one), sources[1].name,
+                       colourText(pixels[i].other));
     if (pixels.size() > mostListed)
         lines += QStringLiteral("and %1 pixels more").arg(pixels.size() - mostListed);
     if (const auto step = partingStepOf(sides, example.scene))

@@ -64,7 +64,7 @@ QString placeText(const LatticePoint &place)
 {
     const auto number
         = [](Lattice coordinate) { return toText(Quantity::rational(coordinate, unitsPerPixel)); };
-    return QStringLiteral("(%1, %2)").arg(number(place.x), number(place.y));
+    return withMinus(QStringLiteral("(%1, %2)").arg(number(place.x), number(place.y)));
 }
 
 } // namespace

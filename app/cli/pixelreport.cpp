@@ -119,6 +119,8 @@ QStringList textOf(const PixelReport &report)
             lines.append(edgeText(attempt.edgeNames[edge], attempt.verdict.edges[edge],
                                   traced.plan ? traced.plan->antialiasing : Antialiasing::None));
     }
+    for (QString &line : lines)
+        line = withMinus(line);
     return lines;
 }
 

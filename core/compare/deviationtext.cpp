@@ -128,7 +128,7 @@ QString textOf(const Deviation &deviation, const JudgedRun &run, std::int64_t x,
         = kindText(deviation.kind) + QStringLiteral(": ") + parts.join(QStringLiteral("; "));
     if (deviation.isTie)
         text += QStringLiteral("; the sample lies exactly on an edge");
-    return text;
+    return withMinus(text);
 }
 
 } // namespace pixelplumb

@@ -10,7 +10,7 @@ namespace pixelplumb {
 namespace {
 
 constexpr std::size_t rowsOfABlock = 1000;
-constexpr int decimals = 6;
+constexpr int decimals = 6; ///< more where it takes them to part a number from a whole one
 const QString gap = QStringLiteral("  ");
 
 /// A cell in two parts that meet at one place in all rows: the whole number, right-aligned, and
@@ -25,9 +25,15 @@ AlignedText splitNumber(const QString &text)
     // A proper fraction stands with the fractions: "5 7/54" above "  7/54".
     if (text.contains(u'/') && !text.contains(u' '))
         return {{}, u' ' + text};
-    const auto isPartOfWhole = [](QChar letter) { return letter.isDigit() || letter == u'-'; };
+    const auto isPartOfWhole = [](QChar letter) { return letter.isDigit() || letter == u'−'; };
     const auto end = std::find_if_not(text.begin(), text.end(), isPartOfWhole) - text.begin();
     return {text.first(end), text.sliced(end)};
+}
+
+QString cutText(const Quantity &quantity)
+{
+    const auto [digits, isCut] = cutDecimal(quantity, decimals);
+    return isCut ? digits + u'…' : digits;
 }
 
 class TextWriter final : public RowWriter {
@@ -75,9 +81,10 @@ private:
         if (!quantity)
             return {{}, fileText(field, cell)};
         if (field.kind == Field::Kind::Error)
-            return splitNumber(decimalText(*quantity));
-        const bool inDecimals = m_numbers == TextNumbers::Decimal && !quantity->isInteger();
-        return splitNumber(inDecimals ? toDecimal(*quantity, decimals) : toText(*quantity));
+            return splitNumber(withMinus(decimalText(*quantity)));
+        const bool inDecimals
+            = m_numbers == TextNumbers::Decimal && quantity->isFinite() && !quantity->isInteger();
+        return splitNumber(withMinus(inDecimals ? cutText(*quantity) : toText(*quantity)));
     }
 
     /// Numbers stand under the right end of their titles, texts under the left one.

@@ -8,7 +8,7 @@ namespace pixelplumb {
 /// How a text table spells rationals.
 enum class TextNumbers {
     Mixed, ///< "5 7/54"
-    Decimal, ///< "5.129630", six digits after the point
+    Decimal, ///< "5.129629…", as cutDecimal() has them of six places
 };
 
 /// An aligned table for people: titles above, numbers with their whole parts below each other. Rows

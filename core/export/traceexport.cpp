@@ -2,6 +2,7 @@
 #include "core/export/traceexport.h"
 
 #include "core/export/tracerows.h"
+#include "core/runs/runformulas.h"
 #include "core/runs/spanheadings.h"
 #include "core/scan/choicenames.h"
 
@@ -45,6 +46,22 @@ std::vector<NumberDescription> descriptionsOf(const TracedScene &traced, TraceLe
     return traced.trace->numbers().sample;
 }
 
+/// By their descriptions: how the run computed them.
+QStringList formulasOf(const TracedScene &traced, const TraceExportOptions &options)
+{
+    switch (options.level) {
+    case TraceLevel::SetUp:
+        return setUpFormulas(traced);
+    case TraceLevel::Column:
+        return spanFormulas(traced, options.progress);
+    case TraceLevel::Stage:
+        return {};
+    case TraceLevel::Pixel:
+        break;
+    }
+    return sampleFormulas(traced, options.progress);
+}
+
 /// A kernel sees pixel (x, y) as the point (x, y), wherever the scene has its centre.
 QString coordinatesText(const TracedScene &traced)
 {
@@ -73,12 +90,15 @@ std::vector<PreambleMember> preambleOf(const TracedScene &traced, const TraceExp
 {
     const ScanSettings &settings = traced.trace->settings();
     QByteArray columns = "[";
-    for (const NumberDescription &number : descriptionsOf(traced, options.level)) {
+    const std::vector<NumberDescription> numbers = descriptionsOf(traced, options.level);
+    const QStringList formulas = formulasOf(traced, options);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const NumberDescription &number = numbers[i];
         if (!isWritten(number, options.columns))
             continue;
         columns += columns.size() == 1 ? "\n" : ",\n";
         columns += "    {\"id\": " + jsonString(number.id) + ", \"unit\": "
-            + jsonString(number.unit) + ", \"formula\": " + jsonString(number.formula)
+            + jsonString(number.unit) + ", \"formula\": " + jsonString(formulas[qsizetype(i)])
             + ", \"meaning\": " + jsonString(number.toolTip) + '}';
     }
     std::vector<PreambleMember> members

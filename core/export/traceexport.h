@@ -57,7 +57,9 @@ QString traceColumnNamed(const TraceNumbers &numbers, TraceLevel level, const QS
 /// used value, "_exact", "_error", "_level" (rounded, before clamping) and "_byte"; "clamped",
 /// "before", "after" and "fate", then the method's own numbers. Stage level: "stage", "point",
 /// what was "used", "used_exact", to 20 digits, "used_error", the "formula" of the number in
-/// symbols and with the "numbers" put in, and a "note" on the point. False when the device refused
+/// symbols and with the "numbers" put in, and a "note" on the point. JSON
+/// tells of each of the method's numbers by which formulas the run computed it, as the steps are
+/// explained. False when the device refused
 /// to take it or options.progress ended it.
 bool exportTrace(const TracedScene &traced, const TraceExportOptions &options, QIODevice &device);
 

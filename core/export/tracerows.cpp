@@ -3,6 +3,7 @@
 
 #include "core/methods/rejectiontext.h"
 #include "core/runs/projectionstages.h"
+#include "core/runs/rejectedprimitives.h"
 #include "core/scene/colourtext.h"
 
 #include <algorithm>
@@ -77,7 +78,7 @@ TraceTable<SetUpRow> setUpTable(const std::vector<NumberDescription> &numbers)
     table.add({QStringLiteral("zero_area"), Kind::Boolean},
               [](const SetUpRow &row) { return row.record.zeroArea; });
     table.add({QStringLiteral("rejection"), Kind::Text}, [](const SetUpRow &row) {
-        return row.record.rejection ? rejectionText(*row.record.rejection) : QString();
+        return row.rejection ? rejectionText(*row.rejection) : QString();
     });
     addDescribed(
         table, numbers, [](const SetUpRow &row) -> const auto & { return row.exact; });
@@ -90,9 +91,10 @@ SetUpRow setUpRow(const TracedScene &traced, std::size_t primitive)
     SetUpRow row{trace.indexOfSetUp(primitive),
                  traced.primitives.kindOf(primitive),
                  trace.setUp(primitive),
+                 rejectionOf(traced, primitive),
                  {}};
     // Where nothing was computed the cells are what the numbers began with.
-    if (row.record.rejection)
+    if (row.rejection)
         row.record.cells.clear();
     else
         row.exact = exactSetUpCells(traced, primitive);

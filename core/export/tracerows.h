@@ -12,6 +12,7 @@ struct SetUpRow {
     std::size_t step = 0; ///< index
     PrimitiveKind kind = PrimitiveKind::Triangle;
     SetUpRecord record;
+    std::optional<Rejection> rejection; ///< decided, of the record's
     std::vector<Quantity> exact; ///< by TraceNumbers::setUp; may be shorter
 };
 TraceTable<SetUpRow> setUpTable(const std::vector<NumberDescription> &numbers);

@@ -11,8 +11,10 @@ namespace pixelplumb {
 enum class PrimitiveRejection {
     ZeroArea, ///< no colour plane, and only the closed rule paints a segment or a point
     OutsideFrame, ///< no sample of the frame lies within its bounding box, or in it
+    BetweenSamples, ///< the same of what reaches into the frame: told of a run, by no kernel
     NotRepresentable, ///< a coordinate does not fit the arithmetic (fixed 16.16: |c| < 2^15 px)
     VerticalLine, ///< y = m·x + b has no m
+    LineOfNoLength, ///< nor has it of a point
     NotOfThisMethod, ///< the method draws other kinds of primitives
     NotConvex, ///< a polygon that no fan of triangles tiles
     SelfCrossing, ///< edges of a polygon cross between vertices

@@ -11,8 +11,6 @@ constexpr int mostPlaces = 6; ///< else a power of ten takes less room
 
 } // namespace
 
-QString withMinus(QString text) { return text.replace(u'-', QChar(0x2212)); }
-
 QString cellNumber(const Quantity &number)
 {
     if (number.isNone())

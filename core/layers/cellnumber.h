@@ -9,9 +9,6 @@ namespace pixelplumb {
 /// The smallest cell in which numbers are put, logical px.
 inline constexpr double leastNumberCell = 24;
 
-/// The text of a number with a true minus sign.
-QString withMinus(QString text);
-
 /// A number as short as a cell asks for: one decimal from 10 on, two from 0.1 on, three from 0.001
 /// on, else one digit; whole numbers as they are; a true minus sign.
 QString cellNumber(const Quantity &number);

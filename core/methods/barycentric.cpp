@@ -11,8 +11,10 @@ Method allSamplesBarycentricMethod()
     method.id = QStringLiteral("barycentric-all");
     method.title = QStringLiteral("Barycentric, all pixels");
     method.source = QStringLiteral("Triangles slides, “for all x do for all y do”");
-    method.summary = QStringLiteral("Computes α, β and γ for every pixel of the frame and draws "
-                                    "it if all three lie within [0, 1].");
+    method.summary
+        = QStringLiteral("Computes α, β and γ for every pixel of the frame and draws "
+                         "it if all three lie within [0, 1]; a sample on an edge is left "
+                         "to the fill rule.");
     return method;
 }
 
@@ -47,8 +49,10 @@ Method cramerBarycentricMethod()
     method.title = QStringLiteral("Barycentric, Cramer's rule");
     method.source = QStringLiteral("Rasterization slides, “Barycentric Coordinates of P (2D)” "
                                    "and “Cramer's Rule”");
-    method.summary = QStringLiteral("Solves P = C + u·(A − C) + v·(B − C) by determinants and "
-                                    "draws if u ≥ 0, v ≥ 0 and u + v ≤ 1.");
+    method.summary
+        = QStringLiteral("Solves P = C + u·(A − C) + v·(B − C) by determinants and "
+                         "draws if u ≥ 0, v ≥ 0 and u + v ≤ 1; a sample on an edge is left to the "
+                         "fill rule.");
     return method;
 }
 

@@ -22,7 +22,7 @@ Method bilinearRowsInterpolationMethod()
     method.title = QStringLiteral("Bilinear interpolation by rows");
     method.source = QStringLiteral("Scan Conversion slides, “1. Bilinear Interpolation” (“along "
                                    "LH and RH edges, as a function of y”)");
-    method.summary = QStringLiteral("Interpolates down the left and the right edge and then along "
+    method.summary = QStringLiteral("Interpolates along the left and the right edge and then along "
                                     "the row, each by adding a rate; what is covered is exact.");
     return method;
 }

@@ -24,7 +24,8 @@ Method columnScanMethod()
     method.source = QStringLiteral("Assignment (Borst), “The Triangle Awakens” and “Smoothly "
                                    "shading the triangle”");
     method.summary = QStringLiteral("Walks the columns between two edges and colours the samples "
-                                    "from ⌈y_B⌉ to ⌊y_T⌋, all by adding increments.");
+                                    "from y_B to y_T that the fill rule takes, all by adding "
+                                    "increments.");
     method.shadedPseudocode = pixelplumb::shadedPseudocode(InterpolationForm::Bilinear);
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
     method.effects.assign(allEffects.begin(), allEffects.end());

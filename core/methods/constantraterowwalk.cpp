@@ -14,9 +14,9 @@ Method constantRateRowWalkMethod()
     method.source
         = QStringLiteral("stable form of the Rasterization slides, “Edge Walking”, by the "
                          "Scan Conversion slides, “2. Plane Equation”");
-    method.summary
-        = QStringLiteral("Walks down the rows between two edges with ΔR computed once from the "
-                         "plane through the three vertices, so that short rows cannot blow it up.");
+    method.summary = QStringLiteral(
+        "Walks the rows between two edges, the largest y first, with ΔR computed once from the "
+        "plane through the three vertices, so that short rows cannot blow it up.");
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
     method.stableArithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::Closed, FillRule::TopLeft, FillRule::Open};

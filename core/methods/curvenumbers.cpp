@@ -155,26 +155,26 @@ const NumberTable<CircleFillRow> &circleFillNumbers()
 
 const NumberTable<CircleExplicitState> &circleExplicitNumbers()
 {
-    static const NumberTable<CircleExplicitState> numbers
-        = {{scannedNumber(),
-            [](const CircleExplicitState &step) { return Quantity::integer(step.x); }},
-           {number("d", QStringLiteral("d"), "px", QStringLiteral("The column from the centre."),
-                   QStringLiteral("d = x − x_c")),
-            [](const CircleExplicitState &step) { return pixels(step.distance); }},
-           {number("h", QStringLiteral("h"), "px",
-                   QStringLiteral("√(r² − d²); of an ellipse, (b/a)·√(a² − d²). Exact arithmetic "
-                                  "has no root: it takes the root down to 1/256 px, which decides "
-                                  "every rounding as the root itself would."),
-                   QStringLiteral("h = r_y/r_x·√(r_x² − d²)"), Group::Decision),
-            [](const CircleExplicitState &step) { return step.root; }, specifyRoot},
-           {number("y_above", QStringLiteral("y_T"), "px",
-                   QStringLiteral("The pixel above, to the nearest row."),
-                   QStringLiteral("y_T = ⌊y_c + h + ½⌋"), Group::Span),
-            [](const CircleExplicitState &step) { return Quantity::integer(step.above); }},
-           {number("y_below", QStringLiteral("y_B"), "px",
-                   QStringLiteral("The pixel below, to the nearest row."),
-                   QStringLiteral("y_B = ⌈y_c − h − ½⌉"), Group::Span),
-            [](const CircleExplicitState &step) { return Quantity::integer(step.below); }}};
+    static const NumberTable<CircleExplicitState> numbers = {
+        {scannedNumber(),
+         [](const CircleExplicitState &step) { return Quantity::integer(step.x); }},
+        {number("d", QStringLiteral("d"), "px", QStringLiteral("The column from the centre."),
+                QStringLiteral("d = x − x_c")),
+         [](const CircleExplicitState &step) { return pixels(step.distance); }},
+        {number("h", QStringLiteral("h"), "px",
+                QStringLiteral("√(r² − d²); of unequal radii, (b/a)·√(a² − d²). Exact arithmetic "
+                               "has no root: it takes the root down to 1/256 px, which decides "
+                               "every rounding as the root itself would."),
+                QStringLiteral("h = r_y/r_x·√(r_x² − d²)"), Group::Decision),
+         [](const CircleExplicitState &step) { return step.root; }, specifyRoot},
+        {number("y_above", QStringLiteral("y_T"), "px",
+                QStringLiteral("The pixel of larger y, to the nearest row."),
+                QStringLiteral("y_T = ⌊y_c + h + ½⌋"), Group::Span),
+         [](const CircleExplicitState &step) { return Quantity::integer(step.above); }},
+        {number("y_below", QStringLiteral("y_B"), "px",
+                QStringLiteral("The pixel of smaller y, to the nearest row."),
+                QStringLiteral("y_B = ⌈y_c − h − ½⌉"), Group::Span),
+         [](const CircleExplicitState &step) { return Quantity::integer(step.below); }}};
     return numbers;
 }
 
@@ -228,6 +228,13 @@ const NumberTable<CircleParametricState> &circleParametricNumbers()
 const NumberTable<MidpointSetUp> &midpointSetUpNumbers()
 {
     static const auto numbers = [] {
+        const auto toolTip = [](const QString &function) {
+            return QStringLiteral(
+                       "F(x, y) = %1 at the first midpoint, (1, r_y − ½) from the centre.")
+                .arg(function);
+        };
+        const QString ofEqualRadii = QStringLiteral("x² + y² − r_x²");
+        const QString ofOthers = QStringLiteral("r_y²·x² + r_x²·y² − r_x²·r_y²");
         NumberTable<MidpointSetUp> table;
         for (const NumberRow<Round> &row : roundSetUpNumbers())
             table.push_back(
@@ -238,15 +245,17 @@ const NumberTable<MidpointSetUp> &midpointSetUpNumbers()
                  }});
         table.push_back(
             {number("p_0", QStringLiteral("p₀"), "",
-                    QStringLiteral("F at the first midpoint, (1, r_y − ½) from the centre."),
-                    QStringLiteral("p₀ = 5/4 − r_x"), Group::Decision),
+                    toolTip(ofOthers + QStringLiteral(", of equal radii ") + ofEqualRadii + u','),
+                    QStringLiteral("p₀ = r_y² − r_x²·r_y + r_x²/4"), Group::Decision),
              [](const MidpointSetUp &setUp) {
                  const MidpointStep first = midpointStepAt(setUp.arc(0), 0, 0);
                  return decisionIn(first, first.nextDecision);
              },
-             [](NumberDescription &description, const MidpointSetUp &setUp) {
-                 if (!setUp.isCircle() || setUp.radiusX == 0)
-                     description.formula = QStringLiteral("p₀ = r_y² − r_x²·r_y + r_x²/4");
+             [=](NumberDescription &description, const MidpointSetUp &setUp) {
+                 const bool hasEqualRadii = setUp.isCircle() && setUp.radiusX != 0;
+                 description.toolTip = toolTip(hasEqualRadii ? ofEqualRadii : ofOthers);
+                 if (hasEqualRadii)
+                     description.formula = QStringLiteral("p₀ = 5/4 − r_x");
              }});
         return table;
     }();
@@ -255,40 +264,40 @@ const NumberTable<MidpointSetUp> &midpointSetUpNumbers()
 
 const NumberTable<MidpointStep> &circleMidpointNumbers()
 {
-    const NumberDescription decision
-        = number("p_k", QStringLiteral("p_k"), "",
-                 QStringLiteral("F at the midpoint between two rows: positive outside, so that the "
-                                "lower row is nearer."),
-                 QStringLiteral("p_k ← p_k₊₁′"), Group::Decision);
+    const NumberDescription decision = number(
+        "p_k", QStringLiteral("p_k"), "",
+        QStringLiteral("F at the midpoint between y_k and the one inwards: positive outside, "
+                       "so that the inner one is nearer."),
+        QStringLiteral("p_k ← p_k₊₁′"), Group::Decision);
     const NumberDescription next
         = number("p_next", QStringLiteral("p_k₊₁"), "", QStringLiteral("F at the next midpoint."),
                  QStringLiteral("p_k₊₁ = p_k + Δp"), Group::Decision);
-    static const NumberTable<MidpointStep> numbers
-        = {{number("arc", QStringLiteral("arc"), "",
-                   QStringLiteral("1: x_k along x, mirrored into all octants of a circle; 2: x_k "
-                                  "along y, of an ellipse."),
-                   {}, Group::Position),
-            [](const MidpointStep &step) { return Quantity::integer(step.arc + 1); }},
-           {decision,
-            [](const MidpointStep &step) {
-                return step.hasDecision ? decisionIn(step, step.decision) : Quantity();
-            }},
-           {number("x_k", QStringLiteral("x_k"), "px",
-                   QStringLiteral("From the centre along the arc."), {}, Group::Position),
-            [](const MidpointStep &step) { return Quantity::integer(step.x); }},
-           {number("y_k", QStringLiteral("y_k"), "px",
-                   QStringLiteral("From the centre across the arc.")),
-            [](const MidpointStep &step) { return Quantity::integer(step.y); }},
-           {number("increment", QStringLiteral("Δp"), "",
-                   QStringLiteral("2x_k + 1 where the row stays, less 2y_k where it goes one down; "
-                                  "of an ellipse times b² and a².")),
-            [](const MidpointStep &step) {
-                return step.hasDecision ? decisionIn(step, step.nextDecision - step.decision)
-                                        : Quantity();
-            },
-            specifyMidpointIncrement},
-           {next, [](const MidpointStep &step) { return decisionIn(step, step.nextDecision); },
-            specifyNextMidpoint}};
+    static const NumberTable<MidpointStep> numbers = {
+        {number("arc", QStringLiteral("arc"), "",
+                QStringLiteral("1: x_k along x, of equal radii mirrored into all octants; 2: "
+                               "x_k along y."),
+                {}, Group::Position),
+         [](const MidpointStep &step) { return Quantity::integer(step.arc + 1); }},
+        {decision,
+         [](const MidpointStep &step) {
+             return step.hasDecision ? decisionIn(step, step.decision) : Quantity();
+         }},
+        {number("x_k", QStringLiteral("x_k"), "px",
+                QStringLiteral("From the centre along the arc."), {}, Group::Position),
+         [](const MidpointStep &step) { return Quantity::integer(step.x); }},
+        {number("y_k", QStringLiteral("y_k"), "px",
+                QStringLiteral("From the centre across the arc.")),
+         [](const MidpointStep &step) { return Quantity::integer(step.y); }},
+        {number("increment", QStringLiteral("Δp"), "",
+                QStringLiteral("2x_k + 1 where y_k stays, less 2y_k where it goes one inwards; of "
+                               "unequal radii times their squares.")),
+         [](const MidpointStep &step) {
+             return step.hasDecision ? decisionIn(step, step.nextDecision - step.decision)
+                                     : Quantity();
+         },
+         specifyMidpointIncrement},
+        {next, [](const MidpointStep &step) { return decisionIn(step, step.nextDecision); },
+         specifyNextMidpoint}};
     return numbers;
 }
 

@@ -112,7 +112,7 @@ Method circleMidpointMethod()
             {Moment::Stay},
             {},
             {{VariantSet().with(Variant::StayAtZero),
-              QStringLiteral("if p ≤ 0 (of a circle p ≤ ¼, which a whole number takes for 0): y "
+              QStringLiteral("if p ≤ 0 (of equal radii p ≤ ¼, which a whole number takes for 0): y "
                              "stays")}}},
            {1, QStringLiteral("else: y goes inwards until it is, or y = 0"), {Moment::Cross}},
            {1,
@@ -123,7 +123,7 @@ Method circleMidpointMethod()
     method.summary
         = QStringLiteral("Steps through an octant by the sign of F at midpoints, a "
                          "whole number of quarters, and mirrors each pixel into the other seven; "
-                         "of an ellipse through two arcs of a quarter, each into three.");
+                         "of unequal radii through two arcs of a quarter, each into three.");
     method.remarks += QStringLiteral("whole-pixel centre and radii");
     method.variants = {Variant::StayAtZero};
     return method;

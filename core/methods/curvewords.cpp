@@ -113,7 +113,7 @@ void tellCurve(StepWords &words, const CircleExplicitState &step)
 {
     const QString place
         = QStringLiteral(
-              "On the column %1 the curve is h = %2 above and below y_c, which rounds to ")
+              "On the column %1 the curve is h = %2 from y_c to either side, which rounds to ")
               .arg(QString::number(step.x), term(step.root));
     words.sentence = step.above == step.below
         ? place + QStringLiteral("the row %1.").arg(step.above)

@@ -84,7 +84,7 @@ void appendLine(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &nam
     if (form.line == LineForm::Solved)
         add(u"q{l}",
             u"The determinant of the system for edge {edge}; 0 where its line passes through "
-            u"(0, 0).",
+            u"(0, 0): then c = 0 is chosen, and nothing is divided.",
             QStringLiteral("q{l} = x{from}·y{to} − y{from}·x{to}"),
             &EdgeTestLineState::determinant);
     if (form.line == LineForm::CanonicalEnd) {

@@ -28,8 +28,9 @@ QString EdgeWalkNames::filled(QString text) const
     put("{span}", QStringLiteral("column"), QStringLiteral("row"));
     put("{across}", QStringLiteral("row"), QStringLiteral("column"));
     put("{half}", QStringLiteral("half"), QStringLiteral("trapezoid"));
-    put("{lower}", QStringLiteral("lower"), QStringLiteral("left"));
-    put("{upper}", QStringLiteral("upper"), QStringLiteral("right"));
+    // y may point either way as seen, x points to the right.
+    put("{lower}", QStringLiteral("smaller-y"), QStringLiteral("left"));
+    put("{upper}", QStringLiteral("larger-y"), QStringLiteral("right"));
     return text;
 }
 
@@ -47,7 +48,7 @@ NumberDescription EdgeWalkNames::filled(NumberDescription description) const
 
 QString EdgeWalkNames::way(std::size_t corner, VariantSet variants) const
 {
-    // Rows are walked from the top down, columns from left to right.
+    // Rows are walked from the largest y on, columns from the smallest x.
     if (variants.contains(Variant::NoEdgePreStep))
         return (isRow() ? QStringLiteral("(⌊y%1⌋ − y)") : QStringLiteral("(x − ⌈x%1⌉)"))
             .arg(vertexDigits[corner]);

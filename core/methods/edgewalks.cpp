@@ -13,10 +13,10 @@ Method rowWalkMethod()
     method.source = QStringLiteral("Rasterization slides, “Edge Walking” and “Possible Cases”; "
                                    "Scan Conversion slides, “Edge Walking” and “Edge Walking "
                                    "Triangles”");
-    method.summary
-        = QStringLiteral("Walks down the rows between two edges, switches in the third edge at the "
-                         "middle vertex, and colours the samples from ⌈x_L⌉ to ⌊x_R⌋, trapezoid "
-                         "by trapezoid, all by adding increments.");
+    method.summary = QStringLiteral(
+        "Walks the rows between two edges, the largest y first, switches in the third "
+        "edge at the middle vertex, and colours the samples from x_L to x_R that "
+        "the fill rule takes, trapezoid by trapezoid, all by adding increments.");
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
     method.stableArithmetics = {Arithmetic::Exact};
     method.variants = edgeWalkVariants();

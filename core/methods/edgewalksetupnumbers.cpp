@@ -135,7 +135,7 @@ NumberTable<EdgeWalkSetUpState> edgeWalkSetUpNumbers(const EdgeWalkForm &form)
         {{.id = QStringLiteral("A"),
           .title = QStringLiteral("A"),
           .unit = unit::squarePx(),
-          .toolTip = QStringLiteral("Twice the area, negative where P₀ P₁ P₂ turn clockwise."),
+          .toolTip = QStringLiteral("Twice the area, positive where P₀ P₁ P₂ turn as from x to y."),
           .formula = QStringLiteral("A = (x₁ − x₀)·(y₂ − y₀) − (x₂ − x₀)·(y₁ − y₀)")},
          [](const EdgeWalkSetUpState &state) {
              const std::array<Vertex, 3> &corners = state.walk.corners;

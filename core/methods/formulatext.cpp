@@ -30,7 +30,7 @@ QString term(const Quantity &quantity, int places)
     QString text = toText(quantity);
     if (text.size() > longestTerm + places - usualPlaces && !quantity.isInteger())
         text = shortened(quantity, places);
-    return text.replace(u'-', u'−'); // in an exponent too
+    return withMinus(text);
 }
 
 QString operand(const Quantity &quantity, int places)

@@ -17,7 +17,10 @@ const QString &channelName(std::size_t channel)
     return names[channel];
 }
 
-QString channelUnit(std::size_t channel) { return channel < 3 ? unit::levels() : QString(); }
+QString channelUnit(std::size_t channel, const QString &per)
+{
+    return channel < 3 ? unit::levels() + per : QString();
+}
 
 QString withSubscript(const QString &name, const QString &subscript)
 {

@@ -105,23 +105,24 @@ void appendBoundValues(NumberTable<InterpolationSpanState> &table, const EdgeWal
 void appendRates(NumberTable<InterpolationSpanState> &table, const EdgeWalkNames &names,
                  const CarriedChannels &carried)
 {
-    const QString move
-        = names.isRow() ? QStringLiteral("move to the right") : QStringLiteral("upward move");
     for (std::size_t place = 0; place < carried.count(); ++place) {
         const QString &name = channelName(carried.at(place));
-        table.push_back({names.filled(comparedNumber(
-                             QStringLiteral("delta_") + name, u'Δ' + name, channelUnit(place),
-                             QStringLiteral("Change of %1 for each %2; none where {a}_{lo} = "
-                                            "{a}_{hi}, with "
-                                            "nothing to share out.")
-                                 .arg(name, move),
-                             QStringLiteral("Δ%1 = (%2 − %3)/({a}_{hi} − {a}_{lo})")
-                                 .arg(name, withSubscript(name, QStringLiteral("{hi}")),
-                                      withSubscript(name, QStringLiteral("{lo}"))),
-                             Group::ColourRates)),
-                         [=](const InterpolationSpanState &state) {
-                             return state.hasRate() ? state.column.rate[place] : Quantity();
-                         }});
+        table.push_back(
+            {names.filled(comparedNumber(
+                 QStringLiteral("delta_") + name, u'Δ' + name,
+                 channelUnit(place, QStringLiteral("/{across}")),
+                 QStringLiteral("Change of %1 from {across} to {across}, {a} growing; none "
+                                "where {a}_{lo} = "
+                                "{a}_{hi}, with "
+                                "nothing to share out.")
+                     .arg(name),
+                 QStringLiteral("Δ%1 = (%2 − %3)/({a}_{hi} − {a}_{lo})")
+                     .arg(name, withSubscript(name, QStringLiteral("{hi}")),
+                          withSubscript(name, QStringLiteral("{lo}"))),
+                 Group::ColourRates)),
+             [=](const InterpolationSpanState &state) {
+                 return state.hasRate() ? state.column.rate[place] : Quantity();
+             }});
     }
 }
 

@@ -79,12 +79,13 @@ void appendNormal(NumberTable<InterpolationSetUpState> &table, const PlacedChann
     struct Component {
         const char16_t *name;
         const char16_t *formula;
+        const char16_t *unit; ///< times a level's; null of C, which is an area
     };
     constexpr std::array components
-        = {Component{u"A", u"(y₁ − y₀)·(%₂ − %₀) − (%₁ − %₀)·(y₂ − y₀)"},
-           Component{u"B", u"(%₁ − %₀)·(x₂ − x₀) − (x₁ − x₀)·(%₂ − %₀)"},
-           Component{u"C", u"(x₁ − x₀)·(y₂ − y₀) − (y₁ − y₀)·(x₂ − x₀)"},
-           Component{u"D", u"−({A}·x₀ + {B}·y₀ + {C}·%₀)"}};
+        = {Component{u"A", u"(y₁ − y₀)·(%₂ − %₀) − (%₁ − %₀)·(y₂ − y₀)", u"·px"},
+           Component{u"B", u"(%₁ − %₀)·(x₂ − x₀) − (x₁ − x₀)·(%₂ − %₀)", u"·px"},
+           Component{u"C", u"(x₁ − x₀)·(y₂ − y₀) − (y₁ − y₀)·(x₂ − x₀)", nullptr},
+           Component{u"D", u"−({A}·x₀ + {B}·y₀ + {C}·%₀)", u"·px²"}};
     const auto &[place, name] = channel;
     for (std::size_t i = 0; i < components.size(); ++i) {
         const QString title = coefficientOf(QString::fromUtf16(components[i].name), name);
@@ -94,7 +95,10 @@ void appendNormal(NumberTable<InterpolationSetUpState> &table, const PlacedChann
                 formula.replace(QStringLiteral("{%1}").arg(QChar(letter)),
                                 coefficientOf(QString(QChar(letter)), name));
         table.push_back(
-            {comparedNumber(QStringLiteral("normal_") + title, title, {},
+            {comparedNumber(QStringLiteral("normal_") + title, title,
+                            components[i].unit
+                                ? channelUnit(place, QString::fromUtf16(components[i].unit))
+                                : unit::squarePx(),
                             i < 3 ? QString::fromUtf16(components[i].name)
                                     + QStringLiteral(" of the normal N = (P₁ − P₀) × (P₂ − P₀) of "
                                                      "the plane through the three values of ")
@@ -114,7 +118,8 @@ void appendPlane(NumberTable<InterpolationSetUpState> &table, const PlacedChanne
     for (std::size_t i = 0; i < 3; ++i) {
         const QString title = coefficientOf(QString(QChar(coefficients[i])), name);
         table.push_back(
-            {comparedNumber(title, title, channelUnit(place),
+            {comparedNumber(title, title,
+                            channelUnit(place, i < 2 ? QStringLiteral("/px") : QString()),
                             QStringLiteral("%1 of %2 = a·x + b·y + c, the plane through the three "
                                            "values of %2.")
                                 .arg(QChar(coefficients[i]))
@@ -200,7 +205,7 @@ void appendRate(NumberTable<InterpolationSetUpState> &table, const EdgeWalkNames
     table.push_back(
         {names.filled(comparedNumber(
              QStringLiteral("rate_%1_%2%3").arg(name).arg(ends[0]).arg(ends[1]), title,
-             QStringLiteral("levels/{span}"),
+             channelUnit(place, QStringLiteral("/{span}")),
              QStringLiteral("What each {span} adds to %1 along %2.").arg(name, nameOf(edge)),
              title + QStringLiteral(" = (") + name + vertexDigits[ends[1]] + QStringLiteral(" − ")
                  + name + vertexDigits[ends[0]] + QStringLiteral(")/")

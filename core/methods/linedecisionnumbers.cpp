@@ -14,9 +14,10 @@ using Group = NumberGroup;
 NumberTable<DecisionSetUpState> decisionSetUpTable()
 {
     using State = DecisionSetUpState;
-    const QString first = QStringLiteral("of the end that is stored first, the left one (the lower "
-                                         "one of a steep line); x and y are exchanged where the "
-                                         "line is steep.");
+    const QString first
+        = QStringLiteral("of the end that is stored first, the left one (of a "
+                         "steep line the one of smaller y); x and y are exchanged where the "
+                         "line is steep.");
     const QString second = QStringLiteral("of the other end; x and y are exchanged where the line "
                                           "is steep.");
     return {
@@ -63,31 +64,31 @@ void appendDistances(NumberTable<DecisionState> &table)
             number.formula = step.falls() ? falling : rising;
         };
     };
-    const auto row
-        = [&](const QString &id, const QString &title, const QString &toolTip,
-              const QString &rising, const QString &falling, const NumberRow<State>::Read &read) {
-              table.push_back({{.id = id,
-                                .title = title,
-                                .unit = unit::px(),
-                                .toolTip = toolTip,
-                                .formula = rising,
-                                .group = Group::Decision,
-                                .comparison = Comparison::WithExact},
-                               read,
-                               specified(rising, falling)});
-          };
-    table.push_back({{.id = QStringLiteral("x_k"),
-                      .title = QStringLiteral("x_k"),
-                      .unit = unit::px(),
-                      .toolTip = QStringLiteral("The column before this pixel's; the row below it "
-                                                "where the line is steep. No pixel is before the "
-                                                "first."),
-                      .formula = {},
-                      .group = Group::Decision},
-                     [](const State &step) {
-                         return step.startsLine ? Quantity()
-                                                : Quantity::integer(step.place.along - 1);
-                     }});
+    const auto row = [&](const QString &id, const QString &title, const QString &toolTip,
+                         const QString &either, const QString &rising, const QString &falling,
+                         const NumberRow<State>::Read &read) {
+        table.push_back({{.id = id,
+                          .title = title,
+                          .unit = unit::px(),
+                          .toolTip = toolTip,
+                          .formula = either,
+                          .group = Group::Decision,
+                          .comparison = Comparison::WithExact},
+                         read,
+                         specified(rising, falling)});
+    };
+    table.push_back(
+        {{.id = QStringLiteral("x_k"),
+          .title = QStringLiteral("x_k"),
+          .unit = unit::px(),
+          .toolTip = QStringLiteral("The column before this pixel's; the row before "
+                                    "it where the line is steep. No pixel is before the "
+                                    "first."),
+          .formula = {},
+          .group = Group::Decision},
+         [](const State &step) {
+             return step.startsLine ? Quantity() : Quantity::integer(step.place.along - 1);
+         }});
     table.push_back({{.id = QStringLiteral("y_k"),
                       .title = QStringLiteral("y_k"),
                       .unit = unit::px(),
@@ -103,16 +104,19 @@ void appendDistances(NumberTable<DecisionState> &table)
     row(QStringLiteral("y_line"), QStringLiteral("y_line"),
         QStringLiteral(
             "y = m·(x_k + 1) + b, where the line is beside this pixel; x and y exchanged "
-            "where it is steep."),
+            "where it is steep; − where it falls."),
+        QStringLiteral("y_line = y₀ ± (x_k + 1 − x₀)·Δy/Δx"),
         QStringLiteral("y_line = y₀ + (x_k + 1 − x₀)·Δy/Δx"),
         QStringLiteral("y_line = y₀ − (x_k + 1 − x₀)·Δy/Δx"),
         [](const State &step) { return step.ordinate; });
     row(QStringLiteral("d_lower"), QStringLiteral("d_lower"),
-        QStringLiteral("How far the line is beyond the pixel that stays."),
-        QStringLiteral("d_lower = y_line − y_k"), QStringLiteral("d_lower = y_k − y_line"),
+        QStringLiteral("How far the line is beyond the pixel that stays; − where it falls."),
+        QStringLiteral("d_lower = ±(y_line − y_k)"), QStringLiteral("d_lower = y_line − y_k"),
+        QStringLiteral("d_lower = y_k − y_line"),
         [](const State &step) { return step.distanceToLower(); });
     row(QStringLiteral("d_upper"), QStringLiteral("d_upper"),
-        QStringLiteral("How far the line is from the pixel one across."),
+        QStringLiteral("How far the line is from the pixel one across; + where it falls."),
+        QStringLiteral("d_upper = 1 ∓ (y_line − y_k)"),
         QStringLiteral("d_upper = y_k + 1 − y_line"),
         QStringLiteral("d_upper = y_line − (y_k − 1)"),
         [](const State &step) { return step.distanceToUpper(); });
@@ -151,9 +155,9 @@ const NumberTable<DecisionSetUpState> &bresenhamSetUpNumbers()
             {{.id = QStringLiteral("c"),
               .title = QStringLiteral("c"),
               .unit = {},
-              .toolTip = QStringLiteral("What of p_k = 2Δy·x_k − 2Δx·y_k + c no pixel changes; + "
-                                        "2Δx·y_k where the line falls."),
-              .formula = constant.arg(QChar(u'+')),
+              .toolTip = QStringLiteral("What of p_k = 2Δy·x_k ∓ 2Δx·y_k + c no pixel changes; the "
+                                        "lower sign where the line falls."),
+              .formula = constant.arg(QChar(u'±')),
               .group = Group::Decision},
              [](const DecisionSetUpState &setUp) { return setUp.constant; },
              [constant](NumberDescription &number, const DecisionSetUpState &setUp) {

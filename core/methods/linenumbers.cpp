@@ -112,8 +112,8 @@ const NumberTable<DdaSetUpState> &ddaSetUpNumbers()
 {
     using State = DdaSetUpState;
     static const auto numbers = [] {
-        const QString first = QStringLiteral("of the end that is stored first, the left one (the "
-                                             "lower one of a steep line): ");
+        const QString first = QStringLiteral("of the end that is stored first, the left one (of "
+                                             "a steep line the one of smaller y): ");
         const QString second = QStringLiteral("of the other end: ");
         const QString along = QStringLiteral("x; y where the line is steep.");
         const QString across = QStringLiteral("y; x where the line is steep.");
@@ -178,8 +178,9 @@ const NumberTable<DdaState> &ddaNumbers()
             {{.id = QStringLiteral("v_r"),
               .title = QStringLiteral("v_r"),
               .unit = unit::px(),
-              .toolTip = QStringLiteral("The pixel's place across the line, to the nearest; up, or "
-                                        "right, from the middle."),
+              .toolTip
+              = QStringLiteral("The pixel's place across the line, to the nearest; from the "
+                               "middle to the larger one."),
               .formula = QStringLiteral("v_r = ⌊v + ½⌋"),
               .group = Group::Span,
               .comparison = Comparison::WithExact},

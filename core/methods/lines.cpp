@@ -54,7 +54,7 @@ Method lineSlopeInterceptMethod()
         {0, QStringLiteral("(x₀, y₀), (x₁, y₁) ← the ends from left to right"), {Moment::SetUp}},
         {0, QStringLiteral("m ← (y₁ − y₀)/(x₁ − x₀), b ← y₀ − m·x₀"), {Moment::SetUp}},
         {0,
-         QStringLiteral("if it is vertical or no sample is to be drawn: done"),
+         QStringLiteral("if it is vertical or a point, or no sample is to be drawn: done"),
          {Moment::Rejected}},
         {0, QStringLiteral("for each column x from ⌈x₀⌉ to ⌊x₁⌋:"), {Moment::Begin, Moment::Span}},
         {1, QStringLiteral("y ← m·x + b"), {Moment::Begin, Moment::Span}},

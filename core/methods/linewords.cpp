@@ -92,7 +92,8 @@ QString endsSentence(LineAxis axis, const QString &letters, const std::array<Qua
         return QStringLiteral("The left end is stored first: %1 = %2, %3 = %4.")
             .arg(named(u'₀'), pairText(start[0], start[1]), named(u'₁'), pairText(end[0], end[1]));
     return QStringLiteral("The line is steep, |Δy| ≥ |Δx|: x and y are exchanged, and it is walked "
-                          "along y. The lower end %1 is stored first: %2 = %3, %4 = %5.")
+                          "along y. The end of smaller y, %1, is stored first: %2 = %3, %4 = "
+                          "%5.")
         .arg(pairText(start[1], start[0]), named(u'₀'), pairText(start[0], start[1]), named(u'₁'),
              pairText(end[0], end[1]));
 }

@@ -19,7 +19,7 @@ Method outlineFillMethod()
         {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
         {0, QStringLiteral("for each column x of the outline:"), {Moment::Begin, Moment::Span}},
         {1,
-         QStringLiteral("y_low, y_high ← its lowest and its highest pixel there"),
+         QStringLiteral("y_low, y_high ← its smallest and its largest y there"),
          {Moment::Begin, Moment::Span}},
         {1,
          QStringLiteral("R_low, R_high ← R along their edges; ΔR ← (R_high − R_low)/(y_high − "
@@ -30,7 +30,7 @@ Method outlineFillMethod()
         {2, QStringLiteral("else: R ← R + ΔR; G and B likewise"), {Moment::Next}},
         {2, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {Moment::First, Moment::Next}}};
     method.summary = QStringLiteral("Draws the three edges as lines of whole pixels and fills each "
-                                    "column between the lowest and the highest of them: pixels "
+                                    "column from the smallest to the largest y of them: pixels "
                                     "nearest to an edge are painted on whichever side of it they "
                                     "lie, those of a shared edge twice.");
     method.remarks += QStringLiteral("whole-pixel vertices");

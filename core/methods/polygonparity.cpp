@@ -21,28 +21,28 @@ Method polygonMethod(Method method)
 
 Pseudocode parityPseudocode()
 {
-    return {
-        {0,
-         QStringLiteral("edge table ← all edges that are not horizontal, by their first row"),
-         {Moment::SetUp}},
-        {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-        {0, QStringLiteral("for each row y that edges cross:"), {Moment::Begin, Moment::Span}},
-        {1,
-         QStringLiteral("active edges ← those that begin here, without those that have ended"),
-         {Moment::Begin, Moment::Span}},
-        {1,
-         QStringLiteral("x of each ← from its lower end where it begins, else x + m; sort by x"),
-         {Moment::Begin, Moment::Span}},
-        {1,
-         QStringLiteral("for each sample from the first crossing to the last:"),
-         {Moment::First, Moment::Next, Moment::Refused}},
-        {2,
-         QStringLiteral("c ← the crossings at or to the left of it; p ← c mod 2, w ← downward "
-                        "minus upward ones"),
-         {Moment::First, Moment::Next, Moment::Refused}},
-        {2,
-         QStringLiteral("if p = 1 by even-odd, or w ≠ 0 by non-zero: pixel (x, y) ← colour"),
-         {Moment::First, Moment::Next}}};
+    return {{0,
+             QStringLiteral("edge table ← all edges that are not horizontal, by their first row"),
+             {Moment::SetUp}},
+            {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+            {0, QStringLiteral("for each row y that edges cross:"), {Moment::Begin, Moment::Span}},
+            {1,
+             QStringLiteral("active edges ← those that begin here, without those that have ended"),
+             {Moment::Begin, Moment::Span}},
+            {1,
+             QStringLiteral(
+                 "x of each ← from its end of smaller y where it begins, else x + m; sort by x"),
+             {Moment::Begin, Moment::Span}},
+            {1,
+             QStringLiteral("for each sample from the first crossing to the last:"),
+             {Moment::First, Moment::Next, Moment::Refused}},
+            {2,
+             QStringLiteral("c ← the crossings at or to the left of it; p ← c mod 2, w ← downward "
+                            "minus upward ones"),
+             {Moment::First, Moment::Next, Moment::Refused}},
+            {2,
+             QStringLiteral("if p = 1 by even-odd, or w ≠ 0 by non-zero: pixel (x, y) ← colour"),
+             {Moment::First, Moment::Next}}};
 }
 
 Method polygonParityMethod()

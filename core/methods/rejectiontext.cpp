@@ -31,14 +31,18 @@ QString rejectionText(const Rejection &rejection)
         return QStringLiteral("It has no area: its vertices lie on one line, and only the closed "
                               "rule paints a segment. Nothing is drawn.");
     case PrimitiveRejection::OutsideFrame:
-        return QStringLiteral(
-            "It lies outside the frame, or between its samples. Nothing is drawn.");
+        return QStringLiteral("It lies outside the frame. Nothing is drawn.");
+    case PrimitiveRejection::BetweenSamples:
+        return QStringLiteral("It reaches into the frame, but none of the frame's samples is its "
+                              "own. Nothing is drawn.");
     case PrimitiveRejection::NotRepresentable:
         return QStringLiteral(
             "A coordinate does not fit this arithmetic; of exact runs with variants "
             "its products have room up to ±2¹⁵ px. Nothing is drawn.");
     case PrimitiveRejection::VerticalLine:
         return QStringLiteral("The line is vertical: y = m·x + b has no m. Nothing is drawn.");
+    case PrimitiveRejection::LineOfNoLength:
+        return QStringLiteral("The line is a point: y = m·x + b has no m. Nothing is drawn.");
     case PrimitiveRejection::NotOfThisMethod:
         return QStringLiteral(
             "It is of another kind, or filled otherwise, than what this method draws.");

@@ -94,15 +94,18 @@ void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
 }
 
 void appendCoefficients(NumberTable<ShadedSetUpState> &table, const QString &name,
-                        const QString &toolTip,
+                        const QString &unit, const QString &toolTip,
                         const std::function<Quantity(const ShadedSetUpState &, std::size_t)> &read)
 {
     static const std::array letters
         = {QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")};
     for (std::size_t k = 0; k < letters.size(); ++k) {
         const QString title = coefficientOf(letters[k], name);
-        table.push_back({comparedNumber(title, title, {}, toolTip, {}, Group::ColourRates),
-                         [read, k](const ShadedSetUpState &state) { return read(state, k); }});
+        table.push_back(
+            {comparedNumber(title, title,
+                            k < 2 && !unit.isEmpty() ? unit + QStringLiteral("/px") : unit, toolTip,
+                            {}, Group::ColourRates),
+             [read, k](const ShadedSetUpState &state) { return read(state, k); }});
     }
 }
 
@@ -181,7 +184,7 @@ NumberTable<ShadedSetUpState> shadedSetUpNumbers(const ShadedScope &scope)
     if (scope.form == InterpolationForm::Plane)
         forEachChannel(scope.effects, [&](std::size_t channel) {
             const QString name = linearName(channelAt(channel), scope.effects);
-            appendCoefficients(table, name,
+            appendCoefficients(table, name, unitOf(channelAt(channel)),
                                QStringLiteral("Of %1 = a·x + b·y + c over the triangle.").arg(name),
                                [channel](const ShadedSetUpState &state, std::size_t k) {
                                    return state.plane[channel][k];
@@ -190,7 +193,7 @@ NumberTable<ShadedSetUpState> shadedSetUpNumbers(const ShadedScope &scope)
     if (scope.form == InterpolationForm::Barycentric) {
         for (std::size_t i = 0; i < 3; ++i)
             appendCoefficients(
-                table, weightTitle(i),
+                table, weightTitle(i), {},
                 QStringLiteral("Of the weight of P%1, a·x + b·y + c.").arg(vertexDigits[i]),
                 [i](const ShadedSetUpState &state, std::size_t k) { return state.weight[i][k]; });
     }

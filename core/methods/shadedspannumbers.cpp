@@ -50,11 +50,12 @@ void appendBounds(NumberTable<ShadedSpanState> &table, const QString &name, cons
             name, u'δ' + name,
             [=](const ShadedSpanState &state) { return (state.*values)[channel]; });
     };
-    append(SpanBound::Lower, bottom, QStringLiteral("lower"), &ShadedSpanState::bottom);
-    append(SpanBound::Upper, top, QStringLiteral("upper"), &ShadedSpanState::top);
+    append(SpanBound::Lower, bottom, QStringLiteral("smaller-y"), &ShadedSpanState::bottom);
+    append(SpanBound::Upper, top, QStringLiteral("larger-y"), &ShadedSpanState::top);
     table.push_back(
-        {comparedNumber(QStringLiteral("delta_") + name, u'Δ' + name, unit,
-                        QStringLiteral("Change of %1 for each upward move.").arg(name),
+        {comparedNumber(QStringLiteral("delta_") + name, u'Δ' + name,
+                        unit.isEmpty() ? unit : unit + QStringLiteral("/row"),
+                        QStringLiteral("Change of %1 from row to row, y growing.").arg(name),
                         QStringLiteral("Δ%1 = (%2 − %3)/(y_T − y_B)").arg(name, top, bottom),
                         Group::ColourRates),
          [=](const ShadedSpanState &state) { return state.rate[channel]; },
@@ -93,9 +94,9 @@ NumberTable<ShadedSpanState> shadedSpanNumbers(const ShadedScope &scope)
                      QStringLiteral("y"), QStringLiteral("m"),
                      [value](const ShadedSpanState &state) { return state.*value; });
     };
-    bound(SpanBound::Lower, QStringLiteral("y_B"), QStringLiteral("lower"),
+    bound(SpanBound::Lower, QStringLiteral("y_B"), QStringLiteral("smaller-y"),
           &ShadedSpanState::lower);
-    bound(SpanBound::Upper, QStringLiteral("y_T"), QStringLiteral("upper"),
+    bound(SpanBound::Upper, QStringLiteral("y_T"), QStringLiteral("larger-y"),
           &ShadedSpanState::upper);
     covered({.id = QStringLiteral("first_row"),
              .title = QStringLiteral("y_first"),

@@ -27,11 +27,12 @@ void appendFourTexels(NumberTable<ShadedSampleState> &table)
 {
     const std::array names = {QStringLiteral("t00"), QStringLiteral("t10"), QStringLiteral("t01"),
                               QStringLiteral("t11")};
-    const std::array places = {QStringLiteral("lower left"), QStringLiteral("lower right"),
-                               QStringLiteral("upper left"), QStringLiteral("upper right")};
+    const std::array places
+        = {QStringLiteral("smaller i and smaller j"), QStringLiteral("larger i and smaller j"),
+           QStringLiteral("smaller i and larger j"), QStringLiteral("larger i and larger j")};
     for (std::size_t k = 0; k < names.size(); ++k)
         appendBytes(table, names[k],
-                    QStringLiteral("% of the %1 of the four texels.").arg(places[k]), {},
+                    QStringLiteral("% of the one with %1 of the four texels.").arg(places[k]), {},
                     [k](const ShadedSampleState &state) {
                         return isFiltered(state) ? std::optional(state.texels[k]) : std::nullopt;
                     });

@@ -127,9 +127,28 @@ Quantity productOf(const Quantity &a, const Quantity &b)
         : Quantity::of(a.toDouble() * b.toDouble());
 }
 
+namespace {
+
+/// toText() of floating point without a power of ten, filled up with zeros; empty where it has more
+/// places.
+QString filledDecimal(const Quantity &quantity, int places)
+{
+    QString text = quantity.isRational() ? QString() : toText(quantity);
+    if (text.isEmpty() || text.contains(u'e'))
+        return {};
+    if (!text.contains(u'.'))
+        text += u'.';
+    const qsizetype missing = places - (text.size() - text.indexOf(u'.') - 1);
+    return missing < 0 ? QString() : text + QString(missing, u'0');
+}
+
+} // namespace
+
 CutDecimal cutDecimal(const Quantity &quantity, int places)
 {
     constexpr int mostPlaces = 40; ///< a double's neighbour of 1 has 16
+    if (const QString whole = filledDecimal(quantity, places); !whole.isEmpty())
+        return {whole, false};
     const auto [numerator, denominator] = exactlyOf(quantity);
     BigInteger whole, remainder;
     divide_qr(BigInteger(abs(numerator)), denominator, whole, remainder);
@@ -148,6 +167,19 @@ CutDecimal cutDecimal(const Quantity &quantity, int places)
     }
     decimal.isCut = remainder != 0;
     return decimal;
+}
+
+QString withMinus(QString text)
+{
+    const auto at = [&text](qsizetype place) { return place < 0 ? QChar() : text[place]; };
+    for (qsizetype i = 0; i + 1 < text.size(); ++i) {
+        const bool isExponents = at(i - 1) == u'e' && at(i - 2).isDigit();
+        const bool isSign = !at(i - 1).isLetterOrNumber() || isExponents;
+        const bool hasNumber = text[i + 1].isDigit() || text.sliced(i + 1).startsWith(u"inf");
+        if (text[i] == u'-' && isSign && hasNumber)
+            text[i] = QChar(0x2212);
+    }
+    return text;
 }
 
 QString toText(Int128 value)

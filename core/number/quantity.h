@@ -82,10 +82,14 @@ struct CutDecimal {
     bool isCut = false; ///< others than 0 follow
 };
 
-/// The decimal of a finite number, cut and not rounded, after so many digits behind the point.
-/// Where these are all 0 and the number is no whole one it goes on to the first that is not, so
-/// that a number whose ceiling is 13 is not shown as 12.
+/// The decimal of a finite number, cut and not rounded, after so many digits behind the point: of
+/// floating point that of toText() where it ends within them. Where these are all 0 and the number
+/// is no whole one it goes on to the first that is not, so that a number whose ceiling is 13 is not
+/// shown as 12.
 CutDecimal cutDecimal(const Quantity &quantity, int places);
+
+/// A text for people: its negative numbers and exponents have minus signs, not hyphens.
+QString withMinus(QString text);
 
 /// A 128-bit integer in decimal.
 QString toText(Int128 value);

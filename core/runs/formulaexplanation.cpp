@@ -7,6 +7,7 @@
 #include "core/runs/formulanames.h"
 #include "core/runs/projectionstages.h"
 #include "core/runs/refusaltext.h"
+#include "core/runs/rejectedprimitives.h"
 #include "core/runs/setupsentence.h"
 #include "core/runs/spanheadings.h"
 #include "core/runs/tracedscene.h"
@@ -17,9 +18,6 @@ namespace pixelplumb {
 
 namespace {
 
-/// Whether there is an earlier step from which a formula goes on.
-enum class FormulaStart { Fresh, Continued };
-
 /// One line for each number that has a formula.
 void appendLines(Explanation &explanation, const std::vector<NumberDescription> &columns,
                  const std::vector<Quantity> &used, const std::vector<Quantity> &exact,
@@ -27,13 +25,11 @@ void appendLines(Explanation &explanation, const std::vector<NumberDescription> 
 {
     for (std::size_t i = 0; i < columns.size() && i < used.size(); ++i) {
         const NumberDescription &number = columns[i];
-        if (number.formula.isEmpty() || used[i].isNone())
-            continue;
         FormulaLine line;
+        line.symbols = formulaInForce(number, used[i], start);
+        if (line.symbols.isEmpty())
+            continue;
         line.subject = number.subject;
-        line.symbols = start == FormulaStart::Fresh && !number.startFormula.isEmpty()
-            ? number.startFormula
-            : number.formula;
         line.substituted = names.substituted(line.symbols, number.title, placesOfOperands(used[i]));
         line.used = used[i];
         if (i < exact.size())
@@ -55,8 +51,8 @@ Explanation explainBeginning(const TracedScene &traced, std::size_t primitive)
     explanation.heading = QStringLiteral("%1: set-up").arg(primitiveText(traced, primitive));
     explanation.stages = stageFormulas(traced, primitive);
     if (setUp.rejection) {
-        explanation.sentence
-            = setUpSentence(traced, primitive, {}) + u' ' + rejectionText(*setUp.rejection);
+        explanation.sentence = setUpSentence(traced, primitive, {}) + u' '
+            + rejectionText(*rejectionOf(traced, primitive));
         return explanation;
     }
     const StepWords words = traced.trace->setUpWords(primitive);
@@ -108,12 +104,6 @@ struct SpanPair {
     std::optional<SpanRecord> previous;
 };
 
-/// Formulas start afresh in each part of a primitive.
-FormulaStart startOf(const ScanTrace &trace, std::size_t span)
-{
-    return trace.beginsPart(span) ? FormulaStart::Fresh : FormulaStart::Continued;
-}
-
 FormulaNames spanNames(const TracedScene &traced, const SpanPair &spans)
 {
     FormulaNames names;
@@ -137,7 +127,7 @@ Explanation explainSpan(const TracedScene &traced, const TraceStep &step)
         : spans.words.sentence;
     appendLines(explanation, spans.words.numbers, spans.current.cells,
                 exactSpanCells(traced, step.span), spanNames(traced, spans),
-                startOf(*traced.trace, step.span));
+                startOfSpan(*traced.trace, step.span));
     return explanation;
 }
 
@@ -201,10 +191,9 @@ Explanation explainSample(const TracedScene &traced, const TraceStep &step)
         explanation.sentence += QStringLiteral(" A level left 0 … 255 and is clamped.");
     if (isStep)
         appendLines(explanation, spans.words.numbers, spans.current.cells,
-                    exactSpanCells(traced, step.span), ofSpan, startOf(trace, step.span));
+                    exactSpanCells(traced, step.span), ofSpan, startOfSpan(trace, step.span));
     const ExactSample exact = exactSamplesOf(traced, step.span, {&sample, 1}).front();
-    appendLines(explanation, words.numbers, sample.cells, exact.cells, names,
-                place == 0 ? FormulaStart::Fresh : FormulaStart::Continued);
+    appendLines(explanation, words.numbers, sample.cells, exact.cells, names, startOfSample(place));
     if (traced.plan)
         appendGiven(explanation, words.numbers, sample.cells);
     if (isWritten)
@@ -213,11 +202,8 @@ Explanation explainSample(const TracedScene &traced, const TraceStep &step)
     return explanation;
 }
 
-} // namespace
-
-Explanation explainStep(const TracedScene &traced, std::size_t stepIndex)
+Explanation explained(const TracedScene &traced, const TraceStep &step)
 {
-    const TraceStep step = traced.trace->stepAt(stepIndex);
     switch (step.kind) {
     case StepKind::SetUp:
         return explainBeginning(traced, step.primitive);
@@ -227,6 +213,29 @@ Explanation explainStep(const TracedScene &traced, std::size_t stepIndex)
         return explainSample(traced, step);
     }
     return {};
+}
+
+} // namespace
+
+FormulaStart startOfSpan(const ScanTrace &trace, std::size_t span)
+{
+    return trace.beginsPart(span) ? FormulaStart::Fresh : FormulaStart::Continued;
+}
+
+QString formulaInForce(const NumberDescription &number, const Quantity &used, FormulaStart start)
+{
+    if (number.formula.isEmpty() || used.isNone())
+        return {};
+    return start == FormulaStart::Fresh && !number.startFormula.isEmpty() ? number.startFormula
+                                                                          : number.formula;
+}
+
+Explanation explainStep(const TracedScene &traced, std::size_t stepIndex)
+{
+    Explanation explanation = explained(traced, traced.trace->stepAt(stepIndex));
+    for (QString *text : {&explanation.heading, &explanation.sentence, &explanation.event})
+        *text = withMinus(*text);
+    return explanation;
 }
 
 } // namespace pixelplumb

@@ -5,6 +5,7 @@
 #include "core/methods/rejectiontext.h"
 #include "core/oracle/effecttruth.h"
 #include "core/runs/refusaltext.h"
+#include "core/runs/rejectedprimitives.h"
 #include "core/runs/shapereason.h"
 #include "core/runs/variantreason.h"
 #include "core/scan/choicenames.h"
@@ -232,11 +233,14 @@ ScanDistance scanDistance(const oracle::EdgeVerdict &edge, const ScanTrace &trac
     return scanned.exact.isNone() ? (isByRows ? alongColumn : alongRow) : scanned;
 }
 
-QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
-                 std::int64_t y)
+namespace {
+
+/// Of any attempt.
+QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
+                    std::int64_t y)
 {
     if (attempt.primitive < traced.trace->primitiveCount()) {
-        if (const auto rejection = traced.trace->setUp(attempt.primitive).rejection)
+        if (const auto rejection = rejectionOf(traced, attempt.primitive))
             return rejectionText(*rejection);
     }
     const bool isAntialiasedShape = attempt.kind != PrimitiveKind::Triangle
@@ -272,6 +276,14 @@ QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced, std::in
                     .arg(exact.blue())
             + variantText(attempt, traced, x, y);
     return text;
+}
+
+} // namespace
+
+QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
+                 std::int64_t y)
+{
+    return withMinus(sentencesOn(attempt, traced, x, y));
 }
 
 } // namespace pixelplumb

@@ -5,9 +5,13 @@
 #include "core/effects/requirements.h"
 #include "core/frame/framebuffer.h"
 #include "core/methods/rejectiontext.h"
+#include "core/polygons/contours.h"
+#include "core/polygons/curvechords.h"
+#include "core/polygons/textoutlines.h"
 #include "core/runs/contender.h"
 
 #include <algorithm>
+#include <array>
 
 namespace pixelplumb {
 
@@ -34,7 +38,86 @@ SampledFrame drawnSamplesOf(const Primitives &primitives, const Scene &scene)
             triangleAntialiasing(primitives, scene.settings, frame)};
 }
 
+/// What bounds a primitive, or is it.
+std::vector<ContourEdge> edgesOf(const Primitives &primitives, std::size_t index)
+{
+    if (primitives.isTriangle(index)) {
+        const auto &[a, b, c] = primitives.triangles[index].vertices;
+        return {{a.position, b.position}, {b.position, c.position}, {c.position, a.position}};
+    }
+    const Shape &shape = primitives.shape(index);
+    const LatticePoint &first = shape.vertices[0].position;
+    switch (shape.kind) {
+    case PrimitiveKind::Circle:
+    case PrimitiveKind::Ellipse: { // their box
+        const LatticePoint &high = shape.vertices[1].position;
+        const LatticePoint low = {2 * first.x - high.x, 2 * first.y - high.y};
+        return {{low, {high.x, low.y}},
+                {{high.x, low.y}, high},
+                {high, {low.x, high.y}},
+                {{low.x, high.y}, low}};
+    }
+    case PrimitiveKind::Text:
+        return contoursOf(sharedOutlinesOf(shape)->polygon).edges;
+    case PrimitiveKind::Bezier: {
+        std::vector<ContourEdge> edges = contoursOf(chordsOf(shape)).edges;
+        if (shape.fill == ShapeFill::Outline && !edges.empty())
+            edges.pop_back(); // back to the beginning
+        return edges;
+    }
+    default:
+        return contoursOf(shape).edges;
+    }
+}
+
+/// Whether a part of the edge lies within the squares of the frame's pixels.
+bool entersFrame(const ContourEdge &edge, const FrameView &frame)
+{
+    const LatticePoint low = {frame.firstColumn * unitsPerPixel - halfPixel,
+                              frame.firstRow * unitsPerPixel - halfPixel};
+    const LatticePoint high = {frame.endColumn() * unitsPerPixel - halfPixel,
+                               frame.endRow() * unitsPerPixel - halfPixel};
+    const auto [left, right] = std::minmax(edge.from.x, edge.to.x);
+    const auto [bottom, top] = std::minmax(edge.from.y, edge.to.y);
+    if (right <= low.x || left >= high.x || top <= low.y || bottom >= high.y)
+        return false;
+    if (edge.from == edge.to)
+        return true;
+    // Corners on both sides.
+    const std::array<LatticePoint, 4> corners = {{low, {high.x, low.y}, high, {low.x, high.y}}};
+    const auto side
+        = [&](const LatticePoint &corner) { return doubledArea(edge.from, edge.to, corner); };
+    return std::ranges::any_of(corners, [&](const auto &corner) { return side(corner) > 0; })
+        && std::ranges::any_of(corners, [&](const auto &corner) { return side(corner) < 0; });
+}
+
+/// Where a primitive lies of which no sample is drawn.
+PrimitiveRejection missOf(const Primitives &primitives, std::size_t index, const FrameView &frame)
+{
+    const std::vector<ContourEdge> edges = edgesOf(primitives, index);
+    return std::ranges::any_of(edges, [&](const auto &edge) { return entersFrame(edge, frame); })
+        ? PrimitiveRejection::BetweenSamples
+        : PrimitiveRejection::OutsideFrame;
+}
+
+/// What a kernel gave for its reason, decided.
+Rejection decided(const Rejection &rejection, const Primitives &primitives, std::size_t index,
+                  const Scene &scene)
+{
+    return rejection == PrimitiveRejection::OutsideFrame
+        ? missOf(primitives, index, windowOf(scene.frame))
+        : rejection;
+}
+
 } // namespace
+
+std::optional<Rejection> rejectionOf(const TracedScene &traced, std::size_t primitive)
+{
+    const auto rejection = traced.trace->setUp(primitive).rejection;
+    return rejection
+        ? std::optional(decided(*rejection, traced.primitives, primitive, traced.scene))
+        : std::nullopt;
+}
 
 QString RejectedPrimitive::message() const
 {
@@ -65,13 +148,13 @@ std::vector<RejectedPrimitive> rejectedPrimitives(const Scene &scene)
         if (!trace && primitives.isTriangle(index) && reachOf(one.triangles[0], where).isEmpty()) {
             trace = method.trace(one, scene.settings, frame.view(), {});
             if (!trace->isCut() && wroteNothing(*trace, 0))
-                rejected.push_back({index, kind, PrimitiveRejection::OutsideFrame});
+                rejected.push_back({index, kind, missOf(primitives, index, where.frame)});
             continue;
         }
         if (!trace || trace->primitiveCount() == 0)
             continue;
         if (const auto rejection = trace->setUp(0).rejection)
-            rejected.push_back({index, kind, *rejection});
+            rejected.push_back({index, kind, decided(*rejection, primitives, index, scene)});
     }
     return rejected;
 }
@@ -89,9 +172,10 @@ std::vector<RejectedPrimitive> rejectedPrimitives(const TracedScene &traced)
     const std::size_t whole = trace.primitiveCount() - (trace.isCut() ? 1 : 0);
     for (std::size_t index = 0; index < trace.primitiveCount(); ++index) {
         if (std::ranges::binary_search(trace.rejectedPrimitives(), index))
-            rejected.push_back({index, primitives.kindOf(index), *trace.setUp(index).rejection});
+            rejected.push_back({index, primitives.kindOf(index), *rejectionOf(traced, index)});
         else if (index < whole && primitives.isTriangle(index) && liesBetween(index))
-            rejected.push_back({index, PrimitiveKind::Triangle, PrimitiveRejection::OutsideFrame});
+            rejected.push_back(
+                {index, PrimitiveKind::Triangle, missOf(primitives, index, where.frame)});
     }
     return rejected;
 }

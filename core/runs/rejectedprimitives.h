@@ -19,6 +19,10 @@ struct RejectedPrimitive {
     friend bool operator==(const RejectedPrimitive &, const RejectedPrimitive &) = default;
 };
 
+/// Why a recorded run drew nothing of a primitive that its method rejected: of one without a sample
+/// of the frame, whether it lies outside of it or reaches into it. None of any other.
+std::optional<Rejection> rejectionOf(const TracedScene &traced, std::size_t primitive);
+
 /// What the scene's method rejects, in drawing order, without a recording. The kernel is asked
 /// itself, primitive by primitive, and stopped before it writes the first pixel; of a triangle that
 /// lies between the samples it tries all.

@@ -11,9 +11,9 @@ QString placeText(const SpanPlace &place)
 {
     switch (place.axis) {
     case SpanAxis::Column:
-        return QStringLiteral("Column %1").arg(place.coordinate);
+        return withMinus(QStringLiteral("Column %1").arg(place.coordinate));
     case SpanAxis::Row:
-        return QStringLiteral("Row %1").arg(place.coordinate);
+        return withMinus(QStringLiteral("Row %1").arg(place.coordinate));
     case SpanAxis::Free:
         break;
     }

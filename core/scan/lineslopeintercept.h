@@ -113,8 +113,10 @@ void scanLineBySlopeIntercept(const Shape &line, ByteRounding rounding, FrameVie
         = StepRange{ceilPixel(a.position.x), floorPixel(b.position.x) + 1}.clippedTo(
             StepRange::along(frame, LineAxis::X));
     if (isVertical || !isRepresentable) {
-        observer.primitiveRejected(isVertical ? PrimitiveRejection::VerticalLine
-                                              : PrimitiveRejection::NotRepresentable);
+        observer.primitiveRejected(!isVertical ? PrimitiveRejection::NotRepresentable
+                                       : a.position == b.position
+                                       ? PrimitiveRejection::LineOfNoLength
+                                       : PrimitiveRejection::VerticalLine);
         return;
     }
     if (columns.isEmpty()) {

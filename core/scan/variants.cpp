@@ -56,7 +56,7 @@ constexpr VariantWords roundedBox = {
     "left = (int) (bbox[0][0] + .5), right = (int) (bbox[0][1] - .5)",
     "⌈x_min − ½⌉ … ⌊x_max − ½⌋ of pixel centres at halves",
     "Triangle Rasterization slides, “Triangle rasterization implementation guidelines”",
-    "With centres at halves, samples exactly on the box's left and lower sides are never tested; "
+    "With centres at halves, samples exactly on the box's sides of least x and y are never tested; "
     "with centres on whole numbers the last column and row are not, where the box ends less than "
     "half a pixel behind them.",
 };
@@ -66,9 +66,9 @@ constexpr VariantWords stayAtZero = {
     "p_k < 0",
     "Rasterization slides, “Bresenham's Line Algorithm (4/4)”",
     "Where p_k = 0 the pixel is the other one of the two: a line does not step across at a tie, "
-    "but one step later than in the slides' table; of a circle, whose p = 0 is ¼ outside, the "
-    "pixel is the "
-    "farther one.",
+    "but one step later than in the slides' table; of equal radii, whose whole number p = 0 is ¼ "
+    "outside, the pixel is the farther one; of unequal radii p = 0 is on the curve and stays "
+    "anyway: nothing changes.",
 };
 constexpr VariantWords oneStepShort = {
     "Δx − 1 steps",

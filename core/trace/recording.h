@@ -101,6 +101,8 @@ StepWords wordsOf(const Table &table, const State &state)
     words.numbers = descriptionsIn(table, state);
     if constexpr (requires { R::tell(words, state); })
         R::tell(words, state);
+    for (QString *text : {&words.heading, &words.sentence, &words.event})
+        *text = withMinus(*text);
     return words;
 }
 

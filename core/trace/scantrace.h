@@ -108,6 +108,8 @@ public:
     virtual StepWords spanWords(std::size_t span) const = 0;
     /// The sample with this place in the span, from 0.
     virtual StepWords sampleWords(std::size_t span, std::size_t place) const = 0;
+    /// What the numbers of each of the span's samples are called, in order: those of sampleWords().
+    virtual std::vector<std::vector<NumberDescription>> sampleNumbers(std::size_t span) const = 0;
 
 protected:
     enum class SampleCells { Filled, Empty };

@@ -109,6 +109,16 @@ public:
                      });
         return words;
     }
+    std::vector<std::vector<NumberDescription>> sampleNumbers(std::size_t span) const override
+    {
+        std::vector<std::vector<NumberDescription>> numbers;
+        visitSamples(span,
+                     [&](std::int64_t x, std::int64_t y, SampleFate fate, const Sample &sample) {
+                         numbers.push_back(descriptionsIn(
+                             m_tables->sample, stateOf<R>(sampleInHand(span, x, y, fate, sample))));
+                     });
+        return numbers;
+    }
 
 private:
     friend class TraceRecorder<R>;

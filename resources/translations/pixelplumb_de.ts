@@ -290,8 +290,8 @@
         <translation>ΔR ΔG ΔB</translation>
     </message>
     <message>
-        <source>Show the change for each upward move</source>
-        <translation>Die Änderung je Schritt nach oben zeigen</translation>
+        <source>Show the change from sample to sample</source>
+        <translation>Die Änderung von Abtastpunkt zu Abtastpunkt zeigen</translation>
     </message>
     <message>
         <source>First R G B</source>
@@ -2063,12 +2063,12 @@
 <context>
     <name>pixelplumb::FormulaHtml</name>
     <message>
-        <source>lower edge</source>
-        <translation>untere Kante</translation>
+        <source>edge of smaller y</source>
+        <translation>Kante mit kleinerem y</translation>
     </message>
     <message>
-        <source>upper edge</source>
-        <translation>obere Kante</translation>
+        <source>edge of larger y</source>
+        <translation>Kante mit größerem y</translation>
     </message>
     <message>
         <source>left edge</source>
@@ -3776,12 +3776,12 @@
 <context>
     <name>pixelplumb::MethodSummary</name>
     <message>
-        <source>Walks the columns between two edges and colours the samples from ⌈y_B⌉ to ⌊y_T⌋, all by adding increments.</source>
-        <translation>Geht durch die Spalten zwischen zwei Kanten und färbt die Abtastpunkte von ⌈y_B⌉ bis ⌊y_T⌋, alles durch Addieren von Zuwächsen.</translation>
+        <source>Walks the columns between two edges and colours the samples from y_B to y_T that the fill rule takes, all by adding increments.</source>
+        <translation>Geht durch die Spalten zwischen zwei Kanten und färbt die Abtastpunkte von y_B bis y_T, die die Füllregel nimmt, alles durch Addieren von Zuwächsen.</translation>
     </message>
     <message>
-        <source>Walks down the rows between two edges, switches in the third edge at the middle vertex, and colours the samples from ⌈x_L⌉ to ⌊x_R⌋, trapezoid by trapezoid, all by adding increments.</source>
-        <translation>Geht zwischen zwei Kanten durch die Zeilen hinab, wechselt am mittleren Eckpunkt auf die dritte Kante und färbt die Abtastpunkte von ⌈x_L⌉ bis ⌊x_R⌋, ein Trapez nach dem anderen, alles durch Addieren von Zuwächsen.</translation>
+        <source>Walks the rows between two edges, the largest y first, switches in the third edge at the middle vertex, and colours the samples from x_L to x_R that the fill rule takes, trapezoid by trapezoid, all by adding increments.</source>
+        <translation>Geht zwischen zwei Kanten durch die Zeilen, das größte y zuerst, wechselt am mittleren Eckpunkt auf die dritte Kante und färbt die Abtastpunkte von x_L bis x_R, die die Füllregel nimmt, ein Trapez nach dem anderen, alles durch Addieren von Zuwächsen.</translation>
     </message>
     <message>
         <source>Evaluates E = a·x + b·y + c of the three edges at every sample of the clipped bounding box, with the sides flipped to be positive inside; where the slide draws E &gt; 0 alone, E = 0 is left to the fill rule.</source>
@@ -3796,8 +3796,8 @@
         <translation>Berechnet A und B jeder Kante aus ihren zwei Punkten mit gewähltem C = −1; eine Kante, deren Gerade durch (0, 0) geht, hat keine solche Lösung und bekommt C = 0.</translation>
     </message>
     <message>
-        <source>Computes α, β and γ for every pixel of the frame and draws it if all three lie within [0, 1].</source>
-        <translation>Berechnet α, β und γ für jedes Pixel der Bildfläche und zeichnet es, wenn alle drei in [0, 1] liegen.</translation>
+        <source>Computes α, β and γ for every pixel of the frame and draws it if all three lie within [0, 1]; a sample on an edge is left to the fill rule.</source>
+        <translation>Berechnet α, β und γ für jedes Pixel der Bildfläche und zeichnet es, wenn alle drei in [0, 1] liegen; ein Abtastpunkt auf einer Kante bleibt der Füllregel überlassen.</translation>
     </message>
     <message>
         <source>The same for the samples between the smallest and the largest x and y of the vertices alone.</source>
@@ -3808,16 +3808,16 @@
         <translation>Addiert von Abtastpunkt zu Abtastpunkt zu den Gewichten und zur Farbe und prüft die Gewichte nur gegen 0.</translation>
     </message>
     <message>
-        <source>Solves P = C + u·(A − C) + v·(B − C) by determinants and draws if u ≥ 0, v ≥ 0 and u + v ≤ 1.</source>
-        <translation>Löst P = C + u·(A − C) + v·(B − C) mit Determinanten und zeichnet, wenn u ≥ 0, v ≥ 0 und u + v ≤ 1.</translation>
+        <source>Solves P = C + u·(A − C) + v·(B − C) by determinants and draws if u ≥ 0, v ≥ 0 and u + v ≤ 1; a sample on an edge is left to the fill rule.</source>
+        <translation>Löst P = C + u·(A − C) + v·(B − C) mit Determinanten und zeichnet, wenn u ≥ 0, v ≥ 0 und u + v ≤ 1; ein Abtastpunkt auf einer Kante bleibt der Füllregel überlassen.</translation>
     </message>
     <message>
         <source>Gives a sample exactly on an edge to the triangle on the side of the off-screen point r: f_bc(a)·f_bc(r) &gt; 0; an edge whose line passes through r is given to neither side.</source>
         <translation>Gibt einen Abtastpunkt genau auf einer Kante dem Dreieck auf der Seite des Punktes r außerhalb des Bildes: f_bc(a)·f_bc(r) &gt; 0; eine Kante, deren Gerade durch r geht, bekommt keine der beiden Seiten.</translation>
     </message>
     <message>
-        <source>Draws the three edges as lines of whole pixels and fills each column between the lowest and the highest of them: pixels nearest to an edge are painted on whichever side of it they lie, those of a shared edge twice.</source>
-        <translation>Zeichnet die drei Kanten als Linien aus ganzen Pixeln und füllt jede Spalte zwischen dem untersten und dem obersten davon: Die Pixel nächst einer Kante werden gemalt, auf welcher Seite auch immer sie liegen, die einer gemeinsamen Kante zweimal.</translation>
+        <source>Draws the three edges as lines of whole pixels and fills each column from the smallest to the largest y of them: pixels nearest to an edge are painted on whichever side of it they lie, those of a shared edge twice.</source>
+        <translation>Zeichnet die drei Kanten als Linien aus ganzen Pixeln und füllt jede Spalte vom kleinsten bis zum größten y davon: Die Pixel nächst einer Kante werden gemalt, auf welcher Seite auch immer sie liegen, die einer gemeinsamen Kante zweimal.</translation>
     </message>
     <message>
         <source>Computes y₀ + (x − x₀)·m and the plane&apos;s colours in float64 and moves them by half the distance between their possible values before rounding: no wrong pixel, proved for triangles in boxes of up to 2^24 px², such as 4096 × 4096; beyond, integers take over and the set-up says so.</source>
@@ -3828,8 +3828,8 @@
         <translation>Die Zuwächse der Aufgabe, aber ΔR einmal aus der Ebene durch die drei Eckpunkte berechnet, so dass schmale Dreiecke es nicht aufblähen.</translation>
     </message>
     <message>
-        <source>Walks down the rows between two edges with ΔR computed once from the plane through the three vertices, so that short rows cannot blow it up.</source>
-        <translation>Geht zwischen zwei Kanten durch die Zeilen hinab, mit ΔR einmal aus der Ebene durch die drei Eckpunkte berechnet, so dass kurze Zeilen es nicht aufblähen.</translation>
+        <source>Walks the rows between two edges, the largest y first, with ΔR computed once from the plane through the three vertices, so that short rows cannot blow it up.</source>
+        <translation>Geht zwischen zwei Kanten durch die Zeilen, das größte y zuerst, mit ΔR einmal aus der Ebene durch die drei Eckpunkte berechnet, so dass kurze Zeilen es nicht aufblähen.</translation>
     </message>
     <message>
         <source>Evaluates every edge from its end point that is smaller in (x, y) order and flips the sign, so that the two triangles of a shared edge see the same number in any arithmetic; in exact arithmetic all are integers.</source>
@@ -3844,8 +3844,8 @@
         <translation>Interpoliert entlang beider Kanten und dann entlang der Spalte, beides durch Addieren einer Rate; die Überdeckung ist exakt.</translation>
     </message>
     <message>
-        <source>Interpolates down the left and the right edge and then along the row, each by adding a rate; what is covered is exact.</source>
-        <translation>Interpoliert die linke und die rechte Kante hinab und dann entlang der Zeile, beides durch Addieren einer Rate; die Überdeckung ist exakt.</translation>
+        <source>Interpolates along the left and the right edge and then along the row, each by adding a rate; what is covered is exact.</source>
+        <translation>Interpoliert entlang der linken und der rechten Kante und dann entlang der Zeile, beides durch Addieren einer Rate; die Überdeckung ist exakt.</translation>
     </message>
     <message>
         <source>Evaluates v = a·x + b·y + c of the plane through the three values at each sample; what is covered is exact.</source>
@@ -3876,8 +3876,8 @@
         <translation>Bresenhams Entscheidungen zwischen beliebigen Gitterpunkten; Grenzfälle gehen zum Pixel mit größerem y oder x, ob die Linie steigt oder fällt.</translation>
     </message>
     <message>
-        <source>Steps through an octant by the sign of F at midpoints, a whole number of quarters, and mirrors each pixel into the other seven; of an ellipse through two arcs of a quarter, each into three.</source>
-        <translation>Geht durch einen Oktanten nach dem Vorzeichen von F an Mittelpunkten, einer ganzen Zahl von Vierteln, und spiegelt jedes Pixel in die anderen sieben; bei einer Ellipse durch zwei Bögen eines Viertels, je in drei.</translation>
+        <source>Steps through an octant by the sign of F at midpoints, a whole number of quarters, and mirrors each pixel into the other seven; of unequal radii through two arcs of a quarter, each into three.</source>
+        <translation>Geht durch einen Oktanten nach dem Vorzeichen von F an Mittelpunkten, einer ganzen Zahl von Vierteln, und spiegelt jedes Pixel in die anderen sieben; bei ungleichen Radien durch zwei Bögen eines Viertels, je in drei.</translation>
     </message>
     <message>
         <source>Computes y = ±√(r² − x²) for each column; there are gaps where the curve is steep.</source>

@@ -24,7 +24,7 @@ void ColumnTable::createActions()
         addToggle("showSpan", tr("Span"), tr("Show where the edges meet the column, and its rows")),
         addToggle("showDecision", tr("Decision"), tr("Show the numbers that decide the samples")),
         addToggle("showEdgeColours", tr("Edge colours"), tr("Show the levels at both edges")),
-        addToggle("showColourRates", tr("ΔR ΔG ΔB"), tr("Show the change for each upward move")),
+        addToggle("showColourRates", tr("ΔR ΔG ΔB"), tr("Show the change from sample to sample")),
         addToggle("showFirstColour", tr("First R G B"), tr("Show the levels at the first pixel")),
     };
     for (QAction *action : std::as_const(m_groupActions))

@@ -229,7 +229,7 @@ QString translated(const QString &english)
 
 QString coreWord(const QString &english)
 {
-    static const QRegularExpression number(QStringLiteral("-?\\b[0-9]+(\\.[0-9]+)?"));
+    static const QRegularExpression number(QStringLiteral("[-−]?\\b[0-9]+(\\.[0-9]+)?"));
     QStringList numbers;
     QString pattern;
     qsizetype end = 0;

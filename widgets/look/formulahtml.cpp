@@ -32,9 +32,9 @@ struct FormulaHtml {
 QString titleOf(NumberSubject subject)
 {
     if (subject == NumberSubject::LowerEdge)
-        return FormulaHtml::tr("lower edge");
+        return FormulaHtml::tr("edge of smaller y");
     if (subject == NumberSubject::UpperEdge)
-        return FormulaHtml::tr("upper edge");
+        return FormulaHtml::tr("edge of larger y");
     if (subject == NumberSubject::LeftEdge)
         return FormulaHtml::tr("left edge");
     if (subject == NumberSubject::RightEdge)

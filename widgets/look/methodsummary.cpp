@@ -14,12 +14,13 @@ constexpr const char *context = "pixelplumb::MethodSummary";
 /// What lupdate finds. The program looks sentences up by what methods say, not in this list.
 [[maybe_unused]] constexpr const char *translatableSummaries[] = {
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
-                      "Walks the columns between two edges and colours the samples from ⌈y_B⌉ to "
-                      "⌊y_T⌋, all by adding increments."),
+                      "Walks the columns between two edges and colours the samples from y_B to "
+                      "y_T that the fill rule takes, all by adding increments."),
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
-                      "Walks down the rows between two edges, switches in the third edge at the "
-                      "middle vertex, and colours the samples from ⌈x_L⌉ to ⌊x_R⌋, trapezoid by "
-                      "trapezoid, all by adding increments."),
+                      "Walks the rows between two edges, the largest y first, switches in the "
+                      "third edge at the middle vertex, and colours the samples from x_L to x_R "
+                      "that the fill rule takes, trapezoid by trapezoid, all by adding "
+                      "increments."),
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
                       "Evaluates E = a·x + b·y + c of the three edges at every sample of the "
                       "clipped bounding box, with the sides flipped to be positive inside; where "
@@ -32,7 +33,7 @@ constexpr const char *context = "pixelplumb::MethodSummary";
                       "whose line passes through (0, 0) has no such solution and gets C = 0."),
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
                       "Computes α, β and γ for every pixel of the frame and draws it if all three "
-                      "lie within [0, 1]."),
+                      "lie within [0, 1]; a sample on an edge is left to the fill rule."),
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
                       "The same for the samples between the smallest and the largest x and y of "
                       "the vertices alone."),
@@ -41,14 +42,14 @@ constexpr const char *context = "pixelplumb::MethodSummary";
                       "against 0 alone."),
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
                       "Solves P = C + u·(A − C) + v·(B − C) by determinants and draws if u ≥ 0, v "
-                      "≥ 0 and u + v ≤ 1."),
+                      "≥ 0 and u + v ≤ 1; a sample on an edge is left to the fill rule."),
     QT_TRANSLATE_NOOP(
         "pixelplumb::MethodSummary",
         "Gives a sample exactly on an edge to the triangle on the side of the off-screen point r: "
         "f_bc(a)·f_bc(r) > 0; an edge whose line passes through r is given to neither side."),
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
                       "Draws the three edges as lines of whole pixels and fills each column "
-                      "between the lowest and the highest of them: pixels nearest to an edge are "
+                      "from the smallest to the largest y of them: pixels nearest to an edge are "
                       "painted on whichever side of it they lie, those of a shared edge twice."),
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
                       "Computes y₀ + (x − x₀)·m and the plane's colours in float64 and moves them "
@@ -59,7 +60,8 @@ constexpr const char *context = "pixelplumb::MethodSummary";
                       "The assignment's increments with ΔR computed once from the plane through "
                       "the three vertices, so that slivers cannot blow it up."),
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
-                      "Walks down the rows between two edges with ΔR computed once from the plane "
+                      "Walks the rows between two edges, the largest y first, with ΔR computed "
+                      "once from the plane "
                       "through the three vertices, so that short rows cannot blow it up."),
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
                       "Evaluates every edge from its end point that is smaller in (x, y) order and "
@@ -72,7 +74,7 @@ constexpr const char *context = "pixelplumb::MethodSummary";
                       "Interpolates along both edges and then along the column, each by adding a "
                       "rate; what is covered is exact."),
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
-                      "Interpolates down the left and the right edge and then along the row, each "
+                      "Interpolates along the left and the right edge and then along the row, each "
                       "by adding a rate; what is covered is exact."),
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
                       "Evaluates v = a·x + b·y + c of the plane through the three values at each "
@@ -99,7 +101,7 @@ constexpr const char *context = "pixelplumb::MethodSummary";
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
                       "Steps through an octant by the sign of F at midpoints, a whole number "
                       "of quarters, and mirrors each pixel into the other seven; "
-                      "of an ellipse through two arcs of a quarter, each into three."),
+                      "of unequal radii through two arcs of a quarter, each into three."),
     QT_TRANSLATE_NOOP(
         "pixelplumb::MethodSummary",
         "Computes y = ±√(r² − x²) for each column; there are gaps where the curve is steep."),

@@ -28,22 +28,12 @@ QLocale groupingLocale()
     return locale;
 }
 
-QString withTrueMinus(QString text)
-{
-    if (text.startsWith(u'-'))
-        text[0] = minusSign;
-    return text;
-}
-
 QString nonFiniteText(double value)
 {
     if (std::isnan(value))
         return QStringLiteral("NaN");
     return value < 0 ? QStringLiteral("−∞") : QStringLiteral("∞");
 }
-
-/// Minus signs, in the exponent too.
-QString withTrueMinuses(QString text) { return text.replace(u'-', minusSign); }
 
 /// The fewest digits that read back as the same value; plain notation between 10^-9 and 10^15.
 template <class Float>
@@ -55,7 +45,7 @@ QString shortestDecimal(Float value)
     const auto result
         = std::to_chars(text.data(), text.data() + text.size(), value,
                         plain ? std::chars_format::fixed : std::chars_format::scientific);
-    return withTrueMinuses(QString::fromLatin1(text.data(), result.ptr - text.data()));
+    return withMinus(QString::fromLatin1(text.data(), result.ptr - text.data()));
 }
 
 QString mixedNumber(const Quantity &quantity)
@@ -79,16 +69,7 @@ QString mixedNumber(const Quantity &quantity)
 QString cutText(const Quantity &quantity, int places)
 {
     const auto [digits, isCut] = cutDecimal(quantity, places);
-    return withTrueMinus(isCut ? digits + ellipsis : digits);
-}
-
-/// Whether so many places, rounded, read as a whole number that it is not.
-bool looksWhole(const Quantity &quantity, int places)
-{
-    if (quantity.isInteger())
-        return false;
-    const QString digits = toDecimal(quantity, places);
-    return digits.sliced(digits.indexOf(u'.') + 1).count(u'0') == places;
+    return withMinus(isCut ? digits + ellipsis : digits);
 }
 
 } // namespace
@@ -130,9 +111,7 @@ QString displayDecimal(const Quantity &quantity, int places)
         return {};
     if (!quantity.isFinite())
         return nonFiniteText(quantity.toDouble());
-    return quantity.isRational() || looksWhole(quantity, places)
-        ? cutText(quantity, places)
-        : withTrueMinus(toDecimal(quantity, places));
+    return cutText(quantity, places);
 }
 
 QString shortDecimal(const Quantity &quantity, int places)
@@ -142,9 +121,9 @@ QString shortDecimal(const Quantity &quantity, int places)
         return decimal; // with an ellipsis
     const double whole = std::round(quantity.toDouble());
     const double rest = errorOf(quantity, Quantity::of(whole));
-    return withTrueMinus(QString::number(whole, 'f', 0))
+    return withMinus(QString::number(whole, 'f', 0))
         + (rest < 0 ? QStringLiteral(" − ") : QStringLiteral(" + "))
-        + withTrueMinuses(QString::asprintf("%.0e", std::abs(rest)));
+        + withMinus(QString::asprintf("%.0e", std::abs(rest)));
 }
 
 QString decimalBeside(const Quantity &quantity, Arithmetic arithmetic)
@@ -169,8 +148,8 @@ QString displayError(const Quantity &used, const Quantity &exact)
         return nonFiniteText(used.toDouble());
     const double error = errorOf(used, exact);
     if (used.isInteger() && exact.isInteger() && std::abs(error) < 1e6)
-        return error == 0 ? QStringLiteral("0") : withTrueMinus(QString::asprintf("%+.0f", error));
-    return error == 0 ? QStringLiteral("0") : withTrueMinuses(QString::asprintf("%+.1e", error));
+        return error == 0 ? QStringLiteral("0") : withMinus(QString::asprintf("%+.0f", error));
+    return error == 0 ? QStringLiteral("0") : withMinus(QString::asprintf("%+.1e", error));
 }
 
 void keepDecimalPoint() { QLocale::setDefault(QLocale::c()); }

@@ -33,8 +33,8 @@ QString displayText(const Quantity &quantity, Arithmetic arithmetic);
 /// The same as decimals with six places, for a tooltip or a second line.
 QString displayDecimal(const Quantity &quantity);
 
-/// The decimals of a quantity with a number of places. Rationals by long division: every digit
-/// shown is a digit of the number, none is rounded, and an ellipsis says that more follow.
+/// The decimals of a quantity with a number of places, as cutDecimal() has them: every digit shown
+/// is a digit of the number, none is rounded, and an ellipsis says that more follow.
 QString displayDecimal(const Quantity &quantity, int places);
 
 /// As displayDecimal(), but for numbers so near to a whole one that this needs more places to part

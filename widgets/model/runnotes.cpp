@@ -42,7 +42,8 @@ QString rejectionNote(const TracedScene &traced)
         return {};
     std::vector<RejectedPrimitive> rejected = rejectedPrimitives(traced);
     std::erase_if(rejected, [](const RejectedPrimitive &each) {
-        return each.rejection == PrimitiveRejection::OutsideFrame;
+        return each.rejection == PrimitiveRejection::OutsideFrame
+            || each.rejection == PrimitiveRejection::BetweenSamples;
     });
     if (rejected.empty())
         return {};

@@ -14,14 +14,6 @@
 
 namespace pixelplumb {
 
-namespace {
-
-constexpr QChar minus(0x2212);
-
-QString withMinus(QString text) { return text.replace(u'-', minus); }
-
-} // namespace
-
 QString usedText(const StageNumber &number)
 {
     return withMinus(displayText(Quantity::of(number.used)));

@@ -111,9 +111,47 @@ private slots:
         QCOMPARE(recorded.size(), std::size_t(isDrawn ? 0 : 1));
         QCOMPARE(rejectedPrimitives(drawn), recorded);
         for (const RejectedPrimitive &each : recorded)
-            QCOMPARE(each.message(),
-                     QStringLiteral("primitive 0 (triangle): It lies outside the frame, or between "
-                                    "its samples. Nothing is drawn."));
+            QCOMPARE(
+                each.message(),
+                QStringLiteral("primitive 0 (triangle): It reaches into the frame, but none of "
+                               "the frame's samples is its own. Nothing is drawn."));
+    }
+
+    /// Whether a part of it lies within the squares of the frame's pixels, 8 × 8 from (−½, −½) on.
+    void whereItLiesIsToldOfWhatHasNoSampleOfTheFrame_data()
+    {
+        QTest::addColumn<QByteArray>("primitive");
+        QTest::addColumn<bool>("reachesIn");
+        const auto triangle = [](const char *vertices) {
+            return json("{ 'triangle': " + QByteArray(vertices)
+                        + ", 'colors': ['#ff0000', '#00ff00', '#0000ff'] }");
+        };
+        QTest::newRow("between four samples")
+            << triangle("[['9/8', '9/8'], ['15/8', '5/4'], ['3/2', '15/8']]") << true;
+        QTest::newRow("in the last half pixel")
+            << triangle("[['57/8', 1], ['59/8', 1], ['59/8', 5]]") << true;
+        QTest::newRow("beyond it") << triangle("[['61/8', 1], ['63/8', 1], ['63/8', 5]]") << false;
+        // Its box has the frame's corner, and no sample; beyond x + y = 15 there is no frame.
+        QTest::newRow("across the corner")
+            << triangle("[['29/4', 8], [8, '29/4'], [8, 8]]") << false;
+        QTest::newRow("far away") << triangle("[[40, 40], [50, 40], [50, 50]]") << false;
+    }
+    void whereItLiesIsToldOfWhatHasNoSampleOfTheFrame()
+    {
+        QFETCH(QByteArray, primitive);
+        QFETCH(bool, reachesIn);
+        const Result<SceneReading> reading = readScene(sceneOfPrimitives(primitive));
+        QVERIFY2(reading.isOk(), reading ? "" : qPrintable(reading.error().message()));
+        for (const char *method : {"column-scan", "edge-equations", "barycentric-rectangle"}) {
+            Scene scene = reading->scene;
+            scene.method = method;
+            const auto rejected = rejectedPrimitives(scene);
+            QCOMPARE(rejected.size(), std::size_t(1));
+            QVERIFY2(rejected[0].message().contains(reachesIn ? QStringLiteral("reaches into")
+                                                              : QStringLiteral("lies outside")),
+                     qPrintable(rejected[0].message()));
+            QCOMPARE(rejectedPrimitives(*traceScene(scene)), rejected);
+        }
     }
 
     void aPictureThatStaysEmptyIsTold_data()

@@ -140,7 +140,7 @@ private slots:
         QCOMPARE(deviation.used, Quantity::of(1.0000001f));
         QVERIFY(deviation.isTie);
         QCOMPARE(pixel.opinions[1].words,
-                 QStringLiteral("missing: y_B = 1.0000001 instead of 1, 1.2e-07 px too high; "
+                 QStringLiteral("missing: y_B = 1.0000001 instead of 1, 1.2e−07 px too high; "
                                 "float32 could hold the exact bound, the increments added up to "
                                 "another; the sample lies exactly on an edge"));
     }

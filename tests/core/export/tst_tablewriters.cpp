@@ -144,8 +144,8 @@ private slots:
         QCOMPARE(QString::fromUtf8(bytes),
                  QStringLiteral(" x      ⌈y⌉  fate\n"
                                 " 9   5 7/54  a\n"
-                                "10     -7/8\n"
-                                "-1  12       bc\n"));
+                                "10     −7/8\n"
+                                "−1  12       bc\n"));
     }
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/traceexport.h"
+#include "core/runs/formulaexplanation.h"
 #include "core/scene/scenefile.h"
+#include "tests/support/shapes.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/spacescenes.h"
 #include "tests/support/testprogram.h"
@@ -50,6 +52,30 @@ double valueOf(const QString &fraction)
 {
     const QStringList parts = fraction.split(u'/');
     return parts[0].toDouble() / (parts.size() > 1 ? parts[1].toDouble() : 1);
+}
+
+/// By the names of the columns.
+QMap<QString, QString> formulasOf(const Scene &scene, TraceLevel level)
+{
+    QMap<QString, QString> formulas;
+    const auto document
+        = QJsonDocument::fromJson(exported(scene, level, TableFormat::Json)).object();
+    for (const QJsonValue &column : document[QStringLiteral("columns")].toArray())
+        formulas[column[QStringLiteral("id")].toString()]
+            = column[QStringLiteral("formula")].toString();
+    return formulas;
+}
+
+Scene smallTriangle(const char *method, LatticePoint third = latticePixel(3, 7))
+{
+    Scene scene;
+    scene.frame = frameOf(10, 10);
+    scene.method = method;
+    scene.triangles = {Triangle{{{{latticePixel(1, 1), {{255, 0, 0}}},
+                                  {latticePixel(7, 3), {{0, 255, 0}}},
+                                  {third, {{0, 0, 255}}}}}}};
+    scene.settings = methodNamed(QString::fromLatin1(method))->adapted(scene.settings);
+    return scene;
 }
 
 /// A device that is full after some bytes.
@@ -236,6 +262,84 @@ private slots:
         QVERIFY(document[QStringLiteral("rows")].toArray().isEmpty());
     }
 
+    void givesTheFormulasByWhichTheRunComputed()
+    {
+        // Falls from (20, 44) to (30, 41): c = 2·3 − 2·10·44 − 2·3·20 − 10 = −1004.
+        const Scene falling = sceneOf(lineAt(20, 44, 30, 41), "line-bresenham", frameOf(48, 48));
+        QCOMPARE(formulasOf(falling, TraceLevel::SetUp)[QStringLiteral("c")],
+                 QStringLiteral("c = 2Δy − 2·Δx·y₀ − 2Δy·x₀ − Δx"));
+        QVERIFY(exported(falling, TraceLevel::SetUp, TableFormat::Csv).contains(",-1004"));
+        const auto steps = formulasOf(falling, TraceLevel::Column);
+        QCOMPARE(steps[QStringLiteral("y_line")],
+                 QStringLiteral("y_line = y₀ − (x_k + 1 − x₀)·Δy/Δx"));
+        QCOMPARE(steps[QStringLiteral("d_lower")], QStringLiteral("d_lower = y_k − y_line"));
+        QCOMPARE(steps[QStringLiteral("d_upper")], QStringLiteral("d_upper = y_line − (y_k − 1)"));
+
+        // 4·4² px of x, 3 of y: p₀ = 9 − 16·3 + 4 = −35; of equal radii 5/4 − 4.
+        const Scene ellipse
+            = sceneOf(ellipseAtUnits(latticePixel(20, 20), 4 * unitsPerPixel, 3 * unitsPerPixel),
+                      "circle-midpoint", frameOf(48, 48));
+        QCOMPARE(formulasOf(ellipse, TraceLevel::SetUp)[QStringLiteral("p_0")],
+                 QStringLiteral("p₀ = r_y² − r_x²·r_y + r_x²/4"));
+        QVERIFY(exported(ellipse, TraceLevel::SetUp, TableFormat::Csv).contains(",-35"));
+        QCOMPARE(formulasOf(sceneOf(circleAt(20, 20, 4), "circle-midpoint", frameOf(48, 48)),
+                            TraceLevel::SetUp)[QStringLiteral("p_0")],
+                 QStringLiteral("p₀ = 5/4 − r_x"));
+
+        Scene varied = smallTriangle("column-scan");
+        varied.settings.variants
+            = VariantSet().with(Variant::DivisorMinusOne).with(Variant::NoColourPreStep);
+        QCOMPARE(formulasOf(varied, TraceLevel::SetUp)[QStringLiteral("m_01")],
+                 QStringLiteral("m₀₁ = (y₁ − y₀)/(x₁ − x₀ − 1)"));
+        QVERIFY(!formulasOf(varied, TraceLevel::Pixel)[QStringLiteral("R")].contains(u'⌈'));
+
+        // The line through (1, 1) and (3, 3) passes through (0, 0).
+        const auto solved = formulasOf(smallTriangle("edge-equations-solved", latticePixel(3, 3)),
+                                       TraceLevel::SetUp);
+        int divided = 0;
+        for (const char *id : {"a_0", "a_1", "a_2"})
+            divided += solved[QString::fromLatin1(id)].contains(QStringLiteral("/q")) ? 1 : 0;
+        QCOMPARE(divided, 2);
+
+        const QString alongSegment = formulasOf(smallTriangle("edge-equations", latticePixel(4, 2)),
+                                                TraceLevel::Pixel)[QStringLiteral("R")];
+        QVERIFY2(alongSegment.contains(QStringLiteral("(x − x")), qPrintable(alongSegment));
+    }
+
+    /// Of each number all, and none that no step has.
+    void givesTheFormulasThatTheStepsAreExplainedBy()
+    {
+        for (const Method &method : methods()) {
+            if (!method.draws(PrimitiveKind::Triangle))
+                continue;
+            const Scene scene = smallTriangle(method.id.toLatin1().constData());
+            const auto traced = traceScene(scene);
+            std::array<QSet<QString>, 3> told;
+            for (std::size_t step = 0; step < traced->trace->stepCount(); ++step) {
+                for (const FormulaLine &line : explainStep(*traced, step).lines)
+                    told[std::size_t(traced->trace->stepAt(step).kind)].insert(line.symbols);
+            }
+            int compared = 0;
+            for (const auto &[level, kind] : {std::pair(TraceLevel::SetUp, StepKind::SetUp),
+                                              std::pair(TraceLevel::Column, StepKind::Span),
+                                              std::pair(TraceLevel::Pixel, StepKind::Sample)}) {
+                const QSet<QString> &symbols = told[std::size_t(kind)];
+                QSet<QString> written;
+                for (const QString &formulas : formulasOf(scene, level)) {
+                    for (const QString &formula :
+                         formulas.split(QStringLiteral("; "), Qt::SkipEmptyParts))
+                        written.insert(formula);
+                }
+                for (const QString &formula : written)
+                    QVERIFY2(symbols.contains(formula), qPrintable(method.id + u' ' + formula));
+                if (level != TraceLevel::Pixel) // where bytes are told, too
+                    QCOMPARE(written, symbols);
+                compared += int(written.size());
+            }
+            QVERIFY2(compared > 3, qPrintable(method.id));
+        }
+    }
+
     void writesTheSameBytesEachTime()
     {
         const Scene scene = defaultScene(Arithmetic::Float64);
@@ -257,10 +361,40 @@ private slots:
         QVERIFY(exportTrace(*traceScene(defaultScene()), options, buffer));
 
         const QList<QByteArray> lines = bytes.split('\n');
-        QCOMPARE(lines[0], QByteArray(" x        y_T"));
+        QCOMPARE(lines[0], QByteArray(" x         y_T"));
         QCOMPARE(lines[1], QByteArray(" 4   5"));
-        QCOMPARE(lines[2], QByteArray(" 5   6.733333"));
-        QCOMPARE(lines[8], QByteArray("11  17.133333"));
+        QCOMPARE(lines[2], QByteArray(" 5   6.733333…"));
+        QCOMPARE(lines[8], QByteArray("11  17.133333…"));
+    }
+
+    /// Of an edge that is nearly level: from (0, 2) to (8192, 2 1/256) and (0, −2) below 0.
+    void decimalsPartANumberFromTheWholeOneNextToIt()
+    {
+        Scene scene;
+        scene.frame = frameOf(2, 6, 1, -3);
+        scene.method = "column-scan";
+        const Lattice far = 8192 * unitsPerPixel;
+        scene.triangles
+            = {Triangle{{{{{0, 2 * unitsPerPixel}, {}},
+                          {{far, 2 * unitsPerPixel + 1}, {}},
+                          {{far, 5 * unitsPerPixel}, {}}}}},
+               Triangle{{{{{0, 0}, {}}, {{far, -1}, {}}, {{far, 3 * unitsPerPixel}, {}}}}}};
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        TraceExportOptions options;
+        options.format = TableFormat::Text;
+        options.textNumbers = TextNumbers::Decimal;
+        options.columns = {QStringLiteral("y_B"), QStringLiteral("first_row")};
+
+        QVERIFY(exportTrace(*traceScene(scene), options, buffer));
+
+        // At x = 1 y_B = 2 + 1/2097152 = 2.000000476… and −1/2097152.
+        const QList<QByteArray> lines = bytes.split('\n');
+        QVERIFY2(lines[1].contains("2.0000004…") && lines[1].endsWith(" 3"), lines[1].constData());
+        QVERIFY2(lines[3].contains("−0.0000004…") && lines[3].endsWith(" 0"), lines[3].constData());
+        QVERIFY2(!bytes.contains("0.000000 "), bytes.constData());
+        QVERIFY2(!bytes.contains('-'), bytes.constData());
     }
 
     void saysWhenTheDeviceIsFull()

@@ -214,7 +214,7 @@ private slots:
                   QVERIFY2(!reason.contains(QStringLiteral("Refused by")), qPrintable(reason));
               };
         // The outline has rows 3 to 5 of column 8 alone; of column 10 it has (10, 3), its corner.
-        hasReason(8, 2, "The truth refuses it by P₀P₁: the sample is at -5/16 px",
+        hasReason(8, 2, "The truth refuses it by P₀P₁: the sample is at −5/16 px",
                   " Column 8: The outline reaches from row 3, ");
         hasReason(10, 3, "Extra: the truth does not cover it", "The truth refuses it by P₁P₂: ");
         hasReason(10, 3, "Writes R = 0", " Column 10: The outline is one pixel high: row 3, ");
@@ -225,8 +225,8 @@ private slots:
     {
         QTest::addColumn<Antialiasing>("antialiasing");
         QTest::addColumn<QString>("reason");
-        const auto at = QStringLiteral(" The pixel's centre lies beyond L₁₂, at -3 px measured "
-                                       "along the column (-2.12132 px square to the edge).");
+        const auto at = QStringLiteral(" The pixel's centre lies beyond L₁₂, at −3 px measured "
+                                       "along the column (−2.12132 px square to the edge).");
         QTest::newRow("4 samples")
             << Antialiasing::Samples4
             << QStringLiteral("None of the pixel's 4 samples lies in the triangle.") + at;

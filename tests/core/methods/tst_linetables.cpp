@@ -82,6 +82,17 @@ private slots:
         QVERIFY(explainStep(*traced, 0).sentence.contains(u"has no m"));
     }
 
+    void slopeInterceptCallsALineWithoutALengthAPoint()
+    {
+        const auto traced
+            = traceScene(sceneOf(lineAt(3, 2, 3, 2), "line-slope-intercept", frameOf(8, 12)));
+
+        QCOMPARE(traced->trace->setUp(0).rejection, PrimitiveRejection::LineOfNoLength);
+        const QString sentence = explainStep(*traced, 0).sentence;
+        QVERIFY2(sentence.contains(QStringLiteral("The line is a point")), qPrintable(sentence));
+        QVERIFY(!sentence.contains(QStringLiteral("vertical")));
+    }
+
     void bresenhamGivesTheSlidesTable()
     {
         const Scene scene = sceneOf(lineAt(20, 41, 30, 44), "line-bresenham", slideFrame);

@@ -77,6 +77,12 @@ private slots:
         QTEST(toText(quantity), "text");
     }
 
+    void minusSignsStandForHyphensOfNumbersAlone()
+    {
+        QCOMPARE(withMinus(QStringLiteral("column-scan of (-4, -1/3): 1e-07, off-screen 2-3 -inf")),
+                 QStringLiteral("column-scan of (−4, −1/3): 1e−07, off-screen 2-3 −inf"));
+    }
+
     void tellsTheErrorOfATinyDriftWithItsSign()
     {
         const Quantity exact = Quantity::rational(1, 10);

@@ -113,6 +113,61 @@ private slots:
         }
     }
 
+    /// y points upward in one scene and downward in another. What is counted as seen is the turn of
+    /// a polygon's contours.
+    void noWordHoldsForOneDirectionOfYAlone_data() { addMethods(); }
+    void noWordHoldsForOneDirectionOfYAlone()
+    {
+        QFETCH(QString, id);
+        const Method &method = *methodNamed(id);
+        QStringList texts = {method.summary};
+        for (const PseudocodeLine &line : method.pseudocode)
+            texts += line.text;
+        for (const auto *numbers :
+             {&method.numbers.setUp, &method.numbers.span, &method.numbers.sample}) {
+            for (const NumberDescription &number : *numbers)
+                texts += number.toolTip;
+        }
+        static const QRegularExpression asSeen(QStringLiteral(
+            "\\b(lower (edge|end|one|row|left|right)|upper (edge|end|one|row|left|right)|"
+            "lowest|highest|upwards?|downwards?|(walks|interpolates) down|(row|pixel) "
+            "(above|below)|"
+            "(?<!counter-)clockwise)\\b"));
+        for (const QString &text : texts) {
+            const bool countsTurns
+                = text.contains(QRegularExpression(QStringLiteral("[Cc]rossing|winding")));
+            QVERIFY2(countsTurns || !text.contains(asSeen), qPrintable(text));
+        }
+    }
+
+    void colourRatesAreLevelsForEachStep()
+    {
+        for (const Method &method : methods()) {
+            if (!method.draws(PrimitiveKind::Triangle))
+                continue; // b_R is a number of a polygon's right edge
+            for (const auto *numbers : {&method.numbers.setUp, &method.numbers.span}) {
+                for (const NumberDescription &number : *numbers) {
+                    static const QRegularExpression rate(
+                        QStringLiteral("^([ab]_|Δ|δ)[RGB](_[xy])?([₀₁₂]{2})?$"));
+                    if (number.title.contains(rate))
+                        QVERIFY2(number.unit.startsWith(QStringLiteral("levels/")),
+                                 qPrintable(method.id + u' ' + number.title));
+                }
+            }
+        }
+        const auto &plane = methodNamed(QStringLiteral("interpolate-plane"))->numbers.setUp;
+        const auto unitOf = [&plane](const char *title) {
+            return std::ranges::find(plane, QString::fromLatin1(title), &NumberDescription::title)
+                ->unit;
+        };
+        // a = −A/C: levels·px over px².
+        QCOMPARE(unitOf("a_R"), QStringLiteral("levels/px"));
+        QCOMPARE(unitOf("b_R"), QStringLiteral("levels/px"));
+        QCOMPARE(unitOf("c_R"), QStringLiteral("levels"));
+        QCOMPARE(unitOf("A_R"), QStringLiteral("levels·px"));
+        QCOMPARE(unitOf("C_R"), QStringLiteral("px²"));
+    }
+
     void anEdgeWalksWordsNameTheEdgesThatBoundTheSpan_data()
     {
         QTest::addColumn<QString>("id");

@@ -110,7 +110,7 @@ private slots:
         QCOMPARE(traced->trace->stepAt(history[3].step).kind, StepKind::Sample);
         const std::vector<PixelAttempt> outside = pixelHistory(*traced, 4, 6);
         QVERIFY(outside[0].reason.contains(QStringLiteral("Refused by L₀₁")));
-        QVERIFY(outside[0].reason.contains(QStringLiteral("-1 px measured along the column")));
+        QVERIFY(outside[0].reason.contains(QStringLiteral("−1 px measured along the column")));
     }
 
     void halfPixelCentresShiftTheVerticesAndNothingElse()

@@ -101,6 +101,12 @@ void TestNumberFormat::decimalsAreDigitsOfTheNumberAndNotRounded_data()
         << Quantity::rational(1, 7) << 24 << QStringLiteral("0.142857142857142857142857…");
     QTest::newRow("integer") << Quantity::integer(3) << 2 << QStringLiteral("3.00");
     QTest::newRow("float") << Quantity::of(0.5F) << 3 << QStringLiteral("0.500");
+    // A double tells its shortest decimal, and where that has more places what sentences cut of it.
+    QTest::newRow("double") << Quantity::of(0.3) << 6 << QStringLiteral("0.300000");
+    QTest::newRow("double of many digits")
+        << Quantity::of(8.0 / 3) << 6 << QStringLiteral("2.666666…");
+    QTest::newRow("little below 0")
+        << Quantity::rational(-1, 2097152) << 6 << QStringLiteral("−0.0000004…");
     // Numbers whose ceiling or floor the digits must let a reader believe.
     QTest::newRow("just above 12")
         << Quantity::of(12 + 0x1p-40) << 4 << QStringLiteral("12.0000000000009…");
@@ -126,7 +132,7 @@ void TestNumberFormat::aDecimalInLittleRoomTellsHowFarFromAWholeNumberItIs_data(
     QTest::addColumn<QString>("expected");
     QTest::newRow("above") << Quantity::of(12 + 0x1p-49) << QStringLiteral("12 + 2e−15");
     QTest::newRow("below zero") << Quantity::of(-12 - 0x1p-40) << QStringLiteral("−12 − 9e−13");
-    QTest::newRow("not near") << Quantity::of(12.34567) << QStringLiteral("12.3457");
+    QTest::newRow("not near") << Quantity::of(12.34567) << QStringLiteral("12.3456…");
     QTest::newRow("below") << Quantity::of(12 - 0x1p-40) << QStringLiteral("11.9999…");
     QTest::newRow("a fraction") << Quantity::rational(37, 3) << QStringLiteral("12.3333…");
     QTest::newRow("whole") << Quantity::of(12.0) << QStringLiteral("12.0000");

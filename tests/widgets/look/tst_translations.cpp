@@ -260,7 +260,7 @@ private slots:
         const Translation german({"de"});
 
         QCOMPARE(coreWord(QStringLiteral("triangle")), "Dreieck");
-        QCOMPARE(coreWord(QStringLiteral("Column -3, second half")), "Spalte -3, zweite Hälfte");
+        QCOMPARE(coreWord(QStringLiteral("Column −3, second half")), "Spalte −3, zweite Hälfte");
         QCOMPARE(coreWords("When finished: 3 px wrong, truth 9 px · plain kernel 3.02 ns a pixel",
                            " · "),
                  "Am Ende: 3 px falsch, Wahrheit 9 px · einfach 3.02 ns je Pixel");
