@@ -41,6 +41,7 @@ void eachField(Self &self, const Visit &visit)
     visit("fault", self.fault);
     visit("lack", self.lack);
     visit("picture", self.picture);
+    visit("pictureDigest", self.pictureDigest);
     visit("counts", self.counts); // same, missing, extra, colour, undecidable
     visit("largestError", self.largestError);
     visit("causes", self.causes);

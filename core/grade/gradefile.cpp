@@ -10,6 +10,7 @@
 #include "core/scene/fileaccess.h"
 #include "core/scene/inputrecord.h"
 
+#include <QCryptographicHash>
 #include <QFileInfo>
 #include <QSet>
 
@@ -21,6 +22,7 @@ namespace {
 
 const QString gradesKey = QStringLiteral("pixelplumbGrades");
 const QString reviewsKey = QStringLiteral("reviews");
+const QString whatGradingWrote = QStringLiteral("what grading wrote; grade the submissions again");
 
 /// Whether it is a file of ours; its version is looked at before its keys.
 bool expectFormat(JsonReader &json)
@@ -51,7 +53,7 @@ Result<Part> readSealed(const QByteArray &text, const QByteArray &about)
     return InputError{{},
                       QStringLiteral("has been edited since grading wrote it, or is of another "
                                      "assignment or version"),
-                      QStringLiteral("what grading wrote; grade the submissions again")};
+                      whatGradingWrote};
 }
 
 template <class Part>
@@ -155,6 +157,29 @@ Result<GradedPart> readGradedPart(const QString &results)
     return part;
 }
 
+QString pictureDigestOf(const QByteArray &picture)
+{
+    return QString::fromLatin1(
+        QCryptographicHash::hash(picture, QCryptographicHash::Sha256).toHex());
+}
+
+std::optional<InputError> changedPictureOf(const GradedSubmission &submission,
+                                           const ResultsFolder &results)
+{
+    for (const GradedScene &scene : submission.scenes) {
+        if (scene.picture.isEmpty())
+            continue;
+        const Result<QByteArray> picture = results.read(scene.picture);
+        if (!picture)
+            return picture.error();
+        if (pictureDigestOf(*picture) != scene.pictureDigest)
+            return InputError{results.pathOf(scene.picture),
+                              QStringLiteral("has been changed since grading wrote it"),
+                              whatGradingWrote};
+    }
+    return std::nullopt;
+}
+
 QString assignmentFileOf(const QString &results)
 {
     return ResultsFolder(results).pathOf(assignmentFile);
@@ -176,8 +201,7 @@ Result<Descriptor> beginResults(const QString &results, const GradedPart &part)
     if (!taken)
         return taken;
     // One that was edited is replaced as a whole.
-    const auto known = readAt<GradedPart>(folder, partFile, readOurs<GradedPart>);
-    if (!known) {
+    if (const auto known = readAt<GradedPart>(folder, partFile, readOurs<GradedPart>); !known) {
         if (folder.has(partFile))
             return InputError{known.error().place,
                               QStringLiteral("is not of results of grading: ")
@@ -225,6 +249,8 @@ Result<GradeReport> readGrades(const QString &results)
                               QStringLiteral("is not named as grading names it"),
                               QStringLiteral("the submission's name, the id that is made of it as "
                                              "the file's name, and pictures in pictures/")};
+        if (auto changed = changedPictureOf(*submission, folder))
+            return *changed;
         report.submissions.push_back(std::move(*submission));
     }
     if (folder.has(partFile)) {

@@ -6,6 +6,8 @@
 
 namespace pixelplumb {
 
+class ResultsFolder;
+
 /// Of the JSON of results, and the newest that is read.
 inline constexpr int gradesFormat = 1;
 
@@ -28,6 +30,12 @@ struct GradedPart {
 QByteArray writeGradedPart(const GradedPart &part); ///< with its seal
 /// That of a folder of results; an error where there is none, or an edited one.
 Result<GradedPart> readGradedPart(const QString &results);
+
+/// Of a picture's bytes, as GradedScene has it.
+QString pictureDigestOf(const QByteArray &picture);
+/// The first of a submission's pictures that is not what grading wrote, or no longer there.
+std::optional<InputError> changedPictureOf(const GradedSubmission &submission,
+                                           const ResultsFolder &results);
 
 /// The path of the assignment in a folder of results, and of a submission's grade.
 QString assignmentFileOf(const QString &results);

@@ -56,8 +56,9 @@ std::optional<InputError> write(const ResultsFolder &results, GradedWork &work,
             = QStringLiteral("pictures/%1-%2.%3")
                   .arg(submission.id, scene.scene,
                        picture.hasColours ? QStringLiteral("png") : QStringLiteral("txt"));
-        if (auto error
-            = results.write(scene.picture, picture.hasColours ? pngOf(picture) : rasterOf(picture)))
+        const QByteArray copy = picture.hasColours ? pngOf(picture) : rasterOf(picture);
+        scene.pictureDigest = pictureDigestOf(copy);
+        if (auto error = results.write(scene.picture, copy))
             return error;
     }
     return results.write(submissionFile(submission.id),
@@ -92,10 +93,7 @@ std::optional<GradedSubmission> knownGrade(const ResultsFolder &results, const Q
     if (!known || known->digest != digest || known->searchError || known->id != idOf(name)
         || known->name != escapedName(name))
         return std::nullopt;
-    const bool hasPictures = std::ranges::all_of(known->scenes, [&](const GradedScene &scene) {
-        return scene.picture.isEmpty() || results.has(scene.picture);
-    });
-    return hasPictures ? std::optional(*known) : std::nullopt;
+    return changedPictureOf(*known, results) ? std::nullopt : std::optional(*known);
 }
 
 /// Grades the submissions by their places in a list, several at once.

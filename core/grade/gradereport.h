@@ -70,6 +70,7 @@ struct GradedScene {
     std::optional<PictureLack> lack
         = {}; ///< the same as a kind; none: there is one, or nobody said
     QString picture; ///< a copy of what was judged, as seen from the results' folder; or empty
+    QString pictureDigest = {}; ///< of the copy's bytes, SHA-256 in hexadecimal digits; or empty
     std::array<std::int64_t, allPixelVerdicts.size()> counts = {}; ///< pixels, by PixelVerdict
     int largestError = 0; ///< of a byte, where the colour is wrong
     QStringList causes; ///< what, done to the whole picture, leaves at most half of the differences

@@ -61,6 +61,19 @@ QStringList limitWords(const ProgramLimits &limits, std::optional<rlim_t> proces
     return words + QStringList(QStringLiteral("--"));
 }
 
+/// Starts what follows once the sandbox's first process, too, may not have more processes. Of
+/// another user it does not need that: nobody of the program's can trace it.
+QStringList firstProcessWords(const ProgramLimits &limits, const ProgramUser &user)
+{
+    if (user.isOwn)
+        return {};
+    const QString limit
+        = limitWord("nproc", RLIMIT_NPROC, rlim_t(limits.processes), rlim_t(limits.processes));
+    return {QStringLiteral("/bin/sh"), QStringLiteral("-c"),
+            QStringLiteral("/usr/bin/prlimit --pid=1 %1 && exec \"$@\"").arg(limit),
+            QStringLiteral("sh")};
+}
+
 QStringList wordsOf(const StudentProgram &student)
 {
     return QStringList{student.path} + student.arguments;
@@ -170,7 +183,8 @@ QStringList sandboxedCommand(const StudentProgram &student, const ProgramLimits 
     return limitWords(limits, std::nullopt) + QStringList{bubblewrapPath()} + separationWords(user)
         + viewWords(student.shown, limits.files)
         + QStringList{QStringLiteral("--seccomp"), QString::number(filter), QStringLiteral("--")}
-    + limitWords(limits, rlim_t(limits.processes)) + user.command() + wordsOf(student);
+    + firstProcessWords(limits, user) + limitWords(limits, rlim_t(limits.processes))
+        + user.command() + wordsOf(student);
 }
 
 QString bubblewrapPath()

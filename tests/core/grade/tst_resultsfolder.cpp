@@ -226,6 +226,34 @@ private slots:
         QVERIFY(filesIn(path("results")) == before);
     }
 
+    void aPictureThatWasChangedIsGradedAgainAndNotRead_data()
+    {
+        QTest::addColumn<QByteArray>("content");
+        QTest::newRow("cut short") << QByteArray();
+        QTest::newRow("another") << QByteArray("#.\n.#\n");
+    }
+    void aPictureThatWasChangedIsGradedAgainAndNotRead()
+    {
+        QFETCH(QByteArray, content);
+        QCOMPARE(graded("results"), QString());
+        const auto before = filesIn(path("results"));
+        const QStringList pictures = QDir(path("results/pictures")).entryList(QDir::Files);
+        QVERIFY(!pictures.isEmpty());
+        const QString picture = path("results/pictures/") + pictures.front();
+        QVERIFY(writeTo(picture, content));
+
+        const auto read = readGrades(path("results"));
+        QVERIFY(!read);
+        QCOMPARE(read.error().message(),
+                 picture
+                     + QStringLiteral(": has been changed since grading wrote it; expected what "
+                                      "grading wrote; grade the submissions again"));
+        QVERIFY(!mergeGrades({path("results")}, path("whole"), MergeExtent::Partial));
+
+        QCOMPARE(graded("results"), QString());
+        QVERIFY(filesIn(path("results")) == before);
+    }
+
     void oneRunAtATimeWritesToAFolder()
     {
         QCOMPARE(graded("results"), QString());

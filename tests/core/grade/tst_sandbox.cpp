@@ -226,6 +226,25 @@ private slots:
         QVERIFY(witness.waitForFinished());
     }
 
+    /// Also the sandbox's own: who can trace one can make it work for itself.
+    void everyProcessThatItCanReachHasItsLimits()
+    {
+        const StudentRun run = runPython(
+            QStringLiteral(
+                "import os\n"
+                "for each in os.listdir('/proc'):\n"
+                "    try: os.kill(int(each), 0); text = open(f'/proc/{each}/limits').read()\n"
+                "    except (OSError, ValueError): continue\n"
+                "    of = {line[:26].strip(): line[26:].split()[1] for line in text.splitlines()}\n"
+                "    print(of['Max processes'], of['Max address space'], of['Max cpu time'])\n"),
+            Confinement::Sandbox);
+
+        QList<QByteArray> lines = run.output.trimmed().split('\n');
+        QVERIFY2(lines.front().startsWith("64 "), run.output.constData());
+        lines.removeAll(lines.front());
+        QVERIFY2(lines.isEmpty(), run.output.constData());
+    }
+
     void memoryThatNoProcessOwnsIsBounded()
     {
         ProgramLimits limits;
