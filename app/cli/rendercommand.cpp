@@ -106,7 +106,7 @@ ExitCode renderScene(const CommandLine &line, const RenderRequest &request, cons
     const std::vector<RejectedPrimitive> rejected = rejectedPrimitives(scene);
     reportRejections(drawnBy, rejected);
     if (rejected.empty() && isLeftEmpty(scene))
-        sayLine(drawnBy + QStringLiteral(": no primitive covers a sample of the frame"));
+        sayLine(drawnBy + QStringLiteral(": nothing is drawn in the frame"));
     if (request.wantsPicture) {
         Output output(outputPath);
         if (const auto error = drawPicture(scene, output, request))

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/bordercrossing.h"
 
+#include "core/effects/drawnplane.h"
 #include "core/effects/edgepixels.h"
+#include "core/effects/strokearea.h"
 #include "core/effects/strokestrip.h"
 
 #include <algorithm>
@@ -91,6 +93,65 @@ bool isApart(const Triangle &triangle, const FrameView &frame, Antialiasing anti
     return false;
 }
 
+/// Of a triangle whose box goes beyond the frame's: whether one of its samples, or where areas are
+/// covered a part of it, does. Most show that in one of a few rows; one that has none in very many
+/// rows is left in doubt.
+BorderCrossing crossingOfSamples(const Triangle &triangle, const SampledFrame &where)
+{
+    constexpr std::int64_t fewRows = 64;
+    constexpr std::int64_t mostRows = 1 << 16;
+    const FrameView &frame = where.frame;
+    const Antialiasing antialiasing = where.antialiasingOf(triangle);
+    const bool isByArea = antialiasing == Antialiasing::Area;
+    static constexpr std::array<LatticePoint, 1> own = {};
+    const std::span<const LatticePoint> samples
+        = isByArea ? std::span<const LatticePoint>(own) : samplesOfPixel(antialiasing);
+    bool isInDoubt = false;
+    for (const LatticePoint &sample : samples) {
+        const SampleBox box = isByArea ? drawnBoxOf(triangle, antialiasing)
+                                       : boundingBoxOf(seenFrom(triangle, sample));
+        const DrawnPlane plane({&triangle, {}, {}}, sample, where);
+        const auto isBeyondIn = [&](std::int64_t row) {
+            RowPixels columns = {box.firstX, box.endX};
+            plane.keepDrawn(columns, row);
+            return !columns.isEmpty()
+                && (row < frame.firstRow || row >= frame.endRow()
+                    || columns.first < frame.firstColumn || columns.end > frame.endColumn());
+        };
+        const std::int64_t rows = box.endY - box.firstY;
+        for (std::int64_t i = 0; i < fewRows && rows > fewRows; ++i) {
+            if (isBeyondIn(box.firstY + rows / fewRows * i))
+                return BorderCrossing::Crosses;
+        }
+        for (std::int64_t row = box.firstY; row < box.endY && rows <= mostRows; ++row) {
+            if (isBeyondIn(row))
+                return BorderCrossing::Crosses;
+        }
+        isInDoubt |= rows > mostRows;
+    }
+    return isInDoubt ? BorderCrossing::MayCross : BorderCrossing::Within;
+}
+
+/// Whether an antialiased line or curve has a sample of the frame, or where areas are covered a
+/// part of one of its pixels.
+bool isStrokeDrawn(const Shape &shape, const SampledFrame &where)
+{
+    const StrokeStrip strip = strokeStripOf(shape, where.frame);
+    const std::vector<StrokePixel> pixels = strokePixels(strip.quads, where.frame);
+    const std::span<const LatticePoint> pattern = samplePattern(where.antialiasing);
+    for (auto pixel = pixels.begin(); pixel != pixels.end();) {
+        const auto next = std::find_if(pixel, pixels.end(), [&](const StrokePixel &other) {
+            return other.x != pixel->x || other.y != pixel->y;
+        });
+        const StrokeCoverage coverage(std::span(pixel, next), strip.quads);
+        const auto isCovered = [&](const LatticePoint &sample) { return coverage.covers(sample); };
+        if (pattern.empty() ? !coverage.share().isEmpty : std::ranges::any_of(pattern, isCovered))
+            return true;
+        pixel = next;
+    }
+    return false;
+}
+
 /// A box that holds the shape, from its vertices; of a text, which is as long as its font makes it,
 /// a generous one.
 SampleBox boxAround(const Shape &shape)
@@ -153,8 +214,9 @@ BorderCrossing borderCrossingOf(const Triangle &triangle, const SampledFrame &wh
     const BorderCrossing crossing = crossingOfBox(drawnBoxOf(triangle, antialiasing), where.frame);
     if (crossing != BorderCrossing::MayCross)
         return crossing;
-    return isApart(triangle, where.frame, antialiasing) ? BorderCrossing::Outside
-                                                        : BorderCrossing::Crosses;
+    if (isApart(triangle, where.frame, antialiasing))
+        return BorderCrossing::Outside;
+    return where.isExact ? crossingOfSamples(triangle, where) : BorderCrossing::Crosses;
 }
 
 BorderCrossing borderCrossingOf(const Shape &shape, const SampledFrame &where)
@@ -173,6 +235,8 @@ BorderCrossing borderCrossingOf(const Shape &shape, const SampledFrame &where)
         return crossing;
     if (shape.kind == PrimitiveKind::Line && shape.vertices.size() == 2
         && where.antialiasing == Antialiasing::None && passesBy(shape, frame))
+        return BorderCrossing::Outside;
+    if (where.antialiasing != Antialiasing::None && isStroke(shape) && !isStrokeDrawn(shape, where))
         return BorderCrossing::Outside;
     // From a vertex within to one beyond it crosses somewhere; a circle's vertices are none of its
     // points.

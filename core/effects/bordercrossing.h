@@ -13,8 +13,9 @@ enum class BorderCrossing : std::uint8_t {
     Outside, ///< nothing of the frame is within its bounding box
 };
 
-/// Exact: whether the triangle meets the frame's samples and has a box beyond them. Where pixels
-/// have more than one sample these count, where areas are covered all that a pixel has of it.
+/// Whether the triangle has samples in the frame and beyond it. Where pixels have more than one
+/// sample these count, where areas are covered all that a pixel has of it. Exact, but for one whose
+/// numbers are rounded, which crosses where its bounding box does, and a sliver of very many rows.
 BorderCrossing borderCrossingOf(const Triangle &triangle, const SampledFrame &where);
 /// An antialiased line or curve is one pixel wide.
 BorderCrossing borderCrossingOf(const Shape &shape, const SampledFrame &where);

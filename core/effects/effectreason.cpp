@@ -28,6 +28,14 @@ QString has(std::size_t count, std::size_t all, const QString &noun)
     return countedWords(count, all, noun, QStringLiteral("has"), QStringLiteral("have"));
 }
 
+/// Added to what is said of vertices: a triangle without area is drawn as the segment that it is.
+QString ofEnds(const NeedsTally &tally)
+{
+    return tally.drawnSegments == 0
+        ? QString()
+        : QStringLiteral("; of a triangle without area the two ends alone count");
+}
+
 QString smoothColourReason(const NeedsTally &tally, const Appearance &appearance,
                            const QString &noun)
 {
@@ -41,26 +49,27 @@ QString smoothColourReason(const NeedsTally &tally, const Appearance &appearance
                               "that differ");
     if (tally.outside > 0)
         return QStringLiteral("the vertex colours are equal in each %1%2")
-            .arg(noun, amongDrawn(tally));
-    return tally.drawn == 1 ? QStringLiteral("the vertex colours are equal")
-                            : QStringLiteral("the vertex colours are equal in each of %1 %2s")
-                                  .arg(tally.drawn)
-                                  .arg(noun);
+                   .arg(noun, amongDrawn(tally))
+            + ofEnds(tally);
+    const QString equal = QStringLiteral("the vertex colours are equal");
+    return (tally.drawn == 1
+                ? equal
+                : equal + QStringLiteral(" in each of %1 %2s").arg(tally.drawn).arg(noun))
+        + ofEnds(tally);
 }
 
-QString clippingReason(const NeedsTally &tally, const QString &noun)
+QString clippingReason(const NeedsTally &tally, const QString &noun, Antialiasing antialiasing)
 {
-    const auto crosses = [&](std::size_t count) {
-        return countedWords(count, tally.drawn, noun, QStringLiteral("crosses"),
-                            QStringLiteral("cross"));
-    };
     QStringList reasons;
     if (tally.cutAtNear > 0)
         reasons.append(countedWords(tally.cutAtNear, tally.drawn, noun, QStringLiteral("is"),
                                     QStringLiteral("are"))
                        + QStringLiteral(" of a face that the near plane cuts"));
     if (tally.crossing > 0)
-        reasons.append(QStringLiteral("%1 the frame's border").arg(crosses(tally.crossing)));
+        reasons.append((antialiasing == Antialiasing::Area
+                            ? QStringLiteral("%1 a part beyond the frame")
+                            : QStringLiteral("%1 samples beyond the frame"))
+                           .arg(has(tally.crossing, tally.drawn, noun)));
     if (!reasons.empty())
         return reasons.join(QStringLiteral("; "));
     if (tally.mayCross > 0)
@@ -112,11 +121,12 @@ QString perspectiveReason(const NeedsTally &tally)
     if (tally.dividingNothing > 0)
         return QStringLiteral("w differs between the vertices of %1, but nothing else does that is "
                               "divided by it")
-            .arg(ofTriangles(tally.dividingNothing, tally.drawnTriangles));
+                   .arg(ofTriangles(tally.dividingNothing, tally.drawnTriangles))
+            + ofEnds(tally);
     return tally.drawnTriangles == 0
         ? QStringLiteral("no triangle is drawn")
-        : QStringLiteral("w is the same at the three vertices of every triangle")
-            + amongDrawn(tally);
+        : QStringLiteral("w is the same at the vertices of every triangle")
+            + amongDrawn(tally) + ofEnds(tally);
 }
 
 QString textureReason(const NeedsTally &tally)
@@ -270,7 +280,7 @@ QString effectReason(Effect effect, const NeedsTally &tally, const Primitives &p
     case Effect::SmoothColour:
         return smoothColourReason(tally, primitives.appearance, primitiveWord(primitives));
     case Effect::Clipping:
-        return clippingReason(tally, primitiveWord(primitives));
+        return clippingReason(tally, primitiveWord(primitives), primitives.appearance.antialiasing);
     case Effect::Perspective:
         return perspectiveReason(tally);
     case Effect::Texture:

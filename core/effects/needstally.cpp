@@ -34,6 +34,7 @@ public:
         }
         ++m_tally.drawn;
         ++m_tally.drawnTriangles;
+        m_tally.drawnSegments += doubledArea(triangle) == 0 ? 1 : 0;
         const std::int64_t pixels = mostPixelsOf(triangle, reach, m_where.antialiasingOf(triangle));
         addClipping(borderCrossingOf(triangle, m_where), pixels, isCutAtNear(index));
         const TriangleNeeds needs = needsOf(triangle, attributes, m_appearance);

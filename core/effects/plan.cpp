@@ -11,8 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Texture and light have nothing to work with where there are no texels and no normals; a light
-/// that is forced on shines from where lights are, and is the ambient one where there are none.
+/// Texture and light have nothing to work with where there are no texels, no normals or no lights.
 EffectSet withForcing(EffectSet effects, const TriangleAttributes *attributes,
                       const Appearance &appearance)
 {
@@ -21,8 +20,8 @@ EffectSet withForcing(EffectSet effects, const TriangleAttributes *attributes,
     effects.perspective = isForced(effects.perspective, forced[Effect::Perspective]);
     effects.blending = isForced(effects.blending, forced[Effect::Blending]);
     effects.texture = effects.texture && forced[Effect::Texture] != Forcing::Off;
-    const bool canBeLit
-        = attributes && appearance.shading == Shading::Phong && hasNormals(*attributes);
+    const bool canBeLit = attributes && appearance.shading == Shading::Phong
+        && hasNormals(*attributes) && !appearance.lights.empty();
     effects.light = canBeLit && isForced(effects.light, forced[Effect::Light]);
     return effects;
 }

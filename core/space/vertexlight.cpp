@@ -149,8 +149,8 @@ template std::array<ExactReal, 3> litLevels(const Appearance &, const Material &
 
 bool lightsVertices(const Appearance &appearance)
 {
-    return appearance.shading != Shading::Phong
-        && isForced(!appearance.lights.empty(), appearance.forced[Effect::Light]);
+    return appearance.shading != Shading::Phong && !appearance.lights.empty()
+        && appearance.forced[Effect::Light] != Forcing::Off;
 }
 
 void lightPlainTriangles(std::vector<Triangle> &triangles,

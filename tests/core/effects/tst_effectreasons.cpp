@@ -49,7 +49,7 @@ private slots:
         add(
             "one crosses the border",
             [](Primitives &p) { p.triangles[0].vertices[0].position.x = -unitsPerPixel; },
-            Effect::Clipping, yes, 1, "1 of 2 triangles crosses the frame's border");
+            Effect::Clipping, yes, 1, "1 of 2 triangles has samples beyond the frame");
         add(
             "one is outside",
             [](Primitives &p) {
@@ -71,7 +71,7 @@ private slots:
                 p.triangles[0].vertices[0].position.x = -unitsPerPixel + 1;
                 p.appearance.antialiasing = Antialiasing::Area;
             },
-            Effect::Clipping, yes, 1, "1 of 2 triangles crosses the frame's border");
+            Effect::Clipping, yes, 1, "1 of 2 triangles has a part beyond the frame");
 
         add("no depths", none, Effect::Depth, no, 0,
             "all triangles that are drawn in the frame have the same depth");
@@ -181,7 +181,7 @@ private slots:
             yes, 2, "the scene says so, for all triangles");
 
         add("one w", none, Effect::Perspective, no, 0,
-            "w is the same at the three vertices of every triangle");
+            "w is the same at the vertices of every triangle");
         add(
             "w differs alone", [](Primitives &p) { setW(p, 0, 2 * attributeOne); },
             Effect::Perspective, no, 0,
@@ -218,11 +218,14 @@ private slots:
             std::swap(p.attributes[0].vertices[2].w, p.attributes[0].vertices[1].w);
         };
         add("a segment's middle colour", segment, Effect::SmoothColour, no, 0,
-            "the vertex colours are equal");
+            "the vertex colours are equal; of a triangle without area the two ends "
+            "alone count");
         add("a segment's middle alpha", segment, Effect::Blending, no, 0,
             "every alpha is 255: opaque");
         add("a segment's middle w", segment, Effect::Perspective, no, 0,
-            "w is the same at the three vertices of every triangle");
+            "w is the same at the vertices of every triangle; of a triangle without area the two "
+            "ends "
+            "alone count");
         add(
             "a segment whose middle is the first vertex",
             [=](Primitives &p) {
@@ -261,7 +264,7 @@ private slots:
         add("colours of another", other, Effect::SmoothColour, no, 0,
             "the vertex colours are equal in each triangle that is drawn in the frame");
         add("w of another", other, Effect::Perspective, no, 0,
-            "w is the same at the three vertices of every triangle that is drawn in the frame");
+            "w is the same at the vertices of every triangle that is drawn in the frame");
         add("texture of another", other, Effect::Texture, no, 0,
             "no triangle that is drawn in the frame has a material with a texture");
         add("light on another", other, Effect::Light, no, 0,
@@ -380,6 +383,17 @@ private slots:
         QCOMPARE(found.pixels > 0, primitives > 0);
     }
 
+    void aLightThatIsForcedOnNeedsOne()
+    {
+        Primitives primitives = plain();
+        for (VertexAttributes &vertex : attributesAt(primitives, 0).vertices)
+            vertex.normal = {0, 0, 1};
+        primitives.appearance.forced[Effect::Light] = Forcing::On;
+        QVERIFY(!planOf(primitives).runs(Effect::Light));
+        primitives.appearance.lights = {Light()};
+        QVERIFY(planOf(primitives).runs(Effect::Light));
+    }
+
     void otherFillRulesPaintNoSampleOfASharedEdgeTwice()
     {
         Primitives primitives = plain();
@@ -403,7 +417,7 @@ private slots:
         QCOMPARE(verdicts[Effect::SmoothColour].reason,
                  QStringLiteral("the primitive has vertex colours that differ"));
         QCOMPARE(verdicts[Effect::Clipping].reason,
-                 QStringLiteral("the primitive crosses the frame's border"));
+                 QStringLiteral("the primitive has samples beyond the frame"));
         QCOMPARE(int(verdicts[Effect::Depth].verdict), int(Verdict::NotCalledFor));
         QVERIFY(planOf(primitives).batches.empty());
     }

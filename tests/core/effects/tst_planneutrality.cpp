@@ -7,6 +7,7 @@
 #include "core/oracle/oracle.h"
 #include "core/oracle/squarearea.h"
 #include "core/oracle/truepicture.h"
+#include "core/scan/edgeteststate.h"
 #include "core/scene/asciiraster.h"
 #include "tests/support/effectscenes.h"
 #include "tests/support/plannedtriangles.h"
