@@ -32,7 +32,7 @@ QString edgeText(const QString &name, const oracle::EdgeVerdict &edge, Antialias
                                  : distances.join(QStringLiteral(", ")));
 }
 
-QString spanText(const PixelAttempt &attempt)
+QString spanText(const PixelAttempt &attempt, Antialiasing antialiasing)
 {
     const SpanRecord &span = *attempt.span;
     const SpanWords words = wordsFor(span.place.axis);
@@ -40,8 +40,10 @@ QString spanText(const PixelAttempt &attempt)
     if (!span.lower.isNone())
         text += QStringLiteral(": %1 = %2, %3 = %4, %5 %6 … %7")
                     .arg(words.lower, toText(span.lower), words.upper, toText(span.upper),
-                         words.samples, QString::number(span.firstSample),
-                         QString::number(span.endSample - 1));
+                         antialiasing == Antialiasing::Area
+                             ? QStringLiteral("areas on the ") + words.samples
+                             : words.samples,
+                         QString::number(span.firstSample), QString::number(span.endSample - 1));
     return text;
 }
 
@@ -108,7 +110,7 @@ QStringList textOf(const PixelReport &report)
             line.insert(line.indexOf(u':'), QStringLiteral(", step %1").arg(attempt.step + 1));
         lines.append(line);
         if (attempt.span)
-            lines.append(spanText(attempt));
+            lines.append(spanText(attempt, traced.antialiasing()));
         for (std::size_t channel = 0; attempt.written && channel < 3; ++channel)
             lines.append(channelText(attempt, channel));
         for (const PixelAttempt::Carried &number : attempt.carried)
@@ -117,7 +119,7 @@ QStringList textOf(const PixelReport &report)
             continue;
         for (std::size_t edge = 0; edge < attempt.edgeNames.size(); ++edge)
             lines.append(edgeText(attempt.edgeNames[edge], attempt.verdict.edges[edge],
-                                  traced.plan ? traced.plan->antialiasing : Antialiasing::None));
+                                  traced.antialiasing()));
     }
     for (QString &line : lines)
         line = withMinus(line);

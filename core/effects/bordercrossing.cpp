@@ -152,9 +152,27 @@ bool isStrokeDrawn(const Shape &shape, const SampledFrame &where)
     return false;
 }
 
-/// A box that holds the shape, from its vertices; of a text, which is as long as its font makes it,
-/// a generous one.
-SampleBox boxAround(const Shape &shape)
+/// The pixels of an antialiased line, which ends where its segment ends.
+SampleBox boxOfLine(const Shape &line, const FrameView &frame)
+{
+    const StrokeStrip strip = strokeStripOf(line, frame);
+    if (strip.quads.empty())
+        return {};
+    const auto byX = std::ranges::minmax(strip.quads.front(), {}, &StrokePoint::x);
+    const auto byY = std::ranges::minmax(strip.quads.front(), {}, &StrokePoint::y);
+    const auto first = [](StrokeUnit low) {
+        return floorDivide<StrokeUnit>(low + strokeHalfPixel, strokeUnitsPerPixel);
+    };
+    const auto end = [](StrokeUnit high) {
+        return ceilDivide<StrokeUnit>(high + strokeHalfPixel, strokeUnitsPerPixel);
+    };
+    return {first(byX.min.x), end(byX.max.x), first(byY.min.y), end(byY.max.y)};
+}
+
+/// All pixels that the shape may have, from its vertices: those of an antialiased curve lie ½ px
+/// around it, the others in pixels that its ends are rounded to, of a circle also its radius. Of a
+/// text, which is as long as its font makes it, a generous box.
+SampleBox boxAround(const Shape &shape, Antialiasing antialiasing)
 {
     Lattice left = largestCoordinate, right = -largestCoordinate;
     Lattice low = largestCoordinate, high = -largestCoordinate;
@@ -179,7 +197,37 @@ SampleBox boxAround(const Shape &shape)
         take(left - height, low - height);
         take(right + length, high + height);
     }
-    return {floorPixel(left), ceilPixel(right) + 1, floorPixel(low), ceilPixel(high) + 1};
+    if (shape.kind == PrimitiveKind::Text
+        || (antialiasing != Antialiasing::None && isStroke(shape)))
+        return {floorPixel(left), ceilPixel(right) + 1, floorPixel(low), ceilPixel(high) + 1};
+    const Lattice beside = isRound ? 2 * halfPixel : halfPixel;
+    return {ceilPixel(left - beside), floorPixel(right + beside) + 1, ceilPixel(low - beside),
+            floorPixel(high + beside) + 1};
+}
+
+/// Whether a line, points or an outline has a vertex whose pixel is the frame's, and one whose is
+/// none, however halves are rounded. A stroke ends beyond where it goes on for a pixel.
+bool crossesByVertices(const Shape &shape, const SampledFrame &where)
+{
+    const bool isOutlined = shape.kind == PrimitiveKind::Line || shape.kind == PrimitiveKind::Point
+        || (shape.kind == PrimitiveKind::Polygon && shape.fill == ShapeFill::Outline);
+    const bool isAntialiased = where.antialiasing != Antialiasing::None && isStroke(shape);
+    const Lattice beside = isAntialiased ? 2 * halfPixel : halfPixel;
+    const auto isAnyIn = [&](const Vertex &vertex, Lattice around) {
+        const LatticePoint &at = vertex.position;
+        return !intersection(SampleBox{ceilPixel(at.x - around), floorPixel(at.x + around) + 1,
+                                       ceilPixel(at.y - around), floorPixel(at.y + around) + 1},
+                             samplesOf(where.frame))
+                    .isEmpty();
+    };
+    const auto isIn = [&](const Vertex &vertex) {
+        const LatticePoint &at = vertex.position;
+        return where.frame.contains(ceilPixel(at.x - halfPixel), ceilPixel(at.y - halfPixel))
+            && where.frame.contains(floorPixel(at.x + halfPixel), floorPixel(at.y + halfPixel));
+    };
+    return isOutlined && std::ranges::any_of(shape.vertices, isIn)
+        && !std::ranges::all_of(shape.vertices,
+                                [&](const Vertex &vertex) { return isAnyIn(vertex, beside); });
 }
 
 /// Whether a line passes all pixels of the frame by: on the sample columns (rows where it is steep)
@@ -224,32 +272,19 @@ BorderCrossing borderCrossingOf(const Shape &shape, const SampledFrame &where)
     if (shape.vertices.empty())
         return BorderCrossing::Outside;
     const FrameView &frame = where.frame;
-    SampleBox box = boxAround(shape);
-    if (where.antialiasing != Antialiasing::None && isStroke(shape)) {
-        // Half a pixel's width and half a pixel's square, either along a diagonal at most.
-        constexpr std::int64_t beside = 2;
-        box = {box.firstX - beside, box.endX + beside, box.firstY - beside, box.endY + beside};
-    }
-    const BorderCrossing crossing = crossingOfBox(box, frame);
+    const bool isAntialiased = where.antialiasing != Antialiasing::None && isStroke(shape);
+    const BorderCrossing crossing = crossingOfBox(isAntialiased && shape.kind == PrimitiveKind::Line
+                                                      ? boxOfLine(shape, frame)
+                                                      : boxAround(shape, where.antialiasing),
+                                                  frame);
     if (crossing != BorderCrossing::MayCross || shape.kind == PrimitiveKind::Text)
         return crossing;
     if (shape.kind == PrimitiveKind::Line && shape.vertices.size() == 2
         && where.antialiasing == Antialiasing::None && passesBy(shape, frame))
         return BorderCrossing::Outside;
-    if (where.antialiasing != Antialiasing::None && isStroke(shape) && !isStrokeDrawn(shape, where))
+    if (isAntialiased && !isStrokeDrawn(shape, where))
         return BorderCrossing::Outside;
-    // From a vertex within to one beyond it crosses somewhere; a circle's vertices are none of its
-    // points.
-    const auto isWithin = [&](const Vertex &vertex) {
-        return frame.contains(ceilPixel(vertex.position.x), ceilPixel(vertex.position.y))
-            && frame.contains(floorPixel(vertex.position.x), floorPixel(vertex.position.y));
-    };
-    const auto within = std::ranges::count_if(shape.vertices, isWithin);
-    const bool passesVertices = shape.kind == PrimitiveKind::Line
-        || shape.kind == PrimitiveKind::Polygon || shape.kind == PrimitiveKind::Point;
-    return passesVertices && within > 0 && std::size_t(within) < shape.vertices.size()
-        ? BorderCrossing::Crosses
-        : BorderCrossing::MayCross;
+    return crossesByVertices(shape, where) ? BorderCrossing::Crosses : BorderCrossing::MayCross;
 }
 
 } // namespace pixelplumb

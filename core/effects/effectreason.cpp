@@ -73,10 +73,9 @@ QString clippingReason(const NeedsTally &tally, const QString &noun, Antialiasin
     if (!reasons.empty())
         return reasons.join(QStringLiteral("; "));
     if (tally.mayCross > 0)
-        return QStringLiteral("the bounding box of %1 of %2 %3s crosses the frame's border")
-            .arg(tally.mayCross)
-            .arg(tally.drawn)
-            .arg(noun);
+        return QStringLiteral("%1 beyond the frame, as far as bounding boxes tell")
+            .arg(countedWords(tally.mayCross, tally.drawn, noun, QStringLiteral("may go on"),
+                              QStringLiteral("may go on")));
     const QString within = QStringLiteral("what is drawn lies within the frame");
     if (tally.outside == 0)
         return within;
@@ -125,8 +124,8 @@ QString perspectiveReason(const NeedsTally &tally)
             + ofEnds(tally);
     return tally.drawnTriangles == 0
         ? QStringLiteral("no triangle is drawn")
-        : QStringLiteral("w is the same at the vertices of every triangle")
-            + amongDrawn(tally) + ofEnds(tally);
+        : QStringLiteral("w is the same at the vertices of every triangle") + amongDrawn(tally)
+            + ofEnds(tally);
 }
 
 QString textureReason(const NeedsTally &tally)

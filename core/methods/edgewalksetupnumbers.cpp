@@ -34,7 +34,8 @@ void appendCorner(NumberTable<EdgeWalkSetUpState> &table, std::size_t corner)
                    {.id = QStringLiteral("%_") + id,
                     .title = u'%' + QString(digit),
                     .unit = unit::levels(),
-                    .toolTip = QStringLiteral("% of the sorted vertex P") + digit + u'.',
+                    .toolTip = QStringLiteral("% of the sorted vertex P") + digit
+                        + QStringLiteral(", with material and light where there are any."),
                     .formula = {}},
                    [corner](const EdgeWalkSetUpState &state, std::size_t channel) {
                        return Quantity::integer(

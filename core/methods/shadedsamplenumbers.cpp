@@ -254,10 +254,10 @@ NumberTable<ShadedSampleState> shadedSampleNumbers(const ShadedScope &scope)
     }
     if (effects.perspective && effects.texture) {
         for (std::size_t i = 0; i < 2; ++i)
-            append(
-                table, i == 0 ? QStringLiteral("u_affine") : QStringLiteral("v_affine"),
-                QStringLiteral("What %1 would be without perspective.").arg(i == 0 ? u'u' : u'v'),
-                {}, [i](const State &state) { return state.affine[i]; });
+            append(table, i == 0 ? QStringLiteral("u_affine") : QStringLiteral("v_affine"),
+                   QStringLiteral("What %1 would be without perspective.")
+                       .arg(i == 0 ? QStringLiteral("u") : QStringLiteral("v")),
+                   {}, [i](const State &state) { return state.affine[i]; });
     }
     if (effects.depth != DepthTest::None)
         appendDepth(table, scope);

@@ -101,18 +101,24 @@ NumberTable<ShadedSpanState> shadedSpanNumbers(const ShadedScope &scope)
     covered({.id = QStringLiteral("first_row"),
              .title = QStringLiteral("y_first"),
              .unit = unit::px(),
-             .toolTip = QStringLiteral("The first covered row."),
+             .toolTip = QStringLiteral("The first row whose centre is covered; with exact "
+                                       "areas, the first on which they are worked out."),
              .formula = {},
              .group = Group::Span},
             [](const ShadedSpanState &state) { return state.firstRow; });
     covered({.id = QStringLiteral("last_row"),
              .title = QStringLiteral("y_last"),
              .unit = unit::px(),
-             .toolTip = QStringLiteral("The last covered row."),
+             .toolTip = QStringLiteral("The last row whose centre is covered; with exact "
+                                       "areas, the last on which they are worked out."),
              .formula = {},
              .group = Group::Span},
             [](const ShadedSpanState &state) { return state.endRow - 1; });
-    whole(columnPixelsNumber(), [](const ShadedSpanState &state) { return state.drawnSamples(); });
+    NumberDescription count = columnPixelsNumber();
+    count.toolTip = QStringLiteral("Rows from y_first to y_last inside the frame. Depth may refuse "
+                                   "some, and samples beside the centres may lie on others: each "
+                                   "pixel tells.");
+    whole(count, [](const ShadedSpanState &state) { return state.drawnSamples(); });
     if (scope.form == InterpolationForm::Bilinear)
         forEachChannel(scope.effects, [&](std::size_t channel) {
             appendBounds(table, linearName(channelAt(channel), scope.effects),

@@ -57,7 +57,7 @@ void appendHalfWidth(NumberTable<StrokeSetUp> &table)
     const auto append = [&](QChar letter, const QString &whole, StrokeUnit StrokePoint::*axis) {
         table.push_back(
             {strokeNumber(QStringLiteral("h_") + letter, unit::px(),
-                          QStringLiteral("Half of a line's width, ½ px to its left: %1 of "
+                          QStringLiteral("Half of a line's width, ½ px square to it: %1 of "
                                          "%2/(2·√(Δx² + Δy²)), to the nearest 2⁻¹⁶ px.")
                               .arg(letter)
                               .arg(whole)),

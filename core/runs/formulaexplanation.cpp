@@ -64,8 +64,9 @@ Explanation explainBeginning(const TracedScene &traced, std::size_t primitive)
     return explanation;
 }
 
-/// `visited`: its samples that the kernel came to.
-QString spanSentence(const SpanRecord &span, std::size_t visited, FillRule rule)
+/// `visited`: its samples that the kernel came to; `antialiasing`: of a triangle's.
+QString spanSentence(const SpanRecord &span, std::size_t visited, FillRule rule,
+                     Antialiasing antialiasing)
 {
     const QString others
         = span.place.axis == SpanAxis::Column ? QStringLiteral("rows") : QStringLiteral("columns");
@@ -85,8 +86,15 @@ QString spanSentence(const SpanRecord &span, std::size_t visited, FillRule rule)
         return span.drawnSamples() == 1
             ? QStringLiteral("The sample on the %1 is tested.").arg(range)
             : QStringLiteral("The samples on the %1 are tested one by one.").arg(range);
-    return QStringLiteral("The bounds %1 and %2 cover the %3.")
-        .arg(term(span.lower), term(span.upper), range);
+    const QString pattern = antialiasing == Antialiasing::None
+        ? QStringLiteral("The bounds %1 and %2 cover the %3.")
+        : antialiasing == Antialiasing::Area
+        ? QStringLiteral(
+            "At the pixels' centres the bounds are %1 and %2; what the triangle has of "
+            "the pixels is worked out on the %3.")
+        : QStringLiteral("Of the pixels' centres the bounds %1 and %2 cover the %3; other samples "
+                         "may lie in the triangle beside them.");
+    return pattern.arg(term(span.lower), term(span.upper), range);
 }
 
 /// A span with the one before it on the same primitive.
@@ -123,7 +131,10 @@ Explanation explainSpan(const TracedScene &traced, const TraceStep &step)
     const std::size_t visited
         = traced.trace->endSampleOf(step.span) - traced.trace->firstSampleOf(step.span);
     explanation.sentence = spans.words.sentence.isEmpty()
-        ? spanSentence(spans.current, visited, traced.scene.settings.fillRule)
+        ? spanSentence(spans.current, visited, traced.scene.settings.fillRule,
+                       traced.primitives.kindOf(spans.current.primitive) == PrimitiveKind::Triangle
+                           ? traced.antialiasing()
+                           : Antialiasing::None)
         : spans.words.sentence;
     appendLines(explanation, spans.words.numbers, spans.current.cells,
                 exactSpanCells(traced, step.span), spanNames(traced, spans),

@@ -154,8 +154,7 @@ QString refusalSentence(const TracedScene &traced, std::size_t triangle, const S
 
 QString noPartText(const TracedScene &traced)
 {
-    const Antialiasing antialiasing = traced.plan ? traced.plan->antialiasing : Antialiasing::None;
-    switch (antialiasing) {
+    switch (traced.antialiasing()) {
     case Antialiasing::None:
         break;
     case Antialiasing::Samples4:

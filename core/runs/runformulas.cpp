@@ -14,6 +14,7 @@ class FoundFormulas {
 public:
     explicit FoundFormulas(std::size_t numbers)
         : m_found(numbers)
+        , m_hasOthers(numbers)
     {
     }
 
@@ -24,18 +25,24 @@ public:
             const QString formula = formulaInForce(numbers[i], cells[i], start);
             if (!formula.isEmpty() && !m_found[i].contains(formula))
                 m_found[i].append(formula);
+            if (formula.isEmpty() && !cells[i].isNone())
+                m_hasOthers[i] = true;
         }
     }
     QStringList texts() const
     {
         QStringList texts;
-        for (const QStringList &formulas : m_found)
-            texts.append(formulas.join(QStringLiteral("; ")));
+        for (std::size_t i = 0; i < m_found.size(); ++i) {
+            texts.append(m_found[i].join(QStringLiteral("; ")));
+            if (m_hasOthers[i] && !m_found[i].isEmpty())
+                texts.back() += QStringLiteral("; other values by no formula of this list");
+        }
         return texts;
     }
 
 private:
     std::vector<QStringList> m_found; ///< by number
+    std::vector<bool> m_hasOthers; ///< values that a step has by none
 };
 
 /// Nothing of them is written yet.

@@ -45,6 +45,8 @@ struct TracedScene {
     const Method *method = nullptr;
     /// What ran, where the scene called for more than colour.
     std::optional<EffectPlan> plan;
+    /// How the pixels of triangles were sampled.
+    Antialiasing antialiasing() const { return plan ? plan->antialiasing : Antialiasing::None; }
     std::unique_ptr<const ScanTrace> trace;
     /// The spans of the same method in exact arithmetic; null where the trace itself is exact or
     /// the method has no exact arithmetic.

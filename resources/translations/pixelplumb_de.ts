@@ -2063,11 +2063,11 @@
 <context>
     <name>pixelplumb::FormulaHtml</name>
     <message>
-        <source>edge of smaller y</source>
+        <source>smaller-y edge</source>
         <translation>Kante mit kleinerem y</translation>
     </message>
     <message>
-        <source>edge of larger y</source>
+        <source>larger-y edge</source>
         <translation>Kante mit größerem y</translation>
     </message>
     <message>
@@ -4765,6 +4765,14 @@
             <numerusform>und %n weiteres, das es abweist</numerusform>
             <numerusform>und %n weitere, die es abweisen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>the centre inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the centre outside</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -197,13 +197,16 @@ void PixelGridPainter::paintSpanLabels()
     };
     const QString lower = isRow ? QStringLiteral("x_L") : QStringLiteral("y_B");
     const QString upper = isRow ? QStringLiteral("x_R") : QStringLiteral("y_T");
-    const QString last = m_scene.fillRule == FillRule::Closed
-        ? u'⌊' + upper + u'⌋'
-        : u'⌈' + upper + QStringLiteral("⌉−1");
+    const bool isByArea = m_scene.antialiasing == Antialiasing::Area;
+    const QString axis = lower.first(1);
+    const QString last = isByArea              ? axis + QStringLiteral("_last")
+        : m_scene.fillRule == FillRule::Closed ? u'⌊' + upper + u'⌋'
+                                               : u'⌈' + upper + QStringLiteral("⌉−1");
     add(lower, numberText(span.lower), span.lower.toDouble(), Sign::LowerEdge);
     add(upper, numberText(span.upper), span.upper.toDouble(), Sign::UpperEdge);
-    const QString first = m_scene.fillRule == FillRule::Open ? u'⌊' + lower + QStringLiteral("⌋+1")
-                                                             : u'⌈' + lower + u'⌉';
+    const QString first = isByArea           ? axis + QStringLiteral("_first")
+        : m_scene.fillRule == FillRule::Open ? u'⌊' + lower + QStringLiteral("⌋+1")
+                                             : u'⌈' + lower + u'⌉';
     add(first, QString::number(span.firstSample), double(span.firstSample), Sign::LowerEdge);
     add(last, QString::number(span.endSample - 1), double(span.endSample - 1), Sign::UpperEdge);
     spread(labels, lineHeight, top, bottom);

@@ -135,6 +135,7 @@ PixelGridScene pixelGridScene(const Playhead &playhead, const DisplayOptions &op
     scene.origin = traced.scene.frame.origin;
     scene.arithmetic = traced.scene.settings.arithmetic;
     scene.fillRule = traced.scene.settings.fillRule;
+    scene.antialiasing = traced.antialiasing();
     scene.picked = playhead.pickedPixel();
     scene.pixelInHand = playhead.pixelInHand();
     if (const std::optional<std::size_t> span = playhead.spanInHand()) {

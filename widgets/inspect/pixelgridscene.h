@@ -42,6 +42,8 @@ struct PixelGridScene {
     FrameOrigin origin = FrameOrigin::BottomLeft;
     Arithmetic arithmetic = Arithmetic::Exact;
     FillRule fillRule = FillRule::Closed;
+    /// Where areas are worked out, the span's rows are not those that its bounds cover.
+    Antialiasing antialiasing = Antialiasing::None;
 
     /// The pixel on the span in hand, a column or a row, at a place along it.
     QPoint onSpan(std::int64_t along) const

@@ -32,9 +32,9 @@ struct FormulaHtml {
 QString titleOf(NumberSubject subject)
 {
     if (subject == NumberSubject::LowerEdge)
-        return FormulaHtml::tr("edge of smaller y");
+        return FormulaHtml::tr("smaller-y edge");
     if (subject == NumberSubject::UpperEdge)
-        return FormulaHtml::tr("edge of larger y");
+        return FormulaHtml::tr("larger-y edge");
     if (subject == NumberSubject::LeftEdge)
         return FormulaHtml::tr("left edge");
     if (subject == NumberSubject::RightEdge)

@@ -145,6 +145,9 @@ QString PixelHistoryModel::edgeText(const PixelAttempt &attempt, std::size_t ind
                 .arg(displayText(distance.exact));
         return {};
     case ByteColumn:
+        // Of the sample; of several a pixel, and of its area, the centre decides nothing.
+        if (m_traced->antialiasing() != Antialiasing::None)
+            return edge.accepts ? tr("the centre inside") : tr("the centre outside");
         if (edge.edgeFunction == 0)
             return edge.accepts ? tr("on it: accepts") : tr("on it: refuses");
         return edge.accepts ? tr("accepts") : tr("refuses");

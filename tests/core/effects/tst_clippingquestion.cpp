@@ -90,6 +90,62 @@ private slots:
             QCOMPARE(verdictsOf(primitives)[Effect::SmoothColour].verdict, Verdict::CalledFor);
         }
     }
+
+    /// The midpoint circle rounds its centre and its radius: (−2.5, 2), 1.5 reaches the column 0.
+    void aCircleIsInTheFrameWhereItsRoundedOneIs()
+    {
+        Primitives primitives;
+        Shape circle = smoothLine();
+        circle.kind = PrimitiveKind::Circle;
+        for (Vertex &vertex : circle.vertices)
+            vertex.colour = {};
+        circle.vertices[0].position = {-5 * halfPixel, latticePixel(0, 2).y};
+        circle.vertices[1].position = {-2 * halfPixel, latticePixel(0, 2).y + 3 * halfPixel};
+        primitives.shapes = {circle};
+        QVERIFY(verdictsOf(primitives)[Effect::Clipping].verdict != Verdict::NotCalledFor);
+        primitives.shapes[0].vertices[0].position.x -= 8 * unitsPerPixel;
+        primitives.shapes[0].vertices[1].position.x -= 8 * unitsPerPixel;
+        QCOMPARE(verdictsOf(primitives)[Effect::Clipping].reason,
+                 QStringLiteral("nothing is drawn in the frame"));
+    }
+
+    /// The frame begins half a pixel before its first sample.
+    void whatStaysInTheFramesPixelsIsNotClipped_data()
+    {
+        QTest::addColumn<PrimitiveKind>("kind");
+        QTest::addColumn<ShapeFill>("fill");
+        QTest::addColumn<Antialiasing>("antialiasing");
+        QTest::newRow("line") << PrimitiveKind::Line << ShapeFill::Outline << Antialiasing::None;
+        QTest::newRow("line, 4") << PrimitiveKind::Line << ShapeFill::Outline
+                                 << Antialiasing::Samples4;
+        QTest::newRow("line, area")
+            << PrimitiveKind::Line << ShapeFill::Outline << Antialiasing::Area;
+        QTest::newRow("points") << PrimitiveKind::Point << ShapeFill::Outline << Antialiasing::None;
+        QTest::newRow("outline") << PrimitiveKind::Polygon << ShapeFill::Outline
+                                 << Antialiasing::None;
+        QTest::newRow("polygon") << PrimitiveKind::Polygon << ShapeFill::EvenOdd
+                                 << Antialiasing::None;
+    }
+    void whatStaysInTheFramesPixelsIsNotClipped()
+    {
+        QFETCH(PrimitiveKind, kind);
+        QFETCH(ShapeFill, fill);
+        QFETCH(Antialiasing, antialiasing);
+        Primitives primitives;
+        Shape shape;
+        shape.kind = kind;
+        shape.fill = fill;
+        shape.vertices = {{{unitsPerPixel, -unitsPerPixel / 4}, {}}, {latticePixel(1, 2), {}}};
+        if (kind == PrimitiveKind::Polygon)
+            shape.vertices.push_back({latticePixel(3, 3), {}});
+        primitives.shapes = {shape};
+        primitives.appearance.antialiasing = antialiasing;
+        QCOMPARE(verdictsOf(primitives)[Effect::Clipping].reason,
+                 QStringLiteral("what is drawn lies within the frame"));
+        primitives.shapes[0].vertices[0].position.y = -3 * unitsPerPixel;
+        QCOMPARE(verdictsOf(primitives)[Effect::Clipping].verdict,
+                 fill == ShapeFill::EvenOdd ? Verdict::NotRuledOut : Verdict::CalledFor);
+    }
 };
 
 PIXELPLUMB_TEST(TestClippingQuestion)

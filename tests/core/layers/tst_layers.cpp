@@ -412,7 +412,7 @@ private slots:
         const LayerDrawing drawing = look.drawing("weights");
 
         QVERIFY(drawing.cells.empty());
-        QVERIFY(drawing.notes.front().contains("cells of 24 pixels"));
+        QVERIFY(drawing.notes.front().contains("a cell needs 24 pixels"));
     }
 
     void aNameOfTwoLayersStandsThereOnce()
