@@ -3,6 +3,7 @@
 
 #include "app/cli/input.h"
 
+#include <QBuffer>
 #include <QFileInfo>
 #include <QImageWriter>
 
@@ -63,9 +64,13 @@ std::optional<InputError> writePicture(const QImage &picture, Output &output, co
 {
     if (auto error = output.open())
         return error;
-    QImageWriter writer(&output.device(), format.toLatin1());
+    // libpng, if it wrote to the file, would say for itself that it cannot.
+    QBuffer encoded;
+    QImageWriter writer(&encoded, format.toLatin1());
     if (!writer.write(picture))
         return output.error(writer.errorString());
+    if (output.device().write(encoded.data()) != encoded.size())
+        return output.error();
     return output.finish();
 }
 

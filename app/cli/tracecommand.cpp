@@ -8,6 +8,7 @@
 #include "app/cli/sceneoptions.h"
 #include "app/cli/suggestion.h"
 #include "core/export/traceexport.h"
+#include "core/space/vertexlight.h"
 
 #include <unistd.h>
 
@@ -141,10 +142,11 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const Nam
     });
     if (const auto error = written ? output.finish() : std::optional(output.error()))
         return line.refuse(*error);
-    if (request.level == TraceLevel::Stage && !scene->hasSolids())
+    if (request.level == TraceLevel::Stage && !scene->hasSolids()
+        && !lightsVertices(scene->appearance))
         sayLine(
             QStringLiteral("%1: no stages: there is no solid in it that comes from space to the "
-                           "frame")
+                           "frame, and no light at vertices")
                 .arg(path));
     if (traced->trace->isCut()) {
         sayLine(QStringLiteral("The trace is incomplete: recording ended at its limit after %1 "

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/projectionstages.h"
 
+#include "core/effects/triangleneeds.h"
 #include "core/runs/formulanames.h"
 #include "core/runs/tracedscene.h"
 #include "core/scene/sceneprojection.h"
+#include "core/space/vertexlight.h"
 
 #include <cmath>
 #include <map>
@@ -78,6 +80,13 @@ public:
             m_vertices.insert(faceVertexName(clipped.inside));
             m_vertices.insert(faceVertexName(clipped.outside));
         }
+    }
+
+    /// Of a plain triangle, whose stages are its light alone.
+    explicit StageReader(const FaceStages &stages)
+        : m_stages(stages)
+        , m_vertices{faceVertexName(0), faceVertexName(1), faceVertexName(2)}
+    {
     }
 
     std::vector<StageFormulas> formulas()
@@ -169,6 +178,26 @@ private:
     std::vector<StageFormulas> m_formulas;
 };
 
+/// How a triangle of the scene was lit before scan conversion; empty where it was not.
+std::vector<StageFormulas> lightFormulas(const TracedScene &traced, std::size_t primitive)
+{
+    const Primitives &primitives = traced.primitives;
+    const std::optional<std::size_t> index = traced.indexInScene(primitive);
+    if (!primitives.isTriangle(primitive) || !index || !lightsVertices(primitives.appearance))
+        return {};
+    const TriangleAttributes *attributes = primitives.attributesOf(primitive);
+    if (!attributes || !hasNormals(*attributes))
+        return {};
+    Triangle given = traced.scene.triangles[*index];
+    const Material &material = materialOf(primitives.appearance, attributes->material);
+    if (material.diffuse != Material().diffuse) {
+        for (Vertex &vertex : given.vertices)
+            vertex.colour = tinted(vertex.colour, material.diffuse);
+    }
+    const FaceStages stages{lightStagesOf(given, *attributes, primitives.appearance), {}, {}};
+    return StageReader(stages).formulas();
+}
+
 } // namespace
 
 std::vector<StageFormulas> stageFormulas(const TracedScene &traced, std::size_t primitive)
@@ -176,7 +205,7 @@ std::vector<StageFormulas> stageFormulas(const TracedScene &traced, std::size_t 
     const Primitives &primitives = traced.primitives;
     const TriangleSource *source = primitives.sourceOf(primitive);
     if (!source)
-        return {};
+        return lightFormulas(traced, primitive);
     const FaceStages stages = stagesOf(traced.scene, *source, primitives.wExponent);
     return StageReader(stages, source->piece).formulas();
 }

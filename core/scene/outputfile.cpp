@@ -8,7 +8,7 @@
 #include <QSaveFile>
 
 #include <fcntl.h>
-#include <sys/statvfs.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
@@ -90,14 +90,15 @@ InputError OutputFile::error(const QString &otherwise) const
 
 InputError writingError(const QString &place, const QFileDevice &device, const QString &otherwise)
 {
-    const bool isSaid = device.error() != QFileDevice::NoError || otherwise.isEmpty();
-    // Of a disk that takes a part of what is written Qt knows no error.
-    struct statvfs disk = {};
-    if (isSaid && device.handle() >= 0 && fstatvfs(device.handle(), &disk) == 0 && disk.f_blocks > 0
-        && disk.f_bavail == 0)
-        return {place, QStringLiteral("cannot be written: ") + qt_error_string(ENOSPC), {}};
+    if (device.error() != QFileDevice::NoError)
+        return {place, QStringLiteral("cannot be written: ") + device.errorString(), {}};
+    QString why = otherwise;
+    // Of a disk that takes a part of what is written Qt knows no error: the next byte meets it.
+    if (why.isEmpty() && device.handle() >= 0 && ::write(device.handle(), "", 1) < 0)
+        why = qt_error_string(errno);
     return {place,
-            QStringLiteral("cannot be written: ") + (isSaid ? device.errorString() : otherwise),
+            QStringLiteral("cannot be written")
+                + (why.isEmpty() ? why : QStringLiteral(": ") + why),
             {}};
 }
 

@@ -16,13 +16,6 @@ struct SpaceScene {
     const FrameSpec &frame;
 };
 
-/// A colour, the material's multiplied in, and where light falls on it.
-template <class Number>
-struct LitColour {
-    Colour colour;
-    LitPoint<Number> point;
-};
-
 /// One face on its way from space to the frame, in one kind of number: its vertices, and the
 /// corners of the polygon that clipping makes of it. Lists match by index within each.
 template <class Number>

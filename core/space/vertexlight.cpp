@@ -5,6 +5,8 @@
 #include "core/space/attributenumber.h"
 #include "core/space/exactreal.h"
 
+#include <algorithm>
+
 namespace pixelplumb {
 
 namespace {
@@ -24,17 +26,6 @@ SpaceVector<Number> towardsLight(const Light &light, const SpaceVector<Number> &
     const auto at = spaceVectorOf<Number>(light.at);
     return towards(light.kind,
                    light.kind == Light::Kind::Directional ? SpaceVector<Number>() - at : at, point);
-}
-
-std::array<LitPoint<double>, 3> litPoints(const TriangleAttributes &attributes)
-{
-    std::array<LitPoint<double>, 3> points;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const VertexAttributes &vertex = attributes.vertices[i];
-        points[i]
-            = {spaceVectorOf<double>(vertex.place), unit(spaceVectorOf<double>(vertex.normal))};
-    }
-    return points;
 }
 
 Colour bytesOf(const std::array<double, 3> &levels)
@@ -57,25 +48,40 @@ Colour meanColour(const Triangle &triangle)
 void light(Triangle &triangle, const TriangleAttributes &attributes, const Appearance &appearance)
 {
     const Material &material = materialOf(appearance, attributes.material);
-    const auto points = litPoints(attributes);
-    if (appearance.shading == Shading::Gouraud) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            Colour &colour = triangle.vertices[i].colour;
-            colour = bytesOf(litLevels(appearance, material, colour, points[i]));
-        }
-        return;
+    const auto lit = litColoursOf<double>(triangle, attributes, appearance.shading);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const LitColour<double> &from = lit[std::min(i, lit.size() - 1)];
+        triangle.vertices[i].colour
+            = bytesOf(litLevels(appearance, material, from.colour, from.point));
     }
-    LitPoint<double> centre;
-    for (const LitPoint<double> &point : points) {
-        centre.place = centre.place + 1.0 / 3 * point.place;
-        centre.normal = centre.normal + point.normal;
-    }
-    const Colour colour = bytesOf(litLevels(appearance, material, meanColour(triangle), centre));
-    for (Vertex &vertex : triangle.vertices)
-        vertex.colour = colour;
 }
 
 } // namespace
+
+template <class Number>
+std::vector<LitColour<Number>> litColoursOf(const Triangle &triangle,
+                                            const TriangleAttributes &attributes, Shading shading)
+{
+    std::vector<LitColour<Number>> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const VertexAttributes &vertex = attributes.vertices[i];
+        corners.push_back(
+            {triangle.vertices[i].colour,
+             {spaceVectorOf<Number>(vertex.place), unit(spaceVectorOf<Number>(vertex.normal))}});
+    }
+    if (shading == Shading::Gouraud)
+        return corners;
+    LitColour<Number> centre{meanColour(triangle), {}};
+    for (const LitColour<Number> &corner : corners) {
+        centre.point.place = centre.point.place + Number(1) / 3 * corner.point.place;
+        centre.point.normal = centre.point.normal + corner.point.normal;
+    }
+    return {centre};
+}
+template std::vector<LitColour<double>> litColoursOf(const Triangle &, const TriangleAttributes &,
+                                                     Shading);
+template std::vector<LitColour<ExactReal>> litColoursOf(const Triangle &,
+                                                        const TriangleAttributes &, Shading);
 
 template <class Number>
 LightVectors<Number> lightVectors(const Appearance &appearance, const Light &light,

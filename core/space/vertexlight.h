@@ -6,6 +6,8 @@
 #include "core/space/materialcolour.h"
 #include "core/space/spacevector.h"
 
+#include <vector>
+
 /// What flat and Gouraud shading compute before scan conversion: the material's diffuse colour, and
 /// the light at a face's centre or at its vertices. At samples, shading by Phong, light is the
 /// kernels'.
@@ -17,6 +19,19 @@ struct LitPoint {
     SpaceVector<Number> place;
     SpaceVector<Number> normal; ///< of any length; 0: no light but the ambient one
 };
+
+/// A colour, the material's multiplied in, and where light falls on it.
+template <class Number>
+struct LitColour {
+    Colour colour;
+    LitPoint<Number> point;
+};
+
+/// Where light falls on a plain triangle whose corners have their places: on each of them, or in
+/// flat shading on the mean of all.
+template <class Number>
+std::vector<LitColour<Number>> litColoursOf(const Triangle &triangle,
+                                            const TriangleAttributes &attributes, Shading shading);
 
 /// The vectors of length 1 by which a light counts at a point; 0 where there is none.
 template <class Number>
@@ -60,7 +75,7 @@ std::uint8_t levelByte(const Number &level)
 }
 
 /// Whether light is computed in set-up, of what has normals: flat and Gouraud shading, where a
-/// light is on and not switched off. One that is forced on without lights is the ambient one.
+/// light is on and not switched off.
 bool lightsVertices(const Appearance &appearance);
 
 /// Of plain triangles, in the scene's coordinates: multiplies their material's diffuse colour into

@@ -4768,11 +4768,11 @@
     </message>
     <message>
         <source>the centre inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte innerhalb</translation>
     </message>
     <message>
         <source>the centre outside</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte außerhalb</translation>
     </message>
 </context>
 <context>

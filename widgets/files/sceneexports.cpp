@@ -14,6 +14,7 @@
 #include "widgets/model/playhead.h"
 
 #include <QApplication>
+#include <QBuffer>
 #include <QClipboard>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -69,9 +70,11 @@ bool SceneExports::writePicture(const QString &path, ExportMoment moment)
     const QString frame = frameText(*m_document);
     if (!frame.isEmpty())
         picture.setText(QStringLiteral("Description"), frame);
+    QBuffer encoded; // libpng, if it wrote to the file, would say for itself that it cannot
+    picture.save(&encoded, "PNG");
     OutputFile file(path);
     std::optional<InputError> error = file.open();
-    if (!error && !picture.save(&file.device(), "PNG"))
+    if (!error && file.device().write(encoded.data()) != encoded.size())
         error = file.error();
     if (!error)
         error = file.finish();

@@ -394,13 +394,16 @@ private slots:
         const QString path = m_folder.filePath(QStringLiteral("full.") + ending);
         QVERIFY(QFile::link(QStringLiteral("/dev/full"), path));
 
-        const ProgramRun result = run({"render", defaultScene(), "-o", path});
+        for (const char *scale : {"1", "30"}) { // more than a buffer holds, too
+            const ProgramRun result = run(
+                {"render", defaultScene(), "--scale", QString::fromLatin1(scale), "-o", path});
 
-        QCOMPARE(result.exitCode, 2);
-        QCOMPARE(QString::fromUtf8(result.messages),
-                 QStringLiteral("pixelplumb-cli render: %1: cannot be written: No space left on "
-                                "device\n")
-                     .arg(path));
+            QCOMPARE(result.exitCode, 2);
+            QCOMPARE(QString::fromUtf8(result.messages),
+                     QStringLiteral("pixelplumb-cli render: %1: cannot be written: No space left "
+                                    "on device\n")
+                         .arg(path));
+        }
     }
 
 private:

@@ -176,7 +176,8 @@ private slots:
 
         QCOMPARE(process.exitCode(), 2);
         const QByteArray messages = process.readAllStandardError();
-        QVERIFY2(messages.contains("cannot be written: No space left on device"), messages.constData());
+        QVERIFY2(messages.contains("cannot be written: No space left on device"),
+                 messages.constData());
         QCOMPARE(messages.count('\n'), qsizetype(1));
     }
 

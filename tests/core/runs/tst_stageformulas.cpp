@@ -135,6 +135,52 @@ private slots:
             QVERIFY2(formulas.contains(QString::fromUtf8(formula)), formula);
     }
 
+    /// Red, under an ambient light of 32 and one of 128 that meets V₀ in its normal and V₁ at 45°:
+    /// 255·(32 + 128)/255 and 255·(32 + 128/√2)/255 = 122.5 …, which is 123.
+    void aPlainTriangleTellsHowItIsLit_data()
+    {
+        QTest::addColumn<QByteArray>("shading");
+        QTest::addColumn<QStringList>("points");
+        QTest::addColumn<QList<double>>("bytes");
+        QTest::newRow("gouraud") << QByteArray("gouraud")
+                                 << QStringList{QStringLiteral("V₀"), QStringLiteral("V₁")}
+                                 << QList<double>{160, 123};
+        // The normals' mean: (1/√2, 0, −2 − 1/√2), N·L = 2.7071…/√(½ + 2.7071²) = 0.9675…
+        QTest::newRow("flat") << QByteArray("flat") << QStringList{QStringLiteral("centre")}
+                              << QList<double>{156};
+    }
+    void aPlainTriangleTellsHowItIsLit()
+    {
+        QFETCH(QByteArray, shading);
+        QFETCH(QStringList, points);
+        QFETCH(QList<double>, bytes);
+        QByteArray text = "{ 'pixelplumb': 1, 'frame': { 'width': 16, 'height': 12 }, "
+                          "'shading': '%1', 'lights': [ { 'direction': [0, 0, 1], "
+                          "'color': '#808080' } ], "
+                          "'primitives': [ { 'triangle': [[1, 1], [9, 1], [1, 9]], "
+                          "'colors': ['#ff0000', '#ff0000', '#ff0000'], "
+                          "'normals': [[0, 0, -1], [1, 0, -1], [0, 0, -1]] } ] }";
+        const auto scene = readScene(text.replace('\'', '"').replace("%1", shading));
+        QVERIFY2(scene.isOk(), scene ? "" : qPrintable(scene.error().message()));
+        const auto traced = traceScene(scene->scene);
+        const std::vector<StageFormulas> stages = explainStep(*traced, 0).stages;
+        for (qsizetype i = 0; i < points.size(); ++i) {
+            bool isFound = false;
+            for (const StageFormulas &stage : stages) {
+                for (const FormulaLine &line : stage.lines) {
+                    if (stage.point != points[i] || !line.symbols.startsWith(u"s_R"))
+                        continue;
+                    QCOMPARE(line.symbols, QStringLiteral("s_R = min(255, ⌊I_R + ½⌋)"));
+                    QCOMPARE(line.used.toDouble(), bytes[i]);
+                    QCOMPARE(traced->primitives.triangles[0].vertices[std::size_t(i)].colour.red(),
+                             std::uint8_t(bytes[i]));
+                    isFound = true;
+                }
+            }
+            QVERIFY2(isFound, qPrintable(points[i]));
+        }
+    }
+
     void aNameThatIsNoNumberIsNoticed()
     {
         QVERIFY(FormulaRange::of(QStringLiteral("(9 1/2) + 3·2²"), Arithmetic::Exact));
