@@ -134,9 +134,8 @@ BorderCrossing crossingOfSamples(const Triangle &triangle, const SampledFrame &w
 
 /// Whether an antialiased line or curve has a sample of the frame, or where areas are covered a
 /// part of one of its pixels.
-bool isStrokeDrawn(const Shape &shape, const SampledFrame &where)
+bool isDrawn(const StrokeStrip &strip, const SampledFrame &where)
 {
-    const StrokeStrip strip = strokeStripOf(shape, where.frame);
     const std::vector<StrokePixel> pixels = strokePixels(strip.quads, where.frame);
     const std::span<const LatticePoint> pattern = samplePattern(where.antialiasing);
     for (auto pixel = pixels.begin(); pixel != pixels.end();) {
@@ -153,9 +152,8 @@ bool isStrokeDrawn(const Shape &shape, const SampledFrame &where)
 }
 
 /// The pixels of an antialiased line, which ends where its segment ends.
-SampleBox boxOfLine(const Shape &line, const FrameView &frame)
+SampleBox boxOfLine(const StrokeStrip &strip)
 {
-    const StrokeStrip strip = strokeStripOf(line, frame);
     if (strip.quads.empty())
         return {};
     const auto byX = std::ranges::minmax(strip.quads.front(), {}, &StrokePoint::x);
@@ -197,8 +195,7 @@ SampleBox boxAround(const Shape &shape, Antialiasing antialiasing)
         take(left - height, low - height);
         take(right + length, high + height);
     }
-    if (shape.kind == PrimitiveKind::Text
-        || (antialiasing != Antialiasing::None && isStroke(shape)))
+    if (shape.kind == PrimitiveKind::Text || antialiasing != Antialiasing::None)
         return {floorPixel(left), ceilPixel(right) + 1, floorPixel(low), ceilPixel(high) + 1};
     const Lattice beside = isRound ? 2 * halfPixel : halfPixel;
     return {ceilPixel(left - beside), floorPixel(right + beside) + 1, ceilPixel(low - beside),
@@ -207,27 +204,25 @@ SampleBox boxAround(const Shape &shape, Antialiasing antialiasing)
 
 /// Whether a line, points or an outline has a vertex whose pixel is the frame's, and one whose is
 /// none, however halves are rounded. A stroke ends beyond where it goes on for a pixel.
-bool crossesByVertices(const Shape &shape, const SampledFrame &where)
+bool crossesByVertices(const Shape &shape, const FrameView &frame, Antialiasing antialiasing)
 {
     const bool isOutlined = shape.kind == PrimitiveKind::Line || shape.kind == PrimitiveKind::Point
         || (shape.kind == PrimitiveKind::Polygon && shape.fill == ShapeFill::Outline);
-    const bool isAntialiased = where.antialiasing != Antialiasing::None && isStroke(shape);
-    const Lattice beside = isAntialiased ? 2 * halfPixel : halfPixel;
-    const auto isAnyIn = [&](const Vertex &vertex, Lattice around) {
+    const auto crossing = [&frame](const Vertex &vertex, Lattice around) {
         const LatticePoint &at = vertex.position;
-        return !intersection(SampleBox{ceilPixel(at.x - around), floorPixel(at.x + around) + 1,
-                                       ceilPixel(at.y - around), floorPixel(at.y + around) + 1},
-                             samplesOf(where.frame))
-                    .isEmpty();
+        return crossingOfBox({ceilPixel(at.x - around), floorPixel(at.x + around) + 1,
+                              ceilPixel(at.y - around), floorPixel(at.y + around) + 1},
+                             frame);
     };
     const auto isIn = [&](const Vertex &vertex) {
-        const LatticePoint &at = vertex.position;
-        return where.frame.contains(ceilPixel(at.x - halfPixel), ceilPixel(at.y - halfPixel))
-            && where.frame.contains(floorPixel(at.x + halfPixel), floorPixel(at.y + halfPixel));
+        return crossing(vertex, halfPixel) == BorderCrossing::Within;
+    };
+    const auto isBeyond = [&](const Vertex &vertex) {
+        return crossing(vertex, antialiasing == Antialiasing::None ? halfPixel : 2 * halfPixel)
+            == BorderCrossing::Outside;
     };
     return isOutlined && std::ranges::any_of(shape.vertices, isIn)
-        && !std::ranges::all_of(shape.vertices,
-                                [&](const Vertex &vertex) { return isAnyIn(vertex, beside); });
+        && std::ranges::any_of(shape.vertices, isBeyond);
 }
 
 /// Whether a line passes all pixels of the frame by: on the sample columns (rows where it is steep)
@@ -272,19 +267,22 @@ BorderCrossing borderCrossingOf(const Shape &shape, const SampledFrame &where)
     if (shape.vertices.empty())
         return BorderCrossing::Outside;
     const FrameView &frame = where.frame;
+    const bool isLine = shape.kind == PrimitiveKind::Line;
     const bool isAntialiased = where.antialiasing != Antialiasing::None && isStroke(shape);
-    const BorderCrossing crossing = crossingOfBox(isAntialiased && shape.kind == PrimitiveKind::Line
-                                                      ? boxOfLine(shape, frame)
-                                                      : boxAround(shape, where.antialiasing),
-                                                  frame);
+    const Antialiasing antialiasing = isAntialiased ? where.antialiasing : Antialiasing::None;
+    const BorderCrossing crossing
+        = crossingOfBox(isAntialiased && isLine ? boxOfLine(strokeStripOf(shape, frame))
+                                                : boxAround(shape, antialiasing),
+                        frame);
     if (crossing != BorderCrossing::MayCross || shape.kind == PrimitiveKind::Text)
         return crossing;
-    if (shape.kind == PrimitiveKind::Line && shape.vertices.size() == 2
-        && where.antialiasing == Antialiasing::None && passesBy(shape, frame))
+    if (isLine && shape.vertices.size() == 2 && where.antialiasing == Antialiasing::None
+        && passesBy(shape, frame))
         return BorderCrossing::Outside;
-    if (isAntialiased && !isStrokeDrawn(shape, where))
+    if (isAntialiased && !isDrawn(strokeStripOf(shape, frame), where))
         return BorderCrossing::Outside;
-    return crossesByVertices(shape, where) ? BorderCrossing::Crosses : BorderCrossing::MayCross;
+    return crossesByVertices(shape, frame, antialiasing) ? BorderCrossing::Crosses
+                                                         : BorderCrossing::MayCross;
 }
 
 } // namespace pixelplumb

@@ -72,10 +72,10 @@ bool isOfShard(const QByteArray &name, const GradeShard &shard)
 }
 
 /// What a grade depends on beside the submission.
-QByteArray circumstances(const Grader &grader, const QString &version)
+QByteArray circumstances(const Grader &grader, const QByteArray &assignment, const QString &version)
 {
     QCryptographicHash hash(QCryptographicHash::Sha256);
-    hash.addData(version.toUtf8() + '\n' + writeAssignment(grader.assignment()));
+    hash.addData(version.toUtf8() + '\n' + assignment);
     // What a scene refers to, such as a texture, may have changed.
     for (std::size_t i = 0; i < grader.assignment().scenes.size(); ++i)
         hash.addData(pngOf(grader.expected(i)));
@@ -105,7 +105,7 @@ public:
         , m_grader(assignment)
         , m_results(order.results)
         , m_assignment(writeAssignment(assignment))
-        , m_circumstances(circumstances(m_grader, order.version))
+        , m_circumstances(circumstances(m_grader, m_assignment, order.version))
         , m_names(std::move(names))
         , m_listener(listener)
     {

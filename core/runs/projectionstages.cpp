@@ -5,7 +5,7 @@
 #include "core/runs/formulanames.h"
 #include "core/runs/tracedscene.h"
 #include "core/scene/sceneprojection.h"
-#include "core/space/vertexlight.h"
+#include "core/space/stagelight.h"
 
 #include <cmath>
 #include <map>
@@ -189,11 +189,7 @@ std::vector<StageFormulas> lightFormulas(const TracedScene &traced, std::size_t 
     if (!attributes || !hasNormals(*attributes))
         return {};
     Triangle given = traced.scene.triangles[*index];
-    const Material &material = materialOf(primitives.appearance, attributes->material);
-    if (material.diffuse != Material().diffuse) {
-        for (Vertex &vertex : given.vertices)
-            vertex.colour = tinted(vertex.colour, material.diffuse);
-    }
+    tint(given, materialOf(primitives.appearance, attributes->material));
     const FaceStages stages{lightStagesOf(given, *attributes, primitives.appearance), {}, {}};
     return StageReader(stages).formulas();
 }

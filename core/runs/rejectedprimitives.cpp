@@ -2,6 +2,7 @@
 #include "core/runs/rejectedprimitives.h"
 
 #include "core/effects/framereach.h"
+#include "core/effects/framesquare.h"
 #include "core/effects/requirements.h"
 #include "core/frame/framebuffer.h"
 #include "core/methods/rejectiontext.h"
@@ -11,7 +12,6 @@
 #include "core/runs/contender.h"
 
 #include <algorithm>
-#include <array>
 
 namespace pixelplumb {
 
@@ -70,32 +70,15 @@ std::vector<ContourEdge> edgesOf(const Primitives &primitives, std::size_t index
     }
 }
 
-/// Whether a part of the edge lies within the squares of the frame's pixels.
-bool entersFrame(const ContourEdge &edge, const FrameView &frame)
-{
-    const LatticePoint low = {frame.firstColumn * unitsPerPixel - halfPixel,
-                              frame.firstRow * unitsPerPixel - halfPixel};
-    const LatticePoint high = {frame.endColumn() * unitsPerPixel - halfPixel,
-                               frame.endRow() * unitsPerPixel - halfPixel};
-    const auto [left, right] = std::minmax(edge.from.x, edge.to.x);
-    const auto [bottom, top] = std::minmax(edge.from.y, edge.to.y);
-    if (right <= low.x || left >= high.x || top <= low.y || bottom >= high.y)
-        return false;
-    if (edge.from == edge.to)
-        return true;
-    // Corners on both sides.
-    const std::array<LatticePoint, 4> corners = {{low, {high.x, low.y}, high, {low.x, high.y}}};
-    const auto side
-        = [&](const LatticePoint &corner) { return doubledArea(edge.from, edge.to, corner); };
-    return std::ranges::any_of(corners, [&](const auto &corner) { return side(corner) > 0; })
-        && std::ranges::any_of(corners, [&](const auto &corner) { return side(corner) < 0; });
-}
-
 /// Where a primitive lies of which no sample is drawn.
 PrimitiveRejection missOf(const Primitives &primitives, std::size_t index, const FrameView &frame)
 {
-    const std::vector<ContourEdge> edges = edgesOf(primitives, index);
-    return std::ranges::any_of(edges, [&](const auto &edge) { return entersFrame(edge, frame); })
+    const FrameSquare square(frame, unitsPerPixel);
+    const auto enters = [&square](const ContourEdge &edge) {
+        return edge.from == edge.to ? square.holds(edge.from)
+                                    : square.isEnteredBy(edge.from, edge.to);
+    };
+    return std::ranges::any_of(edgesOf(primitives, index), enters)
         ? PrimitiveRejection::BetweenSamples
         : PrimitiveRejection::OutsideFrame;
 }

@@ -43,13 +43,6 @@ struct FaceStages {
     std::vector<SnappedCorner> corners; ///< of the clipped polygon, as kernels get them
 };
 
-/// The light that a plain triangle with normals has before scan conversion, computed again by the
-/// code that lights it: its corners, and how light falls on them, or in flat shading on their mean.
-/// `given`: with the material's diffuse colour, not yet lit.
-std::vector<ProjectionStage> lightStagesOf(const Triangle &given,
-                                           const TriangleAttributes &attributes,
-                                           const Appearance &appearance);
-
 /// source: a face of the scene; its piece does not matter.
 FaceStages stagesOf(const SpaceScene &scene, const TriangleSource &source, int wExponent);
 

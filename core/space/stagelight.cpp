@@ -69,8 +69,6 @@ QString sumOverLights(std::size_t count, QChar channel, const QString &term)
     return products.join(QStringLiteral(" + "));
 }
 
-} // namespace
-
 void writeLights(StagePoint &point, const Appearance &appearance, const Material &material)
 {
     StageNumberWriter numbers(point.numbers);
@@ -144,6 +142,55 @@ void writeLightAt(StagePoint &point, const Appearance &appearance, const Materia
                     ExactReal(levelByte(exactLevels[channel])),
                     QStringLiteral("min(255, ⌊%1 + ½⌋)").arg(level));
     }
+}
+
+} // namespace
+
+ProjectionStage lightStageOf(const Appearance &appearance, const Material &material,
+                             const std::vector<LitColour<double>> &used,
+                             const std::vector<LitColour<ExactReal>> &exact)
+{
+    const bool isFlat = appearance.shading == Shading::Flat;
+    ProjectionStage stage{
+        isFlat ? QStringLiteral("Light at the face's centre")
+               : QStringLiteral("Light at the vertices"),
+        QStringLiteral("c·(ambient + Σ light·max(0, N·L))/255 + Σ light·specular/255·(N·H)ˢ"),
+        {}};
+    writeLights(stage.points.emplace_back(StagePoint{lightsPointName(), {}, {}}), appearance,
+                material);
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        StagePoint &point = stage.points.emplace_back(
+            StagePoint{isFlat ? QStringLiteral("centre") : faceVertexName(i), {}, {}});
+        if (isFlat) { // a vertex's stand in the stage before
+            StageNumberWriter numbers(point.numbers);
+            numbers.add(QString(), used[i].point.place, &exact[i].point.place);
+            numbers.add(QStringLiteral("_N"), used[i].point.normal, &exact[i].point.normal);
+        }
+        writeLightAt(point, appearance, material, used[i], exact[i]);
+    }
+    return stage;
+}
+
+std::vector<ProjectionStage> lightStagesOf(const Triangle &given,
+                                           const TriangleAttributes &attributes,
+                                           const Appearance &appearance)
+{
+    ProjectionStage corners{QStringLiteral("Vertex"),
+                            QStringLiteral("The triangle's vertices, in px, and their normals"),
+                            {}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        StagePoint &point = corners.points.emplace_back(StagePoint{faceVertexName(i), {}, {}});
+        StageNumberWriter numbers(point.numbers);
+        const VertexAttributes &vertex = attributes.vertices[i];
+        const auto place = spaceVectorOf<ExactReal>(vertex.place);
+        const auto normal = spaceVectorOf<ExactReal>(vertex.normal);
+        numbers.add(QString(), spaceVectorOf<double>(vertex.place), &place);
+        numbers.add(QStringLiteral("_N"), spaceVectorOf<double>(vertex.normal), &normal);
+    }
+    return {corners,
+            lightStageOf(appearance, materialOf(appearance, attributes.material),
+                         litColoursOf<double>(given, attributes, appearance.shading),
+                         litColoursOf<ExactReal>(given, attributes, appearance.shading))};
 }
 
 } // namespace pixelplumb

@@ -7,12 +7,19 @@
 /// What the points of a face's light are described by, as used and without rounding.
 namespace pixelplumb {
 
-/// What all points share: the viewer, the lights, and what the material does with them.
-void writeLights(StagePoint &point, const Appearance &appearance, const Material &material);
+/// How light falls on a face's vertices or its centre: what all points share, the viewer, the
+/// lights and what the material does with them; then at each point n, L, V and H of length 1, the
+/// terms of each light, the levels and their bytes. `used` and `exact` are of the same points; in
+/// Gouraud shading their places and normals are told before.
+ProjectionStage lightStageOf(const Appearance &appearance, const Material &material,
+                             const std::vector<LitColour<double>> &used,
+                             const std::vector<LitColour<ExactReal>> &exact);
 
-/// The light at a vertex or at a face's centre: n, L, V and H of length 1, the terms of each light,
-/// the levels and their bytes. Its place and its normal are given before.
-void writeLightAt(StagePoint &point, const Appearance &appearance, const Material &material,
-                  const LitColour<double> &used, const LitColour<ExactReal> &exact);
+/// The light that a plain triangle with normals has before scan conversion, computed again by the
+/// code that lights it: its corners, and how light falls on them, or in flat shading on their mean.
+/// `given`: with the material's diffuse colour, not yet lit.
+std::vector<ProjectionStage> lightStagesOf(const Triangle &given,
+                                           const TriangleAttributes &attributes,
+                                           const Appearance &appearance);
 
 } // namespace pixelplumb

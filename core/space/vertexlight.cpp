@@ -153,6 +153,14 @@ template std::array<double, 3> litLevels(const Appearance &, const Material &, c
 template std::array<ExactReal, 3> litLevels(const Appearance &, const Material &, const Colour &,
                                             const LitPoint<ExactReal> &);
 
+void tint(Triangle &triangle, const Material &material)
+{
+    if (material.diffuse == Material().diffuse)
+        return;
+    for (Vertex &vertex : triangle.vertices)
+        vertex.colour = tinted(vertex.colour, material.diffuse);
+}
+
 bool lightsVertices(const Appearance &appearance)
 {
     return appearance.shading != Shading::Phong && !appearance.lights.empty()
@@ -165,10 +173,7 @@ void lightPlainTriangles(std::vector<Triangle> &triangles,
     for (TriangleAttributes &each : attributes) {
         Triangle &triangle = triangles[each.triangle];
         const Material &material = materialOf(appearance, each.material);
-        if (material.diffuse != Material().diffuse) {
-            for (Vertex &vertex : triangle.vertices)
-                vertex.colour = tinted(vertex.colour, material.diffuse);
-        }
+        tint(triangle, material);
         const bool hasNormals
             = std::ranges::any_of(each.vertices, [](const VertexAttributes &vertex) {
                   return vertex.normal != std::array<Attribute, 3>{};

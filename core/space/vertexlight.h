@@ -74,6 +74,9 @@ std::uint8_t levelByte(const Number &level)
     return std::uint8_t(rounded > 255 ? 255 : rounded);
 }
 
+/// Multiplies the material's diffuse colour into the vertices.
+void tint(Triangle &triangle, const Material &material);
+
 /// Whether light is computed in set-up, of what has normals: flat and Gouraud shading, where a
 /// light is on and not switched off.
 bool lightsVertices(const Appearance &appearance);

@@ -72,12 +72,7 @@ bool SceneExports::writePicture(const QString &path, ExportMoment moment)
         picture.setText(QStringLiteral("Description"), frame);
     QBuffer encoded; // libpng, if it wrote to the file, would say for itself that it cannot
     picture.save(&encoded, "PNG");
-    OutputFile file(path);
-    std::optional<InputError> error = file.open();
-    if (!error && file.device().write(encoded.data()) != encoded.size())
-        error = file.error();
-    if (!error)
-        error = file.finish();
+    const std::optional<InputError> error = writeFile(path, encoded.data());
     return tellOutcome(path, error ? error->message() : QString(), frame);
 }
 

@@ -154,8 +154,7 @@ QString PixelHistoryModel::edgeText(const PixelAttempt &attempt, std::size_t ind
     default:
         break;
     }
-    return tr("%1 px from the edge")
-        .arg(QString::number(edge.distance, 'g', 4).replace(u'-', u'−'));
+    return tr("%1 px from the edge").arg(withMinus(QString::number(edge.distance, 'g', 4)));
 }
 
 QString PixelHistoryModel::detailText(const PixelAttempt &attempt, std::size_t row,
