@@ -5,6 +5,7 @@
 #include "core/lab/operationtable.h"
 #include "core/lab/standardexamples.h"
 #include "core/scan/choicenames.h"
+#include "core/scene/appearancenames.h"
 
 #include <QJsonArray>
 
@@ -140,6 +141,29 @@ void printDescription(const Method &method)
         printLine(QStringLiteral("  remarks      %1").arg(method.remarks.join(separator)));
 }
 
+/// "4", "16", "area": under which a line is there.
+QStringList antialiasingsOf(const PseudocodeLine &line)
+{
+    QStringList names;
+    for (const Antialiasing antialiasing : line.antialiasing)
+        names.append(QString::fromLatin1(nameOf(antialiasing).data()));
+    return names;
+}
+
+/// "   [blending; antialiasing none, 4, 16]": where a line is there.
+QString conditionText(const PseudocodeLine &line)
+{
+    QStringList conditions;
+    if (line.effect)
+        conditions.append(QString::fromLatin1(nameOf(*line.effect).data()));
+    if (!line.antialiasing.empty())
+        conditions.append(QStringLiteral("antialiasing ")
+                          + antialiasingsOf(line).join(QStringLiteral(", ")));
+    return conditions.empty()
+        ? QString()
+        : QStringLiteral("   [%1]").arg(conditions.join(QStringLiteral("; ")));
+}
+
 QJsonArray jsonOf(const Pseudocode &code)
 {
     QJsonArray list;
@@ -149,23 +173,22 @@ QJsonArray jsonOf(const Pseudocode &code)
         if (line.effect)
             object.insert(QStringLiteral("effect"),
                           QString::fromLatin1(nameOf(*line.effect).data()));
+        if (!line.antialiasing.empty())
+            object.insert(QStringLiteral("antialiasing"),
+                          QJsonArray::fromStringList(antialiasingsOf(line)));
         list.append(object);
     }
     return list;
 }
 
-/// A line each, indented; behind those of an effect its name.
+/// A line each, indented, with what it is there for.
 void printPseudocode(const QString &title, const Pseudocode &code)
 {
     if (code.empty())
         return;
     printLine(QStringLiteral("  %1").arg(title));
-    for (const PseudocodeLine &line : code) {
-        const QString effect = line.effect
-            ? QStringLiteral("   [%1]").arg(QString::fromLatin1(nameOf(*line.effect).data()))
-            : QString();
-        printLine(QString(4 + 4 * line.depth, u' ') + line.text + effect);
-    }
+    for (const PseudocodeLine &line : code)
+        printLine(QString(4 + 4 * line.depth, u' ') + line.text + conditionText(line));
 }
 
 } // namespace

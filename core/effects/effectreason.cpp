@@ -173,7 +173,7 @@ QString lightReason(const NeedsTally &tally, const Appearance &appearance)
 /// Under the closed rule both triangles of a shared edge are painted over its samples, which shows
 /// where one of them lets the other through.
 QString paintedTwiceWords(const Primitives &primitives, const NeedsTally &tally,
-                          const FrameView &frame)
+                          const SampledFrame &where)
 {
     std::vector<const Triangle *> others;
     auto blended = tally.blended.begin(); // in drawing order
@@ -183,14 +183,15 @@ QString paintedTwiceWords(const Primitives &primitives, const NeedsTally &tally,
         else
             others.push_back(&triangle);
     }
-    const SharedSamples shared = sharedSamplesOf(tally.blended, others, frame);
+    const SharedSamples shared = sharedSamplesOf(tally.blended, others, where);
     if (shared.samples == 0)
         return {};
     return QStringLiteral("; the closed rule gives %1%2 on shared edges to both triangles, one of "
-                          "them (%3, %4)")
+                          "them %3(%4, %5)")
         .arg(shared.isExact ? QString() : QStringLiteral("at most "))
         .arg(shared.samples == 1 ? QStringLiteral("1 sample")
                                  : QStringLiteral("%1 samples").arg(shared.samples))
+        .arg(where.antialiasing == Antialiasing::None ? QString() : QStringLiteral("in pixel "))
         .arg(shared.first.x)
         .arg(shared.first.y);
 }
@@ -206,9 +207,10 @@ QString blendingReason(const Primitives &primitives, const NeedsTally &tally,
     const QString reason = QStringLiteral("%1 an alpha below 255, the lowest is %2")
                                .arg(has(blended, tally.drawnTriangles, triangleWord()))
                                .arg(tally.lowestAlpha);
+    const SampledFrame where{frame, settings.fillRule, primitives.appearance.antialiasing};
     const bool sharesEdges = settings.fillRule == FillRule::Closed
-        && primitives.appearance.antialiasing == Antialiasing::None && tally.drawnTriangles > 1;
-    return sharesEdges ? reason + paintedTwiceWords(primitives, tally, frame) : reason;
+        && where.antialiasing != Antialiasing::Area && tally.drawnTriangles > 1;
+    return sharesEdges ? reason + paintedTwiceWords(primitives, tally, where) : reason;
 }
 
 /// What there is of what antialiasing can draw.

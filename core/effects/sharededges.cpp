@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/sharededges.h"
 
+#include "core/effects/edgepixels.h"
+
 #include <algorithm>
+#include <array>
 #include <compare>
 #include <numeric>
 #include <optional>
@@ -13,6 +16,7 @@ namespace {
 
 struct SharedEdge {
     LatticePoint from, to; ///< in the order of points
+    Antialiasing antialiasing; ///< of the triangles that have it
 
     friend auto operator<=>(const SharedEdge &, const SharedEdge &) = default;
 };
@@ -22,6 +26,7 @@ struct SamplesOnEdge {
     SamplePlace first;
     SamplePlace step;
     std::int64_t count = 0;
+    std::int64_t place = 0; ///< the number of their place in a pixel
 };
 
 /// The inverse of an odd number modulo 2^64, by Newton's method: each turn doubles the right bits.
@@ -77,8 +82,37 @@ SamplesOnEdge samplesOn(const SharedEdge &edge, const FrameView &frame)
         {pixel.x + first * step.x, pixel.y + first * step.y}, {step.x, step.y}, last - first + 1};
 }
 
+/// Calls function(samples) for those of the edge in the frame: the centres of pixels, or where they
+/// have several samples one call for each place in a pixel.
+template <class Function>
+void forEachPlaceOn(const SharedEdge &edge, const FrameView &frame, const Function &function)
+{
+    std::int64_t place = 0;
+    const auto seenFrom = [&](const LatticePoint &sample) {
+        SamplesOnEdge samples = samplesOn({{edge.from.x - sample.x, edge.from.y - sample.y},
+                                           {edge.to.x - sample.x, edge.to.y - sample.y},
+                                           edge.antialiasing},
+                                          frame);
+        samples.place = place++;
+        if (samples.count > 0)
+            function(samples);
+    };
+    const std::span<const LatticePoint> pattern = samplePattern(edge.antialiasing);
+    if (pattern.empty())
+        seenFrom({});
+    std::ranges::for_each(pattern, seenFrom);
+}
+
+std::int64_t countOn(const SharedEdge &edge, const FrameView &frame)
+{
+    std::int64_t count = 0;
+    forEachPlaceOn(edge, frame, [&](const SamplesOnEdge &samples) { count += samples.count; });
+    return count;
+}
+
 /// The edges with samples, in order.
-std::vector<SharedEdge> edgesOf(std::span<const Triangle *const> triangles, const FrameView &frame)
+std::vector<SharedEdge> edgesOf(std::span<const Triangle *const> triangles,
+                                const SampledFrame &where)
 {
     std::vector<SharedEdge> edges;
     for (const Triangle *triangle : triangles) {
@@ -86,10 +120,10 @@ std::vector<SharedEdge> edgesOf(std::span<const Triangle *const> triangles, cons
         for (std::size_t i = 0; i < 3; ++i) {
             const LatticePoint &a = triangle->vertices[i].position;
             const LatticePoint &b = triangle->vertices[(i + 1) % 3].position;
-            const SharedEdge edge{std::min(a, b), std::max(a, b)};
+            const SharedEdge edge{std::min(a, b), std::max(a, b), where.antialiasingOf(*triangle)};
             // A segment that goes there and back has one edge twice.
             const bool isKnown = std::find(edges.begin() + first, edges.end(), edge) != edges.end();
-            if (!isKnown && samplesOn(edge, frame).count > 0)
+            if (!isKnown && countOn(edge, where.frame) > 0)
                 edges.push_back(edge);
         }
     }
@@ -112,14 +146,16 @@ std::vector<SharedEdge> sharedEdgesOf(const std::vector<SharedEdge> &ofBlended,
     return shared;
 }
 
+/// Samples of several edges count once. Those at other places in their pixels are others.
 std::int64_t countOnce(std::span<const SharedEdge> edges, const FrameView &frame)
 {
-    std::vector<std::pair<std::int64_t, std::int64_t>> places;
+    std::vector<std::array<std::int64_t, 3>> places;
     for (const SharedEdge &edge : edges) {
-        const SamplesOnEdge samples = samplesOn(edge, frame);
-        for (std::int64_t i = 0; i < samples.count; ++i)
-            places.emplace_back(samples.first.x + i * samples.step.x,
-                                samples.first.y + i * samples.step.y);
+        forEachPlaceOn(edge, frame, [&](const SamplesOnEdge &samples) {
+            for (std::int64_t i = 0; i < samples.count; ++i)
+                places.push_back({samples.first.x + i * samples.step.x,
+                                  samples.first.y + i * samples.step.y, samples.place});
+        });
     }
     std::ranges::sort(places);
     return std::unique(places.begin(), places.end()) - places.begin();
@@ -128,20 +164,23 @@ std::int64_t countOnce(std::span<const SharedEdge> edges, const FrameView &frame
 } // namespace
 
 SharedSamples sharedSamplesOf(std::span<const Triangle *const> blended,
-                              std::span<const Triangle *const> others, const FrameView &frame)
+                              std::span<const Triangle *const> others, const SampledFrame &where)
 {
     const std::vector<SharedEdge> edges
-        = sharedEdgesOf(edgesOf(blended, frame), edgesOf(others, frame));
+        = sharedEdgesOf(edgesOf(blended, where), edgesOf(others, where));
     SharedSamples shared;
     shared.edges = std::int64_t(edges.size());
-    if (!edges.empty())
-        shared.first = samplesOn(edges.front(), frame).first;
-    for (const SharedEdge &edge : edges)
-        shared.samples += samplesOn(edge, frame).count;
+    for (const SharedEdge &edge : edges) {
+        forEachPlaceOn(edge, where.frame, [&](const SamplesOnEdge &samples) {
+            if (shared.samples == 0)
+                shared.first = samples.first;
+            shared.samples += samples.count;
+        });
+    }
     constexpr std::int64_t mostCountedOnce = 100'000;
     shared.isExact = shared.samples <= mostCountedOnce;
     if (shared.isExact)
-        shared.samples = countOnce(edges, frame);
+        shared.samples = countOnce(edges, where.frame);
     return shared;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/effects/depthwitness.h"
-#include "core/frame/frameview.h"
+#include "core/effects/framereach.h"
 #include "core/geometry/triangle.h"
 
 #include <cstdint>
@@ -16,12 +16,12 @@ struct SharedSamples {
     std::int64_t samples = 0;
     bool isExact = true; ///< otherwise at most so many: ends of edges are counted more than once
     std::int64_t edges = 0; ///< shared ones that have such a sample
-    SamplePlace first; ///< one of them, where there are any
+    SamplePlace first; ///< the pixel of one of them, where there are any
 };
 
-/// Of edges that have both ends in common, and at least one of whose triangles is blended. Sample
-/// coordinates.
+/// Of edges that have both ends in common, and at least one of whose triangles is blended. `others`
+/// are not.
 SharedSamples sharedSamplesOf(std::span<const Triangle *const> blended,
-                              std::span<const Triangle *const> others, const FrameView &frame);
+                              std::span<const Triangle *const> others, const SampledFrame &where);
 
 } // namespace pixelplumb

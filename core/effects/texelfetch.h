@@ -83,6 +83,7 @@ struct TexelSample {
     std::array<Colour, 4> four = {}; ///< lower left, lower right, upper left, upper right
     std::array<typename N::Real, 2> fraction = {}; ///< from the first to its neighbours
     std::array<std::int32_t, 2> size = {}; ///< of the texture
+    TextureWrap wrap = TextureWrap::Repeat;
     Colour texel; ///< what they make
 };
 
@@ -169,6 +170,7 @@ TexelSample<N> fetchTexels(const Material &material, const typename N::Number &u
     const TexturePlace<N> placeV(v, denominator, texture.height, halves);
     TexelSample<N> sample;
     sample.size = {texture.width, texture.height};
+    sample.wrap = material.wrap;
     sample.first = {wrapped(placeU.whole, texture.width, material.wrap),
                     wrapped(placeV.whole, texture.height, material.wrap)};
     sample.texel = texture.texel(sample.first[0], sample.first[1]);

@@ -37,14 +37,17 @@ QString lineWords(const QString &id, Arithmetic arithmetic)
             "additions (Δx, Δy, 2Δy − 2Δx and p₀) and 2 comparisons (the signs of Δx and Δy); each "
             "step: 1 comparison (p with 0) and 1 addition (to p). They take no division, no "
             "rounding and no floating point; but where the frame cuts the line's start off, one "
-            "division finds the first pixel. Rounding the ends to whole pixels is not counted.");
+            "division finds the first pixel. Rounding the ends to whole pixels and comparing |Δx| "
+            "with |Δy| are not counted.");
     if (id == QLatin1String("line-bresenham-symmetric"))
         return QStringLiteral(
             "For the places of the pixels, the set-up: 1 division, which finds the first pixel "
             "from ends that need not be whole, with 15 multiplications, 10 additions and 2 "
             "comparisons; each step: 1 comparison (p with 0) and 1 addition (to p), as in the form "
             "with whole-pixel "
-            "ends. They take no rounding and no floating point.");
+            "ends. They take no rounding and no floating point. Sorting the ends and comparing "
+            "|Δx| "
+            "with |Δy| are not counted.");
     return {};
 }
 

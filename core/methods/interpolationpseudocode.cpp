@@ -106,6 +106,10 @@ Pseudocode interpolationPseudocode(InterpolationForm form)
 
 Pseudocode shadedPseudocode(InterpolationForm form)
 {
+    const std::vector<Antialiasing> one = {Antialiasing::None};
+    const std::vector<Antialiasing> several = {Antialiasing::Samples4, Antialiasing::Samples16};
+    const std::vector<Antialiasing> area = {Antialiasing::Area};
+
     Pseudocode code = columnLines(form);
     code.insert(code.begin() + 2,
                 {0,
@@ -113,27 +117,51 @@ Pseudocode shadedPseudocode(InterpolationForm form)
                                 "carried, too"),
                  {SetUp},
                  Effect::Perspective});
+    const std::vector<Moment> atSamples = {First, Next, Refused};
+    code.back().antialiasing = one;
+    const auto appendLoop
+        = [&](const QString &text, const std::vector<Antialiasing> &antialiasing) {
+              code.push_back({1, text, atSamples});
+              code.back().antialiasing = antialiasing;
+          };
+    appendLoop(QStringLiteral("for each sample from {a}_{lo} to {a}_{hi} that the fill rule takes, "
+                              "the centre of a pixel, or of one that an edge meets its 4 or 16:"),
+               several);
+    appendLoop(QStringLiteral("for each {across} in which the triangle covers a part of the "
+                              "pixel's square:"),
+               area);
     for (PseudocodeLine line : valueLines(form)) {
         // A sample behind what stands has its values, too.
         line.moments.push_back(Refused);
         code.push_back(line);
     }
-    const auto append = [&](const QString &text, Effect effect) {
+    const auto append = [&](const QString &text, std::optional<Effect> effect,
+                            const std::vector<Antialiasing> &antialiasing = {}) {
         code.push_back({2, text, {First, Next}, effect});
+        code.back().antialiasing = antialiasing;
     };
     code.push_back({2,
                     QStringLiteral("if z is greater than the depth that stands here: on to the "
-                                   "next row; else the depth ← z"),
-                    {First, Next, Refused},
-                    Effect::Depth});
+                                   "next sample; else the depth ← z"),
+                    atSamples, Effect::Depth});
     append(QStringLiteral("each value v ← (v/w)/(1/w)"), Effect::Perspective);
-    code.push_back({2, QStringLiteral("colour ← the bytes of R, G, B"), {First, Next}});
+    append(QStringLiteral("colour ← the bytes of R, G, B"), {});
     append(QStringLiteral("colour ← ⌊colour·t/255 + ½⌋ with the texel t at (u, v)"),
            Effect::Texture);
     append(QStringLiteral("colour ← ambient and, of each light, the diffuse and specular term"),
            Effect::Light);
-    append(QStringLiteral("colour ← ⌊(colour·α + pixel·(255 − α))/255 + ½⌋"), Effect::Blending);
-    code.push_back({2, QStringLiteral("pixel (x, y) ← colour"), {First, Next}});
+    const auto blended = QStringLiteral("colour ← ⌊(colour·a + pixel·(255 − a))/255 + ½⌋");
+    std::vector<Antialiasing> bySamples = one;
+    bySamples.insert(bySamples.end(), several.begin(), several.end());
+    append(blended + QStringLiteral(" — a is the byte of A"), Effect::Blending, bySamples);
+    append(
+        QStringLiteral("a ← ⌊a·area + ½⌋ — area is the covered part of the pixel's square, a was "
+                       "the byte of A, 255 where nothing is blended"),
+        {}, area);
+    append(blended, {}, area);
+    append(QStringLiteral("pixel (x, y) ← colour"), {}, {Antialiasing::None, Antialiasing::Area});
+    append(QStringLiteral("sample ← colour; pixel (x, y) ← the mean of its samples, ⌊Σ/n + ½⌋"), {},
+           several);
     return inLettersOf(form, std::move(code));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/appearance.h"
 #include "core/geometry/effect.h"
 #include "core/methods/edgewalkform.h"
 #include "core/scan/edgetestform.h"
@@ -35,6 +36,7 @@ struct PseudocodeLine {
     std::vector<VariedLine> varied = {}; ///< the last one whose variants the run has, holds
     std::vector<RuledLine> ruled
         = {}; ///< that of the rule in force, holds; text is the closed one's
+    std::vector<Antialiasing> antialiasing = {}; ///< it is there under these; empty: under each
 };
 using Pseudocode = std::vector<PseudocodeLine>;
 

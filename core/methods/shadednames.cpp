@@ -23,6 +23,18 @@ QString linearName(Channel channel, const EffectSet &effects)
         : name;
 }
 
+QString alongRowsText()
+{
+    return QStringLiteral("((%₁ − %₀)·(y₂ − y₀) − (%₂ − %₀)·(y₁ − y₀))/((x₁ − x₀)·(y₂ − y₀) − "
+                          "(x₂ − x₀)·(y₁ − y₀))");
+}
+
+QString alongColumnsText()
+{
+    return QStringLiteral("((%₂ − %₀)·(x₁ − x₀) − (%₁ − %₀)·(x₂ − x₀))/((x₁ − x₀)·(y₂ − y₀) − "
+                          "(x₂ − x₀)·(y₁ − y₀))");
+}
+
 QString unitOf(Channel channel) { return isLevel(channel) ? unit::levels() : QString(); }
 
 } // namespace pixelplumb

@@ -51,5 +51,9 @@ const QString &shadedName(Channel channel);
 QString linearName(Channel channel, const EffectSet &effects);
 /// "levels", or empty.
 QString unitOf(Channel channel);
+/// What the plane through the values % of the vertices changes by from column to column, and from
+/// row to row.
+QString alongRowsText();
+QString alongColumnsText();
 
 } // namespace pixelplumb

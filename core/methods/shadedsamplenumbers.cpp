@@ -4,6 +4,8 @@
 #include "core/methods/shadednumbers.h"
 #include "core/methods/units.h"
 
+#include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <utility>
 
@@ -70,7 +72,12 @@ void appendQuotient(Table &table, const ShadedScope &scope, std::size_t channel)
                         QStringLiteral("%1 at the sample: the quotient.").arg(name),
                         QStringLiteral("%1 = %2/q").arg(name, linearName(which, scope.effects)),
                         Group::FirstColour),
-         [channel](const State &state) { return state.value[channel]; }});
+         [channel](const State &state) { return state.value[channel]; },
+         [linear = linearName(which, scope.effects)](NumberDescription &number,
+                                                     const State &state) {
+             if (!state.effects.perspective)
+                 number.formula = QStringLiteral("%1 = %2").arg(number.title, linear);
+         }});
 }
 
 void appendDepth(Table &table, const ShadedScope &scope)
@@ -93,19 +100,26 @@ QString roundedText(const QString &level, ByteRounding rounding)
         + (rounding == ByteRounding::Nearest ? QStringLiteral(" + ½⌋") : QStringLiteral("⌋"));
 }
 
-/// Whether a channel is interpolated, to a level that no byte clamps.
-bool isPlainLevel(const State &state, std::size_t channel)
+/// How bytes come from the interpolated levels of channels, % standing for each: clamped where one
+/// of them leaves 0 … 255; empty where one is no number.
+QString byteFormula(const State &state, std::initializer_list<std::size_t> channels,
+                    ByteRounding rounding)
 {
-    const Quantity &level = state.interpolatedIn(channel);
-    return !level.isNone() && level.toDouble() >= 0 && level.toDouble() <= 255;
+    QString text = roundedText(QStringLiteral("%"), rounding);
+    bool isClamped = false;
+    for (const std::size_t channel : channels) {
+        const Quantity &level = state.interpolatedIn(channel);
+        if (level.isNone() || !std::isfinite(level.toDouble()))
+            return {};
+        isClamped = isClamped || level.toDouble() < 0 || level.toDouble() > 255;
+    }
+    return isClamped ? QStringLiteral("min(255, max(0, ") + text + QStringLiteral("))") : text;
 }
 
-/// How a byte comes from the interpolated levels, where all three are plain; else empty.
 QString baseFormula(const State &state, ByteRounding rounding, const QString &name)
 {
-    const bool arePlain
-        = isPlainLevel(state, 0) && isPlainLevel(state, 1) && isPlainLevel(state, 2);
-    return arePlain ? name + roundedText(QStringLiteral("%"), rounding) : QString();
+    const QString byte = byteFormula(state, {0, 1, 2}, rounding);
+    return byte.isEmpty() ? byte : name + byte;
 }
 
 /// What is painted: what the last stage made of the colour.
@@ -133,9 +147,12 @@ void appendBlending(Table &table, const ShadedScope &scope)
                          return state.isBlended ? Quantity::integer(state.alpha) : Quantity();
                      }),
                      [rounding = scope.rounding](NumberDescription &number, const State &state) {
-                         if (state.isWritten && isPlainLevel(state, indexOf(Channel::Alpha)))
-                             number.formula = QStringLiteral("a = ")
-                                 + roundedText(QStringLiteral("A"), rounding);
+                         const QString byte = state.isWritten
+                             ? byteFormula(state, {indexOf(Channel::Alpha)}, rounding)
+                             : QString();
+                         if (!byte.isEmpty())
+                             number.formula
+                                 = QStringLiteral("a = ") + QString(byte).replace(u'%', u'A');
                      }});
     QString alpha = QStringLiteral("a");
     if (scope.antialiasing == Antialiasing::Area) {

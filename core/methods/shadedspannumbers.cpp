@@ -26,10 +26,17 @@ void appendWalked(NumberTable<ShadedSpanState> &table, SpanBound bound, NumberDe
                   const std::function<Quantity(const ShadedSpanState &)> &read)
 {
     number.formula = QStringLiteral("%1 ← %1′ + %2").arg(number.title, rate);
-    table.push_back({number, read, [=](NumberDescription &inHand, const ShadedSpanState &state) {
-                         inHand.formula = walkNames().boundFormula(state.walk, bound, inHand.title,
-                                                                   value, rate);
-                     }});
+    table.push_back(
+        {number, read, [=](NumberDescription &inHand, const ShadedSpanState &state) {
+             const auto &corners = state.walk.corners;
+             const bool isPoint
+                 = !state.walk.start.hasPlane && corners[0].position == corners[2].position;
+             // Exact numbers are the plane's, which has P0's values in a point.
+             inHand.formula = isPoint && read(state).isRational()
+                 ? QStringLiteral("%1 ← %2").arg(inHand.title,
+                                                 value + vertexDigits[state.walk.digits[0]])
+                 : walkNames().boundFormula(state.walk, bound, inHand.title, value, rate);
+         }});
 }
 
 /// What an edge has where it meets the column, and the change from row to row.
@@ -59,9 +66,12 @@ void appendBounds(NumberTable<ShadedSpanState> &table, const QString &name, cons
                         QStringLiteral("Δ%1 = (%2 − %3)/(y_T − y_B)").arg(name, top, bottom),
                         Group::ColourRates),
          [=](const ShadedSpanState &state) { return state.rate[channel]; },
-         [](NumberDescription &number, const ShadedSpanState &state) {
-             if (state.lower == state.upper)
-                 number.formula.clear();
+         [=](NumberDescription &number, const ShadedSpanState &state) {
+             if (state.lower != state.upper)
+                 return;
+             const bool isPlanes = state.walk.start.hasPlane && state.rate[channel].isRational();
+             number.formula = QStringLiteral("Δ%1 = ").arg(name)
+                 + (isPlanes ? alongColumnsText().replace(u'%', name) : QStringLiteral("0"));
          }});
 }
 

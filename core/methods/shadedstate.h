@@ -79,6 +79,7 @@ struct ShadedSampleState {
     Quantity depth, nearest; ///< z or its level, and what stood there; none: nothing did
     Colour interpolated;
     std::array<std::int32_t, 2> textureSize = {};
+    TextureWrap wrap = TextureWrap::Repeat;
     std::array<std::int32_t, 2> firstTexel = {};
     bool isFiltered = false; ///< four texels are read
     std::array<Colour, 4> texels

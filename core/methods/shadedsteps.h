@@ -271,6 +271,7 @@ ShadedSampleState shadedStateOf(
     state.interpolated = sample.interpolated;
     if (setUp.effects.texture) {
         state.textureSize = sample.texels.size;
+        state.wrap = sample.texels.wrap;
         state.firstTexel = sample.texels.first;
         state.isFiltered = sample.texels.isFiltered;
         state.texels = sample.texels.four;

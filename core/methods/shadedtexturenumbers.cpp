@@ -2,20 +2,64 @@
 #include "core/methods/shadednumbers.h"
 
 #include <array>
+#include <cmath>
+#include <optional>
 
 namespace pixelplumb {
 
 namespace {
 
-/// Whether no texel that is read along a side is wrapped or clamped.
-bool liesInside(const ShadedSampleState &state, std::size_t side)
+/// Where a sample lies along a side of the texture, in texels from the first one's, or from its
+/// centre where four are read: "32·u − ½".
+QString placeText(const ShadedSampleState &state, std::size_t side)
+{
+    return QStringLiteral("%1·%2%3")
+        .arg(state.textureSize[side])
+        .arg(QChar(side == 0 ? u'u' : u'v'))
+        .arg(state.isFiltered ? QStringLiteral(" − ½") : QString());
+}
+
+/// That place as a number; none where nothing is read, and where a float's kernel gives up: it
+/// takes texel 0 beyond ±2^30.
+std::optional<double> placeOf(const ShadedSampleState &state, std::size_t side)
 {
     const Quantity &value = state.interpolatedIn(indexOf(Channel::U) + side);
     if (!state.isWritten || !state.effects.texture || value.isNone())
-        return false;
-    const double half = state.isFiltered ? 0.5 : 0;
-    const double place = value.toDouble() * state.textureSize[side] - half;
-    return place >= 0 && place < state.textureSize[side] - 2 * half;
+        return std::nullopt;
+    const double place
+        = value.toDouble() * state.textureSize[side] - (state.isFiltered ? 0.5 : 0.0);
+    return std::abs(place) < double(1 << 29) ? std::optional(place) : std::nullopt;
+}
+
+bool liesInside(double place, std::int32_t size) { return place >= 0 && place < size; }
+
+/// "i = ⌊32·u⌋", and how an index beyond the texture is brought back.
+QString indexFormula(const ShadedSampleState &state, std::size_t side, const QString &index)
+{
+    const std::optional<double> place = placeOf(state, side);
+    if (!place)
+        return {};
+    const std::int32_t size = state.textureSize[side];
+    const QString below = u'⌊' + placeText(state, side) + u'⌋';
+    const QString left = index + QStringLiteral(" = ");
+    if (liesInside(*place, size))
+        return left + below;
+    return left
+        + (state.wrap == TextureWrap::Clamp
+               ? QStringLiteral("min(max(%1, 0), %2)").arg(below).arg(size - 1)
+               : QStringLiteral("%1 − %2·⌊%1/%2⌋").arg(below).arg(size));
+}
+
+QString fractionFormula(const ShadedSampleState &state, std::size_t side, const QString &fraction,
+                        const QString &index)
+{
+    const std::optional<double> place = placeOf(state, side);
+    if (!place)
+        return {};
+    const QString text = placeText(state, side);
+    return QStringLiteral("%1 = %2 − %3")
+        .arg(fraction, text,
+             liesInside(*place, state.textureSize[side]) ? index : u'⌊' + text + u'⌋');
 }
 
 bool isFiltered(const ShadedSampleState &state)
@@ -54,13 +98,7 @@ void appendTexels(NumberTable<ShadedSampleState> &table, const ShadedScope &scop
                                               : Quantity();
              }),
              [=](NumberDescription &number, const ShadedSampleState &state) {
-                 if (!liesInside(state, side))
-                     return;
-                 const QString half = state.isFiltered ? QStringLiteral(" − ½") : QString();
-                 number.formula = QStringLiteral("%1 = ⌊%2·%3%4⌋")
-                                      .arg(index)
-                                      .arg(state.textureSize[side])
-                                      .arg(coordinate, half);
+                 number.formula = indexFormula(state, side, index);
              }});
         if (!scope.isFiltered)
             continue;
@@ -75,11 +113,8 @@ void appendTexels(NumberTable<ShadedSampleState> &table, const ShadedScope &scop
                  return isFiltered(state) ? state.fraction[side] : Quantity();
              }),
              [=](NumberDescription &number, const ShadedSampleState &state) {
-                 if (isFiltered(state) && liesInside(state, side))
-                     number.formula = QStringLiteral("%1 = %2·%3 − ½ − %4")
-                                          .arg(fraction)
-                                          .arg(state.textureSize[side])
-                                          .arg(coordinate, index);
+                 if (isFiltered(state))
+                     number.formula = fractionFormula(state, side, fraction, index);
              }});
     }
     if (scope.isFiltered)

@@ -67,8 +67,11 @@ Pseudocode pseudocodeOf(const TracedScene &traced, std::size_t primitive)
                          traced.scene.settings.fillRule);
     const EffectSet effects = effectsOf(*traced.plan, primitive);
     Pseudocode code = traced.method->shadedPseudocode;
-    std::erase_if(code, [&effects](const PseudocodeLine &line) {
-        return line.effect && !contains(effects, *line.effect);
+    const Antialiasing antialiasing = traced.plan->antialiasing;
+    std::erase_if(code, [&](const PseudocodeLine &line) {
+        return (line.effect && !contains(effects, *line.effect))
+            || (!line.antialiasing.empty()
+                && std::ranges::find(line.antialiasing, antialiasing) == line.antialiasing.end());
     });
     return code;
 }

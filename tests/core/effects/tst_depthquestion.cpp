@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/depthquestion.h"
+#include "core/effects/edgepixels.h"
 #include "core/effects/framereach.h"
 #include "core/effects/sharededges.h"
 #include "core/oracle/effectoracle.h"
@@ -377,29 +378,48 @@ private slots:
 
     void samplesOnSharedEdgesAreCountedOnce()
     {
+        const FrameView frame = frameView();
+        int seen = 0;
         for (quint32 seed = 0; seed < quint32(fewerIfSanitized(200)); ++seed) {
-            const Triangle triangle = randomScene(seed).triangles.front();
-            const std::array<const Triangle *, 2> twice = {&triangle, &triangle};
-            const FrameView frame = frameView();
+            for (const Antialiasing antialiasing : {Antialiasing::None, Antialiasing::Samples4}) {
+                const Triangle triangle = randomScene(seed).triangles.front();
+                const std::array<const Triangle *, 2> twice = {&triangle, &triangle};
+                const SampledFrame where{frame, FillRule::Closed, antialiasing};
 
-            std::int64_t expected = 0;
-            for (std::int64_t y = frame.firstRow; y < frame.endRow(); ++y) {
-                for (std::int64_t x = frame.firstColumn; x < frame.endColumn(); ++x) {
-                    bool isOnEdge = false;
-                    for (std::size_t i = 0; i < 3; ++i) {
-                        Triangle edge = triangle;
-                        edge.vertices[(i + 2) % 3] = edge.vertices[i];
-                        isOnEdge |= oracle::covers(edge, FillRule::Closed, x, y);
-                    }
-                    expected += isOnEdge ? 1 : 0;
-                }
+                std::int64_t expected = 0;
+                if (samplePattern(where.antialiasingOf(triangle)).empty())
+                    expected = samplesOnEdgesOf(triangle, frame);
+                for (const LatticePoint &sample : samplePattern(where.antialiasingOf(triangle)))
+                    expected += samplesOnEdgesOf(seenFrom(triangle, sample), frame);
+                seen += expected > 0 ? 1 : 0;
+
+                const std::span<const Triangle *const> both(twice);
+                QCOMPARE(sharedSamplesOf(both, {}, where).samples, expected);
+                // One of them lets the other through; neither does.
+                QCOMPARE(sharedSamplesOf(both.first(1), both.last(1), where).samples, expected);
+                QCOMPARE(sharedSamplesOf({}, both, where).samples, 0);
             }
-            const std::span<const Triangle *const> both(twice);
-            QCOMPARE(sharedSamplesOf(both, {}, frame).samples, expected);
-            // One of them lets the other through; neither does.
-            QCOMPARE(sharedSamplesOf(both.first(1), both.last(1), frame).samples, expected);
-            QCOMPARE(sharedSamplesOf({}, both, frame).samples, 0);
         }
+        QVERIFY(seen > 10);
+    }
+
+private:
+    /// The centres of pixels on the border of a triangle.
+    static std::int64_t samplesOnEdgesOf(const Triangle &triangle, const FrameView &frame)
+    {
+        std::int64_t count = 0;
+        for (std::int64_t y = frame.firstRow; y < frame.endRow(); ++y) {
+            for (std::int64_t x = frame.firstColumn; x < frame.endColumn(); ++x) {
+                bool isOnEdge = false;
+                for (std::size_t i = 0; i < 3; ++i) {
+                    Triangle edge = triangle;
+                    edge.vertices[(i + 2) % 3] = edge.vertices[i];
+                    isOnEdge |= oracle::covers(edge, FillRule::Closed, x, y);
+                }
+                count += isOnEdge ? 1 : 0;
+            }
+        }
+        return count;
     }
 };
 

@@ -332,6 +332,18 @@ private slots:
             "1 of 2 triangles has an alpha below 255, the lowest is 128; the closed rule gives 9 "
             "samples on shared edges to both triangles, one of them (2, 10)");
         add(
+            "two panes that share an upright edge, of 16 samples a pixel",
+            [](Primitives &p) {
+                // One of the 16 lies straight below the centre, 112/256 px from it.
+                p.appearance.antialiasing = Antialiasing::Samples16;
+                p.triangles[0] = triangleAt({{{10, 2}, {10, 10}, {2, 10}}});
+                p.triangles[1] = triangleAt({{{10, 2}, {10, 10}, {14, 6}}});
+                setAlpha(p, 0, 128);
+            },
+            Effect::Blending, yes, 1,
+            "1 of 2 triangles has an alpha below 255, the lowest is 128; the closed rule gives 8 "
+            "samples on shared edges to both triangles, one of them in pixel (10, 3)");
+        add(
             "a face that the near plane cuts", [](Primitives &p) { p.cutAtNear = {1}; },
             Effect::Clipping, yes, 1, "1 of 2 triangles is of a face that the near plane cuts");
 

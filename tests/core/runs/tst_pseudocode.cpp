@@ -32,6 +32,15 @@ std::vector<NamedScene> scenesWithEffects()
         scene.frame.height = std::min(scene.frame.height, 60);
         scenes.push_back({name, scene});
     }
+    // Each of the ways to antialias, with all that the first scenes have.
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (const Antialiasing antialiasing :
+             {Antialiasing::Samples4, Antialiasing::Samples16, Antialiasing::Area}) {
+            Scene scene = scenes[i].second;
+            scene.appearance.antialiasing = antialiasing;
+            scenes.push_back({scenes[i].first, scene});
+        }
+    }
     return scenes;
 }
 

@@ -181,6 +181,92 @@ private slots:
         }
     }
 
+    /// Texels beyond the texture, levels beyond a byte, planes and weights of triangles and of
+    /// segments, and what has no w beside what has.
+    void everyNumberOfAShadedTriangleHasAFormulaThatComesOut_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<Arithmetic>("arithmetic");
+        for (const char *method : {"column-scan", "interpolate-bilinear", "interpolate-plane",
+                                   "interpolate-barycentric"})
+            for (const Arithmetic arithmetic :
+                 {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64})
+                QTest::addRow("%s, %s", method, nameOf(arithmetic).data())
+                    << QString::fromLatin1(method) << arithmetic;
+    }
+    void everyNumberOfAShadedTriangleHasAFormulaThatComesOut()
+    {
+        QFETCH(QString, method);
+        QFETCH(Arithmetic, arithmetic);
+        QByteArray text
+            = "{ 'pixelplumb': 1, 'frame': { 'width': 12, 'height': 12 }, 'materials': { "
+              "'a': { 'texture': 'checker', 'filter': 'bilinear', 'wrap': 'repeat' }, "
+              "'b': { 'texture': 'checker', 'filter': 'nearest', 'wrap': 'clamp' }, "
+              "'c': { 'texture': 'checker', 'filter': 'nearest', 'wrap': 'repeat' }, "
+              "'d': { 'texture': 'checker', 'filter': 'bilinear', 'wrap': 'clamp' } }, "
+              "'primitives': [ ";
+        const QByteArray triangle
+            = "{ 'triangle': [[1, 1], [9, 2], [3, 10]], 'colors': ['#ff0000', '#00ff00', "
+              "'#0000ff'], 'uv': [[-1.5, -0.75], [2.25, 0.5], [0.125, 1.75]], 'w': [%1], "
+              "'material': '%2' }";
+        const QByteArray segment
+            = "{ 'triangle': [%1], 'colors': ['#ff0000', '#00ff00', '#0000ff'], 'uv': [[-1, -1], "
+              "[2, 0.5], [0, 1]], 'material': 'a' }";
+        QByteArrayList primitives;
+        for (const char *material : {"a", "b", "c", "d"}) {
+            for (const char *w : {"1, 2, 3", "2, 2, 2"})
+                primitives += QByteArray(triangle).replace("%1", w).replace("%2", material);
+        }
+        for (const char *points : {"[1, 1], [5, 5], [9, 9]", "[3, 9], [3, 1], [3, 4]",
+                                   "[4, 4], [4, 4], [4, 4]", "[9, 6], [5, 6], [1, 6]"})
+            primitives += QByteArray(segment).replace("%1", points);
+        text += primitives.join(", ") + " ] }";
+        const auto read = readScene(text.replace('\'', '"'));
+        QVERIFY2(read.isOk(), read ? "" : qPrintable(read.error().message()));
+        Scene scene = read->scene;
+        scene.method = method.toStdString();
+        scene.settings.arithmetic = arithmetic;
+        const auto traced = traceScene(scene);
+        QSet<QString> shown;
+        for (std::size_t step = 0; step < traced->trace->stepCount(); ++step) {
+            for (const FormulaLine &line : explainStep(*traced, step).lines) {
+                if (line.substituted.isEmpty())
+                    continue;
+                shown.insert(line.symbols);
+                const QString fault = formulaFault(
+                    line, FormulaRange::of(line.substituted, arithmetic), arithmetic);
+                QVERIFY2(
+                    fault.isEmpty(),
+                    qPrintable(QStringLiteral("step %1: %2: %3 %4, not %5")
+                                   .arg(step)
+                                   .arg(line.symbols, line.substituted, fault, toText(line.used))));
+            }
+        }
+        QStringList expected = {QStringLiteral("i = ⌊8·u − ½⌋ − 8·⌊⌊8·u − ½⌋/8⌋"),
+                                QStringLiteral("j = min(max(⌊8·v⌋, 0), 7)"),
+                                QStringLiteral("j = ⌊8·v⌋ − 8·⌊⌊8·v⌋/8⌋"),
+                                QStringLiteral("i = min(max(⌊8·u − ½⌋, 0), 7)"),
+                                QStringLiteral("f_u = 8·u − ½ − ⌊8·u − ½⌋"),
+                                QStringLiteral("f_u = 8·u − ½ − i"),
+                                QStringLiteral("R_w₁ = R₁/w₁"),
+                                QStringLiteral("R_w₁ = R₁"),
+                                QStringLiteral("R = R_w/q"),
+                                QStringLiteral("R = R_w")};
+        if (method.endsWith(QStringLiteral("plane")))
+            expected += {QStringLiteral("c_Rw = R_w₀ − a_Rw·x₀ − b_Rw·y₀"),
+                         QStringLiteral("a_Rw = (R_w₂ − R_w₀)/(x₂ − x₀)"),
+                         QStringLiteral("b_Rw = (R_w₀ − R_w₁)/(y₀ − y₁)")};
+        else if (method.endsWith(QStringLiteral("barycentric")))
+            expected
+                += {QStringLiteral("a_α = (y₂ − y₁)/((y₂ − y₁)·(x₀ − x₁) + (x₁ − x₂)·(y₀ − y₁))"),
+                    QStringLiteral("c_γ = −a_γ·x₀"), QStringLiteral("c_α = 1 − a_α·x₀")};
+        else
+            expected += {QStringLiteral("ΔR_w = 0")};
+        for (const QString &formula : expected)
+            QVERIFY2(shown.contains(formula),
+                     qPrintable(formula + u'\n' + QStringList(shown.values()).join(u'\n')));
+    }
+
     void aNameThatIsNoNumberIsNoticed()
     {
         QVERIFY(FormulaRange::of(QStringLiteral("(9 1/2) + 3·2²"), Arithmetic::Exact));

@@ -56,14 +56,20 @@ void answerWith(const QString &text)
             return;
         }
         QLineEdit *field = fieldInHand();
-        field->selectAll();
-        QTest::keyClicks(field, text);
-        // A dialog of files may offer names in a list, which then has the keys, and go no sooner.
         const QPointer<QWidget> dialog = QApplication::activeModalWidget();
         QVERIFY(QTest::qWaitFor([&] {
-            QWidget *names = QApplication::activePopupWidget();
-            if (dialog && dialog->isVisible())
-                QTest::keyClick(names ? names : field, Qt::Key_Return);
+            if (!dialog || !dialog->isVisible())
+                return true;
+            // A dialog of files offers names in a list, whenever its folder has been read; there
+            // Enter would take one of them.
+            if (QWidget *names = QApplication::activePopupWidget())
+                names->hide();
+            if (field->text() != text) {
+                field->selectAll();
+                QTest::keyClicks(field, text);
+            } else {
+                QTest::keyClick(field, Qt::Key_Return);
+            }
             return !dialog || !dialog->isVisible();
         }));
     });
