@@ -23,7 +23,8 @@ ExitCode plan(const Command &command, const QStringList &arguments)
     if (!scene)
         return line.refuse(scene.error());
     const auto refusal = refusalOf(*scene, line.argument(0));
-    PlanReport report{planOf(*scene), scene->appearance.forced, std::nullopt};
+    PlanReport report{planOf(*scene), scene->appearance.forced, std::nullopt,
+                      refusal ? refusal->message() : QString()};
     if (line.isSet(measureOption) && !refusal)
         report.timing = withProgress([&scene](const ProgressListener &listener) {
             TimingOptions options;

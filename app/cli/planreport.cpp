@@ -13,8 +13,12 @@ namespace pixelplumb::cli {
 namespace {
 
 /// What is run of an effect, where it is not what the verdict says.
-QString runText(const EffectPlan &plan, const EffectForcing &forced, Effect effect)
+QString runText(const PlanReport &report, Effect effect)
 {
+    if (!report.refusal.isEmpty())
+        return QStringLiteral("refused");
+    const EffectPlan &plan = report.plan;
+    const EffectForcing &forced = report.forced;
     QString runs = plan.runs(effect) ? QStringLiteral("yes") : QStringLiteral("no");
     if (forced[effect] == Forcing::AsCalledFor)
         return runs;
@@ -28,12 +32,18 @@ QStringList aligned(const std::vector<QStringList> &rows, const QList<qsizetype>
     return alignedRows(rows, [&numbers](qsizetype column) { return !numbers.contains(column); });
 }
 
-/// "4", "0 … 3" of the first and the last triangle.
+/// "4", "0 … 3, 1 of them not drawn": the first and the last triangle.
 QString triangleRange(const EffectBatch &batch)
 {
-    if (batch.count == 1)
-        return QString::number(batch.first);
-    return QStringLiteral("%1 … %2").arg(batch.first).arg(batch.first + batch.count - 1);
+    const QString range = batch.count == 1
+        ? QString::number(batch.first)
+        : QStringLiteral("%1 … %2").arg(batch.first).arg(batch.first + batch.count - 1);
+    if (batch.unseen == 0)
+        return range;
+    return range
+        + (batch.unseen == batch.count
+               ? QStringLiteral(", not drawn")
+               : QStringLiteral(", %1 of them not drawn").arg(batch.unseen));
 }
 
 /// Of triangles, lines or curves: where several run it, it is the same.
@@ -125,12 +135,16 @@ QStringList textOf(const PlanReport &report)
     for (const Effect effect : allEffects) {
         const EffectVerdict &verdict = plan.verdicts[effect];
         rows.push_back({nameText(nameOf(effect)), nameText(nameOf(verdict.verdict)),
-                        runText(plan, report.forced, effect), QString::number(verdict.primitives),
+                        runText(report, effect), QString::number(verdict.primitives),
                         QString::number(verdict.pixels), verdict.reason});
     }
     QStringList lines = aligned(rows, {3, 4});
+    if (!report.refusal.isEmpty())
+        return lines;
     lines.append(QString());
     lines.append(samplesText(antialiasingOf(plan)));
+    if (plan.vertexLight)
+        lines.append(QStringLiteral("light at the vertices, once a triangle, before what follows"));
     lines.append(batchesText(plan.batches));
     if (report.timing)
         lines.append(textOf(*report.timing));
@@ -150,7 +164,7 @@ QJsonObject jsonOf(const PlanReport &report)
             {QStringLiteral("primitives"), qint64(verdict.primitives)},
             {QStringLiteral("mostPixels"), qint64(verdict.pixels)},
             {QStringLiteral("forced"), report.forced[effect] != Forcing::AsCalledFor},
-            {QStringLiteral("runs"), plan.runs(effect)}};
+            {QStringLiteral("runs"), report.refusal.isEmpty() && plan.runs(effect)}};
         if (report.timing && report.timing->costs[effect])
             object.insert(QStringLiteral("measured"),
                           jsonOf(*report.timing, *report.timing->costs[effect]));
@@ -165,11 +179,15 @@ QJsonObject jsonOf(const PlanReport &report)
         }
         batches.append(QJsonObject{{QStringLiteral("first"), qint64(batch.first)},
                                    {QStringLiteral("count"), qint64(batch.count)},
+                                   {QStringLiteral("notDrawn"), qint64(batch.unseen)},
                                    {QStringLiteral("effects"), names}});
     }
-    return {{QStringLiteral("effects"), effects},
-            {QStringLiteral("antialiasing"), samplesText(antialiasingOf(plan))},
-            {QStringLiteral("batches"), batches}};
+    QJsonObject object{{QStringLiteral("effects"), effects},
+                       {QStringLiteral("antialiasing"), samplesText(antialiasingOf(plan))},
+                       {QStringLiteral("batches"), batches}};
+    if (!report.refusal.isEmpty())
+        object.insert(QStringLiteral("refused"), report.refusal);
+    return object;
 }
 
 } // namespace pixelplumb::cli

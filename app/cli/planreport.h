@@ -13,6 +13,7 @@ struct PlanReport {
     EffectPlan plan;
     EffectForcing forced;
     std::optional<EffectTiming> timing; ///< where it was measured
+    QString refusal = {}; ///< why no method draws the scene; then nothing runs
 };
 
 /// The effects with their verdicts and reasons, in aligned columns, then the batches, then what was

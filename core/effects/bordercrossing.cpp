@@ -270,6 +270,10 @@ BorderCrossing borderCrossingOf(const Shape &shape, const SampledFrame &where)
     const bool isLine = shape.kind == PrimitiveKind::Line;
     const bool isAntialiased = where.antialiasing != Antialiasing::None && isStroke(shape);
     const Antialiasing antialiasing = isAntialiased ? where.antialiasing : Antialiasing::None;
+    // An antialiased line is one pixel wide and as long as its segment: of a point nothing is left.
+    if (isAntialiased && isLine
+        && shape.vertices.front().position == shape.vertices.back().position)
+        return BorderCrossing::Outside;
     const BorderCrossing crossing
         = crossingOfBox(isAntialiased && isLine ? boxOfLine(strokeStripOf(shape, frame))
                                                 : boxAround(shape, antialiasing),
@@ -283,6 +287,14 @@ BorderCrossing borderCrossingOf(const Shape &shape, const SampledFrame &where)
         return BorderCrossing::Outside;
     return crossesByVertices(shape, frame, antialiasing) ? BorderCrossing::Crosses
                                                          : BorderCrossing::MayCross;
+}
+
+bool isDrawnEitherWay(const Shape &stroke, const SampledFrame &where)
+{
+    SampledFrame plain = where;
+    plain.antialiasing = Antialiasing::None;
+    return borderCrossingOf(stroke, where) != BorderCrossing::Outside
+        || borderCrossingOf(stroke, plain) != BorderCrossing::Outside;
 }
 
 } // namespace pixelplumb

@@ -19,5 +19,7 @@ enum class BorderCrossing : std::uint8_t {
 BorderCrossing borderCrossingOf(const Triangle &triangle, const SampledFrame &where);
 /// An antialiased line or curve is one pixel wide.
 BorderCrossing borderCrossingOf(const Shape &shape, const SampledFrame &where);
+/// Whether a line or curve is drawn so, or would be without antialiasing.
+bool isDrawnEitherWay(const Shape &stroke, const SampledFrame &where);
 
 } // namespace pixelplumb

@@ -70,6 +70,7 @@ struct EffectBatch {
     std::size_t first = 0;
     std::size_t count = 0;
     EffectSet effects;
+    std::size_t unseen = 0; ///< of them: what reaches no pixel joins what stands beside it
 
     friend bool operator==(const EffectBatch &, const EffectBatch &) = default;
 };

@@ -177,9 +177,10 @@ bool hasEdgePixels(const Triangle &triangle, const SampledFrame &where)
     return isMet;
 }
 
-bool isDrawnEitherWay(const Triangle &triangle, const SampledFrame &where)
+bool isDrawnEitherWay(const Triangle &triangle, const SampledFrame &where,
+                      const std::array<Attribute, 3> &horizon)
 {
-    return !reachOf(triangle, where).isEmpty()
+    return !reachOf(triangle, where, horizon).isEmpty()
         || !reachOf(triangle, {where.frame, where.rule, Antialiasing::None, where.isExact})
                 .isEmpty();
 }

@@ -26,8 +26,10 @@ public:
     {
         if (hasEdgePixels(triangle, m_asked))
             m_edges.add(mostEdgePixelsOf(triangle, m_asked));
-        m_isAnyDrawn = m_isAnyDrawn || isDrawnEitherWay(triangle, m_asked);
-        const SampleBox reach = reachOf(triangle, m_where);
+        m_isAnyDrawn = m_isAnyDrawn
+            || isDrawnEitherWay(triangle, m_asked,
+                                horizonOf(triangle, attributes, m_appearance, m_asked));
+        const SampleBox reach = drawnReachOf(triangle, attributes, m_appearance, m_where);
         if (reach.isEmpty()) {
             ++m_tally.outside;
             return;
@@ -62,10 +64,8 @@ public:
 
     void add(const Shape &shape)
     {
-        if (isStroke(shape) && isPoint(shape) && m_asked.antialiasing != Antialiasing::None) {
-            ++m_tally.outside; // one pixel wide and of no length
-            return;
-        }
+        if (hasEdgePixels(shape, m_asked) && isDrawnEitherWay(shape, m_asked))
+            m_tally.of[Effect::Antialiasing].add(mostPixelsOf(shape, m_where.frame));
         const BorderCrossing crossing
             = borderCrossingOf(shape, isStroke(shape) ? m_asked : m_where);
         if (crossing == BorderCrossing::Outside) {
@@ -80,22 +80,12 @@ public:
             m_tally.of[Effect::SmoothColour].add(mostPixelsOf(shape, m_where.frame));
         else if (std::ranges::any_of(shape.vertices, differs))
             ++m_tally.ownColours;
-        if (!isStroke(shape))
-            return;
-        ++m_tally.drawnStrokes;
-        if (hasEdgePixels(shape, m_asked))
-            m_tally.of[Effect::Antialiasing].add(mostPixelsOf(shape, m_where.frame));
+        m_tally.drawnStrokes += isStroke(shape) ? 1 : 0;
     }
 
     const NeedsTally &tally() const { return m_tally; }
 
 private:
-    static bool isPoint(const Shape &line)
-    {
-        return line.kind == PrimitiveKind::Line && !line.vertices.empty()
-            && line.vertices.front().position == line.vertices.back().position;
-    }
-
     std::int64_t pixelsOfFrame() const
     {
         return std::int64_t(m_where.frame.width) * m_where.frame.height;

@@ -47,8 +47,10 @@ public:
     void add(const EffectSet &effects)
     {
         if (m_hasEffects && m_batches.back().effects != effects)
-            m_batches.push_back({m_batches.back().first + m_batches.back().count, 0, effects});
-        addUnseen();
+            m_batches.push_back({m_batches.back().first + m_batches.back().count, 0, effects, 0});
+        else if (m_batches.empty())
+            m_batches.emplace_back();
+        ++m_batches.back().count;
         m_batches.back().effects = effects;
         m_hasEffects = true;
     }
@@ -57,6 +59,7 @@ public:
         if (m_batches.empty())
             m_batches.emplace_back();
         ++m_batches.back().count;
+        ++m_batches.back().unseen;
     }
     std::vector<EffectBatch> batches() && { return std::move(m_batches); }
 
@@ -76,7 +79,7 @@ std::vector<EffectBatch> batchesOf(const Primitives &primitives, const SampledFr
         const bool hasAttributes = next != primitives.attributes.end() && next->triangle == i;
         const TriangleAttributes *attributes = hasAttributes ? &*next++ : nullptr;
         const Triangle &triangle = primitives.triangles[i];
-        if (reachOf(triangle, where).isEmpty()) {
+        if (drawnReachOf(triangle, attributes, appearance, where).isEmpty()) {
             list.addUnseen();
             continue;
         }
@@ -121,13 +124,15 @@ EffectPlan planFor(const Primitives &primitives, const ScanSettings &settings,
     const DepthAnswer depth = depthQuestion(primitives, settings, frame, plan.antialiasing);
     plan.verdicts = requirementsWith(primitives, settings, where, depth);
     plan.batches = batchesOf(primitives, where, depth);
-    plan.smoothLines = runsOnLines(primitives, {frame, settings.fillRule, plan.strokeAntialiasing});
-    plan.vertexLight
-        = lightsVertices(appearance)
+    plan.smoothLines
+        = runsOnLines(primitives, {frame, settings.fillRule, antialiasingOf(appearance)});
+    plan.vertexLight = lightsVertices(appearance)
         && std::ranges::any_of(primitives.attributes, [&](const TriangleAttributes &attributes) {
-               return hasNormals(attributes)
-                   && !reachOf(primitives.triangles[attributes.triangle], where).isEmpty();
-           });
+                           return hasNormals(attributes)
+                               && !drawnReachOf(primitives.triangles[attributes.triangle],
+                                                &attributes, appearance, where)
+                                       .isEmpty();
+                       });
     return plan;
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/requirements.h"
 
+#include "core/effects/bordercrossing.h"
 #include "core/effects/effectreason.h"
 #include "core/effects/framereach.h"
+#include "core/effects/triangleneeds.h"
 
 #include <algorithm>
 
@@ -88,14 +90,17 @@ Antialiasing triangleAntialiasing(const Primitives &primitives, const ScanSettin
 {
     const Appearance &appearance = primitives.appearance;
     const SampledFrame asked = sampledFrame(frame, settings, antialiasingOf(appearance));
-    const auto isSoOfAny = [&](const auto &is) {
-        return std::ranges::any_of(primitives.triangles,
-                                   [&](const Triangle &triangle) { return is(triangle, asked); });
+    const auto hasEdges = [&](const Triangle &triangle) { return hasEdgePixels(triangle, asked); };
+    const auto isDrawnSo = [&](const Triangle &triangle) {
+        const auto index = std::size_t(&triangle - primitives.triangles.data());
+        return isDrawnEitherWay(
+            triangle, asked,
+            horizonOf(triangle, primitives.attributesOf(index), appearance, asked));
     };
     // The edges of one that lies between all samples part the pixels of others.
     return runningOf(appearance, asked, [&] {
-        return isSoOfAny([](const auto &...of) { return hasEdgePixels(of...); })
-            && isSoOfAny(isDrawnEitherWay);
+        return std::ranges::any_of(primitives.triangles, hasEdges)
+            && std::ranges::any_of(primitives.triangles, isDrawnSo);
     });
 }
 
@@ -104,8 +109,9 @@ Antialiasing strokeAntialiasing(const Primitives &primitives, const FrameView &f
     const Appearance &appearance = primitives.appearance;
     const SampledFrame asked{frame, FillRule::Closed, antialiasingOf(appearance)};
     return runningOf(appearance, asked, [&] {
-        return std::ranges::any_of(primitives.shapes,
-                                   [&](const Shape &shape) { return hasEdgePixels(shape, asked); });
+        return std::ranges::any_of(primitives.shapes, [&](const Shape &shape) {
+            return hasEdgePixels(shape, asked) && isDrawnEitherWay(shape, asked);
+        });
     });
 }
 

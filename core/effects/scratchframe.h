@@ -45,6 +45,7 @@ public:
         for (std::size_t i = 0; i < 3; ++i)
             m_sum[i] += colour.channels[i];
     }
+    const std::array<unsigned, 3> &sum() const { return m_sum; }
     QRgb pixel() const
     {
         Colour mean;

@@ -50,6 +50,7 @@ struct BoundedColumn : ShadedColumn<N> {
 struct SampleColours {
     int count; ///< 0: the pixel has one
     std::uint16_t written; ///< by this primitive; bit k: sample k
+    std::array<std::uint16_t, 3> sum; ///< of what stands in them now, by channel
 };
 
 /// What a sample was compared with.

@@ -17,6 +17,9 @@ namespace {
 struct SharedEdge {
     LatticePoint from, to; ///< in the order of points
     Antialiasing antialiasing; ///< of the triangles that have it
+    /// Whether one of these has no area, and paints the pixels whose centre is on it: whole ones,
+    /// where they have several samples.
+    bool isSegmentsToo = false;
 
     friend auto operator<=>(const SharedEdge &, const SharedEdge &) = default;
 };
@@ -82,25 +85,41 @@ SamplesOnEdge samplesOn(const SharedEdge &edge, const FrameView &frame)
         {pixel.x + first * step.x, pixel.y + first * step.y}, {step.x, step.y}, last - first + 1};
 }
 
+/// Those in the pixels of others on the same edge.
+SamplesOnEdge inPixelsOf(const SamplesOnEdge &others, SamplesOnEdge samples)
+{
+    const SamplePlace &step = samples.step;
+    const SamplePlace from = {samples.first.x - others.first.x, samples.first.y - others.first.y};
+    const std::int64_t steps = step.x != 0 ? from.x / step.x : from.y / step.y;
+    const bool isSame = steps * step.x == from.x && steps * step.y == from.y;
+    const std::int64_t first = std::max<std::int64_t>(0, -steps);
+    const std::int64_t end = std::min(samples.count, others.count - steps);
+    samples.count = isSame ? std::max<std::int64_t>(0, end - first) : 0;
+    samples.first = {samples.first.x + first * step.x, samples.first.y + first * step.y};
+    return samples;
+}
+
 /// Calls function(samples) for those of the edge in the frame: the centres of pixels, or where they
 /// have several samples one call for each place in a pixel.
 template <class Function>
 void forEachPlaceOn(const SharedEdge &edge, const FrameView &frame, const Function &function)
 {
-    std::int64_t place = 0;
-    const auto seenFrom = [&](const LatticePoint &sample) {
-        SamplesOnEdge samples = samplesOn({{edge.from.x - sample.x, edge.from.y - sample.y},
-                                           {edge.to.x - sample.x, edge.to.y - sample.y},
-                                           edge.antialiasing},
-                                          frame);
-        samples.place = place++;
+    const SamplesOnEdge centres = samplesOn(edge, frame);
+    const std::span<const LatticePoint> pattern = samplePattern(edge.antialiasing);
+    if (pattern.empty() && centres.count > 0)
+        function(centres);
+    for (std::size_t place = 0; place < pattern.size(); ++place) {
+        const LatticePoint &at = pattern[place];
+        SharedEdge seen = edge;
+        seen.from = {edge.from.x - at.x, edge.from.y - at.y};
+        seen.to = {edge.to.x - at.x, edge.to.y - at.y};
+        SamplesOnEdge samples = samplesOn(seen, frame);
+        if (edge.isSegmentsToo && samples.count > 0)
+            samples = centres.count > 0 ? inPixelsOf(centres, samples) : SamplesOnEdge();
+        samples.place = std::int64_t(place);
         if (samples.count > 0)
             function(samples);
-    };
-    const std::span<const LatticePoint> pattern = samplePattern(edge.antialiasing);
-    if (pattern.empty())
-        seenFrom({});
-    std::ranges::for_each(pattern, seenFrom);
+    }
 }
 
 std::int64_t countOn(const SharedEdge &edge, const FrameView &frame)
@@ -110,11 +129,15 @@ std::int64_t countOn(const SharedEdge &edge, const FrameView &frame)
     return count;
 }
 
-/// The edges with samples, in order.
-std::vector<SharedEdge> edgesOf(std::span<const Triangle *const> triangles,
-                                const SampledFrame &where)
+struct TriangleEdge {
+    SharedEdge edge;
+    bool isBlended = false; ///< the triangle
+};
+
+/// Those with samples.
+void appendEdges(std::span<const Triangle *const> triangles, const SampledFrame &where,
+                 bool areBlended, std::vector<TriangleEdge> &edges)
 {
-    std::vector<SharedEdge> edges;
     for (const Triangle *triangle : triangles) {
         const auto first = std::ptrdiff_t(edges.size());
         for (std::size_t i = 0; i < 3; ++i) {
@@ -122,26 +145,50 @@ std::vector<SharedEdge> edgesOf(std::span<const Triangle *const> triangles,
             const LatticePoint &b = triangle->vertices[(i + 1) % 3].position;
             const SharedEdge edge{std::min(a, b), std::max(a, b), where.antialiasingOf(*triangle)};
             // A segment that goes there and back has one edge twice.
-            const bool isKnown = std::find(edges.begin() + first, edges.end(), edge) != edges.end();
+            const auto isIt = [&edge](const TriangleEdge &known) { return known.edge == edge; };
+            const bool isKnown = std::any_of(edges.begin() + first, edges.end(), isIt);
             if (!isKnown && countOn(edge, where.frame) > 0)
-                edges.push_back(edge);
+                edges.push_back({edge, areBlended});
         }
     }
-    std::ranges::sort(edges);
-    return edges;
 }
 
-/// Those that a blended triangle has with another one of either kind, once each.
-std::vector<SharedEdge> sharedEdgesOf(const std::vector<SharedEdge> &ofBlended,
-                                      const std::vector<SharedEdge> &ofOthers)
+/// What all of these, which have both ends in common, share with one that is blended.
+std::optional<SharedEdge> sharedOf(std::span<const TriangleEdge> same)
 {
+    const auto hasArea = [&same](const TriangleEdge &known) {
+        return known.edge.antialiasing == same.back().edge.antialiasing;
+    };
+    const auto isBlended = [](const TriangleEdge &known) { return known.isBlended; };
+    // Sorted, segments come first.
+    const auto segments = std::size_t(std::ranges::find_if(same, hasArea) - same.begin());
+    const std::span<const TriangleEdge> others = same.subspan(segments);
+    SharedEdge shared = same.back().edge;
+    if (others.size() > 1 && std::ranges::any_of(others, isBlended))
+        return shared;
+    if (same.size() < 2 || std::ranges::none_of(same, isBlended))
+        return std::nullopt;
+    if (segments > 0) {
+        shared.isSegmentsToo = true;
+        return shared;
+    }
+    return std::nullopt;
+}
+
+/// Once each.
+std::vector<SharedEdge> sharedEdgesOf(std::vector<TriangleEdge> edges)
+{
+    std::ranges::sort(edges, {}, &TriangleEdge::edge);
+    const auto ends
+        = [](const TriangleEdge &known) { return std::pair(known.edge.from, known.edge.to); };
     std::vector<SharedEdge> shared;
-    for (std::size_t i = 0; i < ofBlended.size(); ++i) {
-        const SharedEdge &edge = ofBlended[i];
-        const bool isTwice = i > 0 && ofBlended[i - 1] == edge;
-        if ((isTwice || std::ranges::binary_search(ofOthers, edge))
-            && (shared.empty() || shared.back() != edge))
-            shared.push_back(edge);
+    for (auto first = edges.begin(); first != edges.end();) {
+        const auto end = std::find_if(first, edges.end(), [&](const TriangleEdge &known) {
+            return ends(known) != ends(*first);
+        });
+        if (const auto edge = sharedOf(std::span(first, end)))
+            shared.push_back(*edge);
+        first = end;
     }
     return shared;
 }
@@ -166,10 +213,11 @@ std::int64_t countOnce(std::span<const SharedEdge> edges, const FrameView &frame
 SharedSamples sharedSamplesOf(std::span<const Triangle *const> blended,
                               std::span<const Triangle *const> others, const SampledFrame &where)
 {
-    const std::vector<SharedEdge> edges
-        = sharedEdgesOf(edgesOf(blended, where), edgesOf(others, where));
+    std::vector<TriangleEdge> known;
+    appendEdges(blended, where, true, known);
+    appendEdges(others, where, false, known);
+    const std::vector<SharedEdge> edges = sharedEdgesOf(std::move(known));
     SharedSamples shared;
-    shared.edges = std::int64_t(edges.size());
     for (const SharedEdge &edge : edges) {
         forEachPlaceOn(edge, where.frame, [&](const SamplesOnEdge &samples) {
             if (shared.samples == 0)

@@ -15,7 +15,6 @@ namespace pixelplumb {
 struct SharedSamples {
     std::int64_t samples = 0;
     bool isExact = true; ///< otherwise at most so many: ends of edges are counted more than once
-    std::int64_t edges = 0; ///< shared ones that have such a sample
     SamplePlace first; ///< the pixel of one of them, where there are any
 };
 

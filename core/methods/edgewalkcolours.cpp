@@ -119,6 +119,18 @@ QString startFormula(const EdgeWalkNames &names, const EdgeWalkStart &start, con
     return names.filled(title + formula.replace(u'@', first));
 }
 
+/// β of a level in float64: of a plane, or along a segment.
+QString colourBias(const EdgeWalkSampleState &state)
+{
+    if (state.bias.toDouble() == 0)
+        return QStringLiteral("0");
+    if (state.start.hasPlane)
+        return QStringLiteral("1/(4·max(A, −A)·256²)");
+    return state.start.isVertical ? QStringLiteral("1/(4·256·(y₂ − y₀))")
+        : state.start.isOnePoint  ? QStringLiteral("1/4")
+                                  : QStringLiteral("1/(4·256·(x₂ − x₀))");
+}
+
 void appendRamp(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names)
 {
     const bool isPlanes = names.form().rate == ColourRate::Plane;
@@ -191,6 +203,21 @@ NumberTable<EdgeWalkSampleState> edgeWalkSampleNumbers(const EdgeWalkForm &form)
                     title + directLevel(state.start).replace(u'@', QStringLiteral("y")));
             description.startFormula.clear();
         });
+    if (form.walk == WalkForm::Direct)
+        table.push_back({{.id = QStringLiteral("bias_colour"),
+                          .title = colourBiasTitle(),
+                          .unit = unit::levels(),
+                          .toolTip = QStringLiteral("A quarter of the distance between the values "
+                                                    "that a level can have, added before it is cut "
+                                                    "to a byte; 0 where it is computed in "
+                                                    "integers."),
+                          .formula = {},
+                          .group = Group::FirstColour},
+                         [](const EdgeWalkSampleState &state) { return state.bias; },
+                         [](NumberDescription &description, const EdgeWalkSampleState &state) {
+                             description.formula
+                                 = colourBiasTitle() + QStringLiteral(" = ") + colourBias(state);
+                         }});
     return table;
 }
 

@@ -141,4 +141,6 @@ QString EdgeWalkNames::boundFormula(const EdgeWalkSpanState &state, SpanBound bo
         .arg(title, start, way(state.digits[from], variants), slope);
 }
 
+QString colourBiasTitle() { return QStringLiteral("β_C"); }
+
 } // namespace pixelplumb

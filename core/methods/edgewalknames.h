@@ -83,4 +83,7 @@ private:
     EdgeWalkForm m_form;
 };
 
+/// "β_C": what float64's levels are moved by before they are cut to bytes.
+QString colourBiasTitle();
+
 } // namespace pixelplumb

@@ -146,6 +146,18 @@ void appendStart(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &nam
          }});
 }
 
+/// β of a bound in float64: half of 1/(ΔX·S), the lattice's units taken as pixels.
+QString boundBias(const EdgeWalkNames &names, const EdgeWalkSpanState &state, SpanBound bound)
+{
+    if ((bound == SpanBound::Lower ? state.biasBottom : state.biasTop).toDouble() == 0)
+        return QStringLiteral("0");
+    const SortedEdge edge = bound == SpanBound::Lower ? state.lower : state.upper;
+    if (names.hasNoSlope(state.corners, edge))
+        return QStringLiteral("1/(2·256)");
+    const auto &ends = sortedEdgeEnds[std::size_t(edge)];
+    return QStringLiteral("1/(2·%1·256²)").arg(names.way(ends[0], ends[1]));
+}
+
 void appendBiases(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names)
 {
     for (const bool isLower : {true, false})
@@ -161,6 +173,10 @@ void appendBiases(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &na
                   .group = Group::Span}),
              [isLower](const EdgeWalkSpanState &state) {
                  return isLower ? state.biasBottom : state.biasTop;
+             },
+             [=](NumberDescription &number, const EdgeWalkSpanState &state) {
+                 number.formula = number.title + QStringLiteral(" = ")
+                     + boundBias(names, state, isLower ? SpanBound::Lower : SpanBound::Upper);
              }});
 }
 

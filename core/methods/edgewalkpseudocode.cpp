@@ -22,6 +22,32 @@ Pseudocode accumulatedBounds()
              {Span}}};
 }
 
+Pseudocode addedColours()
+{
+    using enum Moment;
+    return {{2,
+             QStringLiteral("the first: R, G, B ← those at {a}_{lo}, moved on to this sample"),
+             {First},
+             {},
+             {{VariantSet().with(Variant::NoColourPreStep),
+               QStringLiteral("the first: R, G, B ← those at {a}_{lo}, as they are")}}},
+            {2, QStringLiteral("else: R ← R + ΔR, G ← G + ΔG, B ← B + ΔB"), {Next}},
+            {2, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {First, Next}}};
+}
+
+Pseudocode directColours()
+{
+    using enum Moment;
+    return {{2,
+             QStringLiteral("R ← of the plane, from P₀: R₀ + (x − x₀)·∂R/∂x + (y − y₀)·ΔR; G and B "
+                            "likewise — on a segment, along it"),
+             {First, Next}},
+            {2,
+             QStringLiteral("pixel (x, y) ← ⌊R + (½ + β_C)⌋; G and B likewise — β_C: so that no "
+                            "rounding takes a half away; without ½ where levels are truncated"),
+             {First, Next}}};
+}
+
 } // namespace
 
 Pseudocode edgeWalkPseudocode(const EdgeWalkForm &form)
@@ -81,15 +107,8 @@ Pseudocode edgeWalkPseudocode(const EdgeWalkForm &form)
                              : QStringLiteral("for each {across} from {a}_{lo} to {a}_{hi} that "
                                               "the fill rule takes:"),
                     {First, Next}});
-    code.push_back({2,
-                    QStringLiteral("the first: R, G, B ← those at {a}_{lo}, moved on to this "
-                                   "sample"),
-                    {First},
-                    {},
-                    {{VariantSet().with(Variant::NoColourPreStep),
-                      QStringLiteral("the first: R, G, B ← those at {a}_{lo}, as they are")}}});
-    code.push_back({2, QStringLiteral("else: R ← R + ΔR, G ← G + ΔG, B ← B + ΔB"), {Next}});
-    code.push_back({2, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {First, Next}});
+    for (const PseudocodeLine &line : isDirect ? directColours() : addedColours())
+        code.push_back(line);
     const EdgeWalkNames names(form);
     for (PseudocodeLine &line : code) {
         line.text = names.filled(line.text);

@@ -55,7 +55,7 @@ void specifyDivisor(const EdgeWalkNames &names, SortedEdge edge, const EdgeWalkS
 {
     const VariantSet variants = state.walk.scan.zeroArea ? VariantSet{} : state.settings.variants;
     if (names.isTooShort(state.walk.corners, edge, variants)) {
-        number.formula.clear();
+        number.formula = number.title + QStringLiteral(" = 0");
         number.toolTip += names.filled(
             QStringLiteral(" Δ{c} − 1 leaves nothing to divide by: the edge stays at its first "
                            "vertex."));

@@ -22,6 +22,7 @@ struct EdgeWalkStart {
     bool isPoint = false; ///< the bounds are equal: there is no change between them to share out
     Interval covered = Interval::Closed; ///< which bounds belong to the span
     bool hasPreStep = true; ///< to the first sample: not so by the variant NoColourPreStep
+    bool isOnePoint = false; ///< all vertices lie in one
 };
 
 struct EdgeWalkSpanState {
@@ -54,6 +55,7 @@ struct EdgeWalkSampleState {
     EdgeWalkStart start;
     std::array<Quantity, 3> colour; ///< levels, before rounding
     bool isFirst = false; ///< the span's first sample in the frame
+    Quantity bias; ///< β of the levels
 };
 
 template <class A>
@@ -86,7 +88,8 @@ EdgeWalkStart edgeWalkStartOf(const EdgeWalkSetUp<A> &setUp, const ColumnState<A
             column.firstDrawnRow != column.firstRow,
             quantityOf(column.yBottom) == quantityOf(column.yTop),
             setUp.intervals.rows,
-            setUp.scan.zeroArea || !variants.contains(Variant::NoColourPreStep)};
+            setUp.scan.zeroArea || !variants.contains(Variant::NoColourPreStep),
+            p0 == p2};
 }
 
 template <class A>
@@ -130,7 +133,8 @@ EdgeWalkSampleState edgeWalkStateOf(
     const SampleInHand<EdgeWalkSetUp<A>, ColumnState<A>, Fragment<A>> &step, std::int64_t along)
 {
     return {edgeWalkStartOf(step.setUp, step.span, step.settings.variants),
-            quantitiesOf(step.sample.colour), along == step.span.firstDrawnRow};
+            quantitiesOf(step.sample.colour), along == step.span.firstDrawnRow,
+            biasOf(step.sample.colour[0])};
 }
 
 } // namespace pixelplumb

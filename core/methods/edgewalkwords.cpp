@@ -136,6 +136,9 @@ void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSampleState &state) con
     if (state.isFirst)
         words.sentence = m_names.filled(
             QStringLiteral("The {span}'s first pixel takes R, G and B as they start."));
+    else if (m_names.form().walk == WalkForm::Direct
+             && (state.start.hasPlane || state.start.isVertical))
+        words.sentence = QStringLiteral("Each level is computed from P₀ anew.");
     else
         words.sentence = m_names.isRow()
             ? QStringLiteral("The next column: each level changes by its Δ.")

@@ -2,6 +2,8 @@
 #include "core/methods/interpolationnames.h"
 #include "core/methods/pseudocode.h"
 
+#include <algorithm>
+
 namespace pixelplumb {
 
 namespace {
@@ -111,6 +113,17 @@ Pseudocode shadedPseudocode(InterpolationForm form)
     const std::vector<Antialiasing> area = {Antialiasing::Area};
 
     Pseudocode code = columnLines(form);
+    const auto columns = std::ranges::find_if(code, [](const PseudocodeLine &line) {
+        return line.text.startsWith(QStringLiteral("for each {span}"));
+    });
+    PseudocodeLine everyColumn = *columns;
+    columns->antialiasing = one;
+    everyColumn.text.replace(
+        QStringLiteral("that the fill rule takes"),
+        QStringLiteral("in which a sample, or a part of a pixel's square, is the triangle's"));
+    everyColumn.antialiasing
+        = {Antialiasing::Samples4, Antialiasing::Samples16, Antialiasing::Area};
+    code.insert(columns + 1, everyColumn);
     code.insert(code.begin() + 2,
                 {0,
                  QStringLiteral("divide what the vertices carry by their w, but for z; 1/w is "
@@ -135,6 +148,11 @@ Pseudocode shadedPseudocode(InterpolationForm form)
         line.moments.push_back(Refused);
         code.push_back(line);
     }
+    code.push_back({2,
+                    QStringLiteral("if 1/w ≤ 0: on to the next sample — it lies beyond the horizon "
+                                   "of the triangle's plane"),
+                    atSamples, Effect::Perspective});
+    code.back().antialiasing = area;
     const auto append = [&](const QString &text, std::optional<Effect> effect,
                             const std::vector<Antialiasing> &antialiasing = {}) {
         code.push_back({2, text, {First, Next}, effect});
@@ -150,15 +168,16 @@ Pseudocode shadedPseudocode(InterpolationForm form)
            Effect::Texture);
     append(QStringLiteral("colour ← ambient and, of each light, the diffuse and specular term"),
            Effect::Light);
-    const auto blended = QStringLiteral("colour ← ⌊(colour·a + pixel·(255 − a))/255 + ½⌋");
-    std::vector<Antialiasing> bySamples = one;
-    bySamples.insert(bySamples.end(), several.begin(), several.end());
-    append(blended + QStringLiteral(" — a is the byte of A"), Effect::Blending, bySamples);
+    const auto blended = QStringLiteral("colour ← ⌊(colour·a + %1·(255 − a))/255 + ½⌋");
+    const QString overPixel = blended.arg(QStringLiteral("pixel"));
+    const auto ofAlpha = QStringLiteral(" — a is the byte of A");
+    append(overPixel + ofAlpha, Effect::Blending, one);
+    append(blended.arg(QStringLiteral("sample")) + ofAlpha, Effect::Blending, several);
     append(
         QStringLiteral("a ← ⌊a·area + ½⌋ — area is the covered part of the pixel's square, a was "
                        "the byte of A, 255 where nothing is blended"),
         {}, area);
-    append(blended, {}, area);
+    append(overPixel, {}, area);
     append(QStringLiteral("pixel (x, y) ← colour"), {}, {Antialiasing::None, Antialiasing::Area});
     append(QStringLiteral("sample ← colour; pixel (x, y) ← the mean of its samples, ⌊Σ/n + ½⌋"), {},
            several);

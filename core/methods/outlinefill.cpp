@@ -22,8 +22,8 @@ Method outlineFillMethod()
          QStringLiteral("y_low, y_high ← its smallest and its largest y there"),
          {Moment::Begin, Moment::Span}},
         {1,
-         QStringLiteral("R_low, R_high ← R along their edges; ΔR ← (R_high − R_low)/(y_high − "
-                        "y_low); G and B likewise"),
+         QStringLiteral("R_low, R_high ← R along their edges; if y_low < y_high: ΔR ← (R_high − "
+                        "R_low)/(y_high − y_low); G and B likewise"),
          {Moment::Begin, Moment::Span}},
         {1, QStringLiteral("for each row y from y_low to y_high:"), {Moment::First, Moment::Next}},
         {2, QStringLiteral("the first: R ← R_low; G and B likewise"), {Moment::First}},

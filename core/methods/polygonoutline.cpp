@@ -16,10 +16,11 @@ Method polygonOutlineMethod()
          QStringLiteral("edges ← of each contour, from vertex to vertex, closed"),
          {Moment::SetUp}},
         {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-        {0, QStringLiteral("for each edge, from its end with the smaller x:"), {Moment::Begin}},
+        {0, QStringLiteral("for each edge:"), {Moment::Begin}},
         {1,
          QStringLiteral("if |Δy| ≥ |Δx|: exchange x and y, here and where a pixel is written"),
          {Moment::Begin}},
+        {1, QStringLiteral("(x₀, y₀) ← its end with the smaller x"), {Moment::Begin}},
         {1,
          QStringLiteral("(x, y) ← the pixel of the first column, by a division; p ← the decision "
                         "about the next"),

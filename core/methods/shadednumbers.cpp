@@ -91,8 +91,11 @@ void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
                  return state.linear[channel][vertexIn(state, form, digit)];
              },
              [=](NumberDescription &number, const ShadedSetUpState &state) {
-                 if (!state.effects.perspective)
-                     number.formula = QStringLiteral("%1 = %2").arg(number.title, above);
+                 if (state.effects.perspective)
+                     return;
+                 number.formula = QStringLiteral("%1 = %2").arg(number.title, above);
+                 number.toolTip
+                     = QStringLiteral("%1 itself: no w differs in this triangle.").arg(above);
              }});
     }
 }

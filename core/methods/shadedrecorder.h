@@ -145,6 +145,8 @@ private:
         sample.before = *m_frame.at(x, y);
         sample.after = mean.pixel();
         for (std::size_t i = 0; i < 3; ++i)
+            sample.samples.sum[i] = std::uint16_t(mean.sum()[i]);
+        for (std::size_t i = 0; i < 3; ++i)
             sample.level[i] = unpacked(sample.after).channels[i];
         if (written == 0) {
             m_recorder.sampleRejected(x, y, sample.before, sample);

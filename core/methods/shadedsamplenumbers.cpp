@@ -75,8 +75,10 @@ void appendQuotient(Table &table, const ShadedScope &scope, std::size_t channel)
          [channel](const State &state) { return state.value[channel]; },
          [linear = linearName(which, scope.effects)](NumberDescription &number,
                                                      const State &state) {
-             if (!state.effects.perspective)
-                 number.formula = QStringLiteral("%1 = %2").arg(number.title, linear);
+             if (state.effects.perspective)
+                 return;
+             number.formula = QStringLiteral("%1 = %2").arg(number.title, linear);
+             number.toolTip = QStringLiteral("%1 at the sample.").arg(number.title);
          }});
 }
 
@@ -87,10 +89,22 @@ void appendDepth(Table &table, const ShadedScope &scope)
         table, QStringLiteral("z_near"),
         QStringLiteral("The nearest depth so far at the pixel; none where nothing stands."), {},
         [](const State &state) { return state.nearest; }, Group::Span);
-    if (hasLevels)
-        append(
-            table, QStringLiteral("z_level"), QStringLiteral("z as the depth buffer keeps it."), {},
-            [](const State &state) { return state.depth; }, Group::Span);
+    if (!hasLevels)
+        return;
+    table.push_back(
+        {plainNumber(QStringLiteral("z_level"), QStringLiteral("z_level"), {},
+                     QStringLiteral("z as the depth buffer keeps it."), {}, Group::Span),
+         [](const State &state) { return state.depth; },
+         [most = scope.greatestDepth](NumberDescription &number, const State &state) {
+             const Quantity &z = state.linear[indexOf(Channel::Depth)];
+             if (z.isNone() || !std::isfinite(z.toDouble()))
+                 return;
+             const bool isWithin = z.toDouble() >= 0 && z.toDouble() <= 1;
+             number.formula
+                 = QStringLiteral("z_level = ⌊%1·%2 + ½⌋")
+                       .arg(isWithin ? QStringLiteral("z") : QStringLiteral("min(1, max(0, z))"))
+                       .arg(most);
+         }});
 }
 
 /// "⌊R + ½⌋"
@@ -184,7 +198,7 @@ void appendBlending(Table &table, const ShadedScope &scope)
         });
 }
 
-void appendSamples(Table &table)
+void appendSamples(Table &table, std::size_t samples)
 {
     append(
         table, QStringLiteral("samples"),
@@ -196,14 +210,28 @@ void appendSamples(Table &table)
                                       : Quantity::integer(__builtin_popcount(state.samplesWritten));
         },
         Group::Span);
-    for (std::size_t i = 0; i < 3; ++i)
-        append(table, QStringLiteral("mean_") + QChar(channelLetters[i]),
-               QStringLiteral("The mean of %1 over the pixel's samples, as a byte.")
-                   .arg(QChar(channelLetters[i])),
-               {}, [i](const State &state) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const QString letter = QString(QChar(channelLetters[i]));
+        append(
+            table, QStringLiteral("sum_") + letter,
+            QStringLiteral("The sum of %1 over the pixel's samples, as they stand now.")
+                .arg(letter),
+            {},
+            [i](const State &state) {
+                return state.samples == 0 ? Quantity() : Quantity::integer(state.sampleSum[i]);
+            },
+            Group::FirstColour);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        const QString letter = QString(QChar(channelLetters[i]));
+        append(table, QStringLiteral("mean_") + letter,
+               QStringLiteral("The mean of %1 over the pixel's samples, as a byte.").arg(letter),
+               QStringLiteral("mean_%1 = ⌊sum_%1/%2 + ½⌋").arg(letter).arg(samples),
+               [i](const State &state) {
                    return state.samples == 0 ? Quantity()
                                              : Quantity::integer(state.after.channels[i]);
                });
+    }
 }
 
 } // namespace
@@ -293,8 +321,8 @@ NumberTable<ShadedSampleState> shadedSampleNumbers(const ShadedScope &scope)
         appendSource(table, effects, scope.rounding);
     if (effects.blending)
         appendBlending(table, scope);
-    if (!samplePattern(scope.antialiasing).empty())
-        appendSamples(table);
+    if (const std::size_t samples = samplePattern(scope.antialiasing).size(); samples > 0)
+        appendSamples(table, samples);
     return table;
 }
 

@@ -22,6 +22,7 @@ struct ShadedScope {
     EffectSet effects;
     Antialiasing antialiasing = Antialiasing::None;
     ByteRounding rounding = ByteRounding::Nearest;
+    std::uint32_t greatestDepth = 0; ///< level of the depth's format; 0: it keeps numbers
     bool isFiltered = false; ///< some material reads four texels
     /// Its lights, its viewer and its materials; null where no sample is lit.
     std::shared_ptr<const Appearance> appearance = nullptr;
@@ -70,14 +71,16 @@ struct ShadedSampleState {
     bool isWritten = false;
     bool isBlended = false; ///< and has an alpha
     EffectSet effects; ///< of the triangle
-    int samples = 0; ///< 4 or 16 where the pixel is a mean of them: then there are no other numbers
+    int samples = 0; ///< 4 or 16 where the pixel is a mean of them: then none of the rest is there
     std::uint16_t samplesWritten = 0;
+    std::array<std::uint16_t, 3> sampleSum = {}; ///< of what stands in them
+    bool isBeyondHorizon = false; ///< 1/w is not positive there
     PerChannel<Quantity> linear; ///< divided by w where perspective is corrected
     OfVertices<Quantity> weight;
     PerChannel<Quantity> value; ///< the quotient by 1/w
     std::array<Quantity, 2> affine; ///< u, v as if w were equal
     Quantity depth, nearest; ///< z or its level, and what stood there; none: nothing did
-    Colour interpolated;
+    Colour interpolated; ///< as a byte
     std::array<std::int32_t, 2> textureSize = {};
     TextureWrap wrap = TextureWrap::Repeat;
     std::array<std::int32_t, 2> firstTexel = {};

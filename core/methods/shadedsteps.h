@@ -240,6 +240,7 @@ ShadedSampleState shadedStateOf(
     state.samples = sample.samples.count;
     if (state.samples > 0) {
         state.samplesWritten = sample.samples.written;
+        state.sampleSum = sample.samples.sum;
         return state;
     }
     const ShadedQuantities<N> quantities(setUp);
@@ -256,6 +257,10 @@ ShadedSampleState shadedStateOf(
         for (std::size_t i = 0; i < 3; ++i)
             state.weight[i] = quantities.weight(sample.weight[i]);
     }
+    state.isBeyondHorizon = setUp.effects.perspective
+        && sample.value[indexOf(Channel::Reciprocal)] <= typename N::Number(0);
+    if (state.isBeyondHorizon)
+        return state; // nothing else was asked
     if (setUp.effects.depth == DepthTest::Number) {
         state.depth = quantities.depth(sample.depth.now);
         state.nearest = quantities.depth(sample.depth.before);

@@ -72,11 +72,12 @@ void appendFourTexels(NumberTable<ShadedSampleState> &table)
     const std::array names = {QStringLiteral("t00"), QStringLiteral("t10"), QStringLiteral("t01"),
                               QStringLiteral("t11")};
     const std::array places
-        = {QStringLiteral("smaller i and smaller j"), QStringLiteral("larger i and smaller j"),
-           QStringLiteral("smaller i and larger j"), QStringLiteral("larger i and larger j")};
+        = {QStringLiteral("texel (i, j)"), QStringLiteral("the texel next to it along u"),
+           QStringLiteral("the texel next to it along v"),
+           QStringLiteral("the texel next to it along both")};
     for (std::size_t k = 0; k < names.size(); ++k)
         appendBytes(table, names[k],
-                    QStringLiteral("% of the one with %1 of the four texels.").arg(places[k]), {},
+                    QStringLiteral("% of %1, of the four that are mixed.").arg(places[k]), {},
                     [k](const ShadedSampleState &state) {
                         return isFiltered(state) ? std::optional(state.texels[k]) : std::nullopt;
                     });
@@ -105,8 +106,9 @@ void appendTexels(NumberTable<ShadedSampleState> &table, const ShadedScope &scop
         const QString fraction = QStringLiteral("f_") + coordinate;
         table.push_back(
             {plainNumber(fraction, fraction, {},
-                         QStringLiteral("How far the sample lies from that texel's centre to the "
-                                        "next one's, along %1.")
+                         QStringLiteral("How far the sample lies between the centres of two texels along "
+                                        "%1: 0 at the first one's. Beyond the texture they are "
+                                        "those that would stand there.")
                              .arg(coordinate),
                          {}, NumberGroup::FirstColour),
              ofWritten([side](const ShadedSampleState &state) {

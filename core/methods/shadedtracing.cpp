@@ -18,6 +18,7 @@ ShadedScope scopeOf(InterpolationForm form, const Primitives &primitives,
     scope.form = form;
     scope.rounding = settings.rounding;
     scope.antialiasing = plan.antialiasing;
+    scope.greatestDepth = greatestDepthLevel(primitives.appearance.depthFormat);
     EffectSet &all = scope.effects;
     for (const EffectBatch &batch : plan.batches) {
         all.smooth |= batch.effects.smooth;

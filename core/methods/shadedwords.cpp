@@ -4,7 +4,27 @@
 #include "core/methods/interpolationwords.h"
 #include "core/methods/shadednumbers.h"
 
+#include <QStringList>
+
 namespace pixelplumb {
+
+namespace {
+
+/// "2 (number 0, 3)": their places in the pattern (resources/scene-file.md).
+QString writtenSamplesText(const ShadedSampleState &state)
+{
+    QStringList places;
+    for (int k = 0; k < state.samples; ++k) {
+        if ((state.samplesWritten >> k & 1) != 0)
+            places.append(QString::number(k));
+    }
+    return places.size() == state.samples ? QStringLiteral("all")
+                                          : QStringLiteral("%1 (number %2)")
+                                                .arg(places.size())
+                                                .arg(places.join(QStringLiteral(", ")));
+}
+
+} // namespace
 
 void tellShaded(StepWords &words, const ShadedSetUpState &state)
 {
@@ -20,6 +40,12 @@ void tellShaded(StepWords &words, const ShadedSpanState &state)
 {
     if (state.isBounded) {
         words.heading = walkNames(InterpolationForm::Bilinear).heading(state.walk);
+        const Lattice x = state.walk.column.x * unitsPerPixel;
+        const auto &corners = state.walk.corners;
+        if (x < corners[0].position.x || x > corners[2].position.x)
+            words.sentence = QStringLiteral("The column lies beside the triangle, which covers "
+                                            "parts of its pixels: its edges are prolonged to it, "
+                                            "and may have crossed.");
         return;
     }
     words.heading = QStringLiteral("Column %1").arg(state.walk.column.x);
@@ -34,19 +60,21 @@ void tellShaded(StepWords &words, const ShadedSampleState &state)
             ? QStringLiteral("An edge passes through the pixel: of its %1 samples this triangle "
                              "wrote %2. The pixel is the mean of all of them.")
                   .arg(state.samples)
-                  .arg(__builtin_popcount(state.samplesWritten))
+                  .arg(writtenSamplesText(state))
             : QStringLiteral("Refused: at each of the pixel's %1 samples that the triangle covers "
                              "it lies behind what stands there.")
                   .arg(state.samples);
+        return;
+    }
+    if (state.isBeyondHorizon) {
+        words.sentence = QStringLiteral("Refused: it lies beyond the horizon of the triangle's "
+                                        "plane, where there are no attributes.");
         return;
     }
     if (state.effects.depth == DepthTest::None) {
         if (state.isWritten && !state.area.isNone())
             words.sentence = QStringLiteral("The triangle covers %1 of the pixel's square.")
                                  .arg(term(state.area));
-        if (!state.isWritten)
-            words.sentence = QStringLiteral("Refused: it lies beyond the horizon of the triangle's "
-                                            "plane, where there are no attributes.");
         return;
     }
     const QString z = term(state.depth);

@@ -117,10 +117,14 @@ void appendStrokeSource(NumberTable<StrokeSampleState> &table)
          [](const StrokeSampleState &state) { return state.place(); },
          [](NumberDescription &number, const StrokeSampleState &state) {
              const StrokeColour::Place &place = state.sample.place;
-             if (state.isOnLine() && place.run > 0 && place.run < place.length)
-                 number.formula
-                     = QStringLiteral("t = ((x − x₀)·(x₁ − x₀) + (y − y₀)·(y₁ − y₀))/((x₁ − x₀)² "
-                                      "+ (y₁ − y₀)²)");
+             if (!state.isOnLine())
+                 return;
+             const auto along = QStringLiteral("((x − x₀)·(x₁ − x₀) + (y − y₀)·(y₁ − y₀))/((x₁ − "
+                                               "x₀)² + (y₁ − y₀)²)");
+             number.formula = QStringLiteral("t = ")
+                 + (place.run > 0 && place.run < place.length
+                        ? along
+                        : QStringLiteral("min(1, max(0, %1))").arg(along));
          }});
     appendChannels(
         table,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/byteexplanation.h"
 
+#include "core/methods/edgewalknames.h"
 #include "core/methods/formulatext.h"
 #include "core/runs/tracedscene.h"
 
@@ -15,13 +16,38 @@ constexpr std::array channelSubjects
 
 /// "⌊R + ½⌋", with the clamp where it was needed; % stands for the channel. A float's kernel cuts
 /// towards zero: below zero its level is 0 where the floor is −1.
-QString byteFormula(ByteRounding rounding, const Quantity &channel, std::int64_t level)
+/// `bias` is what the kernel adds, in symbols; mostly nothing.
+QString byteFormula(ByteRounding rounding, const Quantity &channel, std::int64_t level,
+                    const QString &bias)
 {
     const bool isNearest = rounding == ByteRounding::Nearest;
-    const QString rounded = isNearest ? QStringLiteral("⌊% + ½⌋") : QStringLiteral("⌊%⌋");
+    const QString half = isNearest ? QStringLiteral("½") : QString();
+    const QString added
+        = bias.isEmpty() || !isNearest ? half + bias : QStringLiteral("(½ + %1)").arg(bias);
+    const QString rounded
+        = added.isEmpty() ? QStringLiteral("⌊%⌋") : QStringLiteral("⌊% + %1⌋").arg(added);
     if (level < 0 || channel.toDouble() + (isNearest ? 0.5 : 0.0) < 0)
         return QStringLiteral("max(0, ") + rounded + u')';
     return level > 255 ? QStringLiteral("min(255, ") + rounded + u')' : rounded;
+}
+
+/// What the kernel adds to levels before it cuts them; none where no number says so.
+Quantity biasIn(const WrittenSample &written)
+{
+    const auto column
+        = std::ranges::find(written.numbers, colourBiasTitle(), &NumberDescription::title);
+    const auto place = std::size_t(column - written.numbers.begin());
+    const bool isAdded
+        = place < written.sample.cells.size() && written.sample.cells[place].toDouble() != 0;
+    return isAdded ? written.sample.cells[place] : Quantity();
+}
+
+/// So many digits that the sum can be believed.
+int placesOfSum(const Quantity &level, const Quantity &bias)
+{
+    return bias.isNone()
+        ? usualPlaces
+        : placesOfOperands(Quantity::of(level.toDouble() + (0.5 + bias.toDouble())));
 }
 
 /// The byte of an exact level.
@@ -63,20 +89,25 @@ void appendStage(Explanation &explanation, const QString &stage, QRgb pixel)
 }
 
 /// The bytes of the levels, and the levels themselves where no column describes them.
-void appendRounding(Explanation &explanation, ByteRounding rounding, const SampleRecord &sample,
-                    const ExactSample &exact)
+void appendRounding(Explanation &explanation, ByteRounding rounding, const WrittenSample &written)
 {
+    const SampleRecord &sample = written.sample;
+    const ExactSample &exact = written.exact;
+    const Quantity bias = biasIn(written);
     for (std::size_t channel = 0; channel < 3; ++channel) {
         if (sample.colour[channel].isNone())
             continue;
-        const auto filled = [&](const QString &level) {
-            return byteFormula(rounding, sample.colour[channel], sample.level[channel])
+        const int places = placesOfSum(sample.colour[channel], bias);
+        const auto filled = [&](const QString &level, const QString &added) {
+            return byteFormula(rounding, sample.colour[channel], sample.level[channel],
+                               bias.isNone() ? QString() : added)
                 .replace(u'%', level);
         };
         FormulaLine byte;
         byte.subject = channelSubjects[channel];
-        byte.symbols = QStringLiteral("byte = ") + filled(QString(channelLetters[channel]));
-        byte.substituted = filled(term(sample.colour[channel]));
+        byte.symbols = QStringLiteral("byte = ")
+            + filled(QString(channelLetters[channel]), colourBiasTitle());
+        byte.substituted = filled(term(sample.colour[channel], places), term(bias, places));
         byte.used = Quantity::integer(std::clamp<std::int64_t>(sample.level[channel], 0, 255));
         if (exact.colour[channel].isRational())
             byte.exact = byteOf(exact.colour[channel], rounding);
@@ -90,7 +121,7 @@ void appendBytes(Explanation &explanation, const TracedScene &traced, const Writ
 {
     const QString stage = lastStage(written.numbers, written.sample.cells);
     if (stage.isEmpty())
-        appendRounding(explanation, traced.scene.settings.rounding, written.sample, written.exact);
+        appendRounding(explanation, traced.scene.settings.rounding, written);
     else
         appendStage(explanation, stage, written.pixel);
 }

@@ -69,7 +69,8 @@ QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std:
     }
     if (attempt.verdict.zeroArea) {
         return rule == FillRule::Closed
-            ? QStringLiteral("The triangle has no area, and the sample is not on its segment.")
+            ? QStringLiteral("The triangle has no area, and the sample is not on the segment, or "
+                             "point, that it is.")
             : QStringLiteral("The triangle has no area: only the closed rule paints a segment.");
     }
     const QString noPart = noPartText(traced);

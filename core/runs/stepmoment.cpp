@@ -60,11 +60,29 @@ Moment momentOf(const ScanTrace &trace, std::size_t stepIndex)
                                                                                   : Moment::SetUp;
 }
 
+namespace {
+
+/// With the line that lights the vertices before anything is scanned.
+Pseudocode litCode(Pseudocode code, const TracedScene &traced)
+{
+    if (traced.plan && traced.plan->vertexLight)
+        code.insert(code.begin(),
+                    {0,
+                     QStringLiteral("R, G, B of the vertices ← ambient and, of each light, the "
+                                    "diffuse and specular term"),
+                     {Moment::SetUp}});
+    return code;
+}
+
+} // namespace
+
 Pseudocode pseudocodeOf(const TracedScene &traced, std::size_t primitive)
 {
     if (!traced.plan || traced.method->shadedPseudocode.empty())
-        return underRule(variedCode(traced.method->pseudocode, traced.scene.settings.variants),
-                         traced.scene.settings.fillRule);
+        return litCode(
+            underRule(variedCode(traced.method->pseudocode, traced.scene.settings.variants),
+                      traced.scene.settings.fillRule),
+            traced);
     const EffectSet effects = effectsOf(*traced.plan, primitive);
     Pseudocode code = traced.method->shadedPseudocode;
     const Antialiasing antialiasing = traced.plan->antialiasing;
@@ -73,7 +91,7 @@ Pseudocode pseudocodeOf(const TracedScene &traced, std::size_t primitive)
             || (!line.antialiasing.empty()
                 && std::ranges::find(line.antialiasing, antialiasing) == line.antialiasing.end());
     });
-    return code;
+    return litCode(std::move(code), traced);
 }
 
 } // namespace pixelplumb

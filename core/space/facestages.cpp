@@ -6,6 +6,8 @@
 #include "core/space/stagenumbers.h"
 #include "core/space/stagepoints.h"
 
+#include <algorithm>
+
 namespace pixelplumb {
 
 namespace {
@@ -51,8 +53,15 @@ private:
 
     void writeVertices()
     {
-        ProjectionStage &stage = begin(QStringLiteral("Vertex"),
-                                       QStringLiteral("The face's vertices in the scene's space"));
+        const bool hasNormals = std::ranges::none_of(
+            m_used.vertices, [](const auto &vertex) { return vertex.normal.isZero(); });
+        const QString ofFace = m_used.vertices.size() == 3
+            ? QStringLiteral("(V₁ − V₀) × (V₂ − V₀)")
+            : QStringLiteral("Σ (V_i − V₀) × (V_i₊₁ − V₀)");
+        ProjectionStage &stage = begin(
+            QStringLiteral("Vertex"),
+            QStringLiteral("The face's vertices in the scene's space")
+                + (hasNormals ? QString() : QStringLiteral(", N = %1 to length 1").arg(ofFace)));
         for (std::size_t i = 0; i < m_used.vertices.size(); ++i) {
             StagePoint &point = stage.points.emplace_back(StagePoint{faceVertexName(i), {}, {}});
             StageNumberWriter numbers(point.numbers);

@@ -19,6 +19,7 @@ struct ClipVertex {
 
     /// At or beyond the near plane.
     bool isInside() const { return clip.z >= 0; }
+    bool isOnPlane() const { return clip.z == 0; }
 };
 
 /// A corner of the polygon that clipping makes: a vertex that is kept, or where an edge is cut.
@@ -55,7 +56,7 @@ ClippedCorner<Number> cutEdge(const std::vector<ClipVertex<Number>> &polygon, st
 
 /// The part of a convex polygon at or beyond the near plane, edge by edge [Sutherland 1974]. Only
 /// this plane: beyond it w > 0, and the frame clips what leaves it sideways by its rows and
-/// columns.
+/// columns. A vertex on the plane is a corner by itself: none of its edges is cut there again.
 template <class Number>
 void clipAtNear(const std::vector<ClipVertex<Number>> &polygon, const Number &wAtNear,
                 std::vector<ClippedCorner<Number>> &clipped)
@@ -67,10 +68,9 @@ void clipAtNear(const std::vector<ClipVertex<Number>> &polygon, const Number &wA
         const bool endsInside = polygon[to].isInside();
         if (staysInside)
             clipped.push_back({polygon[from], from, from, Number(0)});
-        if (staysInside != endsInside) {
-            clipped.push_back(
-                cutEdge(polygon, staysInside ? from : to, staysInside ? to : from, wAtNear));
-        }
+        const std::size_t inside = staysInside ? from : to;
+        if (staysInside != endsInside && !polygon[inside].isOnPlane())
+            clipped.push_back(cutEdge(polygon, inside, staysInside ? to : from, wAtNear));
     }
 }
 

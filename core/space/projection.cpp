@@ -46,7 +46,7 @@ public:
             m_projected.lost.push_back({source, ProjectionLoss::BehindNearPlane});
             return;
         }
-        m_isCut = std::ranges::any_of(face.clipped, &ClippedCorner<double>::isCut);
+        m_isCut = !std::ranges::all_of(face.polygon, &ClipVertex<double>::isInside);
         m_corners.clear();
         for (std::size_t i = 0; i < face.clipped.size(); ++i) {
             m_corners.push_back(
@@ -108,7 +108,7 @@ QString nameOf(ProjectionLoss loss)
         return QStringLiteral(
             "is not seen: the camera's eye is at its target, or up is where it looks");
     case ProjectionLoss::BehindNearPlane:
-        return QStringLiteral("lies wholly before the near plane");
+        return QStringLiteral("has no part beyond the near plane");
     case ProjectionLoss::NotFinite:
         return QStringLiteral("has a corner that the camera takes nowhere");
     case ProjectionLoss::OutsideCoordinates:

@@ -11,13 +11,13 @@ namespace pixelplumb {
 /// Why a face, or a triangle of it, is not drawn.
 enum class ProjectionLoss : std::uint8_t {
     NoView, ///< the camera's eye is at its target, or up is the direction in which it looks
-    BehindNearPlane, ///< all of the face
+    BehindNearPlane, ///< all of the face, or all but a corner or an edge that lies in the plane
     NotFinite, ///< a place in the frame that is no number
     OutsideCoordinates, ///< beyond ±2^30 px
     OutsideAttributes, ///< z, u, v or a place in space beyond ±2^20
 };
 
-/// "lies wholly before the near plane": the rest of a sentence that begins with the face.
+/// "has no part beyond the near plane": the rest of a sentence that begins with the face.
 QString nameOf(ProjectionLoss loss);
 
 struct LostTriangle {

@@ -1255,8 +1255,8 @@
         <translation>wird nicht gesehen: Das Auge der Kamera ist an ihrem Ziel, oder oben ist, wohin sie blickt</translation>
     </message>
     <message>
-        <source>lies wholly before the near plane</source>
-        <translation>liegt ganz vor der vorderen Ebene</translation>
+        <source>has no part beyond the near plane</source>
+        <translation>hat keinen Teil hinter der vorderen Ebene</translation>
     </message>
     <message>
         <source>has a corner that the camera takes nowhere</source>

@@ -44,7 +44,7 @@ constexpr const char *context = "pixelplumb::CoreWords";
     // Why a triangle of a solid is not drawn: "3: each …".
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords",
                       "is not seen: the camera's eye is at its target, or up is where it looks"),
-    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "lies wholly before the near plane"),
+    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "has no part beyond the near plane"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "has a corner that the camera takes nowhere"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "has a corner beyond ±%1^%2 px"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "has a corner with a number beyond ±%1^%2"),

@@ -97,6 +97,34 @@ private slots:
                  plan.output);
     }
 
+    void aSceneThatNoMethodDrawsRunsNothing()
+    {
+        const QByteArray scene
+            = "{\"pixelplumb\": 1, \"frame\": {\"width\": 9, \"height\": 9}, \"fillRule\":"
+              " \"off-screen-point\", \"primitives\": [{\"triangle\": [[1, 1], [8, 1], [1, 8]],"
+              " \"colors\": [\"#ff000080\", \"#ff000080\", \"#ff000080\"]}]}";
+        const ProgramRun text = run({"plan", "-"}, scene);
+        const ProgramRun json = run({"plan", "-", "--json"}, scene);
+
+        QVERIFY2(text.output.contains("called for      refused"), text.output);
+        QVERIFY2(!text.output.contains(" yes "), text.output);
+        const QJsonObject plan = QJsonDocument::fromJson(json.output).object();
+        QVERIFY(!verdictOn(plan, "blending")["runs"].toBool());
+        QVERIFY(plan["refused"].toString().contains("cannot do blending"));
+    }
+
+    void whatIsNotDrawnIsSaidOfTheBatchThatItJoins()
+    {
+        const ProgramRun plan
+            = run({"plan", "-"},
+                  "{\"pixelplumb\": 1, \"frame\": {\"width\": 8, \"height\": 8}, \"primitives\": ["
+                  "{\"triangle\": [[1, 1], [6, 1], [1, 6]], \"colors\": [\"#ff000080\", "
+                  "\"#ff000080\", \"#ff000080\"]},"
+                  "{\"triangle\": [[20, 20], [26, 20], [20, 26]], \"colors\": [\"#ffffff\", "
+                  "\"#ffffff\", \"#ffffff\"]}]}");
+        QVERIFY2(plan.output.contains("0 … 1, 1 of them not drawn  blending"), plan.output);
+    }
+
     void whatIsForcedRunsAndIsNamed()
     {
         const QJsonObject plan

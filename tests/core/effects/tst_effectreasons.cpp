@@ -344,6 +344,19 @@ private slots:
             "1 of 2 triangles has an alpha below 255, the lowest is 128; the closed rule gives 8 "
             "samples on shared edges to both triangles, one of them in pixel (10, 3)");
         add(
+            "a pane without area on another's edge, of 16 samples a pixel",
+            [](Primitives &p) {
+                // It paints pixels whole: with them the sample on the diagonal, 1/16 px from the
+                // centre, of all but the last.
+                p.appearance.antialiasing = Antialiasing::Samples16;
+                p.triangles[0] = triangleAt({{{1, 1}, {4, 4}, {4, 1}}});
+                p.triangles[1] = triangleAt({{{1, 1}, {4, 4}, {1, 1}}});
+                setAlpha(p, 1, 128);
+            },
+            Effect::Blending, yes, 1,
+            "1 of 2 triangles has an alpha below 255, the lowest is 128; the closed rule gives 3 "
+            "samples on shared edges to both triangles, one of them in pixel (1, 1)");
+        add(
             "a face that the near plane cuts", [](Primitives &p) { p.cutAtNear = {1}; },
             Effect::Clipping, yes, 1, "1 of 2 triangles is of a face that the near plane cuts");
 

@@ -61,6 +61,23 @@ private slots:
                                 "curve has of a pixel"));
     }
 
+    void whatIsNotDrawnOfLinesRunsNothing()
+    {
+        // A point, and a line whose border is in the frame, but no sample of it.
+        for (Shape line : {lineAt(3, 3, 3, 3), lineAt(1, 8, 8, 8)}) {
+            for (Vertex &vertex : line.vertices)
+                vertex.position.y -= line.vertices[0].position.x == line.vertices[1].position.x
+                    ? 0
+                    : unitsPerPixel * 3 / 32;
+            line.vertices[1].colour = {{1, 2, 3}};
+            const EffectPlan plan = planOf(sceneOf(line, Antialiasing::Samples4));
+            for (const Effect effect : allEffects) {
+                QVERIFY2(!plan.runs(effect), nameOf(effect).data());
+                QCOMPARE(plan.verdicts[effect].verdict, Verdict::NotCalledFor);
+            }
+        }
+    }
+
     void aSceneOfLinesThatNamesNoMethodGetsTheOneThatCan()
     {
         const QByteArray line = shapeExamples()[1].text;

@@ -267,6 +267,86 @@ private slots:
                      qPrintable(formula + u'\n' + QStringList(shown.values()).join(u'\n')));
     }
 
+    /// 2^16 − 1 levels of depth, a depth beyond 1, and pixels of several samples.
+    void depthLevelsAndMeansHaveFormulas()
+    {
+        const auto read = readScene(
+            "{ \"pixelplumb\": 1, \"frame\": { \"width\": 12, \"height\": 12 }, \"depth\": \"on\","
+            " \"depthBits\": 16, \"antialiasing\": 4, \"primitives\": [ { \"triangle\": [[1, 1],"
+            " [10, 2], [3, 10]], \"colors\": [\"#ff0000\", \"#00ff00\", \"#0000ff\"],"
+            " \"z\": [0.1, 1.5, 0.25] } ] }");
+        QVERIFY2(read.isOk(), read ? "" : qPrintable(read.error().message()));
+        const auto traced = traceScene(read->scene);
+        QSet<QString> shown;
+        for (std::size_t step = 0; step < traced->trace->stepCount(); ++step) {
+            for (const FormulaLine &line : explainStep(*traced, step).lines) {
+                if (line.substituted.isEmpty())
+                    continue;
+                shown.insert(line.symbols);
+                const QString fault = formulaFault(
+                    line, FormulaRange::of(line.substituted, Arithmetic::Exact), Arithmetic::Exact);
+                QVERIFY2(fault.isEmpty(),
+                         qPrintable(line.symbols + u' ' + line.substituted + fault));
+            }
+        }
+        for (const char *formula : {"z_level = ⌊z·65535 + ½⌋", "mean_R = ⌊sum_R/4 + ½⌋",
+                                    "z_level = ⌊min(1, max(0, z))·65535 + ½⌋"})
+            QVERIFY2(shown.contains(QString::fromUtf8(formula)), formula);
+    }
+
+    /// By hand: 118 1/2 exactly, which float64 has as 118.49999999999999; A = −132, and β is
+    /// 1/(4·132·256²) = 2.88992…·10⁻⁸.
+    void whatIsAddedToLevelsInFloat64IsShown()
+    {
+        const auto read = readScene(
+            "{ \"pixelplumb\": 1, \"frame\": { \"width\": 50, \"height\": 50 }, \"method\":"
+            " \"column-scan-bias\", \"arithmetic\": \"float64\", \"primitives\": [ { \"triangle\":"
+            " [[32, 39], [23, 9], [21, 17]], \"colors\": [\"#2f243c\", \"#9ff97e\", \"#a2339b\"]"
+            " } ] }");
+        QVERIFY2(read.isOk(), read ? "" : qPrintable(read.error().message()));
+        const auto traced = traceScene(read->scene);
+        QStringList bytes;
+        for (std::size_t step = 0; step < traced->trace->stepCount(); ++step) {
+            const TraceStep at = traced->trace->stepAt(step);
+            if (at.kind != StepKind::Sample)
+                continue;
+            const PixelChange &change = traced->trace->changes()[at.sample];
+            for (const FormulaLine &line : explainStep(*traced, step).lines) {
+                const QString fault
+                    = formulaFault(line, FormulaRange::of(line.substituted, Arithmetic::Float64),
+                                   Arithmetic::Float64);
+                QVERIFY2(fault.isEmpty(),
+                         qPrintable(line.symbols + u' ' + line.substituted + fault));
+                if (change.x == 25 && change.y == 23 && line.symbols.startsWith(u"byte"))
+                    bytes.append(line.symbols + QStringLiteral(": ") + line.substituted);
+            }
+        }
+        QCOMPARE(bytes.size(), 3);
+        QVERIFY2(bytes[2].startsWith(u"byte = ⌊B + (½ + β_C)⌋: ⌊118.49999999999999 + (½ + 2.88992"),
+                 qPrintable(bytes[2]));
+    }
+
+    void beyondTheHorizonTheHorizonRefuses()
+    {
+        const auto read = readScene(
+            "{ \"pixelplumb\": 1, \"frame\": { \"width\": 12, \"height\": 12 }, \"depth\": \"on\","
+            " \"antialiasing\": \"area\", \"method\": \"interpolate-plane\", \"primitives\": [ {"
+            " \"triangle\": [[2, 8], [6.5, 10], [4.5, 7]], \"colors\": [\"#ff0000\", \"#00ff00\","
+            " \"#ff0000\"], \"z\": [0.5, 0.25, 0.5], \"w\": [1, 1, 16] } ] }");
+        QVERIFY2(read.isOk(), read ? "" : qPrintable(read.error().message()));
+        const auto traced = traceScene(read->scene);
+        int refused = 0;
+        for (std::size_t step = 0; step < traced->trace->stepCount(); ++step) {
+            const TraceStep at = traced->trace->stepAt(step);
+            if (at.kind != StepKind::Sample || traced->trace->changes()[at.sample].isWritten())
+                continue;
+            ++refused;
+            const QString sentence = explainStep(*traced, step).sentence;
+            QVERIFY2(sentence.contains(u"horizon"), qPrintable(sentence));
+        }
+        QVERIFY(refused > 0);
+    }
+
     void aNameThatIsNoNumberIsNoticed()
     {
         QVERIFY(FormulaRange::of(QStringLiteral("(9 1/2) + 3·2²"), Arithmetic::Exact));

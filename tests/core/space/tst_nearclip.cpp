@@ -117,6 +117,43 @@ private slots:
         }
     }
 
+    void aCornerOnTheNearPlaneIsCutOnce_data()
+    {
+        QTest::addColumn<Solid>("face");
+        QTest::addColumn<int>("triangles");
+        // The plane is z = 2.
+        QTest::newRow("a corner on it, one beyond it, one before it")
+            << triangle3({-2, -2, 2}, {2, -2, 0}, {2, 7, 4}) << 1;
+        QTest::newRow("the same the other way round")
+            << triangle3({-2, -2, 2}, {2, 7, 4}, {2, -2, 0}) << 1;
+        QTest::newRow("a corner on it, the others before it")
+            << triangle3({-2, -2, 2}, {2, -2, 3}, {2, 7, 4}) << 0;
+        QTest::newRow("an edge on it, the rest before it")
+            << triangle3({-2, -2, 2}, {2, -2, 2}, {2, 7, 4}) << 0;
+        QTest::newRow("an edge on it, the rest beyond it")
+            << triangle3({-2, -2, 2}, {2, -2, 2}, {2, 7, 0}) << 1;
+        QTest::newRow("all on it") << triangle3({-2, -2, 2}, {2, -2, 2}, {2, 7, 2}) << 1;
+        QTest::newRow("none on it, one before it")
+            << triangle3({-2, -2, 1}, {2, -2, 1}, {2, 7, 3}) << 2;
+    }
+    void aCornerOnTheNearPlaneIsCutOnce()
+    {
+        QFETCH(Solid, face);
+        QFETCH(int, triangles);
+        Scene scene = sceneOf({face});
+        scene.camera->projection = Projection::Orthographic;
+        scene.camera->height = 8;
+        scene.camera->eye = {0, 0, 4};
+        scene.camera->near = 2;
+
+        const ProjectedSolids projected = projectedSolids(scene);
+
+        QCOMPARE(int(projected.triangles.size()), triangles);
+        QCOMPARE(projected.lost.size(), triangles == 0 ? 1U : 0U);
+        for (const Triangle &triangle : projected.triangles)
+            QVERIFY(doubledArea(triangle) != 0);
+    }
+
     void whatLiesBeforeTheNearPlaneIsLostWithItsReason()
     {
         const Scene scene = sceneOf({triangle3({0, 0, 6}, {1, 0, 7}, {0, 1, 8}),

@@ -31,7 +31,7 @@ Scene scatteredScene(unsigned seed, const ScanSettings &settings, const QString 
     scene.frame.pixelCentre = seed % 2 == 0 ? PixelCentre::Integer : PixelCentre::Half;
     scene.settings = settings;
     scene.method = method.toStdString();
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < (isSanitized ? 12 : 40); ++i) {
         Triangle triangle;
         for (Vertex &vertex : triangle.vertices) {
             vertex.position = {coordinate(random), coordinate(random)};

@@ -187,7 +187,7 @@ private slots:
         open(panel, playhead, scene);
 
         const QString text = named<QLabel>(panel, "projectionSentence")->text();
-        QVERIFY2(text.contains(QStringLiteral("1: each lies wholly before the near plane")),
+        QVERIFY2(text.contains(QStringLiteral("1: each has no part beyond the near plane")),
                  qPrintable(text));
     }
 

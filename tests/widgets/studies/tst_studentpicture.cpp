@@ -95,11 +95,17 @@ std::vector<Defect> defectIn(const Scene &right, const QString &id)
     return {*found};
 }
 
-/// The default scene's, with the picture that it has with a defect.
+/// With a small scene, in which defects are sought soon, and the picture that it has with a defect.
 std::unique_ptr<MainWindow> windowWithDefect(const char *id)
 {
     auto window = openedWindow();
-    const Scene scene = window->parts().document->scene();
+    Scene scene = window->parts().document->scene();
+    scene.frame.width = 32;
+    scene.frame.height = 24;
+    for (Vertex &vertex : scene.triangles[0].vertices)
+        vertex.position = {vertex.position.x / 2, vertex.position.y / 2};
+    window->parts().document->setScene(scene, QStringLiteral("small"));
+    window->parts().document->markSaved();
     QApplication::clipboard()->setImage(imageOf(pictureWith(scene, defectIn(scene, id))));
     action(*window, "pasteStudentPicture")->trigger();
     return window;
