@@ -123,7 +123,10 @@ ExitCode print(const CommandLine &line, const GradeReport &report)
         printJson(QJsonDocument(clusterJson(report)));
     else
         printLines(clusterLines(report));
-    return ExitCode::Done;
+    const QStringList ungraded = ungradedLines(report);
+    for (const QString &each : ungraded)
+        sayLine(each);
+    return ungraded.isEmpty() ? ExitCode::Done : ExitCode::Usage;
 }
 
 /// Says which names in the folder of submissions are none.

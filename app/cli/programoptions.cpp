@@ -26,6 +26,20 @@ Result<ProgramInput> chosenInput(const CommandLine &line)
                        line.value(inputOption), names);
 }
 
+/// 0: no limit.
+Result<std::int64_t> chosenMegabytes(const CommandLine &line)
+{
+    const auto megabytes = wholeNumberOf(line, memoryOption, {0, mostMegabytes});
+    if (!megabytes)
+        return megabytes.error();
+    if (**megabytes == 0 || **megabytes >= leastMegabytes)
+        return **megabytes;
+    return InputError{
+        QStringLiteral("--") + memoryOption,
+        QStringLiteral("no program starts in %1 MiB").arg(**megabytes),
+        QStringLiteral("%1 … %2, or 0 for no limit").arg(leastMegabytes).arg(mostMegabytes)};
+}
+
 } // namespace
 
 void addProgramOptions(CommandLine &line)
@@ -40,8 +54,9 @@ void addProgramOptions(CommandLine &line)
                         "as long is ended by the clock; 10 if left out."),
          QStringLiteral("seconds"), QStringLiteral("10")});
     line.addOption({memoryOption,
-                    QStringLiteral("MiB of addresses for each process; 0: no limit; 1024 if left "
-                                   "out."),
+                    QStringLiteral("MiB of addresses for each process, %1 at least; 0: no limit; "
+                                   "1024 if left out.")
+                        .arg(leastMegabytes),
                     QStringLiteral("number"), QStringLiteral("1024")});
 }
 
@@ -68,10 +83,10 @@ Result<TrialTerms> chosenTerms(const CommandLine &line)
     if (!seconds)
         return seconds.error();
     terms.limits.time = std::chrono::seconds(**seconds);
-    const auto megabytes = wholeNumberOf(line, memoryOption, {0, 1 << 20});
+    const Result<std::int64_t> megabytes = chosenMegabytes(line);
     if (!megabytes)
         return megabytes.error();
-    terms.limits.memory = **megabytes << 20;
+    terms.limits.memory = *megabytes << 20;
     return terms;
 }
 

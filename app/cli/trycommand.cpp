@@ -18,6 +18,9 @@ namespace pixelplumb::cli {
 namespace {
 
 constexpr qsizetype longestMessages = 400; // characters of stderr
+const QString nothingToCompare
+    = QStringLiteral("nothing was printed that could be compared: it names triangles, and none of "
+                     "their lines has numbers");
 
 /// A scene's file, and what became of it.
 struct SceneTrial {
@@ -45,9 +48,13 @@ QStringList linesOf(const SceneTrial &tried)
         for (const QString &line : textOf(*trial.picture))
             lines += QStringLiteral("    ") + line;
     }
+    if (const auto beyond = beyondFrameText(trial.output))
+        lines += QStringLiteral("    ") + *beyond;
+    if (trial.hasNothingToCompare())
+        lines += QStringLiteral("    ") + nothingToCompare;
     if (trial.trace)
         lines += QStringLiteral("    first difference: ") + stepText(*trial.trace);
-    else if (!trial.output.lines.empty() && !trial.fault)
+    else if (trial.output.hasLines() && !trial.fault)
         lines += QStringLiteral("    no number of its trace differs");
     const QString said = shownText(trial.run.messages, longestMessages).trimmed();
     if (!said.isEmpty()) {
@@ -70,6 +77,10 @@ QJsonObject objectOf(const SceneTrial &tried)
                        {QStringLiteral("sandbox"), trial.run.isSandboxed()}};
     if (trial.fault)
         object.insert(QStringLiteral("fault"), trial.fault->message());
+    else if (trial.hasNothingToCompare())
+        object.insert(QStringLiteral("fault"), nothingToCompare);
+    if (trial.output.trace)
+        object.insert(QStringLiteral("beyondFrame"), qint64(trial.output.trace->beyondFrame));
     if (trial.picture)
         object.insert(QStringLiteral("picture"), jsonOf(*trial.picture));
     object.insert(QStringLiteral("transparencyIgnored"),

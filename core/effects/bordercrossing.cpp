@@ -270,9 +270,7 @@ BorderCrossing borderCrossingOf(const Shape &shape, const SampledFrame &where)
     const bool isLine = shape.kind == PrimitiveKind::Line;
     const bool isAntialiased = where.antialiasing != Antialiasing::None && isStroke(shape);
     const Antialiasing antialiasing = isAntialiased ? where.antialiasing : Antialiasing::None;
-    // An antialiased line is one pixel wide and as long as its segment: of a point nothing is left.
-    if (isAntialiased && isLine
-        && shape.vertices.front().position == shape.vertices.back().position)
+    if (isAntialiased && isShort(shape) && !isDrawn(strokeStripOf(shape, frame), where))
         return BorderCrossing::Outside;
     const BorderCrossing crossing
         = crossingOfBox(isAntialiased && isLine ? boxOfLine(strokeStripOf(shape, frame))

@@ -208,7 +208,7 @@ QString blendingReason(const Primitives &primitives, const NeedsTally &tally,
                                .arg(has(blended, tally.drawnTriangles, triangleWord()))
                                .arg(tally.lowestAlpha);
     const SampledFrame where{frame, settings.fillRule, primitives.appearance.antialiasing};
-    const bool sharesEdges = settings.fillRule == FillRule::Closed
+    const bool sharesEdges = where.rule == FillRule::Closed
         && where.antialiasing != Antialiasing::Area && tally.drawnTriangles > 1;
     return sharesEdges ? reason + paintedTwiceWords(primitives, tally, where) : reason;
 }

@@ -54,6 +54,12 @@ public:
         m_batches.back().effects = effects;
         m_hasEffects = true;
     }
+    /// One that only its effects keep from being drawn: perspective knows its horizon.
+    void addRefused(const EffectSet &effects)
+    {
+        add(effects);
+        ++m_batches.back().unseen;
+    }
     void addUnseen()
     {
         if (m_batches.empty())
@@ -79,14 +85,17 @@ std::vector<EffectBatch> batchesOf(const Primitives &primitives, const SampledFr
         const bool hasAttributes = next != primitives.attributes.end() && next->triangle == i;
         const TriangleAttributes *attributes = hasAttributes ? &*next++ : nullptr;
         const Triangle &triangle = primitives.triangles[i];
-        if (drawnReachOf(triangle, attributes, appearance, where).isEmpty()) {
+        if (reachOf(triangle, where).isEmpty()) {
             list.addUnseen();
             continue;
         }
         EffectSet effects = withForcing(needsOf(triangle, attributes, appearance).effects,
                                         attributes, appearance);
         effects.depth = runsDepth(appearance, depth, i) ? test : DepthTest::None;
-        list.add(effects);
+        if (drawnReachOf(triangle, attributes, appearance, where).isEmpty())
+            list.addRefused(effects);
+        else
+            list.add(effects);
     }
     return std::move(list).batches();
 }
@@ -109,8 +118,9 @@ bool EffectPlan::runsOnTriangles(Effect effect) const
         return antialiasing != Antialiasing::None;
     if (effect == Effect::Clipping)
         return verdicts[effect].verdict != Verdict::NotCalledFor;
-    return std::ranges::any_of(
-        batches, [effect](const EffectBatch &batch) { return contains(batch.effects, effect); });
+    return std::ranges::any_of(batches, [effect](const EffectBatch &batch) {
+        return contains(batch.effects, effect) && batch.unseen < batch.count;
+    });
 }
 
 EffectPlan planFor(const Primitives &primitives, const ScanSettings &settings,

@@ -97,8 +97,12 @@ Antialiasing triangleAntialiasing(const Primitives &primitives, const ScanSettin
             triangle, asked,
             horizonOf(triangle, primitives.attributesOf(index), appearance, asked));
     };
+    const auto isPartlyDrawn
+        = [&](const Triangle &triangle) { return hasEdges(triangle) && isDrawnSo(triangle); };
     // The edges of one that lies between all samples part the pixels of others.
     return runningOf(appearance, asked, [&] {
+        if (asked.antialiasing == Antialiasing::Area)
+            return std::ranges::any_of(primitives.triangles, isPartlyDrawn);
         return std::ranges::any_of(primitives.triangles, hasEdges)
             && std::ranges::any_of(primitives.triangles, isDrawnSo);
     });

@@ -166,13 +166,12 @@ std::optional<SharedEdge> sharedOf(std::span<const TriangleEdge> same)
     SharedEdge shared = same.back().edge;
     if (others.size() > 1 && std::ranges::any_of(others, isBlended))
         return shared;
-    if (same.size() < 2 || std::ranges::none_of(same, isBlended))
+    if (segments > 1 && std::ranges::any_of(same.first(segments), isBlended))
+        return same.front().edge;
+    if (segments == 0 || same.size() < 2 || std::ranges::none_of(same, isBlended))
         return std::nullopt;
-    if (segments > 0) {
-        shared.isSegmentsToo = true;
-        return shared;
-    }
-    return std::nullopt;
+    shared.isSegmentsToo = true;
+    return shared;
 }
 
 /// Once each.

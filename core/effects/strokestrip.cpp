@@ -286,4 +286,13 @@ StrokeStrip strokeStripOf(const Shape &shape, const FrameView &frame)
     return {};
 }
 
+bool isShort(const Shape &stroke)
+{
+    const LatticePoint &from = stroke.vertices.front().position;
+    return std::ranges::all_of(stroke.vertices, [&from](const Vertex &vertex) {
+        return absolute(vertex.position.x - from.x) < unitsPerPixel
+            && absolute(vertex.position.y - from.y) < unitsPerPixel;
+    });
+}
+
 } // namespace pixelplumb

@@ -64,4 +64,7 @@ StrokeStrip strokeStripOf(const Shape &shape, const FrameView &frame);
 /// coordinate to the nearest unit, halves away from 0; (0, 0) where there is no direction.
 StrokePoint strokeHalfWidth(Int128 dx, Int128 dy);
 
+/// Whether a line or curve is shorter than a pixel: one pixel wide, it may lie between all samples.
+bool isShort(const Shape &stroke);
+
 } // namespace pixelplumb

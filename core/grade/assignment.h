@@ -76,7 +76,7 @@ struct AssignedProgram {
     QString file; ///< in the submission's folder: "rasterize"; empty: its one executable file
     ProgramInput input = ProgramInput::Json;
     int seconds = 10; ///< 1 … 3600
-    int megabytes = 1024; ///< of memory, 1 … 2^20
+    int megabytes = 1024; ///< of memory, leastMegabytes … mostMegabytes
     int outputMegabytes = 64; ///< 1 … 1024
 
     friend bool operator==(const AssignedProgram &, const AssignedProgram &) = default;

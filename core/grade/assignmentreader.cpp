@@ -167,21 +167,22 @@ private:
                 m_json.fail(name, describe(name), QStringLiteral("a file's name, without folders"));
         }
         readWord(node["input"], allProgramInputs, program.input);
-        readNumber(node["seconds"], 3600, program.seconds);
+        readNumber(node["seconds"], {1, 3600}, program.seconds);
         if (const JsonNode memory = node["megabytes"]; memory.toDouble(-1) == 0)
             m_json.fail(memory, QStringLiteral("0: a class' programs may not have all memory"),
-                        QStringLiteral("1 to %1; a runtime that reserves much, such as Java's or "
+                        QStringLiteral("%1 to %2; a runtime that reserves much, such as Java's or "
                                        "Go's, has enough of 65536")
-                            .arg(1 << 20));
-        readNumber(node["megabytes"], 1 << 20, program.megabytes);
-        readNumber(node["outputMegabytes"], 1024, program.outputMegabytes);
+                            .arg(leastMegabytes)
+                            .arg(mostMegabytes));
+        readNumber(node["megabytes"], {leastMegabytes, mostMegabytes}, program.megabytes);
+        readNumber(node["outputMegabytes"], {1, 1024}, program.outputMegabytes);
         return program;
     }
 
-    void readNumber(const JsonNode &node, int most, int &number)
+    void readNumber(const JsonNode &node, std::pair<int, int> range, int &number)
     {
         if (!node.isMissing())
-            number = int(m_json.integer(node, 1, most));
+            number = int(m_json.integer(node, range.first, range.second));
     }
 
     JsonReader &m_json;

@@ -225,6 +225,7 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
     delivery.hasMultiplied = trial->run.isInAll;
     if (trial->trace)
         delivery.trace = shownText(trial->trace->text.toUtf8());
+    delivery.note = beyondFrameText(trial->output);
     const bool isJudged = trial->output.picture.has_value();
     if (isJudged && trial->run.end == ProgramEnd::Failed)
         delivery.note = shownText(trial->run.told.toUtf8())

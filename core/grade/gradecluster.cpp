@@ -71,6 +71,8 @@ public:
 
     QString titleOf(const GradedSubmission &submission) const
     {
+        if (submission.gradingError)
+            return ungradedText(*submission.gradingError);
         if (submission.verdict == GradeVerdict::Nothing)
             return faultTitle(submission);
         if (submission.verdict == GradeVerdict::Right)

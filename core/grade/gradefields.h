@@ -102,6 +102,7 @@ void eachField(Self &self, const Visit &visit)
     visit("candidates", self.candidates);
     visit("pictures", self.pictures);
     visit("searchError", self.searchError);
+    visit("gradingError", self.gradingError);
 }
 
 template <>

@@ -115,11 +115,16 @@ public:
     bool run()
     {
         tell(0);
+        m_failed.reserve(m_names.size());
         std::vector<std::jthread> threads;
         for (int i = 1; i < m_order.jobs; ++i)
             threads.emplace_back([this] { work(); });
         work();
         threads.clear();
+        for (const std::size_t place : m_failed) { // those beside it may have had the memory
+            if (!m_stop.stop_requested())
+                gradeAlone(m_names[place]);
+        }
         return !m_stop.stop_requested();
     }
     const std::optional<InputError> &error() const { return m_error; }
@@ -130,24 +135,39 @@ private:
         for (std::size_t i = m_next++; i < m_names.size(); i = m_next++) {
             if (m_stop.stop_requested())
                 return;
-            std::optional<InputError> error;
-            if (const auto failure = failureOf([&] { error = gradeOne(m_names[i]); }))
-                keep({escapedName(m_names[i]),
-                      QStringLiteral("cannot be graded: ") + *failure,
-                      {}}); // the others can
-            if (error) {
-                keep(*error);
-                m_stop.request_stop();
-            }
+            if (m_order.jobs == 1)
+                gradeAlone(m_names[i]);
+            else if (failureOf([&] { endWith(gradeOne(m_names[i])); }))
+                putOff(i);
             tell(1);
         }
     }
 
-    void keep(const InputError &error)
+    void putOff(std::size_t place)
     {
+        const std::lock_guard lock(m_mutex);
+        m_failed.push_back(place);
+    }
+
+    /// What it ends in is the submission's own, and the others' grades are none the worse for it.
+    void gradeAlone(const QByteArray &name)
+    {
+        if (const auto failure = failureOf([&] { endWith(gradeOne(name)); })) {
+            GradedWork work
+                = m_grader.ungraded({QFile::encodeName(m_order.submissions), name}, *failure);
+            endWith(write(m_results, work, m_assignment));
+        }
+    }
+
+    /// With an error, if there is one.
+    void endWith(const std::optional<InputError> &error)
+    {
+        if (!error)
+            return;
         const std::lock_guard lock(m_mutex);
         if (!m_error)
             m_error = error;
+        m_stop.request_stop();
     }
 
     std::optional<InputError> gradeOne(const QByteArray &name)
@@ -186,6 +206,7 @@ private:
     std::atomic<std::size_t> m_next = 0;
     std::mutex m_mutex;
     std::int64_t m_done = 0;
+    std::vector<std::size_t> m_failed; ///< places of those that failed beside others
     std::optional<InputError> m_error;
 };
 
@@ -259,12 +280,14 @@ Result<std::optional<GradeReport>> gradeFolder(const GradingOrder &order,
         return taken.error();
     if (auto error = results.write(assignmentFile, writeAssignment(assignment)))
         return *error;
-    FolderGrading grading(order, assignment, *names, listener);
-    const bool isDone = grading.run();
-    if (grading.error())
-        return *grading.error();
-    if (!isDone)
-        return std::optional<GradeReport>();
+    { // What it knows of pictures makes room for the reports.
+        FolderGrading grading(order, assignment, *names, listener);
+        const bool isDone = grading.run();
+        if (grading.error())
+            return *grading.error();
+        if (!isDone)
+            return std::optional<GradeReport>();
+    }
     removeOthers(results, assignment, *names);
     Result<GradeReport> report = readGrades(order.results);
     if (!report)

@@ -23,8 +23,9 @@ struct GradingOrder {
 /// Grades each submission of the folder whose grade is not in the results yet, or was given by
 /// another version, for another assignment or other bytes: a run that was ended is taken up where
 /// it stopped. Each grade is written as soon as it is given, the reports at the end. None where the
-/// listener, who hears how many submissions are done, ended it. The same submissions, the same
-/// bytes.
+/// listener, who hears how many submissions are done, ended it. What could not be
+/// graded, beside others and alone, says so and is graded again the next time. The same
+/// submissions, the same bytes.
 Result<std::optional<GradeReport>> gradeFolder(const GradingOrder &order,
                                                const Assignment &assignment,
                                                const ProgressListener &listener = {});

@@ -35,6 +35,9 @@ public:
     /// The digest is left empty. None where the stop was asked for.
     std::optional<GradedWork> grade(const SubmissionEntry &entry, const std::stop_token &stop = {});
 
+    /// What is known of a submission whose grading ended in an error: no points.
+    GradedWork ungraded(const SubmissionEntry &entry, const QString &error) const;
+
 private:
     GradedScene judge(std::size_t scene, const Delivery &delivery) const;
     /// What is known of pictures, whoever drew them.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/delivery.h"
 #include "core/grade/grader.h"
 #include "core/number/failure.h"
 #include "core/scan/choicenames.h"
@@ -27,6 +28,21 @@ QByteArray keyOf(const std::vector<FoundPicture> &found)
 }
 
 } // namespace
+
+GradedWork Grader::ungraded(const SubmissionEntry &entry, const QString &error) const
+{
+    GradedWork work;
+    GradedSubmission &submission = work.submission;
+    submission.name = escapedName(entry.name());
+    submission.id = idOf(entry.name());
+    submission.gradingError = error;
+    Delivery nothing;
+    nothing.fault = ungradedText(error);
+    for (std::size_t scene = 0; scene < m_assignment.scenes.size(); ++scene)
+        submission.scenes.push_back(judge(scene, nothing));
+    work.pictures.resize(submission.scenes.size());
+    return work;
+}
 
 std::optional<GradedParting> Grader::partingOf(const DiagnosisCandidate &candidate,
                                                const std::vector<FoundPicture> &found) const

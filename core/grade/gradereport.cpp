@@ -3,6 +3,8 @@
 
 #include "core/grade/sandbox.h"
 
+#include <QMap>
+
 #include <algorithm>
 
 namespace pixelplumb {
@@ -212,8 +214,25 @@ QString submissionsText(std::size_t submissions)
                             : QStringLiteral("%1 submissions").arg(submissions);
 }
 
+QString ungradedText(const QString &error) { return QStringLiteral("cannot be graded: ") + error; }
+
+QStringList ungradedLines(const GradeReport &report)
+{
+    QMap<QString, QStringList> names; // by error
+    for (const GradedSubmission &each : report.submissions) {
+        if (each.gradingError)
+            names[*each.gradingError] += each.name;
+    }
+    QStringList lines;
+    for (const auto &[error, those] : names.asKeyValueRange())
+        lines += those.join(QStringLiteral(", ")) + QStringLiteral(": ") + ungradedText(error);
+    return lines;
+}
+
 QString verdictText(const GradedSubmission &submission)
 {
+    if (submission.gradingError)
+        return QStringLiteral("cannot be graded");
     const QString name = nameOf(submission.verdict);
     return submission.lacksColours() ? name + QStringLiteral(" in coverage") : name;
 }

@@ -133,6 +133,8 @@ struct GradedSubmission {
         = {}; ///< one word for each set of pictures; none: all are right
     std::optional<QString> searchError
         = {}; ///< in which the search for defects ended; none: in none
+    /// In which its grading ended, "it does not fit into memory"; none: in none.
+    std::optional<QString> gradingError = {};
     GradeReview review = {}; ///< not in the submission's own file
 
     double points() const;
@@ -165,7 +167,13 @@ std::optional<bool> isSandboxed(const GradedSubmission &submission);
 
 /// "1 submission", "3 submissions".
 QString submissionsText(std::size_t submissions);
-/// The verdict as it is shown: its name; where colours are lacking, "right in coverage".
+/// "cannot be graded: it does not fit into memory".
+QString ungradedText(const QString &error);
+/// Those that could not be graded, for a message: "ada, bob: cannot be graded: …", a line for each
+/// error.
+QStringList ungradedLines(const GradeReport &report);
+/// The verdict as it is shown: its name; where colours are lacking, "right in coverage"; "cannot be
+/// graded".
 QString verdictText(const GradedSubmission &submission);
 /// Of a submission that lacks colours, what its verdict holds of.
 QString rasterText(const GradedSubmission &submission);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/gradereports.h"
+#include "core/grade/showntext.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -204,12 +204,16 @@ QString faultOfStart(int exitCode, const QByteArray &messages)
     constexpr std::array ofExecution = {126, 127};
     const bool isOfTools
         = exitCode == ofTools || exitCode == ofExecution[0] || exitCode == ofExecution[1];
-    for (const char *tool : {"bwrap", "setpriv", "prlimit"}) {
-        const QByteArray beginning = QByteArray(tool) + ": ";
-        if (isOfTools && messages.startsWith(beginning))
-            return shownText(messages.left(messages.indexOf('\n')));
-    }
-    return {};
+    // By their paths where they cannot be loaded.
+    const std::array tools = {QByteArray("bwrap"),
+                              QByteArray("setpriv"),
+                              QByteArray("prlimit"),
+                              QFile::encodeName(bubblewrapPath()),
+                              QByteArray("/usr/bin/setpriv"),
+                              QByteArray("/usr/bin/prlimit")};
+    const bool isTold = std::ranges::any_of(
+        tools, [&](const QByteArray &tool) { return messages.startsWith(tool + ": "); });
+    return isOfTools && isTold ? shownText(messages.left(messages.indexOf('\n'))) : QString();
 }
 
 } // namespace pixelplumb

@@ -14,6 +14,10 @@
 
 namespace pixelplumb {
 
+/// What bubblewrap, which starts it, runs in: it needs 4, an interpreter more.
+inline constexpr int leastMegabytes = 16;
+inline constexpr int mostMegabytes = 1 << 20;
+
 /// What a student's program may use. In bytes, but for the time and the number of processes.
 struct ProgramLimits {
     std::chrono::milliseconds time{10'000}; ///< of computing, in whole seconds, for each process

@@ -23,13 +23,6 @@ struct RightLine {
     bool isAskedFor = true; ///< false: it may be there or not
 };
 
-/// Which lines a program prints.
-struct LineKinds {
-    bool hasColumns = false;
-    bool hasRows = false;
-    bool hasPixels = false;
-};
-
 /// The scene as a run that is right and has numbers of these kinds: its own method where that has
 /// them. Null where no method has.
 std::shared_ptr<const TracedScene> rightRunOf(Scene scene, const LineKinds &kinds);

@@ -64,24 +64,23 @@ std::optional<InputError> objectionToHeader(const QString &name, const QByteArra
 }
 
 /// The last colour of each pixel counts; what has no line is the background.
-Picture pictureFrom(std::span<const WrittenLine> lines, const FrameSpec &frame)
+Picture pictureFrom(const ProgramTrace &trace, const FrameSpec &frame)
 {
     Picture picture{frame.width, frame.height, {}, {}};
     const std::size_t pixels = std::size_t(frame.width) * std::size_t(frame.height);
     picture.colours.resize(pixels, frame.background);
     picture.covered.resize(pixels, 0);
-    for (const WrittenLine &line : lines) {
+    for (const WrittenLine &line : trace.lines) {
         if (line.axis)
             continue;
-        const std::int64_t x = line.x - frame.firstColumn;
-        const std::int64_t row = line.y - frame.firstRow;
-        if (x < 0 || x >= frame.width || row < 0 || row >= frame.height)
-            continue;
-        const auto top = int(frame.origin == FrameOrigin::TopLeft ? row : frame.height - 1 - row);
-        const std::size_t place = picture.placeOf(int(x), top);
+        const int x = line.x - frame.firstColumn;
+        const int row = line.y - frame.firstRow;
+        const int top = frame.origin == FrameOrigin::TopLeft ? row : frame.height - 1 - row;
+        const std::size_t place = picture.placeOf(x, top);
+        const std::vector<WrittenNumber> numbers = trace.numbersOf(line);
         picture.covered[place] = 1;
         for (std::size_t channel = 0; channel < 3; ++channel) {
-            const double level = line.numbers[channel].value.toDouble();
+            const double level = numbers[channel].value.toDouble();
             const double nearest = level > 0 ? std::floor(std::min(level, 255.0) + 0.5) : 0;
             picture.colours[place].channels[channel] = std::uint8_t(nearest);
         }
@@ -117,14 +116,12 @@ Result<StudentOutput> readStudentOutput(const QByteArray &output, const Scene &s
 {
     const FrameSpec &frame = scene.frame;
     if (looksLikeTrace(output)) {
-        Result<std::vector<WrittenLine>> lines = parseWrittenTrace(output);
-        if (!lines)
-            return lines.error();
-        StudentOutput read{std::nullopt, std::move(*lines)};
-        const bool hasPixels
-            = std::ranges::any_of(read.lines, [](const WrittenLine &line) { return !line.axis; });
-        if (hasPixels)
-            read.picture = pictureFrom(read.lines, frame);
+        Result<ProgramTrace> trace = parseWrittenTrace(output, frame);
+        if (!trace)
+            return trace.error();
+        StudentOutput read{std::nullopt, std::move(*trace)};
+        if (read.trace->kinds.hasPixels)
+            read.picture = pictureFrom(*read.trace, frame);
         return read;
     }
     if (!looksLikeRaster(output)) {
@@ -138,7 +135,7 @@ Result<StudentOutput> readStudentOutput(const QByteArray &output, const Scene &s
         return otherSize(name, QSize(picture->width, picture->height), frame);
     if (picture->hasColours)
         coverAllBut(frame.background, *picture);
-    return StudentOutput{std::move(*picture), {}};
+    return StudentOutput{std::move(*picture), std::nullopt};
 }
 
 } // namespace pixelplumb

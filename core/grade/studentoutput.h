@@ -5,7 +5,6 @@
 #include "core/grade/writtentrace.h"
 
 #include <optional>
-#include <vector>
 
 namespace pixelplumb {
 
@@ -13,7 +12,9 @@ namespace pixelplumb {
 /// make a picture, too.
 struct StudentOutput {
     std::optional<Picture> picture; ///< of the frame's size; what is covered is filled in
-    std::vector<WrittenLine> lines;
+    std::optional<ProgramTrace> trace; ///< there where it prints lines, or names triangles
+
+    bool hasLines() const { return trace && trace->kinds.hasAny(); }
 };
 
 /// Whether it begins as lines of a trace do.

@@ -13,8 +13,6 @@ namespace pixelplumb {
 
 namespace {
 
-Place placeOf(const WrittenLine &line) { return {line.axis, line.x, line.y}; }
-
 QString textOf(const Place &place)
 {
     const auto &[axis, x, y] = place;
@@ -33,17 +31,6 @@ QString titleOf(std::optional<SpanAxis> axis, std::size_t number)
     return titles[qsizetype(number)];
 }
 
-LineKinds kindsOf(std::span<const WrittenLine> lines)
-{
-    LineKinds kinds;
-    for (const WrittenLine &line : lines)
-        (!line.axis                           ? kinds.hasPixels
-             : *line.axis == SpanAxis::Column ? kinds.hasColumns
-                                              : kinds.hasRows)
-            = true;
-    return kinds;
-}
-
 /// Whether a number that was printed is near enough.
 bool isRight(const WrittenNumber &is, const Quantity &should, double drift)
 {
@@ -59,21 +46,12 @@ int byteOf(double level, ByteRounding rounding)
     return int(std::clamp(byte, 0.0, 255.0));
 }
 
-/// What lies beyond the frame is not drawn, and nobody asks for its numbers.
-bool isInFrame(const WrittenLine &line, const FrameSpec &frame)
-{
-    const std::int64_t x = line.x - frame.firstColumn;
-    const std::int64_t y = line.y - frame.firstRow;
-    return (line.axis == SpanAxis::Row || (x >= 0 && x < frame.width))
-        && (line.axis == SpanAxis::Column || (y >= 0 && y < frame.height));
-}
-
 /// Matches a program's lines with ours.
 class TraceMatcher {
 public:
-    TraceMatcher(std::span<const WrittenLine> lines, std::vector<RightLine> right,
-                 ByteRounding rounding, TraceExtent extent)
-        : m_lines(lines)
+    TraceMatcher(const ProgramTrace &trace, std::vector<RightLine> right, ByteRounding rounding,
+                 TraceExtent extent)
+        : m_trace(trace)
         , m_right(std::move(right))
         , m_rounding(rounding)
         , m_extent(extent)
@@ -90,7 +68,7 @@ public:
     {
         match();
         std::size_t next = 0; // of ours that is not passed yet
-        for (std::size_t i = 0; i < m_lines.size(); ++i) {
+        for (std::size_t i = 0; i < m_matches.size(); ++i) {
             const auto &matched = m_matches[i];
             if (!matched)
                 return std::pair(unexpectedText(i), stepNear(next));
@@ -99,7 +77,8 @@ public:
                 if (isMissing(next))
                     return missing(next);
             }
-            if (const QString text = numbersText(m_lines[i], m_right[*matched]); !text.isEmpty())
+            if (const QString text = numbersText(m_trace.lines[i], m_right[*matched]);
+                !text.isEmpty())
                 return std::pair(text, m_right[*matched].step);
         }
         for (; next < m_right.size(); ++next) {
@@ -112,10 +91,16 @@ public:
 private:
     using Key = std::pair<Place, std::optional<std::size_t>>;
 
+    static Key keyOf(const WrittenLine &line)
+    {
+        return {Place{line.axis, line.x, line.y}, line.triangle};
+    }
+
     void match()
     {
         m_isMatched.assign(m_right.size(), false);
-        for (const WrittenLine &line : m_lines) {
+        m_matches.reserve(m_trace.lines.size());
+        for (const WrittenLine &line : m_trace.lines) {
             m_matches.push_back(counterpartOf(line));
             if (m_matches.back())
                 m_isMatched[*m_matches.back()] = true;
@@ -126,7 +111,7 @@ private:
     /// not, one that has its numbers, those that have to be there first.
     std::optional<std::size_t> counterpartOf(const WrittenLine &line) const
     {
-        const auto found = m_places.find({placeOf(line), line.triangle});
+        const auto found = m_places.find(keyOf(line));
         if (found == m_places.end())
             return std::nullopt;
         std::vector<std::size_t> open;
@@ -156,18 +141,21 @@ private:
         return m_right.empty() ? 0 : m_right[std::min(right, m_right.size() - 1)].step;
     }
 
-    /// "column 12"; where there are several triangles, "triangle 1, column 12".
+    /// "column 12"; where there are several triangles, or it is none of them, "triangle 1, column
+    /// 12".
     QString textOf(const Place &place, const std::optional<std::size_t> &triangle) const
     {
         const QString text = pixelplumb::textOf(place);
-        return m_hasSeveral && triangle ? QStringLiteral("triangle %1, %2").arg(*triangle).arg(text)
-                                        : text;
+        const bool isOnlyOne
+            = !m_hasSeveral && !m_right.empty() && triangle == m_right.front().primitive;
+        return triangle && !isOnlyOne ? QStringLiteral("triangle %1, %2").arg(*triangle).arg(text)
+                                      : text;
     }
     QString textOf(const RightLine &line) const { return textOf(line.place, line.primitive); }
 
     QString unexpectedText(std::size_t line) const
     {
-        const Key key{placeOf(m_lines[line]), m_lines[line].triangle};
+        const Key key = keyOf(m_trace.lines[line]);
         const auto found = m_places.find(key);
         if (found == m_places.end())
             return textOf(key.first, key.second) + QStringLiteral(" is there, should not be");
@@ -179,8 +167,9 @@ private:
 
     QString numbersText(const WrittenLine &line, const RightLine &right) const
     {
-        for (std::size_t i = 0; i < line.numbers.size(); ++i) {
-            const WrittenNumber &is = line.numbers[i];
+        const std::vector<WrittenNumber> numbers = m_trace.numbersOf(line);
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            const WrittenNumber &is = numbers[i];
             const Quantity &number = right.numbers[i];
             const bool isByte = !line.axis && is.isWhole;
             if (isByte ? isRightByte(is, number, right.drift) : isRight(is, number, right.drift))
@@ -229,7 +218,7 @@ private:
         return std::nullopt;
     }
 
-    std::span<const WrittenLine> m_lines;
+    const ProgramTrace &m_trace;
     std::vector<RightLine> m_right;
     ByteRounding m_rounding;
     TraceExtent m_extent = TraceExtent::Whole;
@@ -239,13 +228,26 @@ private:
     std::vector<bool> m_isMatched; ///< by line of ours
 };
 
+/// Whose lines are told by themselves, if it has any.
+std::optional<std::pair<QString, std::size_t>> unknownTriangle(const ProgramTrace &trace,
+                                                               const TracedScene &run)
+{
+    const std::size_t count = run.primitives.size();
+    if (!trace.lastTriangle || *trace.lastTriangle < count)
+        return std::nullopt;
+    return std::pair(QStringLiteral("triangle %1 is named, the scene has %2, counted from 0")
+                         .arg(*trace.lastTriangle)
+                         .arg(count),
+                     std::size_t(0));
+}
+
 } // namespace
 
 Result<std::optional<TraceDifference>> traceDifferenceOf(const Scene &scene,
-                                                         std::span<const WrittenLine> lines,
+                                                         const ProgramTrace &trace,
                                                          Arithmetic tolerance, TraceExtent extent)
 {
-    const LineKinds kinds = kindsOf(lines);
+    const LineKinds &kinds = trace.kinds;
     const InputError noRun{{},
                            QStringLiteral("no exact run of this scene has such lines"),
                            QStringLiteral("column lines, or row lines, of triangles")};
@@ -255,13 +257,11 @@ Result<std::optional<TraceDifference>> traceDifferenceOf(const Scene &scene,
     const auto run = scene.hasTriangles() ? rightRunOf(scene, kinds) : nullptr;
     if (!run)
         return noRun;
-    std::vector<WrittenLine> inFrame;
-    std::ranges::copy_if(lines, std::back_inserter(inFrame), [&scene](const WrittenLine &line) {
-        return isInFrame(line, scene.frame);
-    });
-    TraceMatcher matcher(inFrame, rightLinesOf(*run, kinds, tolerance), scene.settings.rounding,
+    TraceMatcher matcher(trace, rightLinesOf(*run, kinds, tolerance), scene.settings.rounding,
                          extent);
-    const auto difference = matcher.firstDifference();
+    auto difference = matcher.firstDifference();
+    if (!difference)
+        difference = unknownTriangle(trace, *run);
     if (!difference)
         return std::optional<TraceDifference>();
     return std::optional(TraceDifference{difference->first, run->scene, difference->second});

@@ -5,7 +5,6 @@
 #include "core/scene/scene.h"
 
 #include <optional>
-#include <span>
 
 namespace pixelplumb {
 
@@ -25,17 +24,17 @@ struct TraceDifference {
 /// Compares what a program printed with the exact run, line by line in the program's order; kinds
 /// of lines that it prints none of are not asked for, nor are columns and rows without a pixel. A
 /// pixel's whole numbers are compared with its bytes, others with its levels before rounding. Told
-/// are numbers, lines that are missing, doubled or of no pixel of the triangles, and at last the
-/// order of columns or rows, from whichever end. Lines beyond the frame are passed over. None where
-/// nothing differs; an error where no method of those lines draws the scene. Of a trace that is cut
-/// off nothing is missing.
+/// are numbers, lines that are missing, doubled or of no pixel of the triangles, triangles that are
+/// named and not there, and at last the order of columns or rows, from whichever end. Lines beyond
+/// the frame, which the trace is to be of, are passed over. None where nothing differs; an error
+/// where no method of those lines draws the scene. Of a trace that is cut off nothing is missing.
 ///
 /// A number is right that is the right one rounded to the digits printed: half a unit of the last
 /// one. Beyond that it may err by what ArithmeticBound says of a right program in the tolerance,
 /// float32 or float64; a pixel of which that is not sure may be there or not. Exact: the digits
 /// printed alone.
 Result<std::optional<TraceDifference>> traceDifferenceOf(const Scene &scene,
-                                                         std::span<const WrittenLine> lines,
+                                                         const ProgramTrace &trace,
                                                          Arithmetic tolerance = Arithmetic::Float32,
                                                          TraceExtent extent = TraceExtent::Whole);
 

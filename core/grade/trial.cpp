@@ -20,9 +20,9 @@ std::optional<TraceDifference> differenceBeforeEnd(const QByteArray &output, con
     if (!looksLikeTrace(lines))
         return std::nullopt;
     const Result<StudentOutput> read = readStudentOutput(lines, scene);
-    if (!read || read->lines.empty())
+    if (!read || !read->hasLines())
         return std::nullopt;
-    const auto difference = traceDifferenceOf(scene, read->lines, tolerance, TraceExtent::CutOff);
+    const auto difference = traceDifferenceOf(scene, *read->trace, tolerance, TraceExtent::CutOff);
     return difference ? *difference : std::nullopt;
 }
 
@@ -34,11 +34,22 @@ std::optional<Result<StudentOutput>> outputOf(const StudentRun &run, const Scene
     Result<StudentOutput> output = readStudentOutput(run.output, scene);
     // Who failed may have written a whole picture all the same.
     const bool isJudged
-        = run.end == ProgramEnd::Finished || (output && output->picture && output->lines.empty());
+        = run.end == ProgramEnd::Finished || (output && output->picture && !output->trace);
     return isJudged ? std::optional(std::move(output)) : std::nullopt;
 }
 
 } // namespace
+
+std::optional<QString> beyondFrameText(const StudentOutput &output)
+{
+    const std::int64_t lines = output.trace ? output.trace->beyondFrame : 0;
+    if (lines == 0)
+        return std::nullopt;
+    return lines == 1
+        ? QStringLiteral("1 line of its trace lies beyond the frame and is passed over")
+        : QStringLiteral("%1 lines of its trace lie beyond the frame and are passed over")
+              .arg(lines);
+}
 
 Result<StudentRun> runOn(const StudentProgram &student, const Scene &scene, const TrialTerms &terms,
                          const std::stop_token &stop)
@@ -79,10 +90,10 @@ Result<Trial> tryProgram(const StudentProgram &student, const Scene &scene, cons
         trial.picture
             = differenceOf(right, found, undecidablePixels(scene, right, found, terms.tolerance));
     }
-    if (trial.output.lines.empty())
+    if (!trial.output.trace)
         return trial;
     Result<std::optional<TraceDifference>> difference
-        = traceDifferenceOf(scene, trial.output.lines, terms.tolerance);
+        = traceDifferenceOf(scene, *trial.output.trace, terms.tolerance);
     if (difference)
         trial.trace = std::move(*difference);
     else

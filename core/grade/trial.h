@@ -26,12 +26,20 @@ struct Trial {
     std::optional<PictureDiff> picture; ///< beside what the scene's method draws
     std::optional<TraceDifference> trace; ///< where its lines part from the right ones
 
+    /// Whether it printed something, and neither a picture nor a line that has numbers.
+    bool hasNothingToCompare() const
+    {
+        return run.end == ProgramEnd::Finished && !fault && !picture && !output.hasLines();
+    }
     bool isRight() const
     {
-        return run.end == ProgramEnd::Finished && !fault && !trace
+        return run.end == ProgramEnd::Finished && !fault && !trace && !hasNothingToCompare()
             && (!picture || picture->differing() == 0);
     }
 };
+
+/// "3 lines of its trace lie beyond the frame and are passed over"; none where none does.
+std::optional<QString> beyondFrameText(const StudentOutput &output);
 
 /// Gives it the scene, as the terms say; an error where the scene cannot be given so.
 Result<StudentRun> runOn(const StudentProgram &student, const Scene &scene, const TrialTerms &terms,

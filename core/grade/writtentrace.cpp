@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 
 namespace pixelplumb {
 
@@ -16,7 +15,7 @@ namespace {
 
 constexpr qsizetype longestLine = 200;
 constexpr qsizetype longestShown = 60;
-constexpr std::size_t mostLines = std::size_t(1) << 22;
+constexpr std::int64_t mostLines = std::int64_t(1) << 22;
 constexpr qsizetype mostExactDigits = 18; // that 64 bits hold
 
 bool isDigits(const QByteArray &text)
@@ -80,80 +79,122 @@ std::optional<WrittenNumber> numberOf(const QByteArray &text)
     return decimalOf(text);
 }
 
-std::optional<std::int64_t> coordinateOf(const QByteArray &text)
+std::optional<std::int32_t> coordinateOf(const QByteArray &text)
 {
     bool isNumber = false;
     const int value = text.toInt(&isNumber);
-    return isNumber ? std::optional<std::int64_t>(value) : std::nullopt;
+    return isNumber ? std::optional<std::int32_t>(value) : std::nullopt;
 }
 
-/// The coordinates and then the numbers of a line.
-bool takeWords(const QList<QByteArray> &words, std::span<std::int64_t *const> coordinates,
-               std::size_t numbers, WrittenLine &line)
+/// What a line of a kind consists of, behind its word.
+struct WrittenForm {
+    const char *word;
+    std::optional<SpanAxis> axis;
+    qsizetype coordinates;
+    qsizetype numbers;
+};
+constexpr std::array writtenForms
+    = {WrittenForm{"column", SpanAxis::Column, 1, 2}, WrittenForm{"row", SpanAxis::Row, 1, 2},
+       WrittenForm{"pixel", std::nullopt, 2, 3}};
+
+/// None where a word is no number.
+std::optional<std::vector<WrittenNumber>> numbersIn(const QList<QByteArray> &words,
+                                                    const WrittenForm &form)
 {
-    if (std::size_t(words.size()) != 1 + coordinates.size() + numbers)
-        return false;
-    for (std::size_t i = 0; i < coordinates.size(); ++i) {
-        const auto coordinate = coordinateOf(words[qsizetype(i) + 1]);
-        if (!coordinate)
-            return false;
-        *coordinates[i] = *coordinate;
-    }
-    for (std::size_t i = 0; i < numbers; ++i) {
-        const auto number = numberOf(words[1 + qsizetype(coordinates.size()) + qsizetype(i)]);
+    std::vector<WrittenNumber> numbers;
+    for (qsizetype i = 1 + form.coordinates; i < words.size(); ++i) {
+        auto number = numberOf(words[i]);
         if (!number)
-            return false;
-        line.numbers.push_back(*number);
+            return std::nullopt;
+        numbers.push_back(std::move(*number));
     }
-    return true;
+    return numbers;
 }
 
 bool takeLine(const QList<QByteArray> &words, WrittenLine &line)
 {
-    if (words[0] == "column") {
-        line.axis = SpanAxis::Column;
-        return takeWords(words, std::array<std::int64_t *const, 1>{&line.x}, 2, line);
-    }
-    if (words[0] == "row") {
-        line.axis = SpanAxis::Row;
-        return takeWords(words, std::array<std::int64_t *const, 1>{&line.y}, 2, line);
-    }
-    return words[0] == "pixel"
-        && takeWords(words, std::array<std::int64_t *const, 2>{&line.x, &line.y}, 3, line);
+    const auto form = std::ranges::find_if(
+        writtenForms, [&words](const WrittenForm &each) { return words[0] == each.word; });
+    if (form == writtenForms.end() || words.size() != 1 + form->coordinates + form->numbers
+        || !numbersIn(words, *form))
+        return false;
+    const auto first = coordinateOf(words[1]);
+    const auto second = form->axis ? first : coordinateOf(words[2]);
+    if (!first || !second)
+        return false;
+    line.axis = form->axis;
+    line.x = line.axis == SpanAxis::Row ? 0 : *first;
+    line.y = line.axis == SpanAxis::Column ? 0 : *second;
+    return true;
+}
+
+/// From there to the line's end, and one byte more than it may have.
+QByteArray lineAt(const QByteArray &text, qsizetype start)
+{
+    const qsizetype end = text.indexOf('\n', start);
+    return text.mid(start, std::min((end < 0 ? text.size() : end) - start, longestLine + 1));
+}
+
+bool isInFrame(const WrittenLine &line, const FrameSpec &frame)
+{
+    const std::int64_t x = std::int64_t(line.x) - frame.firstColumn;
+    const std::int64_t y = std::int64_t(line.y) - frame.firstRow;
+    return (line.axis == SpanAxis::Row || (x >= 0 && x < frame.width))
+        && (line.axis == SpanAxis::Column || (y >= 0 && y < frame.height));
+}
+
+bool &kindOf(const WrittenLine &line, LineKinds &kinds)
+{
+    if (!line.axis)
+        return kinds.hasPixels;
+    return *line.axis == SpanAxis::Column ? kinds.hasColumns : kinds.hasRows;
 }
 
 } // namespace
 
-Result<std::vector<WrittenLine>> parseWrittenTrace(const QByteArray &text)
+std::vector<WrittenNumber> ProgramTrace::numbersOf(const WrittenLine &line) const
 {
-    std::vector<WrittenLine> lines;
-    std::optional<std::size_t> triangle;
-    qsizetype number = 0;
-    for (qsizetype start = 0; start < text.size();) {
-        qsizetype end = text.indexOf('\n', start);
-        end = end < 0 ? text.size() : end;
-        const QByteArray whole = text.mid(start, std::min(end - start, longestLine + 1));
-        start = end + 1;
+    const QList<QByteArray> words = lineAt(text, line.start).simplified().split(' ');
+    const auto form = std::ranges::find(writtenForms, line.axis, &WrittenForm::axis);
+    return numbersIn(words, *form).value_or(std::vector<WrittenNumber>());
+}
+
+Result<ProgramTrace> parseWrittenTrace(const QByteArray &text, const FrameSpec &frame)
+{
+    ProgramTrace trace{text, {}, 0, {}, std::nullopt};
+    std::optional<std::uint32_t> triangle;
+    std::int64_t number = 0;
+    for (qsizetype start = 0, next = 0; start < text.size(); start = next) {
+        const qsizetype end = text.indexOf('\n', start);
+        next = end < 0 ? text.size() : end + 1;
+        const QByteArray whole = lineAt(text, start);
         ++number;
         const QByteArray content = whole.simplified();
         if (content.isEmpty())
             continue;
         const QList<QByteArray> words = content.split(' ');
-        WrittenLine line;
         if (words[0] == "triangle" && words.size() == 2 && isDigits(words[1])
             && words[1].size() <= 9) {
-            triangle = words[1].toULongLong();
+            triangle = words[1].toUInt();
+            trace.lastTriangle = std::max(trace.lastTriangle.value_or(0), *triangle);
             continue;
         }
-        if (whole.size() > longestLine || lines.size() >= mostLines || !takeLine(words, line))
+        WrittenLine line;
+        const std::int64_t before = std::ssize(trace.lines) + trace.beyondFrame;
+        if (whole.size() > longestLine || before >= mostLines || !takeLine(words, line))
             return InputError{QStringLiteral("line %1 of the output").arg(number),
                               QStringLiteral("“%1”").arg(shownText(content, longestShown)),
                               QStringLiteral("column x y_B y_T, row y x_L x_R, pixel x y R G B or "
                                              "triangle n")};
+        kindOf(line, trace.kinds) = true;
         line.triangle = triangle;
-        lines.push_back(std::move(line));
+        line.start = start;
+        if (isInFrame(line, frame))
+            trace.lines.push_back(line);
+        else
+            ++trace.beyondFrame;
     }
-    return lines;
+    return trace;
 }
 
 } // namespace pixelplumb

@@ -6,6 +6,7 @@
 #include "core/trace/stepwords.h"
 
 #include <functional>
+#include <initializer_list>
 #include <optional>
 
 namespace pixelplumb {
@@ -21,7 +22,20 @@ void appendLightSources(NumberTable<ShadedSetUpState> &table,
                         const std::shared_ptr<const Appearance> &appearance);
 void appendLight(NumberTable<ShadedSampleState> &table, const ShadedScope &scope);
 
-/// Which texels are read. The formulas hold where the place is inside of the texture.
+/// a, b and c of the planes of the form's values, or of its weights, by the vertices.
+void appendPlanes(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope);
+
+/// What is painted, how it is blended, and the mean where the pixel has several samples.
+void appendPixel(NumberTable<ShadedSampleState> &table, const ShadedScope &scope);
+
+/// How a byte comes from the interpolated levels of channels, % standing for each: clamped where
+/// one of them leaves 0 … 255; empty where one is no number.
+QString shadedByteFormula(const ShadedSampleState &state,
+                          std::initializer_list<std::size_t> channels, ByteRounding rounding);
+/// The same of R, G and B, behind a name: "base_% = ".
+QString bytesFormula(const ShadedSampleState &state, ByteRounding rounding, const QString &name);
+
+/// Which texels are read.
 void appendTexels(NumberTable<ShadedSampleState> &table, const ShadedScope &scope);
 
 /// Read where the sample was written, a single one.
@@ -31,6 +45,9 @@ ReadOfSample ofWritten(const ReadOfSample &read);
 /// A number that no exact one stands beside.
 NumberDescription plainNumber(const QString &id, const QString &title, const QString &unit,
                               const QString &toolTip, const QString &formula, NumberGroup group);
+void appendPlain(NumberTable<ShadedSampleState> &table, const QString &id, const QString &toolTip,
+                 const QString &formula, const ReadOfSample &read,
+                 NumberGroup group = NumberGroup::FirstColour);
 
 using ColourOfSample = std::function<std::optional<Colour>(const ShadedSampleState &)>;
 using FormulaOfSample = std::function<QString(const ShadedSampleState &)>;

@@ -65,6 +65,13 @@ struct ShadedLightState {
     Quantity diffuse, facing, highlight;
 };
 
+template <class Real>
+ShadedLightState lightStateOf(const SampleLightTerm<Real> &term)
+{
+    return {quantitiesOf(term.toLight), quantitiesOf(term.halfway), Quantity::of(term.diffuse),
+            Quantity::of(term.facing), Quantity::of(term.highlight)};
+}
+
 struct ShadedSampleState {
     std::int64_t x = 0, y = 0;
     bool startsRun = false; ///< adding begins here

@@ -167,13 +167,6 @@ ShadedSpanState shadedStateOf(const SpanInHand<ShadedSetUpRead<N>, BoundedColumn
     return state;
 }
 
-template <class Real>
-ShadedLightState lightStateOf(const SampleLightTerm<Real> &term)
-{
-    return {quantitiesOf(term.toLight), quantitiesOf(term.halfway), Quantity::of(term.diffuse),
-            Quantity::of(term.facing), Quantity::of(term.highlight)};
-}
-
 /// u and v as if all w were equal: what an affine texture would show here.
 template <class N>
 std::array<Quantity, 2> affineTexture(const ShadedSetUpRead<N> &setUp, std::int64_t x,

@@ -105,12 +105,13 @@ void appendTexels(NumberTable<ShadedSampleState> &table, const ShadedScope &scop
             continue;
         const QString fraction = QStringLiteral("f_") + coordinate;
         table.push_back(
-            {plainNumber(fraction, fraction, {},
-                         QStringLiteral("How far the sample lies between the centres of two texels along "
-                                        "%1: 0 at the first one's. Beyond the texture they are "
-                                        "those that would stand there.")
-                             .arg(coordinate),
-                         {}, NumberGroup::FirstColour),
+            {plainNumber(
+                 fraction, fraction, {},
+                 QStringLiteral("How far the sample lies between the centres of two texels along "
+                                "%1: 0 at the first one's. Beyond the texture they are "
+                                "those that would stand there.")
+                     .arg(coordinate),
+                 {}, NumberGroup::FirstColour),
              ofWritten([side](const ShadedSampleState &state) {
                  return isFiltered(state) ? state.fraction[side] : Quantity();
              }),

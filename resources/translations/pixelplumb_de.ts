@@ -1314,6 +1314,10 @@
         <source>undecidable in coverage</source>
         <translation>unentscheidbar in der Abdeckung</translation>
     </message>
+    <message>
+        <source>cannot be graded</source>
+        <translation>nicht zu bewerten</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::CostStack</name>

@@ -95,6 +95,7 @@ constexpr const char *context = "pixelplumb::CoreWords";
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "nothing"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "right in coverage"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "undecidable in coverage"),
+    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "cannot be graded"),
     // Effects and the verdicts on them.
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "smooth colour"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "clipping"),

@@ -140,6 +140,9 @@ private slots:
             "among column-scan, truth");
         row("memory of no program", {"invariants", "column-scan", "--memory", "64"},
             "--memory: says how a program is run, and none is named");
+        row("memory in which nothing starts",
+            {"try", "--scene", defaultScene(), "--memory", "15", "true"},
+            "--memory: no program starts in 15 MiB; expected 16 … 1048576, or 0 for no limit");
         row("arithmetic", {"trace", defaultScene(), "--arithmetic", "float"},
             "--arithmetic: unknown name “float”; did you mean float32?; expected one of exact, "
             "float32, "

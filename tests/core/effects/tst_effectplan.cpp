@@ -255,6 +255,26 @@ private slots:
             QCOMPARE(count, primitives.triangles.size());
         }
     }
+
+    /// Beyond its horizon nothing of a triangle is drawn, and only perspective knows where that is.
+    void whatLiesBeyondItsHorizonKeepsItsPerspective()
+    {
+        Primitives primitives;
+        primitives.triangles
+            = {triangleAt({{{9, 0}, {9, 2}, {1, 1}}}), triangleAt({{{0, 0}, {1, 0}, {0, 1}}})};
+        primitives.triangles[0].vertices[2].position.x += unitsPerPixel * 3 / 8;
+        primitives.triangles[0].vertices[2].colour = {{255, 0, 0}};
+        attributesAt(primitives, 0).vertices[2].w = 64 * attributeOne;
+        primitives.appearance.antialiasing = Antialiasing::Area;
+        const FrameBuffer frame(frameOf(2, 2));
+        const EffectPlan plan = planFor(primitives, ScanSettings(), frame.view());
+
+        QCOMPARE(textOf(plan.batches), QStringLiteral("0+1 smooth perspective, 1+1 plain"));
+        QCOMPARE(plan.batches[0].unseen, std::size_t(1));
+        QCOMPARE(plan.verdicts[Effect::Perspective].verdict, Verdict::NotCalledFor);
+        QVERIFY(!plan.runs(Effect::Perspective));
+        QCOMPARE(plan.verdicts[Effect::Antialiasing].primitives, std::size_t(1));
+    }
 };
 
 PIXELPLUMB_TEST(TestEffectPlan)

@@ -357,6 +357,19 @@ private slots:
             "1 of 2 triangles has an alpha below 255, the lowest is 128; the closed rule gives 3 "
             "samples on shared edges to both triangles, one of them in pixel (1, 1)");
         add(
+            "two panes without area on another's edge, of 16 samples a pixel",
+            [](Primitives &p) {
+                p.appearance.antialiasing = Antialiasing::Samples16;
+                p.triangles = {triangleAt({{{1, 1}, {3, 1}, {3, 1}}}),
+                               triangleAt({{{1, 1}, {3, 1}, {3, 1}}}),
+                               triangleAt({{{1, 1}, {3, 1}, {3, 2}}})};
+                setAlpha(p, 0, 128);
+                setAlpha(p, 1, 128);
+            },
+            Effect::Blending, yes, 2,
+            "2 of 3 triangles have an alpha below 255, the lowest is 128; the closed rule gives 3 "
+            "samples on shared edges to both triangles, one of them in pixel (1, 1)");
+        add(
             "a face that the near plane cuts", [](Primitives &p) { p.cutAtNear = {1}; },
             Effect::Clipping, yes, 1, "1 of 2 triangles is of a face that the near plane cuts");
 

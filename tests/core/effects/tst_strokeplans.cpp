@@ -61,21 +61,42 @@ private slots:
                                 "curve has of a pixel"));
     }
 
+    void whatIsNotDrawnOfLinesRunsNothing_data()
+    {
+        QTest::addColumn<Shape>("stroke");
+        QTest::newRow("a point") << lineAt(3, 3, 3, 3);
+        // Its border is in the frame, and no sample of it.
+        Shape low = lineAt(1, 8, 8, 8);
+        for (Vertex &vertex : low.vertices)
+            vertex.position.y -= unitsPerPixel * 3 / 32;
+        QTest::newRow("a line at the frame's border") << low;
+        Shape curve;
+        curve.kind = PrimitiveKind::Bezier;
+        curve.vertices.assign(3, {latticePixel(3, 3), {}});
+        QTest::newRow("a curve without length") << curve;
+    }
     void whatIsNotDrawnOfLinesRunsNothing()
     {
-        // A point, and a line whose border is in the frame, but no sample of it.
-        for (Shape line : {lineAt(3, 3, 3, 3), lineAt(1, 8, 8, 8)}) {
-            for (Vertex &vertex : line.vertices)
-                vertex.position.y -= line.vertices[0].position.x == line.vertices[1].position.x
-                    ? 0
-                    : unitsPerPixel * 3 / 32;
-            line.vertices[1].colour = {{1, 2, 3}};
-            const EffectPlan plan = planOf(sceneOf(line, Antialiasing::Samples4));
-            for (const Effect effect : allEffects) {
-                QVERIFY2(!plan.runs(effect), nameOf(effect).data());
-                QCOMPARE(plan.verdicts[effect].verdict, Verdict::NotCalledFor);
-            }
+        QFETCH(Shape, stroke);
+        stroke.vertices.back().colour = {{1, 2, 3}};
+        const EffectPlan plan = planOf(sceneOf(stroke, Antialiasing::Samples4));
+        for (const Effect effect : allEffects) {
+            QVERIFY2(!plan.runs(effect), nameOf(effect).data());
+            QCOMPARE(plan.verdicts[effect].verdict, Verdict::NotCalledFor);
+            QVERIFY2(plan.verdicts[effect].reason.contains(u"drawn in the frame"),
+                     qPrintable(plan.verdicts[effect].reason));
         }
+    }
+
+    /// It lies between the four samples of its pixel: without antialiasing it would be drawn.
+    void ofAShortLineAntialiasingAloneIsCalledFor()
+    {
+        Shape line = lineAt(3, 3, 3, 3);
+        line.vertices[1].position.x += unitsPerPixel / 16;
+        line.vertices[1].colour = {{1, 2, 3}};
+        const EffectPlan plan = planOf(sceneOf(line, Antialiasing::Samples4));
+        for (const Effect effect : allEffects)
+            QCOMPARE(plan.runs(effect), effect == Effect::Antialiasing);
     }
 
     void aSceneOfLinesThatNamesNoMethodGetsTheOneThatCan()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/diagnosis.h"
+#include "tests/support/casestorun.h"
 #include "tests/support/probescenes.h"
 #include "tests/support/testprogram.h"
 
@@ -207,6 +208,27 @@ Picture studentPicture(const Scene &scene, TestMistake mistake, TestedBox box = 
     return picture;
 }
 
+QStringList methods()
+{
+    return {QStringLiteral("edge-equations"), QStringLiteral("barycentric-rectangle")};
+}
+
+void addMethods()
+{
+    QTest::addColumn<QString>("method");
+    for (const QString &method : methods())
+        QTest::newRow(qPrintable(method)) << method;
+}
+
+/// What is found of a program with a mistake, from its pictures of the method's sheet.
+Diagnosis diagnosed(const QString &method, TestMistake mistake)
+{
+    std::vector<Submission> submissions;
+    for (const Scene &scene : probeSheet(method))
+        submissions.push_back({scene, studentPicture(scene, mistake)});
+    return *diagnose(submissions);
+}
+
 } // namespace
 
 /// Defects of edge tests are those of a program that was not written for them, in doubles.
@@ -214,75 +236,78 @@ class TestEdgeTestDefects : public QObject {
     Q_OBJECT
 
 private slots:
+    void aRightProgramIsNotCalledWrong_data() { addMethods(); }
+    void aRightProgramIsNotCalledWrong()
+    {
+        QFETCH(QString, method);
+        QVERIFY(diagnosed(method, TestMistake::None).verdict != DiagnosisVerdict::Wrong);
+    }
+
     void theSheetNamesTheMistakeOfAProgram_data()
     {
+        struct Mistaken {
+            QString method;
+            const char *id;
+            TestMistake mistake;
+        };
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<QString>("id");
         QTest::addColumn<int>("mistake");
-        const auto row
-            = [](const char *id, TestMistake mistake) { QTest::newRow(id) << int(mistake); };
-        row("", TestMistake::None);
-        row("edge-1-not-tested", TestMistake::SecondNotTested);
-        row("edge-1-tested-outside", TestMistake::SecondTestedOutside);
-        row("edge-1-negated", TestMistake::SecondNegated);
-        row("edge-2-is-edge-1", TestMistake::ThirdIsSecond);
-        row("slack-of-one", TestMistake::SlackOfOne);
-        row("slack-of-half", TestMistake::SlackOfHalf);
-        row("slack-of-a-tenth", TestMistake::SlackOfTenth);
-        row("row-ends-outside", TestMistake::RowEndsOutside);
-        row("box-of-vertices-0-and-1", TestMistake::BoxOfTwo);
-        row("box-starts-missing", TestMistake::BoxWithoutStart);
-        row("box-ends-missing", TestMistake::BoxWithoutEnd);
-        row("steps-exchanged", TestMistake::StepsExchanged);
-        row("edge-products-added", TestMistake::ProductsAdded);
-        row("edge-functions-cut", TestMistake::FunctionsCut);
-        row("edge-functions-floored", TestMistake::FunctionsFloored);
-        row("weights-not-divided", TestMistake::NotDivided);
-        row("weights-doubled", TestMistake::DividedByHalf);
-        row("levels-halved", TestMistake::DividedByTwice);
-        row("weights-whole", TestMistake::WholeWeights);
-        row("weight-2-adds-weight-1", TestMistake::ThirdWeightAdds);
-        row("weight-2-is-weight-0", TestMistake::ThirdWeightIsFirst);
-        row("weight-2-missing", TestMistake::ThirdWeightMissing);
-        row("products-cut", TestMistake::ProductsCut);
+        constexpr std::pair<const char *, TestMistake> mistakes[]
+            = {{"edge-1-not-tested", TestMistake::SecondNotTested},
+               {"edge-1-tested-outside", TestMistake::SecondTestedOutside},
+               {"edge-1-negated", TestMistake::SecondNegated},
+               {"edge-2-is-edge-1", TestMistake::ThirdIsSecond},
+               {"slack-of-one", TestMistake::SlackOfOne},
+               {"slack-of-half", TestMistake::SlackOfHalf},
+               {"slack-of-a-tenth", TestMistake::SlackOfTenth},
+               {"row-ends-outside", TestMistake::RowEndsOutside},
+               {"box-of-vertices-0-and-1", TestMistake::BoxOfTwo},
+               {"box-starts-missing", TestMistake::BoxWithoutStart},
+               {"box-ends-missing", TestMistake::BoxWithoutEnd},
+               {"steps-exchanged", TestMistake::StepsExchanged},
+               {"edge-products-added", TestMistake::ProductsAdded},
+               {"edge-functions-cut", TestMistake::FunctionsCut},
+               {"edge-functions-floored", TestMistake::FunctionsFloored},
+               {"weights-not-divided", TestMistake::NotDivided},
+               {"weights-doubled", TestMistake::DividedByHalf},
+               {"levels-halved", TestMistake::DividedByTwice},
+               {"weights-whole", TestMistake::WholeWeights},
+               {"weight-2-adds-weight-1", TestMistake::ThirdWeightAdds},
+               {"weight-2-is-weight-0", TestMistake::ThirdWeightIsFirst},
+               {"weight-2-missing", TestMistake::ThirdWeightMissing},
+               {"products-cut", TestMistake::ProductsCut}};
+        std::vector<Mistaken> all;
+        for (const QString &method : methods()) {
+            for (const auto &[id, mistake] : mistakes)
+                all.push_back({method, id, mistake});
+        }
+        for (const Mistaken &each : casesToRun(all, &Mistaken::method))
+            QTest::addRow("%s of %s", each.id, qPrintable(each.method))
+                << each.method << QString::fromLatin1(each.id) << int(each.mistake);
     }
     void theSheetNamesTheMistakeOfAProgram()
     {
+        QFETCH(QString, method);
+        QFETCH(QString, id);
         QFETCH(int, mistake);
-        const QString id = QString::fromLatin1(QTest::currentDataTag());
-        for (const char *method : {"edge-equations", "barycentric-rectangle"}) {
-            std::vector<Submission> submissions;
-            const std::vector<Scene> sheet = probeSheet(QString::fromLatin1(method));
-            for (const Scene &scene : sheet)
-                submissions.push_back({scene, studentPicture(scene, TestMistake(mistake))});
 
-            const Diagnosis diagnosis = *diagnose(submissions);
+        const Diagnosis diagnosis = diagnosed(method, TestMistake(mistake));
 
-            if (id.isEmpty()) {
-                QVERIFY(diagnosis.verdict != DiagnosisVerdict::Wrong);
-                continue;
-            }
-            QVERIFY2(diagnosis.isExplained(), method);
-            QCOMPARE(diagnosis.candidates.front().ids(), QStringList(id));
-            QVERIFY(std::ranges::none_of(
-                diagnosis.candidates.begin() + 1, diagnosis.candidates.end(),
-                [](const DiagnosisCandidate &other) { return other.defects.size() == 1; }));
-        }
+        QVERIFY(diagnosis.isExplained());
+        QCOMPARE(diagnosis.candidates.front().ids(), QStringList(id));
+        QVERIFY(std::ranges::none_of(
+            diagnosis.candidates.begin() + 1, diagnosis.candidates.end(),
+            [](const DiagnosisCandidate &other) { return other.defects.size() == 1; }));
     }
 
     /// Of samples on an edge some are drawn, for the third weight is rounded.
-    void aStrictTestIsToldThoughRoundingDecidesSomeSamples_data()
-    {
-        QTest::addColumn<QString>("method");
-        for (const char *method : {"edge-equations", "barycentric-rectangle"})
-            QTest::newRow(method) << QString::fromLatin1(method);
-    }
+    void aStrictTestIsToldThoughRoundingDecidesSomeSamples_data() { addMethods(); }
     void aStrictTestIsToldThoughRoundingDecidesSomeSamples()
     {
         QFETCH(QString, method);
-        std::vector<Submission> submissions;
-        for (const Scene &scene : probeSheet(method))
-            submissions.push_back({scene, studentPicture(scene, TestMistake::StrictByWeights)});
 
-        const Diagnosis diagnosis = *diagnose(submissions);
+        const Diagnosis diagnosis = diagnosed(method, TestMistake::StrictByWeights);
 
         QCOMPARE(nameOf(diagnosis.verdict), QStringLiteral("undecidable"));
         QCOMPARE(diagnosis.candidates.size(), std::size_t(1));

@@ -84,7 +84,9 @@ private slots:
         row("negative points", assignmentWith({}, R"("points": { "colours": -1 }, )"),
             "scenes[0].points.colours: -1; expected a number from 0 to 1000000");
         row("no memory", assignmentWith(R"("program": { "megabytes": 0 }, )"),
-            "program.megabytes: 0: a class' programs may not have all memory; expected 1 to");
+            "program.megabytes: 0: a class' programs may not have all memory; expected 16 to");
+        row("memory in which nothing starts", assignmentWith(R"("program": { "megabytes": 15 }, )"),
+            "program.megabytes: 15; expected an integer from 16 to 1048576");
         row("unknown credit", assignmentWith(R"("credit": "half", )"),
             "credit: “half”; expected one of whole, share");
         row("no scenes", R"({ "pixelplumbAssignment": 1, "name": "", "scenes": [] })",

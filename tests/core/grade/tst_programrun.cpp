@@ -348,6 +348,21 @@ private slots:
         QVERIFY2(run.messages.contains("MemoryError"), run.messages.constData());
     }
 
+    void theLeastMemoryStartsAProgram()
+    {
+        ProgramLimits limits = within(60'000ms);
+        limits.memory = std::int64_t(leastMegabytes) << 20;
+        QCOMPARE(runShell(QStringLiteral("echo here"), limits).output, QByteArray("here\n"));
+        // What starts it needs more than that: it is not the program that failed.
+        limits.memory = 1 << 20;
+        const StudentRun none = runShell(QStringLiteral("echo here"), limits);
+        if (!none.isSandboxed())
+            QSKIP("Without a sandbox there may be nothing between the limit and the program.");
+        QCOMPARE(nameOf(none.end), nameOf(ProgramEnd::NotStarted));
+        QVERIFY2(none.told.startsWith(QStringLiteral("it could not be started: ")),
+                 qPrintable(none.told));
+    }
+
     void filesAreBounded()
     {
         ProgramLimits limits = within(60'000ms);
@@ -536,6 +551,30 @@ private slots:
         QCOMPARE(run({"try", "true"}).exitCode, 2);
         QCOMPARE(run({"try", "/nowhere/at-all", "--scene", defaultScene()}).exitCode, 2);
         QCOMPARE(run({"try", "true", "--scene", defaultScene(), "--input", "xml"}).exitCode, 2);
+    }
+
+    void trianglesThatAreNamedAloneAreNotRight()
+    {
+        const auto tried = [](const QString &output, const QStringList &options = {}) {
+            return pixelplumb::run(QStringList{"try", "--scene", defaultScene()} + options
+                                   + QStringList{"--", "echo", output});
+        };
+
+        const ProgramRun named = tried(QStringLiteral("triangle 0"));
+        QCOMPARE(named.exitCode, 1);
+        QVERIFY2(named.output.contains("nothing was printed that could be compared"),
+                 named.output.constData());
+        QVERIFY2(!named.output.contains("\nright\n"), named.output.constData());
+        const ProgramRun json = tried(QStringLiteral("triangle 0"), {"--json"});
+        QVERIFY(json.output.contains("nothing was printed that could be compared"));
+        const ProgramRun unknown = tried(QStringLiteral("triangle 7"));
+        QCOMPARE(unknown.exitCode, 1);
+        QVERIFY2(unknown.output.contains("triangle 7 is named, the scene has 1"),
+                 unknown.output.constData());
+        const ProgramRun beyond = tried(QStringLiteral("pixel 64 0 1 2 3"));
+        QCOMPARE(beyond.exitCode, 1);
+        QVERIFY2(beyond.output.contains("1 line of its trace lies beyond the frame"),
+                 beyond.output.constData());
     }
 
     void withoutASandboxTheLimitsHold()

@@ -52,8 +52,8 @@ private slots:
         Scene scene = m_scene;
         scene.method = "row-walk";
         const auto told = [&scene](const QStringList &lines) {
-            const auto difference
-                = traceDifferenceOf(scene, *parseWrittenTrace(lines.join(u'\n').toUtf8()));
+            const auto difference = traceDifferenceOf(
+                scene, *parseWrittenTrace(lines.join(u'\n').toUtf8(), scene.frame));
             return difference && *difference ? (*difference)->text : QString();
         };
         QStringList lines = spans(scene, Arithmetic::Exact);
@@ -93,7 +93,7 @@ private slots:
             + pixels(scene, Arithmetic::Float32, seed % 3 == 0 ? Form::Bytes : Form::Levels);
 
         const auto difference
-            = traceDifferenceOf(scene, *parseWrittenTrace(lines.join(u'\n').toUtf8()));
+            = traceDifferenceOf(scene, *parseWrittenTrace(lines.join(u'\n').toUtf8(), scene.frame));
 
         QVERIFY(difference.isOk());
         QCOMPARE(*difference ? (*difference)->text : QString(), QString());
@@ -125,7 +125,7 @@ private slots:
             = steppedInFloats(scene, seed % 3 == 0 ? Form::Bytes : Form::Levels);
 
         const auto difference
-            = traceDifferenceOf(scene, *parseWrittenTrace(lines.join(u'\n').toUtf8()));
+            = traceDifferenceOf(scene, *parseWrittenTrace(lines.join(u'\n').toUtf8(), scene.frame));
 
         QVERIFY(difference.isOk());
         QCOMPARE(*difference ? (*difference)->text : QString(), QString());
@@ -136,7 +136,7 @@ private slots:
         Scene scene = m_scene;
         scene.triangles[0].vertices[0].position = latticePixel(-40'001, -39'000);
         const QStringList lines = steppedInFloats(scene, Form::Bytes);
-        const auto written = parseWrittenTrace(lines.join(u'\n').toUtf8());
+        const auto written = parseWrittenTrace(lines.join(u'\n').toUtf8(), m_scene.frame);
 
         QVERIFY(!traceDifferenceOf(scene, *written, Arithmetic::Float32).value());
         QVERIFY(traceDifferenceOf(scene, *written, Arithmetic::Float64).value());
@@ -160,7 +160,7 @@ private slots:
         QCOMPARE(lines.removeAll(QStringLiteral("pixel 8 8 255 0 0")), 1);
 
         const auto difference
-            = traceDifferenceOf(scene, *parseWrittenTrace(lines.join(u'\n').toUtf8()));
+            = traceDifferenceOf(scene, *parseWrittenTrace(lines.join(u'\n').toUtf8(), scene.frame));
 
         QVERIFY(difference.isOk());
         QCOMPARE(*difference ? (*difference)->text : QString(), QString());
@@ -225,7 +225,7 @@ private slots:
     {
         QStringList lines = columns(Arithmetic::Exact);
         lines[8] = QStringLiteral("column 12 6.037 18.5");
-        const auto written = parseWrittenTrace(lines.join(u'\n').toUtf8());
+        const auto written = parseWrittenTrace(lines.join(u'\n').toUtf8(), m_scene.frame);
         const auto difference = traceDifferenceOf(m_scene, *written);
         QVERIFY(difference.isOk() && *difference);
         const auto run = traceScene((*difference)->scene);
@@ -250,7 +250,7 @@ private slots:
         scene.triangles.push_back(scene.triangles.front());
         scene.triangles[1].vertices[0].position = latticePixel(4, 6);
         const auto first = [&](const char *text) {
-            const auto difference = traceDifferenceOf(scene, *parseWrittenTrace(text));
+            const auto difference = traceDifferenceOf(scene, *parseWrittenTrace(text, scene.frame));
             return difference.isOk() && *difference ? (*difference)->text : QString();
         };
 
@@ -265,14 +265,60 @@ private slots:
                  QStringLiteral("triangle 1, column 63 is there, should not be"));
     }
 
+    void aTriangleThatIsNotThereIsTold()
+    {
+        const QStringList lines = columns(Arithmetic::Exact);
+        const QString named
+            = QStringLiteral("triangle 1 is named, the scene has 1, counted from 0");
+
+        QCOMPARE(differenceOf(QStringList{"triangle 0"} + lines), QString());
+        QCOMPARE(differenceOf(lines + QStringList{"triangle 1"}), named);
+        QCOMPARE(differenceOf({"triangle 1"}), named);
+        QCOMPARE(differenceOf({"triangle 7", "column 4 5 5"}),
+                 QStringLiteral("triangle 7, column 4 is there, should not be"));
+    }
+
+    void linesBeyondTheFrameAreCountedAndNotKept()
+    {
+        const QByteArray text = "pixel 63 47 1 2 3\npixel 64 0 1 2 3\npixel 0 -1 1 2 3\n"
+                                "column 64 1/7 2/7\ncolumn -1 1 2\nrow 48 1 2\nrow 47 1 2.5\n";
+
+        const auto written = parseWrittenTrace(text, m_scene.frame);
+
+        QVERIFY(written.isOk());
+        QCOMPARE(written->beyondFrame, 5);
+        QCOMPARE(written->lines.size(), 2U);
+        QVERIFY(written->kinds.hasPixels && written->kinds.hasColumns && written->kinds.hasRows);
+        const std::vector<WrittenNumber> numbers = written->numbersOf(written->lines[1]);
+        QCOMPARE(numbers.size(), 2U);
+        QCOMPARE(numbers[1].text, QStringLiteral("2.5"));
+        // Nothing of it counts, but that it prints pixels at all.
+        QVERIFY(differenceOf({"pixel 64 0 1 2 3"}).endsWith(QStringLiteral(" is missing")));
+    }
+
+    void aLineIsKeptInFewBytes()
+    {
+        static_assert(sizeof(WrittenLine) <= 32);
+        const qsizetype count = 1 << 16;
+        const QByteArray text = QByteArray("pixel 1 1 230 21 4\n").repeated(count);
+
+        const auto written = parseWrittenTrace(text, m_scene.frame);
+
+        QVERIFY(written.isOk());
+        QCOMPARE(qsizetype(written->lines.size()), count);
+        QCOMPARE(written->text.constData(), text.constData()); // shared, not copied
+    }
+
     void whatNoMethodHasIsAnError()
     {
-        QVERIFY(
-            !traceDifferenceOf(m_scene, *parseWrittenTrace("row 5 1 2\ncolumn 5 1 2\n")).isOk());
+        QVERIFY(!traceDifferenceOf(m_scene,
+                                   *parseWrittenTrace("row 5 1 2\ncolumn 5 1 2\n", m_scene.frame))
+                     .isOk());
         Scene lines = m_scene;
         lines.triangles.clear();
         lines.method = "line-bresenham";
-        QVERIFY(!traceDifferenceOf(lines, *parseWrittenTrace("column 5 1 2\n")).isOk());
+        QVERIFY(
+            !traceDifferenceOf(lines, *parseWrittenTrace("column 5 1 2\n", lines.frame)).isOk());
     }
 
 private:
@@ -280,7 +326,7 @@ private:
 
     QString differenceOf(const QStringList &lines, Arithmetic tolerance = Arithmetic::Float32) const
     {
-        const auto written = parseWrittenTrace(lines.join(u'\n').toUtf8());
+        const auto written = parseWrittenTrace(lines.join(u'\n').toUtf8(), m_scene.frame);
         if (!written)
             return written.error().message();
         const auto difference = traceDifferenceOf(m_scene, *written, tolerance);
