@@ -144,7 +144,8 @@ QStringList textOf(const PlanReport &report)
     lines.append(QString());
     lines.append(samplesText(antialiasingOf(plan)));
     if (plan.vertexLight)
-        lines.append(QStringLiteral("light at the vertices, once a triangle, before what follows"));
+        lines.append(
+            QStringLiteral("light in set-up, into the vertices' colours, before what follows"));
     lines.append(batchesText(plan.batches));
     if (report.timing)
         lines.append(textOf(*report.timing));

@@ -196,10 +196,13 @@ Method pointAddressMethod()
            {0, QStringLiteral("if none is in the frame: done"), {Moment::Rejected}},
            {0, QStringLiteral("for each point:"), {Moment::Begin, Moment::Span}},
            {1, QStringLiteral("(x, y) ← the nearest pixel"), {Moment::Begin, Moment::Span}},
-           {1, QStringLiteral("addr ← y·width + x"), {Moment::Begin, Moment::Span}},
-           {1, QStringLiteral("if it is in the frame: frame[addr] ← colour"), {Moment::First}}};
+           {1,
+            QStringLiteral("if it is in the frame: addr ← (y − y₀)·width + (x − x₀) — (x₀, y₀) is "
+                           "the frame's first pixel"),
+            {Moment::Begin, Moment::Span}},
+           {1, QStringLiteral("frame[addr] ← colour"), {Moment::First}}};
     method.summary = QStringLiteral("Writes the colour of each point to the address "
-                                    "addr = y·width + x.");
+                                    "addr = y·width + x, counted from the frame's first pixel.");
     method.kinds = {PrimitiveKind::Point};
     method.fillRuleReason = QStringLiteral("a point has no edges");
     method.stableArithmetics = {Arithmetic::Exact};

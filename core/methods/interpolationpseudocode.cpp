@@ -137,8 +137,9 @@ Pseudocode shadedPseudocode(InterpolationForm form)
               code.push_back({1, text, atSamples});
               code.back().antialiasing = antialiasing;
           };
-    appendLoop(QStringLiteral("for each sample from {a}_{lo} to {a}_{hi} that the fill rule takes, "
-                              "the centre of a pixel, or of one that an edge meets its 4 or 16:"),
+    appendLoop(QStringLiteral("for each sample of the {span} that lies in the triangle by the fill "
+                              "rule, the centre of a pixel, or of one that an edge meets its 4 or "
+                              "16:"),
                several);
     appendLoop(QStringLiteral("for each {across} in which the triangle covers a part of the "
                               "pixel's square:"),
@@ -146,7 +147,13 @@ Pseudocode shadedPseudocode(InterpolationForm form)
     for (PseudocodeLine line : valueLines(form)) {
         // A sample behind what stands has its values, too.
         line.moments.push_back(Refused);
+        if (isBilinear(form))
+            line.antialiasing = one;
         code.push_back(line);
+    }
+    if (isBilinear(form)) {
+        code.push_back({2, QStringLiteral("each value v ← that of its plane here"), atSamples});
+        code.back().antialiasing = everyColumn.antialiasing;
     }
     code.push_back({2,
                     QStringLiteral("if 1/w ≤ 0: on to the next sample — it lies beyond the horizon "

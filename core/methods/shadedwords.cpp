@@ -71,10 +71,11 @@ void tellShaded(StepWords &words, const ShadedSampleState &state)
                                         "plane, where there are no attributes.");
         return;
     }
+    const QString covered = state.isWritten && !state.area.isNone()
+        ? QStringLiteral("The triangle covers %1 of the pixel's square.").arg(term(state.area))
+        : QString();
     if (state.effects.depth == DepthTest::None) {
-        if (state.isWritten && !state.area.isNone())
-            words.sentence = QStringLiteral("The triangle covers %1 of the pixel's square.")
-                                 .arg(term(state.area));
+        words.sentence = covered;
         return;
     }
     const QString z = term(state.depth);
@@ -88,6 +89,8 @@ void tellShaded(StepWords &words, const ShadedSampleState &state)
             = QStringLiteral(
                   "Depth %1 is not behind %2, which stood there: it is written and kept.")
                   .arg(z, term(state.nearest));
+    if (!covered.isEmpty())
+        words.sentence = covered + u' ' + words.sentence;
 }
 
 } // namespace pixelplumb

@@ -158,9 +158,8 @@ QString noPartText(const TracedScene &traced)
     case Antialiasing::None:
         break;
     case Antialiasing::Samples4:
-        return QStringLiteral("None of the pixel's 4 samples lies in the triangle.");
     case Antialiasing::Samples16:
-        return QStringLiteral("None of the pixel's 16 samples lies in the triangle.");
+        return QStringLiteral("No sample of the pixel lies in the triangle.");
     case Antialiasing::Area:
         return QStringLiteral("The triangle has no part of the pixel's square.");
     }

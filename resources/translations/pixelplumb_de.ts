@@ -3924,16 +3924,16 @@
         <translation>Zeichnet jede Kante als Linie mit Bresenhams Entscheidungen zwischen beliebigen Gitterpunkten; ein Pixel, in dem zwei Kanten zusammentreffen, schreiben beide.</translation>
     </message>
     <message>
-        <source>Writes the colour of each point to the address addr = y·width + x.</source>
-        <translation>Schreibt die Farbe jedes Punktes an die Adresse addr = y·width + x.</translation>
-    </message>
-    <message>
         <source>Takes the outlines of the glyphs from a font and fills them as one polygon by winding number.</source>
         <translation>Nimmt die Umrisse der Zeichen aus einer Schrift und füllt sie als ein Polygon nach der Windungszahl.</translation>
     </message>
     <message>
         <source>Takes a line as the rectangle one pixel wide, a curve as a strip of quadrilaterals, and blends it by the area that it has of each pixel, equally bright in every direction, or by 4 or 16 samples, as the scene&apos;s antialiasing asks. Where it asks for none, one sample decides a pixel: stairs.</source>
         <translation>Nimmt eine Linie als das Rechteck von einem Pixel Breite, eine Kurve als Streifen von Vierecken, und mischt sie nach der Fläche, die sie von jedem Pixel hat, in jeder Richtung gleich hell, oder nach 4 oder 16 Abtastpunkten, wie das Antialiasing der Szene es verlangt. Verlangt sie keines, entscheidet ein Abtastpunkt über ein Pixel: Treppen.</translation>
+    </message>
+    <message>
+        <source>Writes the colour of each point to the address addr = y·width + x, counted from the frame&apos;s first pixel.</source>
+        <translation>Schreibt die Farbe jedes Punktes an die Adresse addr = y·width + x, vom ersten Pixel des Rahmens an gezählt.</translation>
     </message>
 </context>
 <context>

@@ -142,7 +142,8 @@ constexpr const char *context = "pixelplumb::MethodSummary";
                       "Draws each edge as a line by Bresenham's decisions between any two points "
                       "of the lattice; a pixel in which two edges meet is written by both."),
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
-                      "Writes the colour of each point to the address addr = y·width + x."),
+                      "Writes the colour of each point to the address addr = y·width + x, counted "
+                      "from the frame's first pixel."),
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
                       "Takes the outlines of the glyphs from a font and fills them as one polygon "
                       "by winding number."),

@@ -229,7 +229,7 @@ private slots:
                                        "along the column (−2.12132 px square to the edge).");
         QTest::newRow("4 samples")
             << Antialiasing::Samples4
-            << QStringLiteral("None of the pixel's 4 samples lies in the triangle.") + at;
+            << QStringLiteral("No sample of the pixel lies in the triangle.") + at;
         QTest::newRow("area") << Antialiasing::Area
                               << QStringLiteral("The triangle has no part of the pixel's square.")
                 + at;
