@@ -177,10 +177,9 @@ bool hasEdgePixels(const Triangle &triangle, const SampledFrame &where)
     return isMet;
 }
 
-bool isDrawnEitherWay(const Triangle &triangle, const SampledFrame &where,
-                      const std::array<Attribute, 3> &horizon)
+bool isDrawnEitherWay(const Triangle &triangle, const SampledFrame &where)
 {
-    return !reachOf(triangle, where, horizon).isEmpty()
+    return !reachOf(triangle, where).isEmpty()
         || !reachOf(triangle, {where.frame, where.rule, Antialiasing::None, where.isExact})
                 .isEmpty();
 }

@@ -53,8 +53,7 @@ std::int64_t mostEdgePixelsOf(const Triangle &triangle, const SampledFrame &wher
 bool hasEdgePixels(const Triangle &triangle, const SampledFrame &where);
 /// Whether it is drawn so, or would be without antialiasing: between the samples of its pixels, on
 /// their own. Where no triangle is, antialiasing changes nothing.
-bool isDrawnEitherWay(const Triangle &triangle, const SampledFrame &where,
-                      const std::array<Attribute, 3> &horizon);
+bool isDrawnEitherWay(const Triangle &triangle, const SampledFrame &where);
 /// Whether a line or curve one pixel wide covers a part of the frame and its border meets a pixel
 /// so. Of a curve the joints of its pieces count, too.
 bool hasEdgePixels(const Shape &stroke, const SampledFrame &where);

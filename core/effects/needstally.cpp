@@ -24,14 +24,10 @@ public:
 
     void add(std::size_t index, const Triangle &triangle, const TriangleAttributes *attributes)
     {
-        const bool isDrawn = isDrawnEitherWay(
-            triangle, m_asked, horizonOf(triangle, attributes, m_appearance, m_asked));
-        m_isAnyDrawn = m_isAnyDrawn || isDrawn;
-        // Areas are covered one by one; which pixels have several samples all triangles decide.
-        if (hasEdgePixels(triangle, m_asked)
-            && (isDrawn || m_asked.antialiasing != Antialiasing::Area))
+        if (hasEdgePixels(triangle, m_asked))
             m_edges.add(mostEdgePixelsOf(triangle, m_asked));
-        const SampleBox reach = drawnReachOf(triangle, attributes, m_appearance, m_where);
+        m_isAnyDrawn = m_isAnyDrawn || isDrawnEitherWay(triangle, m_asked);
+        const SampleBox reach = reachOf(triangle, m_where);
         if (reach.isEmpty()) {
             ++m_tally.outside;
             return;

@@ -54,12 +54,6 @@ public:
         m_batches.back().effects = effects;
         m_hasEffects = true;
     }
-    /// One that only its effects keep from being drawn: perspective knows its horizon.
-    void addRefused(const EffectSet &effects)
-    {
-        add(effects);
-        ++m_batches.back().unseen;
-    }
     void addUnseen()
     {
         if (m_batches.empty())
@@ -92,10 +86,7 @@ std::vector<EffectBatch> batchesOf(const Primitives &primitives, const SampledFr
         EffectSet effects = withForcing(needsOf(triangle, attributes, appearance).effects,
                                         attributes, appearance);
         effects.depth = runsDepth(appearance, depth, i) ? test : DepthTest::None;
-        if (drawnReachOf(triangle, attributes, appearance, where).isEmpty())
-            list.addRefused(effects);
-        else
-            list.add(effects);
+        list.add(effects);
     }
     return std::move(list).batches();
 }
@@ -136,13 +127,12 @@ EffectPlan planFor(const Primitives &primitives, const ScanSettings &settings,
     plan.batches = batchesOf(primitives, where, depth);
     plan.smoothLines
         = runsOnLines(primitives, {frame, settings.fillRule, antialiasingOf(appearance)});
-    plan.vertexLight = lightsVertices(appearance)
+    plan.vertexLight
+        = lightsVertices(appearance)
         && std::ranges::any_of(primitives.attributes, [&](const TriangleAttributes &attributes) {
-                           return hasNormals(attributes)
-                               && !drawnReachOf(primitives.triangles[attributes.triangle],
-                                                &attributes, appearance, where)
-                                       .isEmpty();
-                       });
+               return hasNormals(attributes)
+                   && !reachOf(primitives.triangles[attributes.triangle], where).isEmpty();
+           });
     return plan;
 }
 

@@ -4,7 +4,6 @@
 #include "core/effects/bordercrossing.h"
 #include "core/effects/effectreason.h"
 #include "core/effects/framereach.h"
-#include "core/effects/triangleneeds.h"
 
 #include <algorithm>
 
@@ -90,21 +89,12 @@ Antialiasing triangleAntialiasing(const Primitives &primitives, const ScanSettin
 {
     const Appearance &appearance = primitives.appearance;
     const SampledFrame asked = sampledFrame(frame, settings, antialiasingOf(appearance));
-    const auto hasEdges = [&](const Triangle &triangle) { return hasEdgePixels(triangle, asked); };
-    const auto isDrawnSo = [&](const Triangle &triangle) {
-        const auto index = std::size_t(&triangle - primitives.triangles.data());
-        return isDrawnEitherWay(
-            triangle, asked,
-            horizonOf(triangle, primitives.attributesOf(index), appearance, asked));
-    };
-    const auto isPartlyDrawn
-        = [&](const Triangle &triangle) { return hasEdges(triangle) && isDrawnSo(triangle); };
+    const auto isSoOfAny
+        = [&](const auto &is) { return std::ranges::any_of(primitives.triangles, is); };
     // The edges of one that lies between all samples part the pixels of others.
     return runningOf(appearance, asked, [&] {
-        if (asked.antialiasing == Antialiasing::Area)
-            return std::ranges::any_of(primitives.triangles, isPartlyDrawn);
-        return std::ranges::any_of(primitives.triangles, hasEdges)
-            && std::ranges::any_of(primitives.triangles, isDrawnSo);
+        return isSoOfAny([&](const Triangle &of) { return hasEdgePixels(of, asked); })
+            && isSoOfAny([&](const Triangle &of) { return isDrawnEitherWay(of, asked); });
     });
 }
 

@@ -126,10 +126,4 @@ std::array<Attribute, 3> horizonOf(const Triangle &triangle, const TriangleAttri
     return w;
 }
 
-SampleBox drawnReachOf(const Triangle &triangle, const TriangleAttributes *attributes,
-                       const Appearance &appearance, const SampledFrame &where)
-{
-    return reachOf(triangle, where, horizonOf(triangle, attributes, appearance, where));
-}
-
 } // namespace pixelplumb

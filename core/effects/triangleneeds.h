@@ -44,8 +44,4 @@ bool hasHorizon(const Triangle &triangle, const TriangleAttributes *attributes,
 std::array<Attribute, 3> horizonOf(const Triangle &triangle, const TriangleAttributes *attributes,
                                    const Appearance &appearance, const SampledFrame &where);
 
-/// What the triangle reaches (see framereach.h), up to its horizon.
-SampleBox drawnReachOf(const Triangle &triangle, const TriangleAttributes *attributes,
-                       const Appearance &appearance, const SampledFrame &where);
-
 } // namespace pixelplumb
