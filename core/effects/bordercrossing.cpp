@@ -287,8 +287,10 @@ BorderCrossing borderCrossingOf(const Shape &shape, const SampledFrame &where)
                                                          : BorderCrossing::MayCross;
 }
 
-bool isDrawnEitherWay(const Shape &stroke, const SampledFrame &where)
+bool callsForAntialiasing(const Shape &stroke, const SampledFrame &where)
 {
+    if (!hasEdgePixels(stroke, where))
+        return false;
     SampledFrame plain = where;
     plain.antialiasing = Antialiasing::None;
     return borderCrossingOf(stroke, where) != BorderCrossing::Outside

@@ -19,7 +19,8 @@ enum class BorderCrossing : std::uint8_t {
 BorderCrossing borderCrossingOf(const Triangle &triangle, const SampledFrame &where);
 /// An antialiased line or curve is one pixel wide.
 BorderCrossing borderCrossingOf(const Shape &shape, const SampledFrame &where);
-/// Whether a line or curve is drawn so, or would be without antialiasing.
-bool isDrawnEitherWay(const Shape &stroke, const SampledFrame &where);
+/// Whether antialiasing changes a line or curve: its border meets a pixel of the frame (see
+/// hasEdgePixels), and it is drawn so, or would be without.
+bool callsForAntialiasing(const Shape &stroke, const SampledFrame &where);
 
 } // namespace pixelplumb

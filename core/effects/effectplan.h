@@ -91,7 +91,7 @@ struct EffectPlan {
             || (effect == Effect::Light && vertexLight)
             || (effect == Effect::Antialiasing && strokeAntialiasing != Antialiasing::None);
     }
-    /// The same of what a kernel of triangles does at their samples, where one of them is drawn.
+    /// The same of what a kernel of triangles does at their samples.
     bool runsOnTriangles(Effect effect) const;
     /// Whether the same is done, whatever the verdicts say.
     bool runsAs(const EffectPlan &other) const

@@ -62,7 +62,7 @@ public:
 
     void add(const Shape &shape)
     {
-        if (hasEdgePixels(shape, m_asked) && isDrawnEitherWay(shape, m_asked))
+        if (callsForAntialiasing(shape, m_asked))
             m_tally.of[Effect::Antialiasing].add(mostPixelsOf(shape, m_where.frame));
         const BorderCrossing crossing
             = borderCrossingOf(shape, isStroke(shape) ? m_asked : m_where);

@@ -48,22 +48,25 @@ public:
     {
         if (m_hasEffects && m_batches.back().effects != effects)
             m_batches.push_back({m_batches.back().first + m_batches.back().count, 0, effects, 0});
-        else if (m_batches.empty())
-            m_batches.emplace_back();
-        ++m_batches.back().count;
+        append();
         m_batches.back().effects = effects;
         m_hasEffects = true;
     }
     void addUnseen()
     {
-        if (m_batches.empty())
-            m_batches.emplace_back();
-        ++m_batches.back().count;
+        append();
         ++m_batches.back().unseen;
     }
     std::vector<EffectBatch> batches() && { return std::move(m_batches); }
 
 private:
+    void append()
+    {
+        if (m_batches.empty())
+            m_batches.emplace_back();
+        ++m_batches.back().count;
+    }
+
     std::vector<EffectBatch> m_batches;
     bool m_hasEffects = false; ///< a triangle of the last batch reaches the frame
 };
@@ -109,9 +112,8 @@ bool EffectPlan::runsOnTriangles(Effect effect) const
         return antialiasing != Antialiasing::None;
     if (effect == Effect::Clipping)
         return verdicts[effect].verdict != Verdict::NotCalledFor;
-    return std::ranges::any_of(batches, [effect](const EffectBatch &batch) {
-        return contains(batch.effects, effect) && batch.unseen < batch.count;
-    });
+    return std::ranges::any_of(
+        batches, [effect](const EffectBatch &batch) { return contains(batch.effects, effect); });
 }
 
 EffectPlan planFor(const Primitives &primitives, const ScanSettings &settings,

@@ -89,12 +89,14 @@ Antialiasing triangleAntialiasing(const Primitives &primitives, const ScanSettin
 {
     const Appearance &appearance = primitives.appearance;
     const SampledFrame asked = sampledFrame(frame, settings, antialiasingOf(appearance));
-    const auto isSoOfAny
-        = [&](const auto &is) { return std::ranges::any_of(primitives.triangles, is); };
+    const auto isSoOfAny = [&](const auto &is) {
+        return std::ranges::any_of(primitives.triangles,
+                                   [&](const Triangle &triangle) { return is(triangle, asked); });
+    };
     // The edges of one that lies between all samples part the pixels of others.
     return runningOf(appearance, asked, [&] {
-        return isSoOfAny([&](const Triangle &of) { return hasEdgePixels(of, asked); })
-            && isSoOfAny([&](const Triangle &of) { return isDrawnEitherWay(of, asked); });
+        return isSoOfAny([](const auto &...of) { return hasEdgePixels(of...); })
+            && isSoOfAny(isDrawnEitherWay);
     });
 }
 
@@ -104,7 +106,7 @@ Antialiasing strokeAntialiasing(const Primitives &primitives, const FrameView &f
     const SampledFrame asked{frame, FillRule::Closed, antialiasingOf(appearance)};
     return runningOf(appearance, asked, [&] {
         return std::ranges::any_of(primitives.shapes, [&](const Shape &shape) {
-            return hasEdgePixels(shape, asked) && isDrawnEitherWay(shape, asked);
+            return callsForAntialiasing(shape, asked);
         });
     });
 }

@@ -52,8 +52,7 @@ void appendBoundColours(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNam
 /// Δ% of a triangle's colour plane along the spans.
 QString planeRate(const EdgeWalkNames &names)
 {
-    return names.isRow() ? QStringLiteral("((%₁ − %₀)·(y₂ − y₀) − (%₂ − %₀)·(y₁ − y₀))/A")
-                         : QStringLiteral("((%₂ − %₀)·(x₁ − x₀) − (%₁ − %₀)·(x₂ − x₀))/A");
+    return planeSlope(names.isRow() ? u'x' : u'y', QStringLiteral("A"));
 }
 
 /// Whether the colours' change along a span is the plane's.
@@ -95,10 +94,9 @@ bool isDirect(const EdgeWalkNames &names, const EdgeWalkStart &start)
 /// The level at @ on the span.
 QString directLevel(const EdgeWalkStart &start)
 {
-    return start.hasPlane
-        ? QStringLiteral("%₀ + ((%₁ − %₀)·(y₂ − y₀) − (%₂ − %₀)·(y₁ − y₀))/A·(x − x₀) + "
-                         "Δ%·(@ − y₀)")
-        : QStringLiteral("%₀ + (@ − y₀)·Δ%");
+    return start.hasPlane ? QStringLiteral("%₀ + ") + planeSlope(u'x', QStringLiteral("A"))
+            + QStringLiteral("·(x − x₀) + Δ%·(@ − y₀)")
+                          : QStringLiteral("%₀ + (@ − y₀)·Δ%");
 }
 
 /// What the levels of a span start from.

@@ -141,6 +141,16 @@ QString EdgeWalkNames::boundFormula(const EdgeWalkSpanState &state, SpanBound bo
         .arg(title, start, way(state.digits[from], variants), slope);
 }
 
+QString planeSlope(QChar axis, const QString &doubledArea)
+{
+    return u'('
+        + (axis == u'x' ? QStringLiteral("(%₁ − %₀)·(y₂ − y₀) − (%₂ − %₀)·(y₁ − y₀)")
+                        : QStringLiteral("(%₂ − %₀)·(x₁ − x₀) − (%₁ − %₀)·(x₂ − x₀)"))
+        + QStringLiteral(")/") + doubledArea;
+}
+
+QString doubledAreaText() { return QStringLiteral("(x₁ − x₀)·(y₂ − y₀) − (x₂ − x₀)·(y₁ − y₀)"); }
+
 QString colourBiasTitle() { return QStringLiteral("β_C"); }
 
 } // namespace pixelplumb

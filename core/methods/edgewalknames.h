@@ -83,6 +83,10 @@ private:
     EdgeWalkForm m_form;
 };
 
+/// What the plane through the values % of the three vertices changes by along x or y, over their
+/// doubled area; and that in the vertices' coordinates.
+QString planeSlope(QChar axis, const QString &doubledArea);
+QString doubledAreaText();
 /// "β_C": what float64's levels are moved by before they are cut to bytes.
 QString colourBiasTitle();
 

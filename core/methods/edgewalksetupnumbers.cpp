@@ -137,7 +137,7 @@ NumberTable<EdgeWalkSetUpState> edgeWalkSetUpNumbers(const EdgeWalkForm &form)
           .title = QStringLiteral("A"),
           .unit = unit::squarePx(),
           .toolTip = QStringLiteral("Twice the area, positive where P₀ P₁ P₂ turn as from x to y."),
-          .formula = QStringLiteral("A = (x₁ − x₀)·(y₂ − y₀) − (x₂ − x₀)·(y₁ − y₀)")},
+          .formula = QStringLiteral("A = ") + doubledAreaText()},
          [](const EdgeWalkSetUpState &state) {
              const std::array<Vertex, 3> &corners = state.walk.corners;
              return Quantity::rational(

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/edgewalknames.h"
 #include "core/methods/interpolationnames.h"
 #include "core/methods/shadednumbers.h"
 #include "core/methods/units.h"
@@ -23,17 +24,7 @@ QString linearName(Channel channel, const EffectSet &effects)
         : name;
 }
 
-QString alongRowsText()
-{
-    return QStringLiteral("((%₁ − %₀)·(y₂ − y₀) − (%₂ − %₀)·(y₁ − y₀))/((x₁ − x₀)·(y₂ − y₀) − "
-                          "(x₂ − x₀)·(y₁ − y₀))");
-}
-
-QString alongColumnsText()
-{
-    return QStringLiteral("((%₂ − %₀)·(x₁ − x₀) − (%₁ − %₀)·(x₂ − x₀))/((x₁ − x₀)·(y₂ − y₀) − "
-                          "(x₂ − x₀)·(y₁ − y₀))");
-}
+QString planeSlope(QChar axis) { return planeSlope(axis, u'(' + doubledAreaText() + u')'); }
 
 QString unitOf(Channel channel) { return isLevel(channel) ? unit::levels() : QString(); }
 

@@ -68,9 +68,7 @@ const QString &shadedName(Channel channel);
 QString linearName(Channel channel, const EffectSet &effects);
 /// "levels", or empty.
 QString unitOf(Channel channel);
-/// What the plane through the values % of the vertices changes by from column to column, and from
-/// row to row.
-QString alongRowsText();
-QString alongColumnsText();
+/// What the plane through the values % of the vertices changes by along x or y.
+QString planeSlope(QChar axis);
 
 } // namespace pixelplumb

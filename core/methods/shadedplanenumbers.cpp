@@ -52,10 +52,8 @@ QString planeFormula(const ShadedSetUpState &state, QChar letter, const QString 
         else
             text = ends.isAlong(letter) ? ends.filled(QStringLiteral("(%& − %#)/(@& − @#)"))
                                         : QStringLiteral("0");
-    } else if (letter == u'a') {
-        text = alongRowsText();
-    } else if (letter == u'b') {
-        text = alongColumnsText();
+    } else if (letter != u'c') {
+        text = planeSlope(letter == u'a' ? u'x' : u'y');
     } else {
         text = QStringLiteral("%₀ − %1·x₀ − %2·y₀").arg(coefficient(u'a'), coefficient(u'b'));
     }

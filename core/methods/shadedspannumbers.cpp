@@ -71,7 +71,7 @@ void appendBounds(NumberTable<ShadedSpanState> &table, const QString &name, cons
                  return;
              const bool isPlanes = state.walk.start.hasPlane && state.rate[channel].isRational();
              number.formula = QStringLiteral("Δ%1 = ").arg(name)
-                 + (isPlanes ? alongColumnsText().replace(u'%', name) : QStringLiteral("0"));
+                 + (isPlanes ? planeSlope(u'y').replace(u'%', name) : QStringLiteral("0"));
          }});
 }
 

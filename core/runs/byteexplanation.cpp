@@ -21,9 +21,9 @@ QString byteFormula(ByteRounding rounding, const Quantity &channel, std::int64_t
                     const QString &bias)
 {
     const bool isNearest = rounding == ByteRounding::Nearest;
-    const QString half = isNearest ? QStringLiteral("½") : QString();
-    const QString added
-        = bias.isEmpty() || !isNearest ? half + bias : QStringLiteral("(½ + %1)").arg(bias);
+    const QString nearest
+        = bias.isEmpty() ? QStringLiteral("½") : QStringLiteral("(½ + %1)").arg(bias);
+    const QString added = isNearest ? nearest : bias;
     const QString rounded
         = added.isEmpty() ? QStringLiteral("⌊%⌋") : QStringLiteral("⌊% + %1⌋").arg(added);
     if (level < 0 || channel.toDouble() + (isNearest ? 0.5 : 0.0) < 0)
@@ -31,15 +31,20 @@ QString byteFormula(ByteRounding rounding, const Quantity &channel, std::int64_t
     return level > 255 ? QStringLiteral("min(255, ") + rounded + u')' : rounded;
 }
 
-/// What the kernel adds to levels before it cuts them; none where no number says so.
+/// The sample's number with this title; none where there is no such number.
+Quantity numberTitled(const QString &title, const std::vector<NumberDescription> &columns,
+                      const std::vector<Quantity> &used)
+{
+    const auto column = std::ranges::find(columns, title, &NumberDescription::title);
+    const auto place = std::size_t(column - columns.begin());
+    return place < used.size() ? used[place] : Quantity();
+}
+
+/// What the kernel adds to levels before it cuts them; none where it adds nothing.
 Quantity biasIn(const WrittenSample &written)
 {
-    const auto column
-        = std::ranges::find(written.numbers, colourBiasTitle(), &NumberDescription::title);
-    const auto place = std::size_t(column - written.numbers.begin());
-    const bool isAdded
-        = place < written.sample.cells.size() && written.sample.cells[place].toDouble() != 0;
-    return isAdded ? written.sample.cells[place] : Quantity();
+    const Quantity bias = numberTitled(colourBiasTitle(), written.numbers, written.sample.cells);
+    return !bias.isNone() && bias.toDouble() != 0 ? bias : Quantity();
 }
 
 /// So many digits that the sum can be believed.
@@ -64,10 +69,7 @@ QString lastStage(const std::vector<NumberDescription> &columns, const std::vect
 {
     for (const QString &stage : {QStringLiteral("mean"), QStringLiteral("r"), QStringLiteral("s"),
                                  QStringLiteral("mod")}) {
-        const auto column
-            = std::ranges::find(columns, stage + QStringLiteral("_R"), &NumberDescription::title);
-        const auto place = std::size_t(column - columns.begin());
-        if (place < used.size() && !used[place].isNone())
+        if (!numberTitled(stage + QStringLiteral("_R"), columns, used).isNone())
             return stage;
     }
     return {};

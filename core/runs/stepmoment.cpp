@@ -43,6 +43,18 @@ Pseudocode variedCode(Pseudocode code, VariantSet variants)
     return code;
 }
 
+/// With the line that lights the vertices before anything is scanned.
+Pseudocode litCode(Pseudocode code, const TracedScene &traced)
+{
+    if (traced.plan && traced.plan->vertexLight)
+        code.insert(code.begin(),
+                    {0,
+                     QStringLiteral("R, G, B of the vertices ← ambient and, of each light, the "
+                                    "diffuse and specular term"),
+                     {Moment::SetUp}});
+    return code;
+}
+
 } // namespace
 
 Moment momentOf(const ScanTrace &trace, std::size_t stepIndex)
@@ -59,22 +71,6 @@ Moment momentOf(const ScanTrace &trace, std::size_t stepIndex)
     return std::ranges::binary_search(trace.rejectedPrimitives(), step.primitive) ? Moment::Rejected
                                                                                   : Moment::SetUp;
 }
-
-namespace {
-
-/// With the line that lights the vertices before anything is scanned.
-Pseudocode litCode(Pseudocode code, const TracedScene &traced)
-{
-    if (traced.plan && traced.plan->vertexLight)
-        code.insert(code.begin(),
-                    {0,
-                     QStringLiteral("R, G, B of the vertices ← ambient and, of each light, the "
-                                    "diffuse and specular term"),
-                     {Moment::SetUp}});
-    return code;
-}
-
-} // namespace
 
 Pseudocode pseudocodeOf(const TracedScene &traced, std::size_t primitive)
 {

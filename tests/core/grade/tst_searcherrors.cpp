@@ -57,6 +57,16 @@ Picture noise(const FrameSpec &frame)
     return picture;
 }
 
+/// One scene, whose picture is a large piece of memory.
+Assignment ofALargePicture()
+{
+    Scene scene = sceneOf(lineAt(2, 3, 100, 50), "line-dda", {}); // has few defects
+    scene.frame.width = scene.frame.height = 120; // 43 200 bytes of colours
+    Assignment assignment;
+    assignment.scenes = {{QStringLiteral("large"), scene}};
+    return assignment;
+}
+
 } // namespace
 
 /// Searches and gradings that end in an error: what else is known stays, and others are graded.
@@ -87,11 +97,9 @@ private slots:
     void whereverMemoryEndsOthersAreGraded()
     {
         const QTemporaryDir folder;
-        Assignment assignment;
+        Assignment assignment = ofALargePicture();
         assignment.name = QStringLiteral("Large");
-        Scene scene = sceneOf(lineAt(2, 3, 100, 50), "line-dda", {}); // has few defects
-        scene.frame.width = scene.frame.height = 120; // 43 200 bytes of colours
-        assignment.scenes = {{QStringLiteral("large"), scene}};
+        const Scene &scene = assignment.scenes[0].scene;
         const QString subs = folder.filePath(QStringLiteral("subs"));
         for (const char *name : {"ada", "bob"}) {
             Picture picture = noise(scene.frame);
@@ -133,14 +141,11 @@ private slots:
     void whatCannotBeGradedHasThatAsItsVerdictUntilItCan()
     {
         const QTemporaryDir folder;
-        Assignment assignment;
-        Scene scene = sceneOf(lineAt(2, 3, 100, 50), "line-dda", {});
-        scene.frame.width = scene.frame.height = 120;
-        assignment.scenes = {{QStringLiteral("large"), scene}};
+        const Assignment assignment = ofALargePicture();
         const QString subs = folder.filePath(QStringLiteral("subs"));
         for (const char *name : {"ada", "bob"}) {
             QVERIFY(QDir().mkpath(subs + u'/' + QLatin1String(name)));
-            QVERIFY(imageOf(pictureOf(scene))
+            QVERIFY(imageOf(pictureOf(assignment.scenes[0].scene))
                         .save(QStringLiteral("%1/%2/large.png").arg(subs, QLatin1String(name))));
         }
         const QString results = folder.filePath(QStringLiteral("results"));
@@ -180,13 +185,11 @@ private slots:
     void whatFailedBesideOthersIsGradedAlone()
     {
         const QTemporaryDir folder;
-        Assignment assignment;
-        Scene scene = sceneOf(lineAt(2, 3, 100, 50), "line-dda", {});
-        scene.frame.width = scene.frame.height = 120;
-        assignment.scenes = {{QStringLiteral("large"), scene}};
+        const Assignment assignment = ofALargePicture();
         const QString subs = folder.filePath(QStringLiteral("subs"));
         QVERIFY(QDir().mkpath(subs + QStringLiteral("/ada")));
-        QVERIFY(imageOf(pictureOf(scene)).save(subs + QStringLiteral("/ada/large.png")));
+        QVERIFY(imageOf(pictureOf(assignment.scenes[0].scene))
+                    .save(subs + QStringLiteral("/ada/large.png")));
         bool hasFailed = false;
         const ProgressListener once = [&hasFailed](const JobProgress &progress) {
             if (progress.done == 0)
