@@ -35,15 +35,14 @@ QStringList aligned(const std::vector<QStringList> &rows, const QList<qsizetype>
 /// "4", "0 … 3, 1 of them not drawn": the first and the last triangle.
 QString triangleRange(const EffectBatch &batch)
 {
-    const QString range = batch.count == 1
+    QString range = batch.count == 1
         ? QString::number(batch.first)
         : QStringLiteral("%1 … %2").arg(batch.first).arg(batch.first + batch.count - 1);
-    if (batch.unseen == 0)
-        return range;
-    return range
-        + (batch.unseen == batch.count
-               ? QStringLiteral(", not drawn")
-               : QStringLiteral(", %1 of them not drawn").arg(batch.unseen));
+    if (batch.unseen == batch.count)
+        range += QStringLiteral(", not drawn");
+    else if (batch.unseen != 0)
+        range += QStringLiteral(", %1 of them not drawn").arg(batch.unseen);
+    return range;
 }
 
 /// Of triangles, lines or curves: where several run it, it is the same.
