@@ -150,6 +150,12 @@ QStringList antialiasingsOf(const PseudocodeLine &line)
     return names;
 }
 
+QString areaText(const PseudocodeLine &line)
+{
+    return line.of == LineOf::Segment ? QStringLiteral("triangles without area")
+                                      : QStringLiteral("triangles with area");
+}
+
 /// "   [blending; antialiasing none, 4, 16]": where a line is there.
 QString conditionText(const PseudocodeLine &line)
 {
@@ -159,6 +165,8 @@ QString conditionText(const PseudocodeLine &line)
     if (!line.antialiasing.empty())
         conditions.append(QStringLiteral("antialiasing ")
                           + antialiasingsOf(line).join(QStringLiteral(", ")));
+    if (line.of != LineOf::EveryPrimitive)
+        conditions.append(areaText(line));
     return conditions.empty()
         ? QString()
         : QStringLiteral("   [%1]").arg(conditions.join(QStringLiteral("; ")));
@@ -176,6 +184,8 @@ QJsonArray jsonOf(const Pseudocode &code)
         if (!line.antialiasing.empty())
             object.insert(QStringLiteral("antialiasing"),
                           QJsonArray::fromStringList(antialiasingsOf(line)));
+        if (line.of != LineOf::EveryPrimitive)
+            object.insert(QStringLiteral("of"), areaText(line));
         list.append(object);
     }
     return list;

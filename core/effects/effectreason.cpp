@@ -40,9 +40,14 @@ QString smoothColourReason(const NeedsTally &tally, const Appearance &appearance
                            const QString &noun)
 {
     const std::size_t smooth = tally.of[Effect::SmoothColour].primitives;
+    const bool isFlatLit
+        = appearance.shading == Shading::Flat && tally.of[Effect::Light].primitives > 0;
     if (smooth > 0)
-        return QStringLiteral("%1 vertex colours that differ").arg(has(smooth, tally.drawn, noun));
-    if (appearance.shading == Shading::Flat && tally.of[Effect::Light].primitives > 0)
+        return QStringLiteral("%1 vertex colours that differ").arg(has(smooth, tally.drawn, noun))
+            + (isFlatLit ? QStringLiteral("; flat light gives each triangle that it falls on one "
+                                          "colour")
+                         : QString());
+    if (isFlatLit)
         return QStringLiteral("flat light gives each triangle one colour");
     if (tally.ownColours > 0)
         return QStringLiteral("no triangle and no line that the method draws has vertex colours "
@@ -211,49 +216,6 @@ QString blendingReason(const Primitives &primitives, const NeedsTally &tally,
     const bool sharesEdges = where.rule == FillRule::Closed
         && where.antialiasing != Antialiasing::Area && tally.drawnTriangles > 1;
     return sharesEdges ? reason + paintedTwiceWords(primitives, tally, where) : reason;
-}
-
-/// What there is of what antialiasing can draw.
-QString antialiasedWord(const NeedsTally &tally)
-{
-    if (tally.drawnStrokes == 0)
-        return QStringLiteral("triangle");
-    return tally.drawnTriangles == 0 ? QStringLiteral("line or curve")
-                                     : QStringLiteral("triangle, line or curve");
-}
-
-QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing)
-{
-    const auto ofSamples = [&](int samples) {
-        const QString pixel = tally.drawnStrokes == 0
-            ? QStringLiteral("that an edge passes")
-            : QStringLiteral("that the border of a %1 passes").arg(antialiasedWord(tally));
-        return QStringLiteral("the scene asks for %1 samples in each pixel %2")
-            .arg(QString::number(samples), pixel);
-    };
-    if (antialiasing == Antialiasing::None)
-        return QStringLiteral("the scene asks for one sample a pixel");
-    const bool isCalledFor = tally.of[Effect::Antialiasing].primitives > 0;
-    if (!isCalledFor && tally.drawnTriangles + tally.drawnStrokes == 0)
-        return QStringLiteral("no triangle is drawn, nor any line or curve one pixel wide");
-    if (!isCalledFor)
-        return antialiasing == Antialiasing::Area
-            ? QStringLiteral("no edge parts a pixel of the frame: each is covered whole or not at "
-                             "all")
-            : QStringLiteral("no edge of what is drawn meets a pixel of the frame: each is drawn "
-                             "once, at its centre");
-    switch (antialiasing) {
-    case Antialiasing::None:
-        break;
-    case Antialiasing::Samples4:
-        return ofSamples(4);
-    case Antialiasing::Samples16:
-        return ofSamples(16);
-    case Antialiasing::Area:
-        return QStringLiteral("the scene asks for the exact area that a %1 has of a pixel")
-            .arg(antialiasedWord(tally));
-    }
-    return {};
 }
 
 } // namespace

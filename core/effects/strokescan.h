@@ -31,11 +31,12 @@ struct StrokeColumn {
 };
 
 struct StrokeSample {
-    StrokeColour::Place place; ///< on a line, of the pixel's sample
-    std::array<std::int64_t, 3> level = {}; ///< of the stroke there, rounded
+    StrokeColour::Place place; ///< on a line, of the pixel's sample; of 4 or 16, of none
+    std::array<std::int64_t, 3> level = {}; ///< of the stroke there, rounded; or those of the mean
     QRgb before = 0, after = 0;
     int samples = 0; ///< 1, 4 or 16; 0: by area
     std::uint16_t covered = 0; ///< bit k: sample k
+    std::array<unsigned, 3> sum = {}; ///< of 4 or 16: of what stands in them now, by channel
     std::uint8_t alpha = 0; ///< by area
     Quantity area; ///< px²; for who reads it
 };
@@ -74,12 +75,12 @@ public:
             *m_samples[sample].view().at(x, y) = packed(colour);
     }
     /// What the samples of a pixel come to.
-    QRgb mean(std::int64_t x, std::int64_t y) const
+    SampleMean mean(std::int64_t x, std::int64_t y) const
     {
         SampleMean mean;
         for (const ScratchFrame &sample : m_samples)
             mean.add(*sample.view().at(x, y));
-        return mean.pixel();
+        return mean;
     }
     bool hasSampleFrames() const { return !m_samples.empty(); }
 
@@ -185,8 +186,9 @@ private:
         }
         if (sample.covered == 0)
             return;
-        sample.after = m_canvas.hasSampleFrames() ? m_canvas.mean(pixel.x, pixel.y)
-                                                  : packed(m_colour.colourAt(sample.place));
+        sample.after = packed(m_colour.colourAt(sample.place));
+        if (m_canvas.hasSampleFrames())
+            takeMean(sample, m_canvas.mean(pixel.x, pixel.y));
         write(pixel, sample);
     }
 
@@ -197,6 +199,14 @@ private:
         sample.level = m_colour.levelsAt(sample.place);
         sample.before = *m_canvas.frame().at(pixel.x, pixel.y);
         return sample;
+    }
+    static void takeMean(StrokeSample &sample, const SampleMean &mean)
+    {
+        sample.place = {};
+        sample.sum = mean.sum();
+        sample.after = mean.pixel();
+        for (std::size_t i = 0; i < 3; ++i)
+            sample.level[i] = unpacked(sample.after).channels[i];
     }
     void write(const StrokePixel &pixel, const StrokeSample &sample)
     {

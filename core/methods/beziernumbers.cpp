@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/beziernumbers.h"
 
+#include "core/methods/curvenumbers.h"
+
+#include <QStringList>
+
 #include <bit>
 #include <cmath>
 
@@ -14,17 +18,6 @@ using Group = NumberGroup;
 constexpr int exactBits = 120;
 /// What of a numerator a double can tell.
 constexpr int doubleBits = 62;
-
-NumberDescription bezierNumber(const char *id, const QString &title, const char *unit,
-                               const QString &toolTip, Group group = Group::Span)
-{
-    return {.id = QString::fromUtf8(id),
-            .title = title,
-            .unit = QString::fromUtf8(unit),
-            .toolTip = toolTip,
-            .formula = {},
-            .group = group};
-}
 
 /// One coordinate of a control point, if the piece has that many.
 void appendCoordinate(NumberTable<BezierStep> &table, std::size_t control, QChar axis,
@@ -44,6 +37,59 @@ void appendCoordinate(NumberTable<BezierStep> &table, std::size_t control, QChar
                                       unitBits + piece.degree() * piece.depth)
                              : Quantity();
                      }});
+}
+
+/// a or b of a control point, without the ½: "x₀ + y₀", "y₀ − x₀".
+QString diagonalText(QChar coordinate, std::size_t control)
+{
+    const QChar digit(char16_t(0x2080 + control));
+    return coordinate == u'a' ? QStringLiteral("x%1 + y%1").arg(digit)
+                              : QStringLiteral("y%1 − x%1").arg(digit);
+}
+
+/// "min(x₀ + y₀, x₁ + y₁, x₂ + y₂)": over the control points of a piece.
+QString extremeText(const QString &function, QChar coordinate, std::size_t count)
+{
+    QStringList each;
+    for (std::size_t control = 0; control < count; ++control)
+        each.append(diagonalText(coordinate, control));
+    return function + u'(' + each.join(QStringLiteral(", ")) + u')';
+}
+
+/// The squares from the lowest to the highest that a piece may meet along a or b: by them it is
+/// decided.
+void appendSquares(NumberTable<BezierStep> &table, QChar coordinate,
+                   const DiamondExtent &(BezierDiamonds::*extent)() const)
+{
+    const QString sum
+        = coordinate == u'a' ? QStringLiteral("a = x + y + ½") : QStringLiteral("b = y − x + ½");
+    const auto append = [&](const char *end, const QString &which,
+                            std::int64_t DiamondExtent::*square, const auto &formula) {
+        const QString name = coordinate + QString::fromUtf8(end);
+        table.push_back(
+            {curveNumber(name.toUtf8().constData(), name, "",
+                         QStringLiteral("The %1 square that the piece may meet along %2; squares "
+                                        "begin at whole numbers, and every second one is the "
+                                        "diamond of a pixel.")
+                             .arg(which, sum),
+                         {}, Group::Decision),
+             [=](const BezierStep &step) {
+                 return Quantity::integer((BezierDiamonds(step.piece).*extent)().*square);
+             },
+             [=](NumberDescription &number, const BezierStep &step) {
+                 number.formula = name + QStringLiteral(" = ") + formula(step.piece.count);
+             }});
+    };
+    append("_low", QStringLiteral("first"), &DiamondExtent::lowest, [=](std::size_t count) {
+        return QStringLiteral("⌊%1 + ½⌋")
+            .arg(extremeText(QStringLiteral("min"), coordinate, count));
+    });
+    // A curve comes up to its highest control point at an end alone.
+    append("_high", QStringLiteral("last"), &DiamondExtent::highest, [=](std::size_t count) {
+        return QStringLiteral("max(⌊%1 + ½⌋, ⌊%2 + ½⌋, ⌈%3 + ½⌉ − 1)")
+            .arg(diagonalText(coordinate, 0), diagonalText(coordinate, count - 1),
+                 extremeText(QStringLiteral("max"), coordinate, count));
+    });
 }
 
 } // namespace
@@ -70,10 +116,10 @@ Quantity dyadic(BigInteger numerator, int power)
 const NumberTable<BezierSetUp> &bezierSetUpNumbers()
 {
     static const NumberTable<BezierSetUp> numbers
-        = {{bezierNumber("degree", QStringLiteral("n"), "",
-                         QStringLiteral("The degree: 2 quadratic, 3 cubic.")),
+        = {{curveNumber("degree", QStringLiteral("n"), "",
+                        QStringLiteral("The degree: 2 quadratic, 3 cubic.")),
             [](const BezierSetUp &setUp) { return Quantity::integer(Int128(setUp.count) - 1); }},
-           {bezierNumber(
+           {curveNumber(
                 "deepest", QStringLiteral("depth_max"), "",
                 QStringLiteral("After so many halvings the two borders that a piece still meets "
                                "are met at one point: numerics.md, 3.6.")),
@@ -85,27 +131,29 @@ const NumberTable<BezierStep> &bezierNumbers()
 {
     static const auto numbers = [] {
         NumberTable<BezierStep> table = {
-            {bezierNumber("i", QStringLiteral("i"), "",
-                          QStringLiteral("The piece's number, from 0 for the whole curve."),
-                          Group::Position),
+            {curveNumber("i", QStringLiteral("i"), "",
+                         QStringLiteral("The piece's number, from 0 for the whole curve."), {},
+                         Group::Position),
              [](const BezierStep &step) { return Quantity::integer(step.number); }},
-            {bezierNumber("depth", QStringLiteral("depth"), "",
-                          QStringLiteral("How often the curve was halved to get this piece.")),
+            {curveNumber("depth", QStringLiteral("depth"), "",
+                         QStringLiteral("How often the curve was halved to get this piece.")),
              [](const BezierStep &step) { return Quantity::integer(step.piece.depth); }},
-            {bezierNumber("t_from", QStringLiteral("t_from"), "",
-                          QStringLiteral("The parameter at which the piece begins.")),
+            {curveNumber("t_from", QStringLiteral("t_from"), "",
+                         QStringLiteral("The parameter at which the piece begins.")),
              [](const BezierStep &step) { return dyadic(step.piece.part, step.piece.depth); }},
-            {bezierNumber("t_to", QStringLiteral("t_to"), "",
-                          QStringLiteral("The parameter at which it ends.")),
+            {curveNumber("t_to", QStringLiteral("t_to"), "",
+                         QStringLiteral("The parameter at which it ends.")),
              [](const BezierStep &step) { return dyadic(step.piece.part + 1, step.piece.depth); }},
-            {bezierNumber(
+            {curveNumber(
                  "decided", QStringLiteral("decided"), "",
                  QStringLiteral("1: it has no pixels but those of its ends (and of a corner "
                                 "that it passes); 0: halved."),
-                 Group::Decision),
+                 {}, Group::Decision),
              [](const BezierStep &step) {
                  return Quantity::integer(step.verdict == BezierVerdict::Undecided ? 0 : 1);
              }}};
+        appendSquares(table, u'a', &BezierDiamonds::alongA);
+        appendSquares(table, u'b', &BezierDiamonds::alongB);
         for (std::size_t control = 0; control < 4; ++control) {
             appendCoordinate(table, control, u'x', &BezierPiece::x);
             appendCoordinate(table, control, u'y', &BezierPiece::y);

@@ -8,9 +8,14 @@ namespace pixelplumb {
 
 struct CircleFillRecording : CircleFillNumbers, FlatRecording {
     using FlatRecording::record;
+    using FlatRecording::stateOf;
 
     static const auto &setUpNumbers() { return roundSetUpNumbers(); }
     static const auto &spanNumbers() { return circleFillNumbers(); }
+    static CircleFillState stateOf(const SpanInHand<Round, CircleFillRow> &step)
+    {
+        return {step.setUp, step.span};
+    }
 
     static SpanPlace placeOf(const Span &row) { return {SpanAxis::Row, row.y, 0}; }
     static void record(const Span &row, SpanRecord &record)

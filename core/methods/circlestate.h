@@ -3,6 +3,7 @@
 
 #include "core/methods/anyarithmetic.h"
 #include "core/scan/circleexplicit.h"
+#include "core/scan/circlefill.h"
 #include "core/scan/circleparametric.h"
 
 /// What the tables of the two circle methods read that have an arithmetic: the kernels' numbers as
@@ -12,6 +13,12 @@ namespace pixelplumb {
 template <>
 struct ExplicitRoot<AnyArithmetic> {
     using Number = Quantity;
+};
+
+/// A row of a filled circle, with the circle.
+struct CircleFillState {
+    const Round &round;
+    const CircleFillRow &row;
 };
 
 struct CircleExplicitState : CircleExplicitStep<AnyArithmetic> {

@@ -2,19 +2,22 @@
 #pragma once
 
 #include "core/methods/circlestate.h"
-#include "core/scan/circlefill.h"
 #include "core/scan/circlemidpoint.h"
 #include "core/scan/pointaddress.h"
 #include "core/trace/numberrow.h"
 
-/// The numbers of the methods of points and circles.
+/// The numbers of the methods of points and circles, and how those of all curves are described.
 namespace pixelplumb {
+
+NumberDescription curveNumber(const char *id, const QString &title, const char *unit,
+                              const QString &toolTip, const QString &formula = {},
+                              NumberGroup group = NumberGroup::Span);
 
 const NumberTable<PointSetUp> &pointSetUpNumbers();
 const NumberTable<PointStep> &pointNumbers();
 /// Centre and radii.
 const NumberTable<Round> &roundSetUpNumbers();
-const NumberTable<CircleFillRow> &circleFillNumbers();
+const NumberTable<CircleFillState> &circleFillNumbers();
 const NumberTable<CircleExplicitState> &circleExplicitNumbers();
 const NumberTable<CircleParametricSetUpState> &circleParametricSetUpNumbers();
 const NumberTable<CircleParametricState> &circleParametricNumbers();

@@ -6,6 +6,8 @@
 
 #include <QStringList>
 
+#include <algorithm>
+
 namespace pixelplumb {
 
 namespace {
@@ -68,18 +70,51 @@ QString branchText(const MidpointStep &step)
         : QStringLiteral("y_k goes %1 %2s inwards, to %3").arg(step.down).arg(line).arg(step.y);
 }
 
-/// "is halved", "stays within the diamond of the pixel (3, 2)".
+/// "a from 3 to 5": the squares that a piece may meet along a coordinate.
+QString squaresText(QChar coordinate, const DiamondExtent &extent)
+{
+    return QStringLiteral("%1 from %2 to %3")
+        .arg(coordinate)
+        .arg(extent.lowest)
+        .arg(extent.highest);
+}
+
+QString directionText(const DiamondExtent &extent)
+{
+    return extent.atLast > extent.atFirst ? QStringLiteral("grows") : QStringLiteral("falls");
+}
+
+/// What the curve does there, by the numbers that decide it.
 QString verdictText(const BezierStep &step)
 {
+    const BezierDiamonds diamonds(step.piece);
+    const DiamondExtent &a = diamonds.alongA();
+    const DiamondExtent &b = diamonds.alongB();
     switch (step.verdict) {
     case BezierVerdict::Undecided:
-        return QStringLiteral("may have pixels that its ends do not have: it is halved.");
+        return QStringLiteral(
+                   "may meet squares with %1 and %2, and so have pixels that its ends do "
+                   "not have: it is halved.")
+            .arg(squaresText(u'a', a), squaresText(u'b', b));
     case BezierVerdict::WithinSquare:
-        return QStringLiteral("stays within one diamond, or between four.");
-    case BezierVerdict::AcrossBorder:
-        return QStringLiteral("passes one side of one diamond.");
+        return QStringLiteral("stays within one diamond, or between four: a in the square %1, b in "
+                              "%2.")
+            .arg(a.lowest)
+            .arg(b.lowest);
+    case BezierVerdict::AcrossBorder: {
+        const bool isAlongA = a.passesOneBorder() && b.isClearOfBorders();
+        return QStringLiteral(
+                   "passes one side of one diamond: %1 only %2 from the square %3 to %4, "
+                   "and %5 stays within %6.")
+            .arg(QString(isAlongA ? u'a' : u'b'), directionText(isAlongA ? a : b))
+            .arg((isAlongA ? a : b).atFirst)
+            .arg((isAlongA ? a : b).atLast)
+            .arg(isAlongA ? u'b' : u'a')
+            .arg((isAlongA ? b : a).lowest);
+    }
     case BezierVerdict::ThroughCorner:
-        return QStringLiteral("meets a side or a corner of diamonds at one point.");
+        return QStringLiteral("meets a side or a corner of diamonds at one point: %1, %2.")
+            .arg(squaresText(u'a', a), squaresText(u'b', b));
     }
     return {};
 }
@@ -158,9 +193,12 @@ void tellCurve(StepWords &words, const BezierStep &step)
 {
     const BezierPiece &piece = step.piece;
     words.moment = step.verdict == BezierVerdict::Undecided ? Moment::Halve : Moment::Span;
+    words.heading = QStringLiteral("Piece %1").arg(step.number);
+    // A halving takes a third of a digit, so that both ends are told apart.
+    const int places = std::max(usualPlaces, piece.depth / 3 + 2);
     words.sentence = QStringLiteral("From t = %1 to t = %2 the curve %3")
-                         .arg(term(dyadic(piece.part, piece.depth)),
-                              term(dyadic(piece.part + 1, piece.depth)), verdictText(step));
+                         .arg(term(dyadic(piece.part, piece.depth), places),
+                              term(dyadic(piece.part + 1, piece.depth), places), verdictText(step));
     if (step.verdict != BezierVerdict::Undecided)
         words.sentence += u' ' + pixelsText(step);
 }

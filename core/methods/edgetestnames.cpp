@@ -98,6 +98,28 @@ QString EdgeTestNames::lineAt(const QString &x, const QString &y) const
     return QStringLiteral("a{l}·%1 + b{l}·%2 + c{l}").arg(x, y);
 }
 
+QString EdgeTestNames::linesText() const
+{
+    if (m_form.inside == InsideTest::Cramer)
+        return QStringLiteral("D ← x_AC·y_BC − x_BC·y_AC — the determinant");
+    const QString edges = m_form.isBarycentric() ? QStringLiteral("f_bc, f_ca, f_ab")
+                                                 : QStringLiteral("E₀, E₁, E₂");
+    switch (m_form.line) {
+    case LineForm::Absolute:
+    case LineForm::CommonVertex:
+        break;
+    case LineForm::Solved:
+        return edges
+            + QStringLiteral(": A and B solved from the two ends of the edge with C = −1, or with "
+                             "C = 0 where its line passes through (0, 0)");
+    case LineForm::CanonicalEnd:
+        return edges + QStringLiteral(": a and b counted from the end that is smaller in (x, y)");
+    case LineForm::FirstEnd:
+        return edges + QStringLiteral(": a and b counted from the first end of the edge");
+    }
+    return edges + QStringLiteral(": a, b, c from the two ends of the edge");
+}
+
 QString EdgeTestNames::weightFormula(std::size_t line) const
 {
     if (m_form.inside == InsideTest::Cramer) {

@@ -35,6 +35,8 @@ public:
 
     /// The line's equation at a point, with {l} and its fellows still to be filled in.
     QString lineAt(const QString &x, const QString &y) const;
+    /// How the numbers of the edges are found.
+    QString linesText() const;
     QString weightFormula(std::size_t line) const;
     /// % stands for the channel's letter.
     QString levelFormula() const;

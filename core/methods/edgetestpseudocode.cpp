@@ -15,47 +15,14 @@ namespace {
 
 using enum Moment;
 
-/// How the numbers of an edge are found.
-QString linesText(const EdgeTestForm &form)
-{
-    if (form.inside == InsideTest::Cramer)
-        return QStringLiteral("D ← x_AC·y_BC − x_BC·y_AC — the determinant");
-    const QString edges
-        = form.isBarycentric() ? QStringLiteral("f_bc, f_ca, f_ab") : QStringLiteral("E₀, E₁, E₂");
-    switch (form.line) {
-    case LineForm::Absolute:
-    case LineForm::CommonVertex:
-        break;
-    case LineForm::Solved:
-        return edges
-            + QStringLiteral(": A and B solved from the two ends of the edge with C = −1, or with "
-                             "C = 0 where its line passes through (0, 0)");
-    case LineForm::CanonicalEnd:
-        return edges + QStringLiteral(": a and b counted from the end that is smaller in (x, y)");
-    case LineForm::FirstEnd:
-        return edges + QStringLiteral(": a and b counted from the first end of the edge");
-    }
-    return edges + QStringLiteral(": a, b, c from the two ends of the edge");
-}
-
-/// "x" by the loops' order.
-struct Axes {
-    QString along, across;
-
-    explicit Axes(const EdgeTestForm &form)
-        : along(form.order == LoopOrder::RowByRow ? QStringLiteral("x") : QStringLiteral("y"))
-        , across(form.order == LoopOrder::RowByRow ? QStringLiteral("y") : QStringLiteral("x"))
-    {
-    }
-};
-
 /// The listing of one form, line by line.
 class Listing {
 public:
     explicit Listing(const EdgeTestForm &form)
         : m_form(form)
         , m_names(form)
-        , m_axes(form)
+        , m_along(isRowByRow() ? u'x' : u'y')
+        , m_across(isRowByRow() ? u'y' : u'x')
     {
     }
 
@@ -70,9 +37,26 @@ public:
     }
 
 private:
-    void add(int depth, const QString &text, const std::vector<Moment> &moments)
+    bool isRowByRow() const { return m_form.order == LoopOrder::RowByRow; }
+
+    void add(int depth, const QString &text, const std::vector<Moment> &moments,
+             LineOf of = LineOf::EveryPrimitive)
     {
-        m_code.push_back({depth, text, moments});
+        m_code.push_back({.depth = depth, .text = text, .moments = moments, .of = of});
+    }
+    /// What is done where the edges decide.
+    void addOfArea(int depth, const QString &text, const std::vector<Moment> &moments)
+    {
+        add(depth, text, moments, LineOf::Area);
+    }
+    /// What is done of a triangle without an area, which the closed rule alone draws.
+    void addOfSegment(int depth, const QString &text, const std::vector<Moment> &moments)
+    {
+        add(depth, text, moments, LineOf::Segment);
+        for (const FillRule rule : allFillRules) {
+            if (rule != FillRule::Closed)
+                m_code.back().ruled.push_back({rule, {}});
+        }
     }
 
     /// What is done for the line 0, and likewise for the two others.
@@ -101,7 +85,7 @@ private:
 
     void addSetUp()
     {
-        add(0, linesText(m_form), {SetUp});
+        add(0, m_names.linesText(), {SetUp});
         if (m_form.inside == InsideTest::Signs) {
             add(0,
                 QStringLiteral("sidedness₀, sidedness₁, sidedness₂ ← E₀, E₁, E₂ at P₂, P₀, P₁ — "
@@ -148,11 +132,11 @@ private:
 
     void addLoops()
     {
-        add(0, QStringLiteral("for each %1 of the box:").arg(m_axes.across), {Begin, Span});
-        add(1, QStringLiteral("for each %1 of the box:").arg(m_axes.along), {First, Next, Refused});
+        add(0, QStringLiteral("for each %1 of the box:").arg(m_across), {Begin, Span});
+        add(1, QStringLiteral("for each %1 of the box:").arg(m_along), {First, Next, Refused});
         addValues();
         addTest();
-        add(3, colourText(), {First, Next});
+        addOfArea(3, colourText(), {First, Next});
         addPixel();
     }
 
@@ -160,20 +144,20 @@ private:
     /// line sets out from them.
     void addIncrementalLoops()
     {
-        const bool isRow = m_form.order == LoopOrder::RowByRow;
-        const QString start = isRow ? QStringLiteral("row") : QStringLiteral("column");
+        const QString start = isRowByRow() ? QStringLiteral("row") : QStringLiteral("column");
         addStart();
-        add(0, QStringLiteral("for each %1 of the box:").arg(m_axes.across), {Begin, Span});
-        add(1, QStringLiteral("%1 ← %2 — back at the %3's start").arg(walked(), kept(), start),
-            {Begin, Span});
-        add(1, QStringLiteral("for each %1 of the box:").arg(m_axes.along), {First, Next, Refused});
+        add(0, QStringLiteral("for each %1 of the box:").arg(m_across), {Begin, Span});
+        addOfArea(1,
+                  QStringLiteral("%1 ← %2 — back at the %3's start").arg(walked(), kept(), start),
+                  {Begin, Span});
+        add(1, QStringLiteral("for each %1 of the box:").arg(m_along), {First, Next, Refused});
         addTest();
         if (!m_form.isBarycentric())
-            add(3, colourText(), {First, Next});
+            addOfArea(3, colourText(), {First, Next});
         addPixel();
-        add(2, QStringLiteral("add %1 to %2").arg(changes(m_axes.along), walked()),
-            {First, Next, Refused});
-        add(1, QStringLiteral("add %1 to %2").arg(changes(m_axes.across), kept()), {Span});
+        addOfArea(2, QStringLiteral("add %1 to %2").arg(changes(m_along), walked()),
+                  {First, Next, Refused});
+        addOfArea(1, QStringLiteral("add %1 to %2").arg(changes(m_across), kept()), {Span});
     }
 
     QString walked() const
@@ -199,12 +183,14 @@ private:
     {
         const QString value = m_names.lineAt(QStringLiteral("x_min"), QStringLiteral("y_min"));
         if (!m_form.isBarycentric()) {
-            add(0, alike(QStringLiteral("e{l} ← ") + value, QStringLiteral("e{l}")), {Begin});
+            addOfArea(0, alike(QStringLiteral("e{l} ← ") + value, QStringLiteral("e{l}")), {Begin});
             return;
         }
-        add(0, alike(QStringLiteral("{w}_s ← (%1)/f{opp}").arg(value), QStringLiteral("{w}_s")),
-            {Begin});
-        add(0, QStringLiteral("R_s ← α_s·R_a + β_s·R_b + γ_s·R_c; G_s and B_s likewise"), {Begin});
+        addOfArea(0,
+                  alike(QStringLiteral("{w}_s ← (%1)/f{opp}").arg(value), QStringLiteral("{w}_s")),
+                  {Begin});
+        addOfArea(0, QStringLiteral("R_s ← α_s·R_a + β_s·R_b + γ_s·R_c; G_s and B_s likewise"),
+                  {Begin});
     }
 
     void addValues()
@@ -212,27 +198,38 @@ private:
         const std::vector<Moment> samples = {First, Next, Refused};
         if (m_form.inside == InsideTest::Cramer) {
             for (std::size_t line = 0; line < 3; ++line)
-                add(2,
-                    m_names.weightFormula(line).replace(QStringLiteral(" = "),
-                                                        QStringLiteral(" ← ")),
-                    samples);
+                addOfArea(2,
+                          m_names.weightFormula(line).replace(QStringLiteral(" = "),
+                                                              QStringLiteral(" ← ")),
+                          samples);
             return;
         }
         const QString value = m_names.lineAt(QStringLiteral("x"), QStringLiteral("y"));
-        add(2, alike(QStringLiteral("{value} ← ") + value, QStringLiteral("{value}")), samples);
+        addOfArea(2, alike(QStringLiteral("{value} ← ") + value, QStringLiteral("{value}")),
+                  samples);
         if (m_form.isBarycentric())
-            add(2, alike(QStringLiteral("{w} ← {value}/f{opp}"), QStringLiteral("{w}")), samples);
+            addOfArea(2, alike(QStringLiteral("{w} ← {value}/f{opp}"), QStringLiteral("{w}")),
+                      samples);
     }
 
     void addTest()
     {
-        add(2, testText(FillRule::Closed), {First, Next, Refused});
+        addOfArea(2, testText(FillRule::Closed), {First, Next, Refused});
         for (const FillRule rule : allFillRules)
             m_code.back().ruled.push_back({rule, testText(rule)});
     }
 
+    /// The colour along a segment, and the pixel of either.
     void addPixel()
     {
+        addOfSegment(2,
+                     QStringLiteral("if the segment between the outermost vertices passes through "
+                                    "(x, y), its ends included:"),
+                     {First, Next, Refused});
+        addOfSegment(3,
+                     QStringLiteral("R ← that of one end to that of the other, as far as (x, y) is "
+                                    "along the segment; G and B likewise"),
+                     {First, Next});
         add(3, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {First, Next});
     }
 
@@ -287,7 +284,7 @@ private:
 
     EdgeTestForm m_form;
     EdgeTestNames m_names;
-    Axes m_axes;
+    QString m_along, m_across; ///< the coordinate of the inner loop, and of the outer one
     Pseudocode m_code;
 };
 

@@ -18,11 +18,15 @@ QString coefficientsText(InterpolationForm form)
     case InterpolationForm::BilinearRows:
         return QStringLiteral("δ ← what each {span} adds to it along L₀₁, L₁₂ and L₀₂");
     case InterpolationForm::Plane:
-        return QStringLiteral("a, b, c ← of the plane through its values at the three vertices");
+        return QStringLiteral(
+            "a, b, c ← of the plane through its values at the three vertices — on "
+            "a segment, along it");
     case InterpolationForm::Barycentric:
         break;
     }
-    return QStringLiteral("a, b, c ← of each weight α, β, γ: 1 at its own vertex, 0 at the others");
+    return QStringLiteral(
+        "a, b, c ← of each weight α, β, γ: 1 at its own vertex, 0 at the others — "
+        "on a segment, along it");
 }
 
 /// How each sample gets its values.

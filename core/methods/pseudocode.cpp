@@ -11,6 +11,15 @@ Pseudocode underRule(Pseudocode code, FillRule rule)
                 line.text = ruled.text;
         }
     }
+    std::erase_if(code, [](const PseudocodeLine &line) { return line.text.isEmpty(); });
+    return code;
+}
+
+Pseudocode linesOf(LineOf kind, Pseudocode code)
+{
+    std::erase_if(code, [kind](const PseudocodeLine &line) {
+        return line.of != LineOf::EveryPrimitive && line.of != kind;
+    });
     return code;
 }
 

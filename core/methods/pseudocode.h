@@ -21,11 +21,14 @@ struct VariedLine {
     QString text;
 };
 
-/// What a line says under a fill rule.
+/// What a line says under a fill rule; under one with an empty text it is not there.
 struct RuledLine {
     FillRule rule = FillRule::Closed;
     QString text;
 };
+
+/// Which primitives do a line: a triangle without an area is drawn as its segment.
+enum class LineOf { EveryPrimitive, Area, Segment };
 
 /// A line of a method's pseudocode. What follows " — " explains it.
 struct PseudocodeLine {
@@ -37,11 +40,14 @@ struct PseudocodeLine {
     std::vector<RuledLine> ruled
         = {}; ///< that of the rule in force, holds; text is the closed one's
     std::vector<Antialiasing> antialiasing = {}; ///< it is there under these; empty: under each
+    LineOf of = LineOf::EveryPrimitive;
 };
 using Pseudocode = std::vector<PseudocodeLine>;
 
 /// The lines as they are under a rule.
 Pseudocode underRule(Pseudocode code, FillRule rule);
+/// Without those of primitives of the other kind.
+Pseudocode linesOf(LineOf kind, Pseudocode code);
 
 /// Of the families of methods that differ in a form.
 Pseudocode edgeWalkPseudocode(const EdgeWalkForm &form);

@@ -54,10 +54,12 @@ void appendBlending(Table &table, const ShadedScope &scope)
                      }});
     QString alpha = QStringLiteral("a");
     if (scope.antialiasing == Antialiasing::Area) {
-        appendPlain(table, QStringLiteral("area"),
-                    QStringLiteral("What of the pixel's square the triangle covers; none inside of "
-                                   "it."),
-                    {}, ofWritten([](const State &state) { return state.area; }));
+        table.push_back(
+            {comparedNumber(QStringLiteral("area"), QStringLiteral("area"), {},
+                            QStringLiteral("What of the pixel's square the triangle covers; none "
+                                           "inside of it."),
+                            {}, Group::FirstColour),
+             ofWritten([](const State &state) { return state.area; })});
         alpha = QStringLiteral("a_area");
         table.push_back({plainNumber(alpha, alpha, {},
                                      QStringLiteral("Alpha times the covered area, as a byte."),

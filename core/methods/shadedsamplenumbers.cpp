@@ -15,6 +15,15 @@ using Group = NumberGroup;
 using State = ShadedSampleState;
 using Table = NumberTable<State>;
 
+/// A level is interpolated where the vertices' differ.
+QString atSampleText(Channel channel)
+{
+    const QString text = QStringLiteral("%1 at the sample").arg(shadedName(channel));
+    return isLevel(channel)
+        ? text + QStringLiteral(", interpolated; of a triangle of one colour, that colour")
+        : text;
+}
+
 /// What a sample has in a channel, linear in the frame.
 void appendLinear(Table &table, const ShadedScope &scope, std::size_t channel)
 {
@@ -42,7 +51,7 @@ void appendLinear(Table &table, const ShadedScope &scope, std::size_t channel)
     const QString toolTip = scope.effects.perspective && followsPerspective(which)
         ? QStringLiteral("%1/w at the sample: linear in the frame.").arg(shadedName(which))
         : which == Channel::Reciprocal ? QStringLiteral("1/w at the sample: linear in the frame.")
-                                       : QStringLiteral("%1 at the sample.").arg(name);
+                                       : atSampleText(which) + u'.';
     table.push_back({comparedNumber(name, name, isLevel(which) ? unit::levels() : QString(),
                                     toolTip, formula, Group::FirstColour),
                      [channel](const State &state) { return state.linear[channel]; },
@@ -60,16 +69,16 @@ void appendQuotient(Table &table, const ShadedScope &scope, std::size_t channel)
     const QString &name = shadedName(which);
     table.push_back(
         {comparedNumber(name, name, isLevel(which) ? unit::levels() : QString(),
-                        QStringLiteral("%1 at the sample: the quotient.").arg(name),
+                        atSampleText(which) + QStringLiteral(": the quotient."),
                         QStringLiteral("%1 = %2/q").arg(name, linearName(which, scope.effects)),
                         Group::FirstColour),
          [channel](const State &state) { return state.value[channel]; },
-         [linear = linearName(which, scope.effects)](NumberDescription &number,
-                                                     const State &state) {
+         [which, linear = linearName(which, scope.effects)](NumberDescription &number,
+                                                            const State &state) {
              if (state.effects.perspective)
                  return;
              number.formula = QStringLiteral("%1 = %2").arg(number.title, linear);
-             number.toolTip = QStringLiteral("%1 at the sample.").arg(number.title);
+             number.toolTip = atSampleText(which) + u'.';
          }});
 }
 

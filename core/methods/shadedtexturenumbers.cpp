@@ -105,7 +105,7 @@ void appendTexels(NumberTable<ShadedSampleState> &table, const ShadedScope &scop
             continue;
         const QString fraction = QStringLiteral("f_") + coordinate;
         table.push_back(
-            {plainNumber(
+            {comparedNumber(
                  fraction, fraction, {},
                  QStringLiteral("How far the sample lies between the centres of two texels along "
                                 "%1: 0 at the first one's. Beyond the texture they are "

@@ -24,6 +24,40 @@ QString writtenSamplesText(const ShadedSampleState &state)
                                                 .arg(places.join(QStringLiteral(", ")));
 }
 
+QString levelsText(const Colour &colour)
+{
+    return QStringLiteral("(%1, %2, %3)").arg(colour.red()).arg(colour.green()).arg(colour.blue());
+}
+
+/// What the depth test found.
+QString depthText(const ShadedSampleState &state)
+{
+    const QString z = term(state.depth);
+    if (!state.isWritten)
+        return QStringLiteral("Refused: its depth %1 lies behind %2, which stands there.")
+            .arg(z, term(state.nearest));
+    if (state.nearest.isNone())
+        return QStringLiteral("Nothing stands there yet: depth %1 is kept.").arg(z);
+    return QStringLiteral("Depth %1 is not behind %2, which stood there: it is written and kept.")
+        .arg(z, term(state.nearest));
+}
+
+/// How much of the pixel is the triangle's; empty where all is.
+QString shareText(const ShadedSampleState &state)
+{
+    if (!state.isWritten || !state.isBlended || state.blendedAlpha == 255)
+        return {};
+    const QString share = state.area.isNone() ? QStringLiteral("Its alpha is %1").arg(state.alpha)
+                                              : QStringLiteral("Its alpha %1 times that area is %2")
+                                                    .arg(state.alpha)
+                                                    .arg(state.blendedAlpha);
+    return share
+        + QStringLiteral(
+              ": so many of 255 parts are its own colour %1, the others the %2 that stood "
+              "there.")
+              .arg(levelsText(state.source), levelsText(state.before));
+}
+
 } // namespace
 
 void tellShaded(StepWords &words, const ShadedSetUpState &state)
@@ -71,26 +105,15 @@ void tellShaded(StepWords &words, const ShadedSampleState &state)
                                         "plane, where there are no attributes.");
         return;
     }
-    const QString covered = state.isWritten && !state.area.isNone()
-        ? QStringLiteral("The triangle covers %1 of the pixel's square.").arg(term(state.area))
-        : QString();
-    if (state.effects.depth == DepthTest::None) {
-        words.sentence = covered;
-        return;
-    }
-    const QString z = term(state.depth);
-    if (!state.isWritten)
-        words.sentence = QStringLiteral("Refused: its depth %1 lies behind %2, which stands there.")
-                             .arg(z, term(state.nearest));
-    else if (state.nearest.isNone())
-        words.sentence = QStringLiteral("Nothing stands there yet: depth %1 is kept.").arg(z);
-    else
-        words.sentence
-            = QStringLiteral(
-                  "Depth %1 is not behind %2, which stood there: it is written and kept.")
-                  .arg(z, term(state.nearest));
-    if (!covered.isEmpty())
-        words.sentence = covered + u' ' + words.sentence;
+    QStringList sentences;
+    if (state.isWritten && !state.area.isNone())
+        sentences.append(
+            QStringLiteral("The triangle covers %1 of the pixel's square.").arg(term(state.area)));
+    if (state.effects.depth != DepthTest::None)
+        sentences.append(depthText(state));
+    sentences.append(shareText(state));
+    sentences.removeAll(QString());
+    words.sentence = sentences.join(u' ');
 }
 
 } // namespace pixelplumb

@@ -4,6 +4,7 @@
 #include "core/methods/channelnumbers.h"
 #include "core/methods/curvenumbers.h"
 #include "core/methods/formulatext.h"
+#include "core/methods/interpolationnames.h"
 #include "core/methods/lineendnumbers.h"
 #include "core/methods/placenumbers.h"
 #include "core/methods/units.h"
@@ -157,6 +158,32 @@ void appendStrokeSource(NumberTable<StrokeSampleState> &table)
         });
 }
 
+/// Of the samples of a pixel, each of which has a colour of its own.
+void appendSums(NumberTable<StrokeSampleState> &table)
+{
+    appendChannels(
+        table,
+        {.id = QStringLiteral("sum_%"),
+         .title = QStringLiteral("sum_%"),
+         .unit = {},
+         .toolTip = QStringLiteral("The sum of % over the pixel's samples, as they stand now."),
+         .formula = {},
+         .group = Group::FirstColour},
+        [](const StrokeSampleState &state, std::size_t channel) {
+            return Quantity::integer(state.sample.sum[channel]);
+        });
+}
+
+/// How a pixel's byte comes about.
+QString writtenFormula(Antialiasing antialiasing)
+{
+    if (antialiasing == Antialiasing::Area)
+        return QStringLiteral("r_% = ⌊(s_%·a + d_%·(255 − a))/255 + ½⌋");
+    const std::size_t samples = samplePattern(antialiasing).size();
+    return samples == 0 ? QStringLiteral("r_% = s_%")
+                        : QStringLiteral("r_% = ⌊sum_%/%1 + ½⌋").arg(samples);
+}
+
 } // namespace
 
 Quantity StrokeSampleState::place() const
@@ -166,6 +193,8 @@ Quantity StrokeSampleState::place() const
 
 Quantity StrokeSampleState::level(std::size_t channel) const
 {
+    if (isMean())
+        return {};
     const Int128 from = setUp.shape.vertices.front().colour.channels[channel];
     if (!isOnLine())
         return Quantity::integer(from);
@@ -219,9 +248,9 @@ NumberTable<StrokeSampleState> strokeSampleNumbers(Antialiasing antialiasing)
         = {{pixelY(), [](const StrokeSampleState &state) { return Quantity::integer(state.y); }}};
     if (antialiasing == Antialiasing::Area) {
         table.push_back(
-            {strokeNumber(QStringLiteral("area"), unit::squarePx(),
-                          QStringLiteral("What of the pixel's square the stroke covers."), {},
-                          Group::Decision),
+            {comparedNumber(QStringLiteral("area"), QStringLiteral("area"), unit::squarePx(),
+                            QStringLiteral("What of the pixel's square the stroke covers."), {},
+                            Group::Decision),
              [](const StrokeSampleState &state) { return state.sample.area; }});
         table.push_back(
             {strokeNumber(QStringLiteral("a"), {},
@@ -237,17 +266,19 @@ NumberTable<StrokeSampleState> strokeSampleNumbers(Antialiasing antialiasing)
                              return Quantity::integer(std::popcount(state.sample.covered));
                          }});
     }
-    appendStrokeSource(table);
+    const std::size_t samples = samplePattern(antialiasing).size();
+    if (samples > 0)
+        appendSums(table);
+    else
+        appendStrokeSource(table);
     appendStrokeBytes(table, u'd', QStringLiteral("% that stood there."), {},
                       [](const StrokeSampleState &state, std::size_t channel) {
                           return unpacked(state.sample.before).channels[channel];
                       });
-    const bool isByArea = antialiasing == Antialiasing::Area;
     appendStrokeBytes(table, u'r',
-                      isByArea ? QStringLiteral("% of the pixel now.")
-                               : QStringLiteral("% of the pixel now: the mean of its samples."),
-                      isByArea ? QStringLiteral("r_% = ⌊(s_%·a + d_%·(255 − a))/255 + ½⌋")
-                               : QString(),
+                      samples == 0 ? QStringLiteral("% of the pixel now.")
+                                   : QStringLiteral("% of the pixel now: the mean of its samples."),
+                      writtenFormula(antialiasing),
                       [](const StrokeSampleState &state, std::size_t channel) {
                           return unpacked(state.sample.after).channels[channel];
                       });

@@ -17,6 +17,7 @@ struct StrokeSampleState {
 
     bool isOnLine() const { return setUp.shape.kind == PrimitiveKind::Line; }
     bool isByArea() const { return sample.samples == 0; }
+    bool isMean() const { return sample.samples > 1; } ///< of samples that have their own colours
     Quantity place() const; ///< t
     Quantity level(std::size_t channel) const; ///< before rounding
 };

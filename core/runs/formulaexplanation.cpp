@@ -8,6 +8,7 @@
 #include "core/runs/projectionstages.h"
 #include "core/runs/refusaltext.h"
 #include "core/runs/rejectedprimitives.h"
+#include "core/runs/segmenttext.h"
 #include "core/runs/setupsentence.h"
 #include "core/runs/spanheadings.h"
 #include "core/runs/tracedscene.h"
@@ -164,6 +165,17 @@ bool isCovering(PrimitiveKind kind)
         || kind == PrimitiveKind::Text;
 }
 
+QString writtenSentence(const TracedScene &traced, std::size_t primitive,
+                        const SampleRecord &sample)
+{
+    if (!isCovering(traced.primitives.kindOf(primitive)))
+        return QStringLiteral("The pixel is one of this step's, and written.");
+    if (traced.trace->setUp(primitive).zeroArea)
+        return QStringLiteral("The sample is drawn: the triangle has no area, and %1.")
+            .arg(segmentText(traced.primitives.triangles[primitive], sample.x, sample.y));
+    return QStringLiteral("The sample is drawn.");
+}
+
 Explanation explainSample(const TracedScene &traced, const TraceStep &step)
 {
     const ScanTrace &trace = *traced.trace;
@@ -194,9 +206,7 @@ Explanation explainSample(const TracedScene &traced, const TraceStep &step)
     explanation.sentence = words.sentence;
     if (words.sentence.isEmpty())
         explanation.sentence = isWritten
-            ? (isCovering(traced.primitives.kindOf(step.primitive))
-                   ? QStringLiteral("The sample is drawn.")
-                   : QStringLiteral("The pixel is one of this step's, and written."))
+            ? writtenSentence(traced, step.primitive, sample)
             : refusalSentence(traced, step.primitive, sample, decisionsOf(words.numbers, sample));
     if (sample.clamped)
         explanation.sentence += QStringLiteral(" A level left 0 … 255 and is clamped.");

@@ -6,6 +6,7 @@
 #include "core/oracle/effecttruth.h"
 #include "core/runs/refusaltext.h"
 #include "core/runs/rejectedprimitives.h"
+#include "core/runs/segmenttext.h"
 #include "core/runs/shapereason.h"
 #include "core/runs/variantreason.h"
 #include "core/scan/choicenames.h"
@@ -69,8 +70,8 @@ QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std:
     }
     if (attempt.verdict.zeroArea) {
         return rule == FillRule::Closed
-            ? QStringLiteral("The triangle has no area, and the sample is not on the segment, or "
-                             "point, that it is.")
+            ? QStringLiteral("The triangle has no area, and %1.")
+                  .arg(segmentText(traced.primitives.triangles[attempt.primitive], x, y))
             : QStringLiteral("The triangle has no area: only the closed rule paints a segment.");
     }
     const QString noPart = noPartText(traced);
@@ -122,13 +123,16 @@ QString writtenText(const PixelAttempt &attempt)
     return text;
 }
 
-/// On which edges a sample lies that was written, and why they are the triangle's own; empty where
-/// no rule gives an edge to one of its sides.
+/// On which edges, or that of a triangle without an area, a sample lies that was written, and why
+/// they are the triangle's own; empty where no rule gives an edge to one of its sides.
 QString keptTiesText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
                      std::int64_t y)
 {
     const FillRule rule = traced.scene.settings.fillRule;
-    if (rule == FillRule::Closed || rule == FillRule::Open || attempt.verdict.zeroArea)
+    if (attempt.verdict.zeroArea)
+        return QStringLiteral(" The triangle has no area, and %1.")
+            .arg(segmentText(traced.primitives.triangles[attempt.primitive], x, y));
+    if (rule == FillRule::Closed || rule == FillRule::Open)
         return {};
     const QString ties
         = tiesText(attempt, traced, x, y, [](const auto &each) { return each.accepts; });

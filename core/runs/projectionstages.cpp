@@ -133,13 +133,16 @@ private:
         return line;
     }
 
-    /// Every point may name the numbers of the camera and of the lights, a corner those of the
-    /// vertices that it is made of.
+    /// Every point may name the numbers of the vertices in space, of the camera and of the lights,
+    /// a corner those of the vertices that it is made of.
     PointNames &namesOf(const QString &point)
     {
         const auto [entry, isNew] = m_names.try_emplace(point);
         PointNames &names = entry->second;
-        if (!isNew || isShared(point))
+        if (!isNew)
+            return names;
+        addVerticesInSpace(names);
+        if (isShared(point))
             return names;
         for (const ProjectionStage &stage : m_stages.stages) {
             for (const StagePoint &each : stage.points) {
@@ -152,6 +155,14 @@ private:
             addVertex(names, corner->second->outside);
         }
         return names;
+    }
+
+    void addVerticesInSpace(PointNames &names) const
+    {
+        for (const StagePoint &vertex : m_stages.stages.front().points) {
+            for (const StageNumber &number : vertex.numbers)
+                names.add(vertex.name + u'_' + number.name, Quantity::of(number.used));
+        }
     }
 
     void addVertex(PointNames &names, std::size_t vertex) const
@@ -188,9 +199,8 @@ std::vector<StageFormulas> lightFormulas(const TracedScene &traced, std::size_t 
     const TriangleAttributes *attributes = primitives.attributesOf(primitive);
     if (!attributes || !hasNormals(*attributes))
         return {};
-    Triangle given = traced.scene.triangles[*index];
-    tint(given, materialOf(primitives.appearance, attributes->material));
-    const FaceStages stages{lightStagesOf(given, *attributes, primitives.appearance), {}, {}};
+    const FaceStages stages{
+        lightStagesOf(traced.scene.triangles[*index], *attributes, primitives.appearance), {}, {}};
     return StageReader(stages).formulas();
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/methods/formulatext.h"
 #include "core/runs/edgename.h"
+#include "core/runs/segmenttext.h"
 #include "core/scan/choicenames.h"
 #include "core/scan/edgeline.h"
 
@@ -135,8 +136,8 @@ QString refusalSentence(const TracedScene &traced, std::size_t triangle, const S
     const oracle::SampleVerdict verdict
         = verdictOn(traced.primitives.triangles[triangle], traced, sample.x, sample.y);
     if (verdict.zeroArea)
-        return QStringLiteral("Refused: the triangle has no area, and the sample is not on its "
-                              "segment.");
+        return QStringLiteral("Refused: the triangle has no area, and %1.")
+            .arg(segmentText(traced.primitives.triangles[triangle], sample.x, sample.y));
     const SetUpRecord setUp = traced.trace->setUp(triangle);
     QStringList ties;
     for (const oracle::EdgeVerdict &edge : verdict.edges) {

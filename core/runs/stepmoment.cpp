@@ -43,6 +43,11 @@ Pseudocode variedCode(Pseudocode code, VariantSet variants)
     return code;
 }
 
+bool isSegment(const ScanTrace &trace, std::size_t primitive)
+{
+    return primitive < trace.primitiveCount() && trace.setUp(primitive).zeroArea;
+}
+
 /// With the line that lights the vertices before anything is scanned.
 Pseudocode litCode(Pseudocode code, const TracedScene &traced)
 {
@@ -76,8 +81,10 @@ Pseudocode pseudocodeOf(const TracedScene &traced, std::size_t primitive)
 {
     if (!traced.plan || traced.method->shadedPseudocode.empty())
         return litCode(
-            underRule(variedCode(traced.method->pseudocode, traced.scene.settings.variants),
-                      traced.scene.settings.fillRule),
+            underRule(
+                linesOf(isSegment(*traced.trace, primitive) ? LineOf::Segment : LineOf::Area,
+                        variedCode(traced.method->pseudocode, traced.scene.settings.variants)),
+                traced.scene.settings.fillRule),
             traced);
     const EffectSet effects = effectsOf(*traced.plan, primitive);
     Pseudocode code = traced.method->shadedPseudocode;

@@ -79,6 +79,9 @@ public:
         return BezierVerdict::Undecided;
     }
 
+    const DiamondExtent &alongA() const { return m_a; }
+    const DiamondExtent &alongB() const { return m_b; }
+
     std::optional<LatticePoint> firstPixel() const
     {
         return owner(m_a.atFirst, m_b.atFirst, m_a.firstOnBorder && m_b.firstOnBorder);

@@ -33,6 +33,17 @@ struct ProjectedFace {
     std::vector<std::array<Number, 2>> places; ///< in the frame, px
 };
 
+/// The sum of the cross products of the fan: twice the area vector of a flat polygon.
+template <class Number>
+SpaceVector<Number> fanArea(const std::vector<SpaceVertex<Number>> &vertices)
+{
+    const SpaceVector<Number> &first = vertices[0].position;
+    SpaceVector<Number> area;
+    for (std::size_t i = 2; i < vertices.size(); ++i)
+        area = area + cross(vertices[i - 1].position - first, vertices[i].position - first);
+    return area;
+}
+
 /// Projects the faces of one solid; what it returns is overwritten by the next face.
 template <class Number>
 class FaceProjector {
@@ -72,20 +83,7 @@ private:
             m_face.vertices.push_back(m_vertices.vertex(index));
             m_face.views.push_back(m_camera.toView(m_face.vertices.back().position));
         }
-        m_face.normal = faceNormal();
-    }
-
-    /// The sum of the cross products of the fan: twice the area vector of a flat polygon.
-    Vector faceNormal() const
-    {
-        const Vector &first = m_face.vertices[0].position;
-        Vector normal;
-        for (std::size_t i = 2; i < m_face.vertices.size(); ++i) {
-            normal = normal
-                + cross(m_face.vertices[i - 1].position - first,
-                        m_face.vertices[i].position - first);
-        }
-        return unit(normal);
+        m_face.normal = unit(fanArea(m_face.vertices));
     }
 
     void makePolygon()

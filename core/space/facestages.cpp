@@ -55,29 +55,47 @@ private:
     {
         const bool hasNormals = std::ranges::none_of(
             m_used.vertices, [](const auto &vertex) { return vertex.normal.isZero(); });
-        const QString ofFace = m_used.vertices.size() == 3
-            ? QStringLiteral("(V₁ − V₀) × (V₂ − V₀)")
-            : QStringLiteral("Σ (V_i − V₀) × (V_i₊₁ − V₀)");
-        ProjectionStage &stage = begin(
-            QStringLiteral("Vertex"),
-            QStringLiteral("The face's vertices in the scene's space")
-                + (hasNormals ? QString() : QStringLiteral(", N = %1 to length 1").arg(ofFace)));
+        ProjectionStage &stage
+            = begin(QStringLiteral("Vertex"),
+                    QStringLiteral("The face's vertices in the scene's space, their colours times "
+                                   "the material's")
+                        + (hasNormals ? QString()
+                                      : QStringLiteral(", N = Σ (V_i − V₀) × (V_i₊₁ − V₀) to "
+                                                       "length 1")));
         for (std::size_t i = 0; i < m_used.vertices.size(); ++i) {
+            const SpaceVertex<double> &vertex = m_used.vertices[i];
             StagePoint &point = stage.points.emplace_back(StagePoint{faceVertexName(i), {}, {}});
             StageNumberWriter numbers(point.numbers);
-            numbers.add(QString(), m_used.vertices[i].position, &m_exact.vertices[i].position);
-            numbers.add(QStringLiteral("_N"), m_used.polygon[i].normal, &m_exact.polygon[i].normal);
-            numbers.add(QStringLiteral("u"), m_used.vertices[i].texture[0],
-                        m_exact.vertices[i].texture[0]);
-            numbers.add(QStringLiteral("v"), m_used.vertices[i].texture[1],
-                        m_exact.vertices[i].texture[1]);
+            numbers.add(QString(), vertex.position, &m_exact.vertices[i].position);
+            numbers.add(QStringLiteral("_N"), m_used.polygon[i].normal, &m_exact.polygon[i].normal,
+                        vertex.normal.isZero() ? Component(faceNormalName) : Component());
+            numbers.add(QStringLiteral("u"), vertex.texture[0], m_exact.vertices[i].texture[0]);
+            numbers.add(QStringLiteral("v"), vertex.texture[1], m_exact.vertices[i].texture[1]);
+            writeTint(point, vertex.colour, m_material.diffuse);
         }
+        if (!hasNormals || m_scene.appearance.shading == Shading::Flat)
+            writeFace(stage.points.emplace_back(StagePoint{facePointName(), {}, {}}));
+    }
+
+    static QString faceNormalName(QChar axis) { return QStringLiteral("face_") + axis; }
+
+    /// The face's own normal.
+    void writeFace(StagePoint &point)
+    {
+        StageNumberWriter numbers(point.numbers);
+        const auto area = [](QChar axis) { return QStringLiteral("area_") + axis; };
+        const auto exactArea = fanArea(m_exact.vertices);
+        numbers.add(
+            area, fanArea(m_used.vertices), &exactArea,
+            [count = m_used.vertices.size()](QChar axis) { return fanFormula(count, axis); });
+        numbers.add(faceNormalName, m_used.normal, &m_exact.normal, unitOf(m_used.normal, area));
     }
 
     void writeLight()
     {
         m_stages.stages.push_back(
-            lightStageOf(m_scene.appearance, m_material, m_used.lit, m_exact.lit));
+            lightStageOf({m_scene.appearance, m_material, m_used.vertices.size(), faceNormalName},
+                         m_used.lit, m_exact.lit));
     }
 
     void writeView()

@@ -6,36 +6,16 @@
 
 #include <QStringList>
 
-#include <functional>
-
 namespace pixelplumb {
 
 namespace {
 
-constexpr std::array<QChar, 3> axes = {u'x', u'y', u'z'};
-
-/// A component of a vector, by its axis.
-using Component = std::function<QString(QChar axis)>;
-
-/// "x_N/√(x_N² + y_N² + z_N²)"; a vector without a length stays 0.
-QString unitFormula(const SpaceVector<double> &unit, QChar axis, const Component &component)
-{
-    if (unit.isZero())
-        return QStringLiteral("0");
-    // A sum or a difference stands in parentheses already.
-    QStringList squares;
-    for (const QChar each : axes)
-        squares.append(component(each) + u'²');
-    return component(axis) + QStringLiteral("/√(") + squares.join(QStringLiteral(" + ")) + u')';
-}
+QString normalName(QChar axis) { return axis + QStringLiteral("_N"); }
 
 void addUnit(StageNumberWriter &numbers, const QString &subscript, const SpaceVector<double> &used,
              const SpaceVector<ExactReal> &exact, const Component &component)
 {
-    const auto formula = [&](QChar axis) { return unitFormula(used, axis, component); };
-    numbers.add(axes[0] + subscript, used.x, exact.x, formula(axes[0]));
-    numbers.add(axes[1] + subscript, used.y, exact.y, formula(axes[1]));
-    numbers.add(axes[2] + subscript, used.z, exact.z, formula(axes[2]));
+    numbers.add(subscript, used, &exact, unitOf(used, component));
 }
 
 /// "S_0" where a light stands, "d_0" the direction in which it shines.
@@ -75,10 +55,8 @@ void writeLights(StagePoint &point, const Appearance &appearance, const Material
     const auto given
         = [&](const QString &name, double value) { numbers.add(name, value, ExactReal(value)); };
     const auto vector = [&](const QString &name, const std::array<Attribute, 3> &at) {
-        const auto used = spaceVectorOf<double>(at);
-        given(name + axes[0], used.x);
-        given(name + axes[1], used.y);
-        given(name + axes[2], used.z);
+        const auto exact = spaceVectorOf<ExactReal>(at);
+        numbers.add([&](QChar axis) { return name + axis; }, spaceVectorOf<double>(at), &exact);
     };
     const auto colour = [&](const QString &name, const Colour &levels) {
         for (std::size_t channel = 0; channel < 3; ++channel)
@@ -93,8 +71,12 @@ void writeLights(StagePoint &point, const Appearance &appearance, const Material
     }
 }
 
+/// How a colour comes about on which light falls, by its name.
+using BaseFormula = std::function<QString(const QString &base)>;
+
 void writeLightAt(StagePoint &point, const Appearance &appearance, const Material &material,
-                  const LitColour<double> &used, const LitColour<ExactReal> &exact)
+                  const LitColour<double> &used, const LitColour<ExactReal> &exact,
+                  const BaseFormula &baseFormula)
 {
     StageNumberWriter numbers(point.numbers);
     for (std::size_t i = 0; i < appearance.lights.size(); ++i) {
@@ -105,7 +87,7 @@ void writeLightAt(StagePoint &point, const Appearance &appearance, const Materia
         const auto exactVectors = lightVectors(appearance, light, exact.point);
         if (i == 0) {
             addUnit(numbers, QStringLiteral("_n"), usedVectors.normal, exactVectors.normal,
-                    [](QChar axis) { return axis + QStringLiteral("_N"); });
+                    normalName);
             addUnit(numbers, QStringLiteral("_V"), usedVectors.toViewer, exactVectors.toViewer,
                     wayTo(appearance.viewerKind, QStringLiteral("viewer_")));
         }
@@ -131,7 +113,8 @@ void writeLightAt(StagePoint &point, const Appearance &appearance, const Materia
         const QChar letter = channelLetters[channel];
         const QString base = QStringLiteral("base_") + letter;
         const QString level = QStringLiteral("I_") + letter;
-        numbers.add(base, used.colour.channels[channel], ExactReal(exact.colour.channels[channel]));
+        numbers.add(base, used.colour.channels[channel], ExactReal(exact.colour.channels[channel]),
+                    baseFormula(base));
         numbers.add(level, usedLevels[channel], exactLevels[channel],
                     QStringLiteral("(%1·(ambient_%2 + %3) + specular_%2·(%4))/255")
                         .arg(base)
@@ -146,27 +129,54 @@ void writeLightAt(StagePoint &point, const Appearance &appearance, const Materia
 
 } // namespace
 
-ProjectionStage lightStageOf(const Appearance &appearance, const Material &material,
-                             const std::vector<LitColour<double>> &used,
+void writeTint(StagePoint &point, const Colour &given, const Colour &diffuse)
+{
+    StageNumberWriter numbers(point.numbers);
+    const Colour base = tinted(given, diffuse);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        const QChar letter = channelLetters[channel];
+        const auto add = [&](const QString &name, const Colour &colour, const QString &formula) {
+            numbers.add(name + letter, colour.channels[channel],
+                        ExactReal(colour.channels[channel]), formula);
+        };
+        add(QStringLiteral("c_"), given, {});
+        add(QStringLiteral("diffuse_"), diffuse, {});
+        add(QStringLiteral("base_"), base,
+            QStringLiteral("⌊c_%·diffuse_%/255 + ½⌋").replace(u'%', letter));
+    }
+}
+
+ProjectionStage lightStageOf(const LitPart &part, const std::vector<LitColour<double>> &used,
                              const std::vector<LitColour<ExactReal>> &exact)
 {
-    const bool isFlat = appearance.shading == Shading::Flat;
+    const bool isFlat = part.appearance.shading == Shading::Flat;
     ProjectionStage stage{
         isFlat ? QStringLiteral("Light at the face's centre")
                : QStringLiteral("Light at the vertices"),
         QStringLiteral("c·(ambient + Σ light·max(0, N·L))/255 + Σ light·specular/255·(N·H)ˢ"),
         {}};
-    writeLights(stage.points.emplace_back(StagePoint{lightsPointName(), {}, {}}), appearance,
-                material);
+    writeLights(stage.points.emplace_back(StagePoint{lightsPointName(), {}, {}}), part.appearance,
+                part.material);
+    const auto mean = [&](const QString &number) {
+        const QString sum = sumOverVertices(part.vertices, number);
+        return sum.isEmpty() ? sum : QStringLiteral("(%1)/%2").arg(sum).arg(part.vertices);
+    };
+    const BaseFormula baseFormula = [&](const QString &base) {
+        if (!isFlat)
+            return base + u'′';
+        const QString ofVertices = mean(base);
+        return ofVertices.isEmpty() ? ofVertices : QStringLiteral("⌊%1 + ½⌋").arg(ofVertices);
+    };
     for (std::size_t i = 0; i < used.size(); ++i) {
         StagePoint &point = stage.points.emplace_back(
             StagePoint{isFlat ? QStringLiteral("centre") : faceVertexName(i), {}, {}});
         if (isFlat) { // a vertex's stand in the stage before
             StageNumberWriter numbers(point.numbers);
-            numbers.add(QString(), used[i].point.place, &exact[i].point.place);
-            numbers.add(QStringLiteral("_N"), used[i].point.normal, &exact[i].point.normal);
+            numbers.add(QString(), used[i].point.place, &exact[i].point.place, mean);
+            numbers.add(QStringLiteral("_N"), used[i].point.normal, &exact[i].point.normal,
+                        part.centreNormal);
         }
-        writeLightAt(point, appearance, material, used[i], exact[i]);
+        writeLightAt(point, part.appearance, part.material, used[i], exact[i], baseFormula);
     }
     return stage;
 }
@@ -175,22 +185,32 @@ std::vector<ProjectionStage> lightStagesOf(const Triangle &given,
                                            const TriangleAttributes &attributes,
                                            const Appearance &appearance)
 {
-    ProjectionStage corners{QStringLiteral("Vertex"),
-                            QStringLiteral("The triangle's vertices, in px, and their normals"),
-                            {}};
+    const Material &material = materialOf(appearance, attributes.material);
+    ProjectionStage corners{
+        QStringLiteral("Vertex"),
+        QStringLiteral("The triangle's vertices, in px, their normals and their "
+                       "colours, times the material's"),
+        {}};
     for (std::size_t i = 0; i < 3; ++i) {
         StagePoint &point = corners.points.emplace_back(StagePoint{faceVertexName(i), {}, {}});
         StageNumberWriter numbers(point.numbers);
         const VertexAttributes &vertex = attributes.vertices[i];
         const auto place = spaceVectorOf<ExactReal>(vertex.place);
         const auto normal = spaceVectorOf<ExactReal>(vertex.normal);
+        const auto usedNormal = spaceVectorOf<double>(vertex.normal);
         numbers.add(QString(), spaceVectorOf<double>(vertex.place), &place);
-        numbers.add(QStringLiteral("_N"), spaceVectorOf<double>(vertex.normal), &normal);
+        numbers.add(QStringLiteral("_N"), usedNormal, &normal);
+        if (appearance.shading == Shading::Flat)
+            addUnit(numbers, QStringLiteral("_n"), unit(usedNormal), unit(normal), normalName);
+        writeTint(point, given.vertices[i].colour, material.diffuse);
     }
+    Triangle tintedTriangle = given;
+    tint(tintedTriangle, material);
+    const LitPart part{appearance, material, 3,
+                       [](QChar axis) { return sumOverVertices(3, axis + QStringLiteral("_n")); }};
     return {corners,
-            lightStageOf(appearance, materialOf(appearance, attributes.material),
-                         litColoursOf<double>(given, attributes, appearance.shading),
-                         litColoursOf<ExactReal>(given, attributes, appearance.shading))};
+            lightStageOf(part, litColoursOf<double>(tintedTriangle, attributes, appearance.shading),
+                         litColoursOf<ExactReal>(tintedTriangle, attributes, appearance.shading))};
 }
 
 } // namespace pixelplumb

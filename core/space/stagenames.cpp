@@ -23,9 +23,16 @@ QString cameraPointName() { return QStringLiteral("the camera"); }
 
 QString lightsPointName() { return QStringLiteral("the lights"); }
 
+QString facePointName() { return QStringLiteral("the face"); }
+
 bool isShared(const QString &point)
 {
-    return point == cameraPointName() || point == lightsPointName();
+    return point == cameraPointName() || point == lightsPointName() || point == facePointName();
+}
+
+QString ofVertex(std::size_t vertex, const QString &number)
+{
+    return faceVertexName(vertex) + u'_' + number;
 }
 
 QString clipName(QChar coordinate, std::size_t vertex)

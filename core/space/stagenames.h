@@ -13,11 +13,15 @@ namespace pixelplumb {
 QString faceVertexName(std::size_t vertex);
 QString clippedCornerName(std::size_t corner);
 
-/// The points that have the camera's own numbers and those of the lights.
+/// The points that have the camera's own numbers, those of the lights and the face's own normal.
 QString cameraPointName();
 QString lightsPointName();
-/// Whether a point is one of these two, whose numbers every point's formulas may name.
+QString facePointName();
+/// Whether a point is one of these, whose numbers every point's formulas may name.
 bool isShared(const QString &point);
+
+/// "V₁_y", "V₁_base_R": a number of a vertex in space, as the formulas of other points call it.
+QString ofVertex(std::size_t vertex, const QString &number);
 
 /// "x_V₁", "R_V₁": a clip coordinate of a vertex, its level or its place in the texture, as the
 /// polygon's formulas call it.

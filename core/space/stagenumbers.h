@@ -3,6 +3,7 @@
 
 #include "core/space/exactreal.h"
 #include "core/space/facestages.h"
+#include "core/space/stagevectors.h"
 
 #include <limits>
 
@@ -31,13 +32,21 @@ public:
     {
         add(name, used, &exact, formula);
     }
+    /// The three components of a vector, which `name` calls, with their formulas where there are
+    /// any.
+    void add(const Component &name, const SpaceVector<double> &used,
+             const SpaceVector<ExactReal> *exact, const Component &formula = {})
+    {
+        const auto of = [&](QChar axis) { return formula ? formula(axis) : QString(); };
+        add(name(u'x'), used.x, exact ? &exact->x : nullptr, of(u'x'));
+        add(name(u'y'), used.y, exact ? &exact->y : nullptr, of(u'y'));
+        add(name(u'z'), used.z, exact ? &exact->z : nullptr, of(u'z'));
+    }
     /// x, y and z, each with the subscript.
     void add(const QString &subscript, const SpaceVector<double> &used,
-             const SpaceVector<ExactReal> *exact)
+             const SpaceVector<ExactReal> *exact, const Component &formula = {})
     {
-        add(u'x' + subscript, used.x, exact ? &exact->x : nullptr);
-        add(u'y' + subscript, used.y, exact ? &exact->y : nullptr);
-        add(u'z' + subscript, used.z, exact ? &exact->z : nullptr);
+        add([&](QChar axis) { return axis + subscript; }, used, exact, formula);
     }
 
 private:

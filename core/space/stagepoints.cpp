@@ -3,6 +3,7 @@
 
 #include "core/space/attributenumber.h"
 #include "core/space/stagenumbers.h"
+#include "core/space/stagevectors.h"
 
 #include <cmath>
 
@@ -16,18 +17,30 @@ void writeCameraPoint(StagePoint &point, const SpaceScene &scene)
     const CameraTransform<double> usedCamera(camera, frame);
     const CameraTransform<ExactReal> exactCamera(camera, frame);
     StageNumberWriter numbers(point.numbers);
+    const auto of = [](const char *name) {
+        return [name](QChar axis) { return QString::fromLatin1(name) + u'_' + axis; };
+    };
     const auto vector = [&](const QString &name, const SpaceVector<double> &used,
-                            const SpaceVector<ExactReal> &exact) {
-        numbers.add(name + QStringLiteral("_x"), used.x, exact.x);
-        numbers.add(name + QStringLiteral("_y"), used.y, exact.y);
-        numbers.add(name + QStringLiteral("_z"), used.z, exact.z);
+                            const SpaceVector<ExactReal> &exact, const Component &formula) {
+        numbers.add([&](QChar axis) { return name + u'_' + axis; }, used, &exact, formula);
+    };
+    const auto place = [&](const QString &name, const Vector3 &at) {
+        vector(name, SpaceVector<double>(at), SpaceVector<ExactReal>(at), {});
     };
     const auto given
         = [&](const QString &name, double value) { numbers.add(name, value, ExactReal(value)); };
-    vector(QStringLiteral("E"), usedCamera.eye(), exactCamera.eye());
-    vector(QStringLiteral("right"), usedCamera.right(), exactCamera.right());
-    vector(QStringLiteral("up"), usedCamera.up(), exactCamera.up());
-    vector(QStringLiteral("back"), usedCamera.backward(), exactCamera.backward());
+    place(QStringLiteral("E"), camera.eye);
+    place(QStringLiteral("target"), camera.target);
+    place(QStringLiteral("upward"), camera.up);
+    vector(QStringLiteral("back"), usedCamera.backward(), exactCamera.backward(),
+           unitOf(usedCamera.backward(),
+                  [](QChar axis) { return QStringLiteral("(E_%1 − target_%1)").arg(axis); }));
+    vector(QStringLiteral("right"), usedCamera.right(), exactCamera.right(),
+           unitOf(usedCamera.right(), [&](QChar axis) {
+               return u'(' + crossFormula(of("upward"), of("back"), axis) + u')';
+           }));
+    vector(QStringLiteral("up"), usedCamera.up(), exactCamera.up(),
+           [&](QChar axis) { return crossFormula(of("back"), of("right"), axis); });
     given(QStringLiteral("near"), camera.near);
     given(QStringLiteral("far"), camera.far);
     given(QStringLiteral("x_first"), frame.firstColumn);
@@ -35,11 +48,14 @@ void writeCameraPoint(StagePoint &point, const SpaceScene &scene)
     given(QStringLiteral("width"), frame.width);
     given(QStringLiteral("height"), frame.height);
     const bool isPerspective = camera.projection == Projection::Perspective;
-    if (isPerspective)
+    if (isPerspective) {
+        given(QStringLiteral("fieldOfView"), camera.fieldOfView);
         numbers.add(QStringLiteral("φ"), camera.fieldOfView / 180 * acos(0.0),
-                    ExactReal(camera.fieldOfView) / 180 * acos(ExactReal(0)));
-    else
+                    ExactReal(camera.fieldOfView) / 180 * acos(ExactReal(0)),
+                    QStringLiteral("fieldOfView/180·π/2"));
+    } else {
         given(QStringLiteral("view_height"), camera.height);
+    }
     const auto used = usedCamera.scale();
     const auto exact = exactCamera.scale();
     numbers.add(QStringLiteral("scale_y"), used.y, exact.y,

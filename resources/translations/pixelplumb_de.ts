@@ -1318,6 +1318,14 @@
         <source>cannot be graded</source>
         <translation>nicht zu bewerten</translation>
     </message>
+    <message>
+        <source>Piece %1</source>
+        <translation>Stück %1</translation>
+    </message>
+    <message>
+        <source>piece %1</source>
+        <translation>Stück %1</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::CostStack</name>

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace pixelplumb {
 
@@ -152,23 +153,27 @@ private:
             expect(u'⌋');
             return {std::floor(value.least), std::floor(value.greatest)};
         }
-        if (takesWord(u"min(")) {
-            const auto [a, b] = pair();
-            return {std::min(a.least, b.least), std::min(a.greatest, b.greatest)};
-        }
-        if (takesWord(u"max(")) {
-            const auto [a, b] = pair();
-            return {std::max(a.least, b.least), std::max(a.greatest, b.greatest)};
-        }
+        if (takesWord(u"min("))
+            return extreme([](Number a, Number b) { return std::min(a, b); });
+        if (takesWord(u"max("))
+            return extreme([](Number a, Number b) { return std::max(a, b); });
+        if (takes(u'π'))
+            return {std::numbers::pi_v<Number>, std::numbers::pi_v<Number>};
         return takes(u'½') ? NumberRange{0.5L, 0.5L} : number();
     }
-    std::pair<NumberRange, NumberRange> pair()
+    /// Of all that stands up to the closing parenthesis.
+    template <class Choice>
+    NumberRange extreme(const Choice &choice)
     {
-        const NumberRange first = sum();
-        expect(u',');
-        const NumberRange second = sum();
+        NumberRange value = sum();
+        skipBlanks();
+        while (takes(u',')) {
+            const NumberRange other = sum();
+            value = {choice(value.least, other.least), choice(value.greatest, other.greatest)};
+            skipBlanks();
+        }
         expect(u')');
-        return {first, second};
+        return value;
     }
     NumberRange number()
     {

@@ -15,7 +15,7 @@ namespace pixelplumb {
 /// they are shown ("0.333333…"), and each operation of an arithmetic that rounds may round once.
 class FormulaRange {
 public:
-    /// Works out + − · / mod ² ^ √ ( ) ⌈ ⌉ ⌊ ⌋ (int) min( , ) max( , ) cos sin, ½, decimals and
+    /// Works out + − · / mod ² ^ √ ( ) ⌈ ⌉ ⌊ ⌋ (int) min( , ) max( , ) cos sin, ½ π, decimals and
     /// mixed numbers ("-17 3/8"), and "1 if 3 > 2, else 0". None where words or names are left in
     /// the text or a divisor is 0.
     static std::optional<FormulaRange> of(const QString &text, Arithmetic arithmetic);

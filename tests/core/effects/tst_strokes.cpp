@@ -160,6 +160,50 @@ private slots:
         QCOMPARE(levelsText(scene), QStringLiteral("  0   0\n128 128\n128 128\n"));
     }
 
+    /// The sum is that of four pictures of one sample a pixel, whose line is moved against the
+    /// sample; what a mean has no part of, its t and its colour at the centre, is not shown.
+    void aPixelOfFourSamplesShowsTheirSum()
+    {
+        const auto lineMovedBy = [](const LatticePoint &move) {
+            Shape line = whiteLine(latticePixel(1, 1), latticePixel(9, 4));
+            line.vertices[0].colour = {{250, 10, 0}};
+            line.vertices[1].colour = {{10, 200, 90}};
+            for (Vertex &vertex : line.vertices)
+                vertex.position = {vertex.position.x - move.x, vertex.position.y - move.y};
+            return line;
+        };
+        const FrameSpec frame = frameOf(12, 7);
+        constexpr std::array<LatticePoint, 4> samples
+            = {{{-32, -96}, {96, -32}, {-96, 32}, {32, 96}}};
+        std::vector<std::unique_ptr<FrameBuffer>> pictures;
+        for (const LatticePoint &sample : samples) {
+            pictures.push_back(std::make_unique<FrameBuffer>(frame));
+            drawScene(sceneOf({lineMovedBy(sample)}, frame, Antialiasing::None), *pictures.back());
+        }
+        const auto traced
+            = traceScene(sceneOf({lineMovedBy({0, 0})}, frame, Antialiasing::Samples4));
+        const auto &numbers = traced->trace->numbers().sample;
+        QVERIFY(std::ranges::none_of(numbers, [](const NumberDescription &number) {
+            return number.id == QStringLiteral("t") || number.id == QStringLiteral("s_R");
+        }));
+        std::size_t shown = 0;
+        for (std::size_t span = 0; span < traced->trace->spanCount(); ++span) {
+            for (const SampleRecord &sample : traced->trace->samples(span)) {
+                for (std::size_t channel = 0; channel < 3; ++channel) {
+                    const QString id = QStringLiteral("sum_") + channelLetters[channel];
+                    const auto column = std::size_t(
+                        std::ranges::find(numbers, id, &NumberDescription::id) - numbers.begin());
+                    int sum = 0;
+                    for (const auto &picture : pictures)
+                        sum += unpacked(*picture->view().at(sample.x, sample.y)).channels[channel];
+                    QCOMPARE(sample.cells.at(column), Quantity::integer(sum));
+                    ++shown;
+                }
+            }
+        }
+        QVERIFY(shown > 40);
+    }
+
     void everyPictureIsTheTruth_data()
     {
         QTest::addColumn<int>("seed");

@@ -39,6 +39,12 @@ struct ToldSpan {
         return {};
     }
     std::int64_t count(const char *id) const { return std::int64_t(cell(id).numerator()); }
+    /// Whether a place along a or b lies in one of the squares that the piece may meet.
+    bool isAmong(const QByteArray &coordinate, double place) const
+    {
+        return place > double(count(coordinate + "_low")) - 1e-9
+            && place < double(count(coordinate + "_high")) + 1 + 1e-9;
+    }
 };
 
 /// Calls a function with every span of a shape's run.
@@ -195,12 +201,19 @@ private slots:
         forEachSpan(curve, "bezier-subdivision", [&](const ToldSpan &step) {
             const QString sentence = step.sentence();
             const double from = step.cell("t_from").toDouble(), to = step.cell("t_to").toDouble();
-            QVERIFY2(
-                sentence.startsWith(QStringLiteral("From t = %1 to t = %2 the curve ")
-                                        .arg(term(step.cell("t_from")), term(step.cell("t_to")))),
-                qPrintable(sentence));
+            const int places = std::max(6, int(step.count("depth")) / 3 + 2);
+            const QString ends = QStringLiteral("From t = %1 to t = %2 the curve ");
+            QVERIFY2(sentence.startsWith(ends.arg(term(step.cell("t_from"), places),
+                                                  term(step.cell("t_to"), places))),
+                     qPrintable(sentence));
+            QVERIFY(term(step.cell("t_from"), places) != term(step.cell("t_to"), places));
+            const bool isWithinOne = step.count("a_low") == step.count("a_high")
+                && step.count("b_low") == step.count("b_high");
+            QCOMPARE(sentence.contains(QStringLiteral("stays within one diamond")), isWithinOne);
             const std::vector<LatticePoint> named = pixelsNamed(sentence);
-            if (sentence.endsWith(QStringLiteral("it is halved."))) {
+            const bool isHalved = sentence.endsWith(QStringLiteral("it is halved."));
+            QCOMPARE(step.count("decided"), std::int64_t(isHalved ? 0 : 1));
+            if (isHalved) {
                 QVERIFY(named.empty());
                 return;
             }
@@ -209,6 +222,8 @@ private slots:
                 const double t = from + (to - from) * part / parts;
                 const double x = coordinateAt(curve, &LatticePoint::x, t);
                 const double y = coordinateAt(curve, &LatticePoint::y, t);
+                QVERIFY(step.isAmong("a", x + y + 0.5));
+                QVERIFY(step.isAmong("b", y - x + 0.5));
                 const LatticePoint pixel = {std::lround(x), std::lround(y)};
                 const double distance
                     = std::abs(x - double(pixel.x)) + std::abs(y - double(pixel.y));
