@@ -34,6 +34,15 @@ std::shared_ptr<const TracedScene> tracedSegment(const QString &id)
     return tracedOf(id, {latticePixel(1, 1), latticePixel(9, 5), latticePixel(5, 3)});
 }
 
+/// How many steps of a run do a line of these moments.
+std::ptrdiff_t momentsOf(const TracedScene &traced, const std::vector<Moment> &moments)
+{
+    std::ptrdiff_t count = 0;
+    for (std::size_t step = 0; step < traced.trace->stepCount(); ++step)
+        count += std::ranges::count(moments, momentOf(*traced.trace, step));
+    return count;
+}
+
 QString reasonAt(const TracedScene &traced, std::int64_t x, std::int64_t y)
 {
     return pixelHistory(traced, x, y).at(0).reason;
@@ -42,9 +51,12 @@ QString reasonAt(const TracedScene &traced, std::int64_t x, std::int64_t y)
 void addEdgeTests()
 {
     QTest::addColumn<QString>("id");
-    for (const char *id : {"edge-equations", "edge-equations-incremental", "barycentric-all",
-                           "barycentric-incremental", "barycentric-cramer"})
-        QTest::newRow(id) << QString::fromLatin1(id);
+    for (const Method &method : methods()) {
+        if (std::ranges::any_of(method.pseudocode, [](const PseudocodeLine &line) {
+                return line.of == LineOf::Segment;
+            }))
+            QTest::newRow(qPrintable(method.id)) << method.id;
+    }
 }
 
 } // namespace
@@ -127,6 +139,10 @@ private slots:
         QVERIFY(!hasLine(ofArea, segment));
         QVERIFY(hasLine(ofArea, QStringLiteral("if ")));
         QVERIFY(ofArea.size() > ofSegment.size());
+        for (const PseudocodeLine &line : ofSegment) {
+            const bool isDone = line.of != LineOf::Segment || momentsOf(*traced, line.moments) > 0;
+            QVERIFY2(isDone, qPrintable(line.text));
+        }
     }
 };
 
