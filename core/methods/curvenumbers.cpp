@@ -6,8 +6,6 @@
 
 namespace pixelplumb {
 
-using Group = NumberGroup;
-
 NumberDescription curveNumber(const char *id, const QString &title, const char *unit,
                               const QString &toolTip, const QString &formula, NumberGroup group)
 {
@@ -20,6 +18,8 @@ NumberDescription curveNumber(const char *id, const QString &title, const char *
 }
 
 namespace {
+
+using Group = NumberGroup;
 
 NumberDescription counter(const QString &toolTip)
 {
