@@ -44,8 +44,10 @@ QString depthReason(const DepthAnswer &answer)
                    .arg(answer.earlier)
             + inQuestionWords(answer);
     case Ground::NoWitness:
-        return QStringLiteral("triangle %1 lies behind triangle %2, which is drawn before it, but "
-                              "not at the samples that could be looked at while the picture waits")
+        return QStringLiteral(
+                   "triangle %1 may lie behind triangle %2, which is drawn before it: it "
+                   "does not at the samples that could be looked at while the picture "
+                   "waits")
                    .arg(answer.later)
                    .arg(answer.earlier)
             + inQuestionWords(answer);

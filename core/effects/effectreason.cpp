@@ -2,6 +2,7 @@
 #include "core/effects/effectreason.h"
 
 #include "core/effects/sharededges.h"
+#include "core/space/vertexlight.h"
 
 #include <QStringList>
 
@@ -40,8 +41,8 @@ QString smoothColourReason(const NeedsTally &tally, const Appearance &appearance
                            const QString &noun)
 {
     const std::size_t smooth = tally.of[Effect::SmoothColour].primitives;
-    const bool isFlatLit
-        = appearance.shading == Shading::Flat && tally.of[Effect::Light].primitives > 0;
+    const bool isFlatLit = appearance.shading == Shading::Flat && lightsVertices(appearance)
+        && tally.of[Effect::Light].primitives > 0;
     if (smooth > 0)
         return QStringLiteral("%1 vertex colours that differ").arg(has(smooth, tally.drawn, noun))
             + (isFlatLit ? QStringLiteral("; flat light gives each triangle that it falls on one "

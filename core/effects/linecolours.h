@@ -10,10 +10,11 @@
 /// called for, or switched off.
 namespace pixelplumb {
 
-/// A line whose ends have two colours.
+/// A line whose ends, at two places, have two colours.
 inline bool isSmoothLine(const Shape &shape)
 {
     return shape.kind == PrimitiveKind::Line && !shape.vertices.empty()
+        && shape.vertices.front().position != shape.vertices.back().position
         && shape.vertices.front().colour != shape.vertices.back().colour;
 }
 

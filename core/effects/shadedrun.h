@@ -91,7 +91,7 @@ private:
                 &surroundings.depths,
                 greatestDepthLevel(surroundings.appearance.depthFormat),
                 m_settings.rounding,
-                packed(triangle.triangle.vertices[0].colour),
+                packed(oneColourOf(triangle.triangle)),
                 nullptr};
     }
 

@@ -15,33 +15,41 @@ public:
     explicit Carriers(const Triangle &triangle)
         : m_order(sortedByColumn(triangle))
         , m_isSegment(doubledArea(triangle) == 0)
+        , m_isPoint(positionAt(triangle, 0) == positionAt(triangle, 2))
     {
     }
 
-    /// Of a segment its ends, which its middle vertex only lies between.
+    /// Of a segment its ends, which its middle vertex only lies between; a point has what its first
+    /// vertex has.
     template <class Vertices, class Value>
     bool differIn(const Vertices &vertices, Value value) const
     {
         const auto at = [&](std::size_t place) {
             return std::invoke(value, vertices[std::size_t(m_order[place])]);
         };
-        return at(0) != at(2) || (!m_isSegment && at(0) != at(1));
+        return !m_isPoint && (at(0) != at(2) || (!m_isSegment && at(0) != at(1)));
     }
 
-    /// The first of them.
-    std::size_t first() const { return std::size_t(m_order[0]); }
+    /// Of a segment its first end.
+    std::size_t first() const { return m_isSegment ? std::size_t(m_order[0]) : 0; }
     template <class Vertices, class Value>
     auto leastIn(const Vertices &vertices, Value value) const
     {
         const auto at = [&](std::size_t place) {
             return std::invoke(value, vertices[std::size_t(m_order[place])]);
         };
-        return std::min({at(0), at(m_isSegment ? 0 : 1), at(2)});
+        return std::min({at(0), at(m_isSegment ? 0 : 1), at(m_isPoint ? 0 : 2)});
     }
 
 private:
+    const LatticePoint &positionAt(const Triangle &triangle, std::size_t place) const
+    {
+        return triangle.vertices[std::size_t(m_order[place])].position;
+    }
+
     std::array<int, 3> m_order;
     bool m_isSegment = false;
+    bool m_isPoint = false;
 };
 
 /// Whether light depends on where a sample is: a light far away shines everywhere alike, and so
@@ -70,32 +78,39 @@ bool hasNormals(const TriangleAttributes &attributes)
     });
 }
 
+Colour oneColourOf(const Triangle &triangle)
+{
+    return triangle.vertices[Carriers(triangle).first()].colour;
+}
+
 TriangleNeeds needsOf(const Triangle &triangle, const TriangleAttributes *attributes,
                       const Appearance &appearance)
 {
     TriangleNeeds needs;
     const Carriers carriers(triangle);
-    needs.carriesColour = carriers.differIn(triangle.vertices, &Vertex::colour);
-    // One colour is the first vertex's, which may lie in the middle of a segment.
-    needs.effects.smooth = needs.carriesColour
-        || triangle.vertices[0].colour != triangle.vertices[carriers.first()].colour;
+    const auto isSeen = [&](Effect effect) { return appearance.forced[effect] != Forcing::Off; };
+    needs.effects.smooth = carriers.differIn(triangle.vertices, &Vertex::colour);
+    needs.carriesColour = needs.effects.smooth && isSeen(Effect::SmoothColour);
     if (!attributes)
         return needs;
     const std::array<VertexAttributes, 3> &vertices = attributes->vertices;
-    needs.carriesAlpha = carriers.differIn(vertices, &VertexAttributes::alpha);
+    needs.carriesAlpha
+        = carriers.differIn(vertices, &VertexAttributes::alpha) && isSeen(Effect::Blending);
     needs.lowestAlpha = carriers.leastIn(vertices, &VertexAttributes::alpha);
     needs.effects.blending = needs.lowestAlpha < 255;
     if (textureOf(*attributes, appearance)) {
         needs.effects.texture = true;
-        needs.carriesTexture = carriers.differIn(vertices, &VertexAttributes::texture);
+        needs.carriesTexture
+            = carriers.differIn(vertices, &VertexAttributes::texture) && isSeen(Effect::Texture);
     }
     const bool isLit = !appearance.lights.empty() && hasNormals(*attributes);
     needs.vertexLight = isLit && appearance.shading != Shading::Phong;
     if (isLit && appearance.shading == Shading::Phong) {
         needs.effects.light = true;
-        needs.carriesLight = carriers.differIn(vertices, &VertexAttributes::normal)
-            || (carriers.differIn(vertices, &VertexAttributes::place)
-                && placeCounts(materialOf(appearance, attributes->material), appearance));
+        needs.carriesLight = isSeen(Effect::Light)
+            && (carriers.differIn(vertices, &VertexAttributes::normal)
+                || (carriers.differIn(vertices, &VertexAttributes::place)
+                    && placeCounts(materialOf(appearance, attributes->material), appearance)));
     }
     needs.wDiffers = carriers.differIn(vertices, &VertexAttributes::w);
     needs.effects.perspective = needs.wDiffers && needs.carriesAnything();
@@ -105,13 +120,8 @@ TriangleNeeds needsOf(const Triangle &triangle, const TriangleAttributes *attrib
 bool hasHorizon(const Triangle &triangle, const TriangleAttributes *attributes,
                 const Appearance &appearance)
 {
-    const auto isSeen = [&](Effect effect) { return appearance.forced[effect] != Forcing::Off; };
-    const TriangleNeeds needs = needsOf(triangle, attributes, appearance);
-    return needs.wDiffers && isSeen(Effect::Perspective)
-        && ((needs.carriesColour && isSeen(Effect::SmoothColour))
-            || (needs.carriesAlpha && isSeen(Effect::Blending))
-            || (needs.carriesTexture && isSeen(Effect::Texture))
-            || (needs.carriesLight && isSeen(Effect::Light)));
+    return needsOf(triangle, attributes, appearance).effects.perspective
+        && appearance.forced[Effect::Perspective] != Forcing::Off;
 }
 
 std::array<Attribute, 3> horizonOf(const Triangle &triangle, const TriangleAttributes *attributes,

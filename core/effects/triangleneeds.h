@@ -14,7 +14,7 @@ struct TriangleNeeds {
 
     // What perspective is asked by.
     bool wDiffers = false; ///< between the vertices
-    // What differs between the vertices and counts at a sample.
+    // What differs between the vertices, counts at a sample and is not switched off.
     bool carriesColour = false;
     bool carriesAlpha = false;
     bool carriesTexture = false; ///< u, v of a triangle that has a texture
@@ -29,6 +29,10 @@ struct TriangleNeeds {
 /// The material's texture; null where there is none, or none with a texel.
 const Texture *textureOf(const TriangleAttributes &attributes, const Appearance &appearance);
 bool hasNormals(const TriangleAttributes &attributes);
+
+/// What a triangle is painted in where colours are not interpolated: the colour of its first vertex,
+/// of a segment that of its first end.
+Colour oneColourOf(const Triangle &triangle);
 
 /// `attributes` may be null.
 TriangleNeeds needsOf(const Triangle &triangle, const TriangleAttributes *attributes,

@@ -64,6 +64,21 @@ void addDescribed(TraceTable<Row> &table, const std::vector<NumberDescription> &
     }
 }
 
+/// What a number of a stage is without rounding: roots and quotients as far as they are known, to
+/// 20 digits, with "…" after them.
+QString unroundedText(const Quantity &exact)
+{
+    constexpr qsizetype knownDigits = 20;
+    constexpr int mostPlaces = 36;
+    if (!exact.isRational())
+        return exact.isNone() ? QString() : toText(exact);
+    const QString text = cutDecimal(exact, mostPlaces).digits;
+    qsizetype digits = 0;
+    for (const QChar each : text)
+        digits += each.isDigit() && (digits > 0 || each != u'0') ? 1 : 0;
+    return digits < knownDigits ? text : text + u'…';
+}
+
 } // namespace
 
 TraceTable<SetUpRow> setUpTable(const std::vector<NumberDescription> &numbers)
@@ -128,10 +143,12 @@ TraceTable<StageRow> stageTable()
               [](const StageRow &row) { return integer(std::int64_t(row.primitive)); });
     table.add({QStringLiteral("stage"), Kind::Text}, [](const StageRow &row) { return row.stage; });
     table.add({QStringLiteral("point"), Kind::Text}, [](const StageRow &row) { return row.point; });
-    addCompared<StageRow>(
-        table, QStringLiteral("used"), QStringLiteral("used"),
-        [](const StageRow &row) { return row.number.used; },
-        [](const StageRow &row) { return row.number.exact; });
+    const auto used = [](const StageRow &row) { return row.number.used; };
+    table.add({QStringLiteral("used"), Kind::Number}, used);
+    table.add({exactName(QStringLiteral("used")), Kind::Text, QStringLiteral("used exact")},
+              [](const StageRow &row) { return unroundedText(row.number.exact); });
+    table.add({errorName(QStringLiteral("used")), Kind::Error, QStringLiteral("used error")},
+              [used](const StageRow &row) { return errorCell(used(row), row.number.exact); });
     table.add({QStringLiteral("formula"), Kind::Text},
               [](const StageRow &row) { return row.number.symbols; });
     table.add({QStringLiteral("numbers"), Kind::Text},

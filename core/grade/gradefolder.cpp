@@ -8,6 +8,7 @@
 #include "core/number/failure.h"
 #include "core/scene/fileaccess.h"
 #include "core/scene/inputrecord.h"
+#include "core/scene/outputfolder.h"
 
 #include <QBuffer>
 #include <QCryptographicHash>
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <filesystem>
 #include <thread>
 
 namespace pixelplumb {
@@ -231,25 +231,10 @@ void removeOthers(const ResultsFolder &results, const Assignment &assignment,
     }
 }
 
-/// Whether a path leads into a folder, by whatever links, or will as soon as it is made.
-bool isIn(const QString &path, const QString &folder)
-{
-    namespace fs = std::filesystem;
-    const fs::path whole(QFile::encodeName(folder).toStdString());
-    std::error_code ignored;
-    fs::path place = fs::absolute(QFile::encodeName(path).toStdString(), ignored);
-    for (place = fs::weakly_canonical(place, ignored);; place = place.parent_path()) {
-        if (fs::equivalent(place, whole, ignored))
-            return true;
-        if (place == place.parent_path())
-            return false;
-    }
-}
-
 /// Results among the submissions, or the other way round, would be taken for each other.
 std::optional<InputError> refusalOf(const GradingOrder &order)
 {
-    if (!isIn(order.results, order.submissions) && !isIn(order.submissions, order.results))
+    if (!lieInEachOther(order.results, order.submissions))
         return std::nullopt;
     return InputError{order.results,
                       QStringLiteral("results and submissions lie in each other's folders"),

@@ -4,8 +4,8 @@
 #include "core/grade/gradereports.h"
 #include "core/grade/resultsfolder.h"
 #include "core/grade/showntext.h"
+#include "core/scene/outputfolder.h"
 
-#include <QFileInfo>
 #include <QSet>
 
 #include <algorithm>
@@ -43,9 +43,8 @@ Result<std::vector<MergedPart>> readParts(const QStringList &folders, const QStr
 {
     std::vector<MergedPart> parts;
     for (const QString &folder : folders) {
-        if (const QString path = QFileInfo(folder).canonicalFilePath();
-            !path.isEmpty() && path == QFileInfo(results).canonicalFilePath())
-            return InputError{folder, QStringLiteral("is what is written to"),
+        if (lieInEachOther(folder, results))
+            return InputError{folder, QStringLiteral("the results and this part lie in each other"),
                               QStringLiteral("another folder for the whole")};
         Result<GradeReport> report = readGrades(folder);
         if (!report)

@@ -6,7 +6,6 @@
 #include <QStringList>
 
 #include <bit>
-#include <cmath>
 
 namespace pixelplumb {
 
@@ -16,8 +15,24 @@ using Group = NumberGroup;
 
 /// What of 128 bits a fraction uses, so that errors can still be counted from it.
 constexpr int exactBits = 120;
-/// What of a numerator a double can tell.
-constexpr int doubleBits = 62;
+
+Quantity coordinateOf(const BezierPiece &piece, const BezierControls &coordinates,
+                      std::size_t control)
+{
+    constexpr int unitBits = std::countr_zero(std::uint64_t(unitsPerPixel));
+    return dyadic(coordinates[control], unitBits + piece.degree() * piece.depth);
+}
+
+/// Whether each control point of a piece has its numbers.
+bool hasCoordinates(const BezierPiece &piece)
+{
+    for (std::size_t control = 0; control < piece.count; ++control) {
+        if (coordinateOf(piece, piece.x, control).isNone()
+            || coordinateOf(piece, piece.y, control).isNone())
+            return false;
+    }
+    return true;
+}
 
 /// One coordinate of a control point, if the piece has that many.
 void appendCoordinate(NumberTable<BezierStep> &table, std::size_t control, QChar axis,
@@ -26,15 +41,16 @@ void appendCoordinate(NumberTable<BezierStep> &table, std::size_t control, QChar
     table.push_back({{.id = QStringLiteral("%1_%2").arg(axis).arg(control),
                       .title = QString(axis) + QChar(char16_t(0x2080 + control)),
                       .unit = QStringLiteral("px"),
-                      .toolTip = QStringLiteral("%1 of control point P%2.").arg(axis).arg(control),
+                      .toolTip = QStringLiteral("%1 of control point P%2; none where it takes "
+                                                "more than 120 bits.")
+                                     .arg(axis)
+                                     .arg(control),
                       .formula = {},
                       .group = Group::Span},
                      [=](const BezierStep &step) {
                          const BezierPiece &piece = step.piece;
-                         constexpr int unitBits = std::countr_zero(std::uint64_t(unitsPerPixel));
                          return control < piece.count
-                             ? dyadic((piece.*coordinates)[control],
-                                      unitBits + piece.degree() * piece.depth)
+                             ? coordinateOf(piece, piece.*coordinates, control)
                              : Quantity();
                      }});
 }
@@ -77,7 +93,8 @@ void appendSquares(NumberTable<BezierStep> &table, QChar coordinate,
                  return Quantity::integer((BezierDiamonds(step.piece).*extent)().*square);
              },
              [=](NumberDescription &number, const BezierStep &step) {
-                 number.formula = name + QStringLiteral(" = ") + formula(step.piece.count);
+                 if (hasCoordinates(step.piece))
+                     number.formula = name + QStringLiteral(" = ") + formula(step.piece.count);
              }});
     };
     append("_low", QStringLiteral("first"), &DiamondExtent::lowest, [=](std::size_t count) {
@@ -107,10 +124,7 @@ Quantity dyadic(BigInteger numerator, int power)
         const auto whole = size.convert_to<Int128>();
         return Quantity::rational(isNegative ? -whole : whole, Int128(1) << power);
     }
-    const int excess = std::max(0, int(msb(size)) - doubleBits);
-    size >>= excess;
-    const double rounded = std::ldexp(double(size.convert_to<std::int64_t>()), excess - power);
-    return Quantity::of(isNegative ? -rounded : rounded);
+    return {};
 }
 
 const NumberTable<BezierSetUp> &bezierSetUpNumbers()
@@ -139,10 +153,11 @@ const NumberTable<BezierStep> &bezierNumbers()
                          QStringLiteral("How often the curve was halved to get this piece.")),
              [](const BezierStep &step) { return Quantity::integer(step.piece.depth); }},
             {curveNumber("t_from", QStringLiteral("t_from"), "",
-                         QStringLiteral("The parameter at which the piece begins.")),
+                         QStringLiteral("The parameter at which the piece begins; none where it "
+                                        "takes more than 120 bits.")),
              [](const BezierStep &step) { return dyadic(step.piece.part, step.piece.depth); }},
             {curveNumber("t_to", QStringLiteral("t_to"), "",
-                         QStringLiteral("The parameter at which it ends.")),
+                         QStringLiteral("The parameter at which it ends, likewise.")),
              [](const BezierStep &step) { return dyadic(step.piece.part + 1, step.piece.depth); }},
             {curveNumber(
                  "decided", QStringLiteral("decided"), "",

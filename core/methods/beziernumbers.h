@@ -10,7 +10,7 @@ namespace pixelplumb {
 const NumberTable<BezierSetUp> &bezierSetUpNumbers();
 const NumberTable<BezierStep> &bezierNumbers();
 
-/// numerator / 2^power, as a fraction while that holds it, else the nearest double.
+/// numerator / 2^power; none where a fraction does not hold it.
 Quantity dyadic(BigInteger numerator, int power);
 
 } // namespace pixelplumb

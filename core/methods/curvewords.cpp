@@ -84,6 +84,15 @@ QString directionText(const DiamondExtent &extent)
     return extent.atLast > extent.atFirst ? QStringLiteral("grows") : QStringLiteral("falls");
 }
 
+/// part / 2^depth. A halving takes a third of a digit, so that both ends of a piece are told apart.
+QString parameterText(const BigInteger &part, int depth)
+{
+    const Quantity parameter = dyadic(part, depth);
+    return parameter.isNone()
+        ? QStringLiteral("%1/2^%2").arg(QString::fromStdString(part.str())).arg(depth)
+        : term(parameter, std::max(usualPlaces, depth / 3 + 2));
+}
+
 /// What the curve does there, by the numbers that decide it.
 QString verdictText(const BezierStep &step)
 {
@@ -194,11 +203,9 @@ void tellCurve(StepWords &words, const BezierStep &step)
     const BezierPiece &piece = step.piece;
     words.moment = step.verdict == BezierVerdict::Undecided ? Moment::Halve : Moment::Span;
     words.heading = QStringLiteral("Piece %1").arg(step.number);
-    // A halving takes a third of a digit, so that both ends are told apart.
-    const int places = std::max(usualPlaces, piece.depth / 3 + 2);
     words.sentence = QStringLiteral("From t = %1 to t = %2 the curve %3")
-                         .arg(term(dyadic(piece.part, piece.depth), places),
-                              term(dyadic(piece.part + 1, piece.depth), places), verdictText(step));
+                         .arg(parameterText(piece.part, piece.depth),
+                              parameterText(piece.part + 1, piece.depth), verdictText(step));
     if (step.verdict != BezierVerdict::Undecided)
         words.sentence += u' ' + pixelsText(step);
 }

@@ -3,6 +3,7 @@
 
 #include "core/methods/channelnumbers.h"
 #include "core/methods/edgetestnames.h"
+#include "core/methods/formulatext.h"
 #include "core/methods/placenumbers.h"
 #include "core/methods/units.h"
 
@@ -11,6 +12,38 @@ namespace pixelplumb {
 namespace {
 
 using Group = NumberGroup;
+
+/// What decides about a sample of a triangle without an area: no edge does.
+NumberRow<EdgeTestSampleState> segmentNumber()
+{
+    using State = EdgeTestSampleState;
+    const auto endOf = [](const State &state, std::size_t place) {
+        const std::array<int, 3> order = sortedByColumn(Triangle{state.vertices});
+        return state.vertices[std::size_t(order[place])].position;
+    };
+    return {{.id = QStringLiteral("segment"),
+             .title = QStringLiteral("d"),
+             .unit = unit::squarePx(),
+             .toolTip = QStringLiteral("Twice the area that the sample makes with the segment of a "
+                                       "triangle without an area: 0 where the segment's line "
+                                       "passes through it. None of other triangles."),
+             .formula = {},
+             .group = Group::Span},
+            [endOf](const State &state) {
+                return state.ofSegment ? Quantity::rational(
+                           doubledArea(endOf(state, 0), endOf(state, 2), state.sample),
+                           squareUnitsPerPixel)
+                                       : Quantity();
+            },
+            [endOf](NumberDescription &number, const State &state) {
+                const LatticePoint first = endOf(state, 0), last = endOf(state, 2);
+                if (state.ofSegment)
+                    number.formula = QStringLiteral("d = ") + differenceText(last.x, first.x)
+                        + QStringLiteral("·(y − %1) − ").arg(operand(pixels(first.y)))
+                        + differenceText(last.y, first.y)
+                        + QStringLiteral("·(x − %1)").arg(operand(pixels(first.x)));
+            }};
+}
 
 /// Along the segment of a triangle without an area, whose tests are all 0/0.
 QString segmentFormula(const EdgeTestNames &names, const EdgeTestSampleState &sample)
@@ -144,6 +177,7 @@ NumberTable<EdgeTestSampleState> edgeTestSampleNumbers(const EdgeTestForm &form)
               .group = Group::Decision,
               .comparison = Comparison::WithExact},
              [line](const State &state) { return state.weight[line]; }});
+    table.push_back(segmentNumber());
     const bool stepsColours = hasIncrements && form.isBarycentric();
     appendChannels(
         table,

@@ -53,6 +53,7 @@ struct EdgeTestSampleState {
     bool ofSegment = false;
     bool isCovered = false;
     std::array<Vertex, 3> vertices;
+    LatticePoint sample;
 };
 
 template <class A>
@@ -167,6 +168,7 @@ EdgeTestSampleState edgeTestStateOf(
     state.ofSegment = sample.ofSegment;
     state.isCovered = sample.covered;
     state.vertices = step.setUp.vertices;
+    state.sample = latticePixel(step.x, step.y);
     state.colour = edgeTestColourOf<A, form>(sample);
     if (sample.ofSegment)
         return state;

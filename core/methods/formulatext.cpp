@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/formulatext.h"
 
+#include <QStringList>
+
 #include <algorithm>
 #include <cmath>
 
@@ -64,6 +66,24 @@ QString divisorChange(VariantSet variants)
     if (variants.contains(Variant::DivisorPlusOne))
         change += QStringLiteral(" + 1");
     return change;
+}
+
+QString differenceText(Lattice to, Lattice from)
+{
+    return QStringLiteral("(%1 − %2)").arg(operand(pixels(to)), operand(pixels(from)));
+}
+
+QString sampleNumbersText(std::uint16_t samples, int count)
+{
+    QStringList numbers;
+    for (int k = 0; k < count; ++k) {
+        if ((samples >> k & 1) != 0)
+            numbers.append(QString::number(k + 1));
+    }
+    return numbers.size() == count ? QStringLiteral("all")
+                                   : QStringLiteral("%1 (number %2)")
+                                         .arg(numbers.size())
+                                         .arg(numbers.join(QStringLiteral(", ")));
 }
 
 QString pointText(const LatticePoint &point)

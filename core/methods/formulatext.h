@@ -27,6 +27,13 @@ Quantity pixels(Lattice units);
 /// What a variant adds to the count of steps that increments are divided by: " − 1", " + 1".
 QString divisorChange(VariantSet variants);
 
+/// "(9 − 1)": from one coordinate to another, px.
+QString differenceText(Lattice to, Lattice from);
+
+/// "2 (number 1, 4)", or "all": which of a pixel's 4 or 16 samples, counted from 1 in the order of
+/// resources/scene-file.md; bit 0 is the first.
+QString sampleNumbersText(std::uint16_t samples, int count);
+
 /// "(26 1/2, 44)", px.
 QString pointText(const LatticePoint &point);
 

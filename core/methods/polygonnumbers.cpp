@@ -1,18 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/polygonnumbers.h"
 
+#include "core/methods/formulatext.h"
+
 namespace pixelplumb {
 
 namespace {
 
 using Group = NumberGroup;
 
-/// The numbers of the crossing at this place; % stands for the subscript in titles, # for it in
-/// identifiers. `edges` is what the edges are counted in.
-void appendCrossing(NumberTable<PolygonRowState> &table, std::size_t place,
-                    const QString &subscript, const QString &id, const QString &edges)
+/// A crossing that is shown, with its edge.
+struct ShownCrossing {
+    const Crossing<AnyArithmetic> &crossing;
+    const CrossedEdge &edge;
+};
+
+/// "_L", "₀": what the names of a crossing's numbers end in.
+QString subscriptAt(PolygonForm form, std::size_t place)
 {
-    using Shown = Crossing<AnyArithmetic>;
+    if (isInTriangles(form))
+        return place == 0 ? QStringLiteral("_L") : QStringLiteral("_R");
+    return QChar(u'₀' + char16_t(place));
+}
+
+/// The numbers of the crossing at this place; % stands for the subscript in titles, # for it in
+/// identifiers. `edges` is what the edges are counted in. No number stands for an edge's ends: the
+/// formulas name these themselves.
+void appendCrossing(NumberTable<PolygonRowState> &table, PolygonForm form, std::size_t place,
+                    const QString &id, const QString &edges)
+{
+    using Shown = ShownCrossing;
     const NumberTable<Shown> pattern = {
         {{.id = QStringLiteral("x_#"),
           .title = QStringLiteral("x%"),
@@ -21,7 +38,7 @@ void appendCrossing(NumberTable<PolygonRowState> &table, std::size_t place,
           .formula = QStringLiteral("x% = b% + t%·m%"),
           .group = Group::Span,
           .comparison = Comparison::WithExact},
-         [](const Shown &crossing) { return crossing.x; }},
+         [](const Shown &shown) { return shown.crossing.x; }},
         {{.id = QStringLiteral("edge_#"),
           .title = QStringLiteral("e%"),
           .unit = {},
@@ -29,7 +46,7 @@ void appendCrossing(NumberTable<PolygonRowState> &table, std::size_t place,
           = QStringLiteral("The edge that crosses at x%: its place in %1, from 0.").arg(edges),
           .formula = {},
           .group = Group::Span},
-         [](const Shown &crossing) { return Quantity::integer(Int128(crossing.edge)); }},
+         [](const Shown &shown) { return Quantity::integer(Int128(shown.crossing.edge)); }},
         {{.id = QStringLiteral("base_#"),
           .title = QStringLiteral("b%"),
           .unit = QStringLiteral("px"),
@@ -38,7 +55,14 @@ void appendCrossing(NumberTable<PolygonRowState> &table, std::size_t place,
           .formula = {},
           .group = Group::Decision,
           .comparison = Comparison::WithExact},
-         [](const Shown &crossing) { return crossing.base; }},
+         [](const Shown &shown) { return shown.crossing.base; },
+         [form](NumberDescription &number, const Shown &shown) {
+             const CrossedEdge &edge = shown.edge;
+             if (edge.begins)
+                 number.formula = QStringLiteral("b% = ") + term(pixels(edge.low.x));
+             else if (edge.before)
+                 number.formula = QStringLiteral("b% = x%1′").arg(subscriptAt(form, *edge.before));
+         }},
         {{.id = QStringLiteral("rise_#"),
           .title = QStringLiteral("t%"),
           .unit = QStringLiteral("rows"),
@@ -47,7 +71,12 @@ void appendCrossing(NumberTable<PolygonRowState> &table, std::size_t place,
           .formula = {},
           .group = Group::Decision,
           .comparison = Comparison::WithExact},
-         [](const Shown &crossing) { return crossing.rise; }},
+         [](const Shown &shown) { return shown.crossing.rise; },
+         [](NumberDescription &number, const Shown &shown) {
+             number.formula = shown.edge.begins
+                 ? QStringLiteral("t% = y − ") + operand(pixels(shown.edge.low.y))
+                 : QStringLiteral("t% = 1");
+         }},
         {{.id = QStringLiteral("slope_#"),
           .title = QStringLiteral("m%"),
           .unit = QStringLiteral("px/row"),
@@ -55,18 +84,36 @@ void appendCrossing(NumberTable<PolygonRowState> &table, std::size_t place,
           .formula = {},
           .group = Group::Decision,
           .comparison = Comparison::WithExact},
-         [](const Shown &crossing) { return crossing.slope; }},
+         [](const Shown &shown) { return shown.crossing.slope; },
+         [](NumberDescription &number, const Shown &shown) {
+             const CrossedEdge &edge = shown.edge;
+             number.formula = QStringLiteral("m% = ") + differenceText(edge.high.x, edge.low.x)
+                 + u'/' + differenceText(edge.high.y, edge.low.y);
+         }},
+    };
+    const auto named = [subscript = subscriptAt(form, place)](NumberDescription &number) {
+        number.title.replace(QStringLiteral("%"), subscript);
+        number.formula.replace(QStringLiteral("%"), subscript);
+        number.toolTip.replace(QStringLiteral("%"), subscript);
+    };
+    const auto shownIn = [place](const PolygonRowState &state) {
+        return Shown{state.crossings[place], state.edges[place]};
     };
     for (const NumberRow<Shown> &row : pattern) {
         NumberDescription number = row.description;
         number.id.replace(u'#', id);
-        number.title.replace(QStringLiteral("%"), subscript);
-        number.formula.replace(QStringLiteral("%"), subscript);
-        number.toolTip.replace(QStringLiteral("%"), subscript);
-        table.push_back({number, [place, read = row.read](const PolygonRowState &state) {
-                             return place < state.crossings.size() ? read(state.crossings[place])
-                                                                   : Quantity();
-                         }});
+        named(number);
+        table.push_back(
+            {number,
+             [place, shownIn, read = row.read](const PolygonRowState &state) {
+                 return place < state.crossings.size() ? read(shownIn(state)) : Quantity();
+             },
+             [=, specify = row.specify](NumberDescription &inRow, const PolygonRowState &state) {
+                 if (!specify || place >= state.crossings.size())
+                     return;
+                 specify(inRow, shownIn(state));
+                 named(inRow);
+             }});
     }
 }
 
@@ -171,8 +218,8 @@ NumberTable<PolygonRowState> polygonRowNumbers(PolygonForm form)
               .group = Group::Span},
              [](const PolygonRowState &row) { return Quantity::integer(row.drawnSamples()); }});
         const QString edges = QStringLiteral("the row's triangle");
-        appendCrossing(numbers, 0, QStringLiteral("_L"), QStringLiteral("L"), edges);
-        appendCrossing(numbers, 1, QStringLiteral("_R"), QStringLiteral("R"), edges);
+        appendCrossing(numbers, form, 0, QStringLiteral("L"), edges);
+        appendCrossing(numbers, form, 1, QStringLiteral("R"), edges);
         return numbers;
     }
     numbers.push_back(
@@ -186,8 +233,7 @@ NumberTable<PolygonRowState> polygonRowNumbers(PolygonForm form)
           .group = Group::Span},
          [](const PolygonRowState &row) { return Quantity::integer(Int128(row.crossingCount)); }});
     for (std::size_t i = 0; i < shownCrossings(form); ++i)
-        appendCrossing(numbers, i, QChar(u'₀' + char16_t(i)), QString::number(i),
-                       QStringLiteral("the contours"));
+        appendCrossing(numbers, form, i, QString::number(i), QStringLiteral("the contours"));
     return numbers;
 }
 

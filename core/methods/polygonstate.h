@@ -6,8 +6,17 @@
 #include "core/trace/stepinhand.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace pixelplumb {
+
+/// The edge of a crossing that is shown.
+struct CrossedEdge {
+    LatticePoint low, high; ///< its ends of smaller and larger y
+    bool begins = false; ///< the row before does not cross it
+    std::optional<std::size_t> before; ///< its place among the crossings that the row before shows
+};
 
 /// A row of a polygon with its numbers as quantities: what the tables of polygons read.
 struct PolygonRowState {
@@ -20,6 +29,7 @@ struct PolygonRowState {
     /// The first of them, as many as are shown; where several meet the row at the same x, in the
     /// order in which they lie below it as seen, where its samples are taken to be.
     std::vector<Crossing<AnyArithmetic>> crossings;
+    std::vector<CrossedEdge> edges; ///< of each of them
 
     std::int64_t drawnSamples() const { return std::max<std::int64_t>(0, endDrawn - firstDrawn); }
 };
@@ -51,11 +61,41 @@ inline void orderBelowRow(std::vector<Crossing<AnyArithmetic>> &crossings, Frame
     }
 }
 
+/// Those of a row that are shown, in their order.
+template <class A>
+std::vector<Crossing<AnyArithmetic>> firstCrossings(const PolygonRow<A> &row, FrameOrigin origin,
+                                                    std::size_t shown)
+{
+    std::vector<Crossing<AnyArithmetic>> crossings;
+    for (const Crossing<A> &crossing : row.crossings) {
+        const Quantity x = quantityOf(crossing.x);
+        // Those at the same x as the last one shown may lie to its left.
+        if (crossings.size() >= shown && x != crossings.back().x)
+            break;
+        crossings.push_back({crossing.edge, crossing.turn, crossing.endRow,
+                             quantityOf(crossing.slope), quantityOf(crossing.base),
+                             quantityOf(crossing.rise), x, crossing.firstRight});
+    }
+    orderBelowRow(crossings, origin);
+    crossings.resize(std::min(shown, crossings.size()));
+    return crossings;
+}
+
+/// The place of an edge among crossings; their count where it is not there.
+template <class Crossings>
+std::size_t placeOfEdge(const Crossings &crossings, std::size_t edge)
+{
+    const auto found
+        = std::ranges::find_if(crossings, [edge](const auto &each) { return each.edge == edge; });
+    return std::size_t(found - crossings.begin());
+}
+
 template <class A>
 PolygonRowState polygonStateOf(const SpanInHand<PolygonSetUp, PolygonRow<A>> &step,
                                std::size_t shown)
 {
     const PolygonRow<A> &row = step.span;
+    const FrameOrigin origin = step.setUp.origin;
     PolygonRowState state;
     state.primitive = step.primitive;
     state.y = row.y;
@@ -64,17 +104,22 @@ PolygonRowState polygonStateOf(const SpanInHand<PolygonSetUp, PolygonRow<A>> &st
     state.firstDrawn = row.firstDrawn;
     state.endDrawn = row.endDrawn;
     state.crossingCount = row.crossings.size();
-    for (const Crossing<A> &crossing : row.crossings) {
-        const Quantity x = quantityOf(crossing.x);
-        // Those at the same x as the last one shown may lie to its left.
-        if (state.crossings.size() >= shown && x != state.crossings.back().x)
-            break;
-        state.crossings.push_back({crossing.edge, crossing.turn, crossing.endRow,
-                                   quantityOf(crossing.slope), quantityOf(crossing.base),
-                                   quantityOf(crossing.rise), x, crossing.firstRight});
+    state.crossings = firstCrossings(row, origin, shown);
+    const bool continues = step.previous && step.previous->piece == row.piece;
+    const auto before = continues ? firstCrossings(*step.previous, origin, shown)
+                                  : std::vector<Crossing<AnyArithmetic>>();
+    for (const Crossing<AnyArithmetic> &crossing : state.crossings) {
+        const ContourEdge &edge = (*step.setUp.edges)[3 * std::size_t(row.piece) + crossing.edge];
+        CrossedEdge &crossed = state.edges.emplace_back(CrossedEdge{edge.from, edge.to});
+        if (crossed.low.y > crossed.high.y)
+            std::swap(crossed.low, crossed.high);
+        crossed.begins = !continues
+            || placeOfEdge(step.previous->crossings, crossing.edge)
+                == step.previous->crossings.size();
+        const std::size_t place = placeOfEdge(before, crossing.edge);
+        if (place < before.size())
+            crossed.before = place;
     }
-    orderBelowRow(state.crossings, step.setUp.origin);
-    state.crossings.resize(std::min(shown, state.crossings.size()));
     return state;
 }
 

@@ -37,8 +37,8 @@ QString rejectionText(const Rejection &rejection)
                               "own. Nothing is drawn.");
     case PrimitiveRejection::NotRepresentable:
         return QStringLiteral(
-            "A coordinate does not fit this arithmetic; of exact runs with variants "
-            "its products have room up to ±2¹⁵ px. Nothing is drawn.");
+            "A coordinate does not fit this arithmetic: fixed16.16, and the products of exact runs "
+            "with variants, have room up to ±2¹⁵ px. Nothing is drawn.");
     case PrimitiveRejection::VerticalLine:
         return QStringLiteral("The line is vertical: y = m·x + b has no m. Nothing is drawn.");
     case PrimitiveRejection::LineOfNoLength:

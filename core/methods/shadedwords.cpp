@@ -10,20 +10,6 @@ namespace pixelplumb {
 
 namespace {
 
-/// "2 (number 0, 3)": their places in the pattern (resources/scene-file.md).
-QString writtenSamplesText(const ShadedSampleState &state)
-{
-    QStringList places;
-    for (int k = 0; k < state.samples; ++k) {
-        if ((state.samplesWritten >> k & 1) != 0)
-            places.append(QString::number(k));
-    }
-    return places.size() == state.samples ? QStringLiteral("all")
-                                          : QStringLiteral("%1 (number %2)")
-                                                .arg(places.size())
-                                                .arg(places.join(QStringLiteral(", ")));
-}
-
 QString levelsText(const Colour &colour)
 {
     return QStringLiteral("(%1, %2, %3)").arg(colour.red()).arg(colour.green()).arg(colour.blue());
@@ -94,7 +80,7 @@ void tellShaded(StepWords &words, const ShadedSampleState &state)
             ? QStringLiteral("An edge passes through the pixel: of its %1 samples this triangle "
                              "wrote %2. The pixel is the mean of all of them.")
                   .arg(state.samples)
-                  .arg(writtenSamplesText(state))
+                  .arg(sampleNumbersText(state.samplesWritten, state.samples))
             : QStringLiteral("Refused: at each of the pixel's %1 samples that the triangle covers "
                              "it lies behind what stands there.")
                   .arg(state.samples);

@@ -2,8 +2,6 @@
 #include "core/methods/formulatext.h"
 #include "core/methods/strokenumbers.h"
 
-#include <bit>
-
 namespace pixelplumb {
 
 void tellStroke(StepWords &words, const StrokeSetUp &setUp)
@@ -46,10 +44,11 @@ void tellStroke(StepWords &words, const StrokeSampleState &state)
         words.sentence = QStringLiteral("The stroke covers the pixel's sample: it is painted.");
         return;
     }
-    words.sentence = QStringLiteral("The stroke covers %1 of the pixel's %2 samples; the pixel is "
-                                    "the mean of what they hold now.")
-                         .arg(std::popcount(sample.covered))
-                         .arg(sample.samples);
+    words.sentence
+        = QStringLiteral("Of the pixel's %2 samples the stroke covers %1; the pixel is the "
+                         "mean of what they hold now.")
+              .arg(sampleNumbersText(sample.covered, sample.samples))
+              .arg(sample.samples);
 }
 
 } // namespace pixelplumb

@@ -38,9 +38,12 @@ std::optional<ExactSample> exactSampleAt(const Primitives &primitives, std::size
     sample.z = plainly(
         sample.weights.mean(each(vertices, [](const VertexAttributes &of) { return of.z; })));
 
+    const Vertex &first = doubledArea(moved) == 0
+        ? *std::ranges::min_element(moved.vertices, {}, &Vertex::position)
+        : moved.vertices[0];
     for (std::size_t channel = 0; channel < 3; ++channel) {
         const auto levelAt = [&](const Vertex &of) {
-            return std::int64_t((what.smooth ? of : moved.vertices[0]).colour.channels[channel]);
+            return std::int64_t((what.smooth ? of : first).colour.channels[channel]);
         };
         sample.levels[channel] = weights.mean(each(moved.vertices, levelAt));
         sample.interpolated.channels[channel] = byteOf(sample.levels[channel], rounding);

@@ -24,14 +24,30 @@ std::optional<std::size_t> twinOf(const TracedScene &traced, std::size_t span)
     return traced.exactTrace->spanOn(primitive, place.axis, place.coordinate);
 }
 
-/// Those of the exact cells that stand beside rounded ones.
+/// A row of another run, with what its cells are.
+struct CellsOfRun {
+    const std::vector<NumberDescription> &numbers;
+    const std::vector<Quantity> &cells;
+
+    /// The number with this id, which mostly stands at the same place.
+    Quantity numberAt(std::size_t place, const QString &id) const
+    {
+        if (place >= numbers.size() || numbers[place].id != id)
+            place = std::size_t(std::ranges::find(numbers, id, &NumberDescription::id)
+                                - numbers.begin());
+        return place < cells.size() ? cells[place] : Quantity();
+    }
+};
+
+/// Those of the exact cells that stand beside rounded ones. What another arithmetic draws may call
+/// for other effects, and so have other numbers.
 std::vector<Quantity> compared(const std::vector<NumberDescription> &numbers,
-                               const std::vector<Quantity> &exact)
+                               const CellsOfRun &exact)
 {
     std::vector<Quantity> cells(numbers.size());
-    for (std::size_t i = 0; i < std::min(exact.size(), cells.size()); ++i) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
         if (numbers[i].comparison == Comparison::WithExact)
-            cells[i] = exact[i];
+            cells[i] = exact.numberAt(i, numbers[i].id);
     }
     return cells;
 }
@@ -41,7 +57,7 @@ std::vector<Quantity> compared(const std::vector<NumberDescription> &numbers,
 std::vector<Quantity> comparedOfItself(const std::vector<NumberDescription> &numbers,
                                        const std::vector<Quantity> &own)
 {
-    std::vector<Quantity> cells = compared(numbers, own);
+    std::vector<Quantity> cells = compared(numbers, {numbers, own});
     for (Quantity &cell : cells) {
         if (!cell.isRational())
             cell = {};
@@ -104,8 +120,10 @@ std::vector<Quantity> exactSetUpCells(const TracedScene &traced, std::size_t pri
     if (isExact(traced))
         return comparedOfItself(numbers, traced.trace->setUp(primitive).cells);
     const bool hasTwin = traced.exactTrace && primitive < traced.exactTrace->primitiveCount();
-    return compared(numbers,
-                    hasTwin ? traced.exactTrace->setUp(primitive).cells : std::vector<Quantity>());
+    if (!hasTwin)
+        return std::vector<Quantity>(numbers.size());
+    const SetUpRecord exact = traced.exactTrace->setUp(primitive);
+    return compared(numbers, {traced.exactTrace->numbers().setUp, exact.cells});
 }
 
 std::vector<Quantity> exactSpanCells(const TracedScene &traced, std::size_t span)
@@ -117,7 +135,8 @@ std::vector<Quantity> exactSpanCells(const TracedScene &traced, std::size_t span
     if (!twin)
         return std::vector<Quantity>(numbers.size());
     const SpanRecord exact = traced.exactTrace->span(*twin);
-    std::vector<Quantity> cells = compared(numbers, exact.cells);
+    std::vector<Quantity> cells
+        = compared(numbers, {traced.exactTrace->numbers().span, exact.cells});
     // The levels of two first samples are the same level only where the samples are the same.
     if (exact.firstDrawn != traced.trace->span(span).firstDrawn) {
         for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -141,9 +160,12 @@ std::vector<ExactSample> exactSamplesOf(const TracedScene &traced, std::size_t s
             : isExact(traced)                           ? &sample
                                                         : nullptr;
         const std::vector<NumberDescription> &numbers = traced.trace->numbers().sample;
-        exact[i].cells = isExact(traced)
-            ? comparedOfItself(numbers, sample.cells)
-            : compared(numbers, twin ? twin->cells : std::vector<Quantity>());
+        if (isExact(traced))
+            exact[i].cells = comparedOfItself(numbers, sample.cells);
+        else if (twin)
+            exact[i].cells = compared(numbers, {traced.exactTrace->numbers().sample, twin->cells});
+        else
+            exact[i].cells.resize(numbers.size());
         // A mean of samples, or what depth refused, has no levels of its own.
         if (!traced.plan || !sample.colour[0].isNone())
             exact[i].colour = exactLevelsAt(traced, primitive, sample.x, sample.y);

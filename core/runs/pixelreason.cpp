@@ -269,7 +269,7 @@ QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced, std:
             + refusalText(attempt, traced, x, y).trimmed() + variantText(attempt, traced, x, y)
             + approximation();
     if (attempt.kind != PrimitiveKind::Triangle)
-        return text;
+        return text + stepOfPixelText(attempt, *traced.trace);
     text += keptTiesText(attempt, traced, x, y);
     const Colour exact
         = oracle::byteColourAt(traced.primitives.triangles[attempt.primitive], attempt.change.x,

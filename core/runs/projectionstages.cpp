@@ -60,7 +60,10 @@ public:
     }
     QString substituted(const StageNumber &number) const
     {
-        return m_names.substituted(number.formula, number.name);
+        // So many digits that a rounding to 2⁻²⁴ can be believed.
+        constexpr int placesOfRounding = 14;
+        return m_names.substituted(number.formula, number.name,
+                                   number.formula.contains(u'⌊') ? placesOfRounding : usualPlaces);
     }
 
 private:

@@ -81,6 +81,33 @@ QString sidesText(const TracedScene &traced, std::size_t index, const oracle::Ed
              isOnSameSide ? QStringLiteral("above") : QStringLiteral("not above"));
 }
 
+/// On which side of an edge its triangle lies, as top-left and half-open-column ask it.
+QString placeText(const TracedScene &traced, const Triangle &triangle,
+                  const oracle::EdgeVerdict &edge)
+{
+    const auto position
+        = [&](int vertex) { return triangle.vertices[std::size_t(vertex)].position; };
+    const LatticePoint from = position(edge.from);
+    const LatticePoint to = position(edge.to);
+    const bool isCounterClockwise = doubledArea(from, to, position(3 - edge.from - edge.to)) > 0;
+    const bool isAtLargerX = isCounterClockwise == (to.y < from.y);
+    const bool isAtLargerY = isCounterClockwise == (to.x > from.x);
+    if (traced.scene.settings.fillRule == FillRule::TopLeft && from.y != to.y)
+        return isAtLargerX ? QStringLiteral("the triangle lies at larger x of the edge, a left one")
+                           : QStringLiteral("the triangle lies at smaller x of the edge, a right "
+                                            "one");
+    if (traced.scene.settings.fillRule == FillRule::TopLeft) {
+        const bool isBelow = isAtLargerY == (traced.scene.frame.origin == FrameOrigin::TopLeft);
+        return isBelow ? QStringLiteral("the edge is level, and the triangle lies below it")
+                       : QStringLiteral("the edge is level, and the triangle lies above it");
+    }
+    if (from.x != to.x)
+        return isAtLargerY ? QStringLiteral("the triangle lies at larger y of the edge")
+                           : QStringLiteral("the triangle lies at smaller y of the edge");
+    return isAtLargerX ? QStringLiteral("the edge is upright, and the triangle lies at larger x")
+                       : QStringLiteral("the edge is upright, and the triangle lies at smaller x");
+}
+
 } // namespace
 
 QString tieText(const TracedScene &traced, std::size_t triangle, const oracle::EdgeVerdict &edge,
@@ -90,9 +117,10 @@ QString tieText(const TracedScene &traced, std::size_t triangle, const oracle::E
     const auto givenTo = [&](const QString &side) {
         const QString given
             = QStringLiteral("the rule %1 gives it to %2").arg(nameText(nameOf(rule)), side);
-        return rule != FillRule::OffScreenPoint
-            ? given
-            : given + QStringLiteral(": ") + sidesText(traced, triangle, edge);
+        return given + QStringLiteral(": ")
+            + (rule == FillRule::OffScreenPoint
+                   ? sidesText(traced, triangle, edge)
+                   : placeText(traced, traced.primitives.triangles[triangle], edge));
     };
     if (edge.accepts)
         return givenTo(QStringLiteral("this side"));

@@ -8,18 +8,11 @@ namespace pixelplumb {
 
 namespace {
 
-/// "(9 − 1)": from one coordinate to another, lattice units.
-QString differenceText(Lattice to, Lattice from)
-{
-    return QStringLiteral("(%1 − %2)").arg(operand(pixels(to)), operand(pixels(from)));
-}
-
 /// "(9 − 1)·(3 − 1) − (5 − 1)·(6 − 1) = −4": twice the area, in px², of the triangle that the
 /// sample makes with the segment.
 QString areaText(const LatticePoint &first, const LatticePoint &last, const LatticePoint &sample)
 {
-    const Quantity area = Quantity::rational(doubledArea(first, last, sample),
-                                             Int128(unitsPerPixel) * unitsPerPixel);
+    const Quantity area = Quantity::rational(doubledArea(first, last, sample), squareUnitsPerPixel);
     return differenceText(last.x, first.x) + u'·' + differenceText(sample.y, first.y)
         + QStringLiteral(" − ") + differenceText(last.y, first.y) + u'·'
         + differenceText(sample.x, first.x) + QStringLiteral(" = ") + term(area);

@@ -99,10 +99,22 @@ QString stepBesideText(const PixelAttempt &attempt, const ScanTrace &trace, std:
         return {};
     if (attempt.kind == PrimitiveKind::Circle || attempt.kind == PrimitiveKind::Ellipse)
         return stepsNextToText(trace, attempt.primitive, x, y);
-    if (attempt.kind != PrimitiveKind::Line && !isDecidedByOutline(attempt, trace))
-        return {};
     const auto step = trace.spanNear(attempt.primitive, x, y);
-    return step ? stepText(trace, *step) : QString();
+    // The steps of a curve are no rows and no columns.
+    const bool isTold = attempt.kind == PrimitiveKind::Line || isDecidedByOutline(attempt, trace)
+        || (step && !attempt.sample && attempt.kind != PrimitiveKind::Triangle
+            && trace.placeOf(*step).axis == SpanAxis::Row);
+    return step && isTold ? stepText(trace, *step) : QString();
+}
+
+QString stepOfPixelText(const PixelAttempt &attempt, const ScanTrace &trace)
+{
+    if (!attempt.written)
+        return {};
+    const TraceStep step = trace.stepAt(attempt.step);
+    const QString told
+        = trace.sampleWords(step.span, step.sample - trace.firstSampleOf(step.span)).sentence;
+    return told.isEmpty() ? stepText(trace, step.span) : u' ' + told;
 }
 
 QString tieOfShapeText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,

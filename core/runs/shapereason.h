@@ -8,14 +8,16 @@ namespace pixelplumb {
 /// Whether the outline of a triangle decides which of its samples are written, in place of edges.
 bool isDecidedByOutline(const PixelAttempt &attempt, const ScanTrace &trace);
 
-// Sentences about a pixel that a run passes beside, each after a space; empty where there is
-// nothing to say.
+// Sentences about a pixel, each after a space; empty where there is nothing to say.
 
 /// " Column 3: p_k = 0, a tie: step diagonally to the pixel (3, 9); …" Where a line or an outline
-/// was decided that passes beside the pixel, and of a circle or an ellipse the steps of the pixels
-/// next to it.
+/// was decided that passes beside the pixel; of a circle or an ellipse the steps of the pixels next
+/// to it; of what is filled row by row, the row.
 QString stepBesideText(const PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x,
                        std::int64_t y);
+
+/// By which numbers the step chose the pixel that wrote it.
+QString stepOfPixelText(const PixelAttempt &attempt, const ScanTrace &trace);
 
 /// That the truth has a rule of its own where no distance decides: a sample on an edge of a
 /// polygon, a line midway between two pixels.

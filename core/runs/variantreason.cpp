@@ -20,8 +20,8 @@ QRgb pixelOf(std::size_t primitive, const TracedScene &traced, VariantSet varian
     return *frame.view().at(x, y);
 }
 
-/// Of several variants those without which the primitive would leave the pixel otherwise; all,
-/// where none is such or the frame is too large to ask each.
+/// Those variants without which the primitive would leave the pixel otherwise. All, where only
+/// several together make the difference or the frame is too large to ask each.
 std::vector<Variant> variantsToBlame(const PixelAttempt &attempt, const TracedScene &traced,
                                      std::int64_t x, std::int64_t y)
 {
@@ -30,7 +30,7 @@ std::vector<Variant> variantsToBlame(const PixelAttempt &attempt, const TracedSc
     std::vector<Variant> all;
     for (const Variant variant : variantsIn(set))
         all.push_back(variant);
-    if (all.size() < 2 || std::int64_t(frame.width) * frame.height > largestRedrawn)
+    if (std::int64_t(frame.width) * frame.height > largestRedrawn)
         return all;
     const QRgb drawn = pixelOf(attempt.primitive, traced, set, x, y);
     std::vector<Variant> blamed;
@@ -38,7 +38,7 @@ std::vector<Variant> variantsToBlame(const PixelAttempt &attempt, const TracedSc
         if (pixelOf(attempt.primitive, traced, set.without(variant), x, y) != drawn)
             blamed.push_back(variant);
     }
-    return blamed.empty() ? all : blamed;
+    return blamed.empty() && all.size() > 1 ? all : blamed;
 }
 
 } // namespace

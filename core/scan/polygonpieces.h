@@ -6,6 +6,22 @@
 
 namespace pixelplumb {
 
+inline std::array<ContourEdge, 3> edgesOf(const std::array<LatticePoint, 3> &corners)
+{
+    const auto &[a, b, c] = corners;
+    return {{{a, b}, {b, c}, {c, a}}};
+}
+
+inline std::vector<ContourEdge> edgesOf(const Triangulation &triangulation)
+{
+    std::vector<ContourEdge> all;
+    for (const auto &triangle : triangulation.triangles) {
+        for (const ContourEdge &edge : edgesOf(triangle))
+            all.push_back(edge);
+    }
+    return all;
+}
+
 /// The scan of a polygon that is broken into triangles: the rows of one triangle after the other,
 /// each between its left and its right edge. A sample on an edge of two triangles belongs to the
 /// one on the side of its displacement, right and a little down, so none is left out and none is
@@ -19,6 +35,8 @@ void scanTriangles(const Contours &contours, const Triangulation &triangulation,
     setUp.crossingCount = triangulation.crossingCount;
     setUp.largestMove = triangulation.largestMove;
     setUp.fill = ShapeFill::NonZero;
+    if constexpr (readsNumbers<Observer>)
+        setUp.edges = std::make_shared<const std::vector<ContourEdge>>(edgesOf(triangulation));
     observer.primitiveBegun(setUp);
     std::optional<Rejection> rejection = polygonRejection<A>(contours, frame);
     if (!rejection)
@@ -28,10 +46,9 @@ void scanTriangles(const Contours &contours, const Triangulation &triangulation,
         return;
     }
     int piece = 0;
-    for (const auto &[a, b, c] : triangulation.triangles) {
-        const std::array<ContourEdge, 3> edges = {{{a, b}, {b, c}, {c, a}}};
-        if (doubledArea(a, b, c) != 0)
-            scanRows<A>(edges, setUp, piece, frame, observer);
+    for (const auto &triangle : triangulation.triangles) {
+        if (doubledArea(triangle[0], triangle[1], triangle[2]) != 0)
+            scanRows<A>(edgesOf(triangle), setUp, piece, frame, observer);
         ++piece;
     }
 }

@@ -9,6 +9,9 @@
 #include "core/scan/scanobserver.h"
 #include "core/scan/workstage.h"
 
+#include <memory>
+#include <vector>
+
 /// What the general scan conversion of polygons (Scan Conversion slides, "Scan Conversion: A
 /// General Algorithm") computes with.
 namespace pixelplumb {
@@ -42,6 +45,9 @@ struct PolygonSetUp {
     FrameOrigin origin = FrameOrigin::BottomLeft; ///< of the frame: which way is down as seen
     ShapeFill fill = ShapeFill::EvenOdd;
     Colour colour;
+    /// The edges whose places crossings name, three of each triangle where the polygon is broken
+    /// into them; for who reads numbers.
+    std::shared_ptr<const std::vector<ContourEdge>> edges = nullptr;
 };
 
 /// An active edge where it meets the row.

@@ -79,7 +79,9 @@ void scanRows(std::span<const ContourEdge> edges, const PolygonSetUp &setUp, int
 template <class A, ScanObserver<PolygonNumbers<A>> Observer>
 void scanPolygon(const Contours &contours, FrameView frame, Observer observer)
 {
-    const PolygonSetUp setUp = polygonSetUpFor(contours, frame.origin);
+    PolygonSetUp setUp = polygonSetUpFor(contours, frame.origin);
+    if constexpr (readsNumbers<Observer>)
+        setUp.edges = std::make_shared<const std::vector<ContourEdge>>(contours.edges);
     observer.primitiveBegun(setUp);
     if (const auto rejection = polygonRejection<A>(contours, frame)) {
         observer.primitiveRejected(*rejection);

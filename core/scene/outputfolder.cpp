@@ -11,6 +11,25 @@
 
 namespace pixelplumb {
 
+namespace {
+
+/// Whether a path leads into a folder, by whatever links, or will as soon as it is made.
+bool isIn(const QString &path, const QString &folder)
+{
+    namespace fs = std::filesystem;
+    const fs::path whole(QFile::encodeName(folder).toStdString());
+    std::error_code ignored;
+    fs::path place = fs::absolute(QFile::encodeName(path).toStdString(), ignored);
+    for (place = fs::weakly_canonical(place, ignored);; place = place.parent_path()) {
+        if (fs::equivalent(place, whole, ignored))
+            return true;
+        if (place == place.parent_path())
+            return false;
+    }
+}
+
+} // namespace
+
 std::optional<InputError> refusalOfFolder(const QString &folder)
 {
     const QString expected = QStringLiteral("a folder");
@@ -32,6 +51,11 @@ std::optional<InputError> refusalOfFolder(const QString &folder)
         return InputError{folder, QStringLiteral("cannot be written to"),
                           QStringLiteral("a folder in which files can be made")};
     return std::nullopt;
+}
+
+bool lieInEachOther(const QString &one, const QString &other)
+{
+    return isIn(one, other) || isIn(other, one);
 }
 
 } // namespace pixelplumb

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/method.h"
 #include "tests/support/effectchanges.h"
 #include "tests/support/testprogram.h"
 
@@ -254,6 +255,52 @@ private slots:
             }
             QCOMPARE(count, primitives.triangles.size());
         }
+    }
+
+    /// A point is its first vertex; of a segment the middle vertex counts for nothing, wherever it
+    /// is named.
+    void aPointAndASegmentNeedWhatTheirEndsHave()
+    {
+        Primitives point;
+        point.triangles = {triangleAt({{{2, 2}, {2, 2}, {2, 2}}})};
+        point.triangles[0].vertices[1].colour = {{0, 255, 0}};
+        for (std::size_t i = 0; i < 3; ++i) {
+            VertexAttributes &vertex = attributesAt(point, 0).vertices[i];
+            vertex.w = attributeOne << i;
+            vertex.alpha = std::uint8_t(255 >> i);
+        }
+        const EffectPlan plan = planOf(point);
+        for (const Effect effect : {Effect::SmoothColour, Effect::Perspective, Effect::Blending})
+            QCOMPARE(plan.verdicts[effect].verdict, Verdict::NotCalledFor);
+
+        const Colour red = {{255, 0, 0}};
+        const Colour white = {{255, 255, 255}};
+        std::array<Vertex, 3> vertices
+            = {{{latticePixel(0, 0), red}, {latticePixel(2, 2), white}, {latticePixel(4, 4), red}}};
+        std::array<int, 3> order = {0, 1, 2};
+        do {
+            Primitives segment;
+            segment.triangles.resize(1);
+            for (std::size_t i = 0; i < 3; ++i)
+                segment.triangles[0].vertices[i] = vertices[std::size_t(order[i])];
+            QCOMPARE(planOf(segment).verdicts[Effect::SmoothColour].verdict, Verdict::NotCalledFor);
+            segment.appearance.forced[Effect::SmoothColour] = Forcing::Off;
+            segment.appearance.antialiasing = Antialiasing::Area;
+            const FrameBuffer frame(frameOf(6, 6));
+            methodNamed(u"column-scan")->draw(segment, ScanSettings(), frame.view());
+            QCOMPARE(*frame.view().at(2, 2), packed(red));
+        } while (std::ranges::next_permutation(order).found);
+    }
+
+    void whatIsForcedOffIsNotDivided()
+    {
+        Primitives primitives;
+        primitives.triangles = {triangleAt({{{0, 0}, {6, 0}, {0, 6}}})};
+        primitives.triangles[0].vertices[1].colour = {{0, 255, 0}};
+        attributesAt(primitives, 0).vertices[1].w = 2 * attributeOne;
+        QVERIFY(planOf(primitives).runs(Effect::Perspective));
+        primitives.appearance.forced[Effect::SmoothColour] = Forcing::Off;
+        QCOMPARE(planOf(primitives).verdicts[Effect::Perspective].verdict, Verdict::NotCalledFor);
     }
 
     /// Beyond its horizon nothing of a triangle is drawn, and only perspective knows where that is.

@@ -231,6 +231,16 @@ private slots:
         const auto twice = mergeGrades({parts[0], parts[0]}, m_few.filePath(QStringLiteral("x")));
         QVERIFY(!twice);
         QVERIFY(twice.error().message().contains(QStringLiteral("is in two of the parts")));
+
+        // A part is read, and nothing is written into it, or around it.
+        const auto before = filesIn(parts[0]);
+        for (const char *where : {"", "/grades", "/sub", "/../part1/pictures", "/.."}) {
+            const auto inside = mergeGrades(parts, parts[0] + QLatin1String(where));
+            QVERIFY2(!inside, where);
+            QVERIFY2(inside.error().message().contains(QStringLiteral("lie in each other")),
+                     qPrintable(inside.error().message()));
+            QVERIFY(filesIn(parts[0]) == before);
+        }
     }
 
     void whatIsMissingOfAMergeIsTold()

@@ -200,6 +200,9 @@ private slots:
         QFETCH(Shape, curve);
         forEachSpan(curve, "bezier-subdivision", [&](const ToldSpan &step) {
             const QString sentence = step.sentence();
+            // A piece of more halvings than a fraction holds has no numbers of its own.
+            if (step.cell("t_from").isNone() || step.cell("t_to").isNone())
+                return;
             const double from = step.cell("t_from").toDouble(), to = step.cell("t_to").toDouble();
             const int places = std::max(6, int(step.count("depth")) / 3 + 2);
             const QString ends = QStringLiteral("From t = %1 to t = %2 the curve ");
