@@ -72,7 +72,13 @@ QString unroundedText(const Quantity &exact)
     constexpr int mostPlaces = 36;
     if (!exact.isRational())
         return exact.isNone() ? QString() : toText(exact);
-    const QString text = cutDecimal(exact, mostPlaces).digits;
+    QString text = cutDecimal(exact, mostPlaces).digits;
+    if (text.contains(u'.')) {
+        while (text.endsWith(u'0'))
+            text.chop(1);
+        if (text.endsWith(u'.'))
+            text.chop(1);
+    }
     qsizetype digits = 0;
     for (const QChar each : text)
         digits += each.isDigit() && (digits > 0 || each != u'0') ? 1 : 0;

@@ -232,7 +232,8 @@ private slots:
                 segment(p);
                 std::swap(p.triangles[0].vertices[0], p.triangles[0].vertices[1]);
             },
-            Effect::SmoothColour, yes, 1, "the triangle has vertex colours that differ");
+            Effect::SmoothColour, no, 0,
+            "the vertex colours are equal; of a triangle without area the two ends alone count");
         add(
             "a segment's lowest alpha",
             [=](Primitives &p) {
