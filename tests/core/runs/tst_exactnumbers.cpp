@@ -66,6 +66,45 @@ private slots:
         }
     }
 
+    /// What the exact run draws may call for other effects, whose numbers stand in other columns: a
+    /// number is found by its name. q = ¾ + ¼·½ beside (1, 0), by hand.
+    void areFoundByTheirNamesWhereTheExactRunHasOthers()
+    {
+        Scene scene;
+        scene.frame = frameOf(6, 6);
+        scene.method = "column-scan";
+        scene.settings.arithmetic = Arithmetic::Float32;
+        // The first triangle has no area, no sample and an alpha; the second one has a perspective.
+        scene.triangles = {Triangle{{{{{halfPixel, 0}, {{255, 0, 0}}},
+                                      {{3 * halfPixel, unitsPerPixel}, {{0, 255, 0}}},
+                                      {{5 * halfPixel, 2 * unitsPerPixel}, {{0, 0, 255}}}}}},
+                           triangleAt(0, 0, 4, 0, 0, 4)};
+        scene.triangles[1].vertices[1].colour = {{0, 255, 0}};
+        scene.attributes.resize(2);
+        scene.attributes[1].triangle = 1;
+        for (std::size_t i = 0; i < 3; ++i) {
+            scene.attributes[0].vertices[i].alpha = 128;
+            scene.attributes[1].vertices[i].w = attributeOne << i;
+        }
+        const auto run = traceScene(scene);
+        const auto &numbers = run->trace->numbers().sample;
+        const auto column
+            = std::size_t(std::ranges::find(numbers, QStringLiteral("q"), &NumberDescription::id)
+                          - numbers.begin());
+        bool isFound = false;
+        for (std::size_t span = 0; span < run->trace->spanCount(); ++span) {
+            const std::vector<SampleRecord> samples = run->trace->samples(span);
+            const std::vector<ExactSample> exact = exactSamplesOf(*run, span, samples);
+            for (std::size_t i = 0; i < samples.size(); ++i) {
+                if (run->trace->primitiveOf(span) != 1 || samples[i].x != 1 || samples[i].y != 0)
+                    continue;
+                isFound = true;
+                QCOMPARE(exact[i].cells.at(column), Quantity::rational(7, 8));
+            }
+        }
+        QVERIFY(isFound);
+    }
+
     void ofALongColumnAreLookedUpInOneWalk()
     {
         const auto run = traced("column-scan", 20000);
