@@ -30,8 +30,8 @@ struct TriangleNeeds {
 const Texture *textureOf(const TriangleAttributes &attributes, const Appearance &appearance);
 bool hasNormals(const TriangleAttributes &attributes);
 
-/// What a triangle is painted in where colours are not interpolated: the colour of its first vertex,
-/// of a segment that of its first end.
+/// What a triangle is painted in where colours are not interpolated: the colour of its first
+/// vertex, of a segment that of its first end.
 Colour oneColourOf(const Triangle &triangle);
 
 /// `attributes` may be null.
