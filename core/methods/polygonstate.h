@@ -15,7 +15,8 @@ namespace pixelplumb {
 struct CrossedEdge {
     LatticePoint low, high; ///< its ends of smaller and larger y
     bool begins = false; ///< the row before does not cross it
-    std::optional<std::size_t> before; ///< its place among the crossings that the row before shows
+    std::optional<std::size_t> before
+        = {}; ///< its place among the crossings that the row before shows
 };
 
 /// A row of a polygon with its numbers as quantities: what the tables of polygons read.
