@@ -2,6 +2,7 @@
 #include "widgets/window/dockroom.h"
 
 #include <QDockWidget>
+#include <QEvent>
 #include <QMainWindow>
 #include <QStyle>
 
@@ -10,11 +11,10 @@
 
 namespace pixelplumb {
 
-namespace {
-
-constexpr int tabsHeight = 40; ///< logical pixels: more than any style's tabs
-
-} // namespace
+bool isInFront(const QDockWidget &dock)
+{
+    return dock.isVisible() && !dock.visibleRegion().isEmpty();
+}
 
 DockRoom::DockRoom(QMainWindow *window, const QList<QDockWidget *> &docks, const Usual &usual)
     : QObject(window)
@@ -22,6 +22,52 @@ DockRoom::DockRoom(QMainWindow *window, const QList<QDockWidget *> &docks, const
     , m_docks(docks)
     , m_usual(usual)
 {
+    window->installEventFilter(this);
+    window->centralWidget()->installEventFilter(this);
+}
+
+/// The window itself gets the clicks between its docks: what moves then stops at the half.
+bool DockRoom::eventFilter(QObject *watched, QEvent *event)
+{
+    QWidget *centre = m_window->centralWidget();
+    if (watched == centre && event->type() == QEvent::Resize && centre->width() < half())
+        QMetaObject::invokeMethod(this, &DockRoom::keepHalf, Qt::QueuedConnection);
+    else if (watched == m_window && event->type() == QEvent::MouseButtonPress)
+        centre->setMinimumWidth(half());
+    else if (watched == m_window && event->type() == QEvent::MouseButtonRelease)
+        centre->setMinimumWidth(0);
+    return QObject::eventFilter(watched, event);
+}
+
+/// Of the window's width, without what separates the canvas from panels on both of its sides.
+int DockRoom::half() const
+{
+    return m_window->width() / 2
+        - 2 * m_window->style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent);
+}
+
+/// The panel beside the canvas that can best do with less gives what the canvas lacks; where that
+/// is not enough, the next one gives the rest, as the canvas has been resized again.
+void DockRoom::keepHalf()
+{
+    const int lack = half() - m_window->centralWidget()->width();
+    const auto givesLess = [this](const QDockWidget *one, const QDockWidget *other) {
+        return slackOf(one) < slackOf(other);
+    };
+    QDockWidget *giver = *std::ranges::max_element(m_docks, givesLess);
+    const int given = std::min(lack, slackOf(giver));
+    if (given > 0)
+        m_window->resizeDocks({giver}, {giver->width() - given}, Qt::Horizontal);
+}
+
+/// How much narrower a panel beside the canvas could be.
+int DockRoom::slackOf(const QDockWidget *dock) const
+{
+    const Qt::DockWidgetArea area = m_window->dockWidgetArea(const_cast<QDockWidget *>(dock));
+    const bool isBeside = area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea;
+    return isBeside && isInFront(*dock) && !dock->isFloating()
+        ? dock->width() - dock->minimumSizeHint().width()
+        : 0;
 }
 
 void DockRoom::makeFor(QDockWidget *dock)
@@ -48,12 +94,13 @@ void DockRoom::makeBelow(QDockWidget *dock)
 /// for, but for the pixel grid's least.
 void DockRoom::makeBeside(QDockWidget *dock)
 {
-    const int separators = 2 * m_window->style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent);
-    const int half = m_window->width() / 2 - separators;
     if (m_window->dockWidgetArea(dock) == Qt::LeftDockWidgetArea) {
+        const int wanted = dock->sizeHint().width();
+        if (m_usual.formula->isHidden())
+            return m_window->resizeDocks({dock}, {std::min(wanted, half())}, Qt::Horizontal);
         const int left = std::max(dock->minimumSizeHint().width(),
-                                  std::min(dock->sizeHint().width(), half - m_usual.formulaWidth));
-        const int right = std::min(m_usual.formula->width(), half - left);
+                                  std::min(wanted, half() - m_usual.formulaWidth));
+        const int right = std::min(m_usual.formula->width(), half() - left);
         return m_window->resizeDocks({dock, m_usual.formula}, {left, right}, Qt::Horizontal);
     }
     const QList<QDockWidget *> inItsPlace = m_window->tabifiedDockWidgets(m_usual.formula);
@@ -88,9 +135,9 @@ void DockRoom::remember(QDockWidget *dock)
 
 void DockRoom::giveBack()
 {
-    if (!m_heightBefore || !studiesBelow().isEmpty())
+    if (!m_heightBefore || m_usual.columns->isHidden() || !studiesBelow().isEmpty())
         return;
-    if (!m_usual.columns->isHidden() && !m_usual.columns->isFloating())
+    if (!m_usual.columns->isFloating())
         m_window->resizeDocks({m_usual.columns}, {*m_heightBefore}, Qt::Vertical);
     m_heightBefore.reset();
 }

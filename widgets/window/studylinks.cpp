@@ -102,10 +102,10 @@ void connectSubmission(const WindowParts &parts, WindowDocks &docks, MainWindow 
     });
     QObject::connect(panel, &SubmissionPanel::openRequested, parts.pictures,
                      &StudentPictureFiles::open);
-    // Whoever has closed the panel is done with the picture; open, it waits for the scene it is of.
+    // Whoever has closed the panel is done with the picture; else it waits for the scene it is of.
     QObject::connect(parts.files, &SceneFiles::replacing, parts.student,
-                     [dock = docks.dockOf<SubmissionPanel>(), student = parts.student] {
-                         if (!dock->toggleViewAction()->isChecked())
+                     [&docks, panel, student = parts.student] {
+                         if (docks.isClosed(panel))
                              student->remove();
                      });
     QObject::connect(parts.student, &StudentPicture::complaint, parts.messageBar,
@@ -120,7 +120,7 @@ void connectSubmission(const WindowParts &parts, WindowDocks &docks, MainWindow 
                              && window->tabifiedDockWidgets(history).contains(submission);
                          if (judgement && judgement->verdictAt(pixel) != PixelVerdict::Same
                              && !covers)
-                             docks.raise(history->widget());
+                             docks.raiseHere(history->widget());
                      });
 }
 
