@@ -19,23 +19,23 @@ bool isInFront(const QDockWidget &dock)
 DockRoom::DockRoom(QMainWindow *window, const QList<QDockWidget *> &docks, const Usual &usual)
     : QObject(window)
     , m_window(window)
+    , m_centre(window->centralWidget())
     , m_docks(docks)
     , m_usual(usual)
 {
     window->installEventFilter(this);
-    window->centralWidget()->installEventFilter(this);
+    m_centre->installEventFilter(this);
 }
 
 /// The window itself gets the clicks between its docks: what moves then stops at the half.
 bool DockRoom::eventFilter(QObject *watched, QEvent *event)
 {
-    QWidget *centre = m_window->centralWidget();
-    if (watched == centre && event->type() == QEvent::Resize && centre->width() < half())
+    if (watched == m_centre && event->type() == QEvent::Resize && m_centre->width() < half())
         QMetaObject::invokeMethod(this, &DockRoom::keepHalf, Qt::QueuedConnection);
     else if (watched == m_window && event->type() == QEvent::MouseButtonPress)
-        centre->setMinimumWidth(half());
+        m_centre->setMinimumWidth(half());
     else if (watched == m_window && event->type() == QEvent::MouseButtonRelease)
-        centre->setMinimumWidth(0);
+        m_centre->setMinimumWidth(0);
     return QObject::eventFilter(watched, event);
 }
 
@@ -50,7 +50,7 @@ int DockRoom::half() const
 /// is not enough, the next one gives the rest, as the canvas has been resized again.
 void DockRoom::keepHalf()
 {
-    const int lack = half() - m_window->centralWidget()->width();
+    const int lack = half() - m_centre->width();
     const auto givesLess = [this](const QDockWidget *one, const QDockWidget *other) {
         return slackOf(one) < slackOf(other);
     };

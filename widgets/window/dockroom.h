@@ -54,6 +54,7 @@ private:
     QList<QDockWidget *> studiesBelow() const;
 
     QMainWindow *m_window;
+    QWidget *m_centre; ///< of the window: the canvas
     QList<QDockWidget *> m_docks;
     Usual m_usual;
     std::optional<int> m_heightBefore; ///< of what is below the canvas, while a study has more

@@ -23,6 +23,7 @@
 #include "widgets/window/examplesdialog.h"
 #include "widgets/window/mainwindow.h"
 #include "widgets/window/windowdocks.h"
+#include "widgets/window/workspaces.h"
 
 namespace pixelplumb {
 
@@ -115,12 +116,13 @@ void connectSubmission(const WindowParts &parts, WindowDocks &docks, MainWindow 
                          const auto &judgement = student->judgement();
                          const QDockWidget *submission = docks.dockOf<SubmissionPanel>();
                          QDockWidget *history = docks.dockOf<PixelHistoryPanel>();
-                         // Nothing goes in front of what was clicked.
+                         // Nothing goes in front of what was clicked, and nobody who grades is led
+                         // away.
                          const bool covers = submission->underMouse()
                              && window->tabifiedDockWidgets(history).contains(submission);
-                         if (judgement && judgement->verdictAt(pixel) != PixelVerdict::Same
-                             && !covers)
-                             docks.raiseHere(history->widget());
+                         if (docks.workspaces()->current() == Workspace::Step && judgement
+                             && judgement->verdictAt(pixel) != PixelVerdict::Same && !covers)
+                             docks.raise(history->widget());
                      });
 }
 

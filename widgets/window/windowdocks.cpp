@@ -5,6 +5,7 @@
 #include "widgets/inspect/formulapanel.h"
 #include "widgets/inspect/pixelgrid.h"
 #include "widgets/inspect/pixelhistorypanel.h"
+#include "widgets/inspect/predictpanel.h"
 #include "widgets/studies/motionpanel.h"
 #include "widgets/window/dockroom.h"
 #include "widgets/window/firstarrangement.h"
@@ -126,15 +127,9 @@ bool WindowDocks::eventFilter(QObject *watched, QEvent *event)
 
 void WindowDocks::raise(QWidget *panel)
 {
-    const auto *dock = static_cast<QDockWidget *>(panel->parentWidget());
+    auto *dock = static_cast<QDockWidget *>(panel->parentWidget());
     if (dock->isHidden())
         m_workspaces->goTo(workspaceOf(dock));
-    raiseHere(panel);
-}
-
-void WindowDocks::raiseHere(QWidget *panel)
-{
-    auto *dock = static_cast<QDockWidget *>(panel->parentWidget());
     m_room->remember(dock);
     dock->show();
     dock->raise();

@@ -43,8 +43,6 @@ public:
     /// Shows the dock of a panel in front of those that share its place: in the panel's workspace,
     /// unless it is open in the current one.
     void raise(QWidget *panel);
-    /// The same, but without leaving the current workspace.
-    void raiseHere(QWidget *panel);
     /// Not open in its workspace, which is the current one.
     bool isClosed(QWidget *panel) const;
 

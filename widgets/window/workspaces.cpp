@@ -85,6 +85,7 @@ void Workspaces::showCurrent()
 
 void Workspaces::enter(Workspace workspace)
 {
+    emit leaving();
     keepCurrent();
     m_current = workspace;
     m_window->setUpdatesEnabled(false);

@@ -39,6 +39,7 @@ public:
     void store(QSettings &settings);
 
 signals:
+    void leaving(); ///< the current one, whose panels are still there
     void changed();
 
 private:
