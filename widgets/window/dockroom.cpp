@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace pixelplumb {
 
@@ -46,28 +47,25 @@ int DockRoom::half() const
         - 2 * m_window->style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent);
 }
 
-/// The panel beside the canvas that can best do with less gives what the canvas lacks; where that
-/// is not enough, the next one gives the rest, as the canvas has been resized again.
+/// Each panel beside the canvas gives its share of what the canvas lacks. Where one is at its least
+/// width, the others give the rest, as the canvas has been resized again.
 void DockRoom::keepHalf()
 {
-    const int lack = half() - m_centre->width();
-    const auto givesLess = [this](const QDockWidget *one, const QDockWidget *other) {
-        return slackOf(one) < slackOf(other);
-    };
-    QDockWidget *giver = *std::ranges::max_element(m_docks, givesLess);
-    const int given = std::min(lack, slackOf(giver));
-    if (given > 0)
-        m_window->resizeDocks({giver}, {giver->width() - given}, Qt::Horizontal);
-}
-
-/// How much narrower a panel beside the canvas could be.
-int DockRoom::slackOf(const QDockWidget *dock) const
-{
-    const Qt::DockWidgetArea area = m_window->dockWidgetArea(const_cast<QDockWidget *>(dock));
-    const bool isBeside = area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea;
-    return isBeside && isInFront(*dock) && !dock->isFloating()
-        ? dock->width() - dock->minimumSizeHint().width()
-        : 0;
+    const int taken = m_window->width() - m_centre->width();
+    const int left = m_window->width() - half();
+    if (taken <= left)
+        return;
+    QList<QDockWidget *> beside;
+    QList<int> widths;
+    for (QDockWidget *dock : std::as_const(m_docks)) {
+        const Qt::DockWidgetArea area = m_window->dockWidgetArea(dock);
+        if ((area != Qt::LeftDockWidgetArea && area != Qt::RightDockWidgetArea)
+            || dock->isFloating() || !isInFront(*dock))
+            continue;
+        beside += dock;
+        widths += std::max(1, dock->width() * left / taken);
+    }
+    m_window->resizeDocks(beside, widths, Qt::Horizontal);
 }
 
 void DockRoom::makeFor(QDockWidget *dock)

@@ -48,7 +48,6 @@ protected:
 private:
     int half() const;
     void keepHalf();
-    int slackOf(const QDockWidget *dock) const;
     void makeBelow(QDockWidget *dock);
     void makeBeside(QDockWidget *dock);
     QList<QDockWidget *> studiesBelow() const;

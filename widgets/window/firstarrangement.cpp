@@ -41,7 +41,8 @@ FirstArrangement::FirstArrangement(QMainWindow *window, const QList<QDockWidget 
 void FirstArrangement::lay(Workspace workspace)
 {
     for (QDockWidget *dock : std::as_const(m_docks)) {
-        dock->setFloating(false);
+        if (dock->isFloating())
+            dock->setFloating(false);
         m_window->removeDockWidget(dock);
     }
     if (workspace == Workspace::Step)

@@ -6,6 +6,7 @@
 #include "widgets/inspect/pixelgrid.h"
 #include "widgets/inspect/pixelhistorypanel.h"
 #include "widgets/inspect/predictpanel.h"
+#include "widgets/studies/gradingpanel.h"
 #include "widgets/studies/motionpanel.h"
 #include "widgets/window/dockroom.h"
 #include "widgets/window/firstarrangement.h"
@@ -32,6 +33,11 @@ bool canFloat()
 {
     return !QGuiApplication::platformName().startsWith(QLatin1String("wayland"))
         || QLibraryInfo::version() >= QVersionNumber(6, 6);
+}
+
+QDockWidget *dockAround(const QWidget *panel)
+{
+    return static_cast<QDockWidget *>(panel->parentWidget());
 }
 
 /// To what a panel names as its proxy, to itself, or to the first of its parts that Tab would
@@ -66,15 +72,20 @@ WindowDocks::WindowDocks(const WindowParts &parts, QMainWindow *window)
         = {dockOf<FormulaPanel>(), dockOf<PixelGrid>(), dockOf<PixelHistoryPanel>(),
            dockOf<ColumnTablePanel>(), formulaWidth};
     m_room = new DockRoom(window, m_docks, usual);
-    connect(panel<MotionPanel>(), &MotionPanel::neededHeightChanged, this, [this] {
-        if (isInFront(*dockOf<MotionPanel>()))
-            m_room->makeFor(dockOf<MotionPanel>());
-    });
+    const auto followHeightOf = [this](auto *panel, auto changed) {
+        connect(panel, changed, this, [this, dock = dockAround(panel)] {
+            if (isInFront(*dock))
+                m_room->makeFor(dock);
+        });
+    };
+    followHeightOf(panel<MotionPanel>(), &MotionPanel::neededHeightChanged);
+    followHeightOf(panel<GradingPanel>(), &GradingPanel::neededHeightChanged);
     for (QDockWidget *dock : std::as_const(m_docks))
         connect(dock, &QDockWidget::visibilityChanged, m_room, &DockRoom::giveBack,
                 Qt::QueuedConnection);
     m_workspaces
         = new Workspaces(window, new FirstArrangement(window, m_docks, usual, m_room), this);
+    connect(m_workspaces, &Workspaces::leaving, panel<PredictPanel>(), &PredictPanel::leaveOpen);
 }
 
 void WindowDocks::add(const Panel &panel, const WindowParts &parts)
@@ -127,7 +138,7 @@ bool WindowDocks::eventFilter(QObject *watched, QEvent *event)
 
 void WindowDocks::raise(QWidget *panel)
 {
-    auto *dock = static_cast<QDockWidget *>(panel->parentWidget());
+    QDockWidget *dock = dockAround(panel);
     if (dock->isHidden())
         m_workspaces->goTo(workspaceOf(dock));
     m_room->remember(dock);
@@ -140,7 +151,7 @@ void WindowDocks::raise(QWidget *panel)
 
 bool WindowDocks::isClosed(QWidget *panel) const
 {
-    const auto *dock = static_cast<QDockWidget *>(panel->parentWidget());
+    const QDockWidget *dock = dockAround(panel);
     return dock->isHidden() && workspaceOf(dock) == m_workspaces->current();
 }
 
