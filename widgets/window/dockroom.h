@@ -15,7 +15,8 @@ namespace pixelplumb {
 bool isInFront(const QDockWidget &dock);
 
 /// The room that a panel takes from the canvas while it is open, and gives back when it is closed;
-/// half of the window's width stays the canvas's, whatever is opened or dragged.
+/// half of the window's width stays the canvas's, whatever is opened or dragged, as far as the
+/// panels beside it can be so narrow.
 class DockRoom : public QObject {
     Q_OBJECT
 

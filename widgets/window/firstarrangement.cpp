@@ -57,21 +57,19 @@ void FirstArrangement::layStep()
     const auto isShown = [](const Panel &panel) {
         return panel.workspace == Workspace::Step && panel.atFirst == Panel::AtFirst::Shown;
     };
-    const auto place = [this](const Panel &panel, QDockWidget *dock) {
-        m_window->addDockWidget(panel.area, dock);
-    };
     for (qsizetype i = 0; i < m_docks.size(); ++i) {
-        if (isShown(panels()[std::size_t(i)])) {
-            place(panels()[std::size_t(i)], m_docks[i]);
-            m_docks[i]->show();
-        }
+        const Panel &panel = panels()[std::size_t(i)];
+        if (!isShown(panel))
+            continue;
+        m_window->addDockWidget(panel.area, m_docks[i]);
+        m_docks[i]->show();
     }
     arrangePixelPanels();
     for (qsizetype i = 0; i < m_docks.size(); ++i) {
         const Panel &panel = panels()[std::size_t(i)];
         if (isShown(panel))
             continue;
-        place(panel, m_docks[i]);
+        m_window->addDockWidget(panel.area, m_docks[i]);
         if (panel.area == Qt::BottomDockWidgetArea)
             m_window->tabifyDockWidget(m_usual.columns, m_docks[i]);
         m_docks[i]->hide();
@@ -84,14 +82,14 @@ void FirstArrangement::layStep()
     resizeStep();
 }
 
-/// The study stands below the canvas, with all others as tabs behind it; what belongs left of the
-/// canvas stands there, as high as both.
+/// The study stands below the canvas, with the others as tabs behind it, hidden ones of other
+/// workspaces too; what belongs left of the canvas stands there, as high as both.
 void FirstArrangement::layStudies(Workspace workspace)
 {
     m_window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     m_window->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     QList<QDockWidget *> below;
-    QList<QDockWidget *> strange;
+    QList<QDockWidget *> foreign;
     QList<QDockWidget *> inSight;
     for (qsizetype i = 0; i < m_docks.size(); ++i) {
         const Panel &panel = panels()[std::size_t(i)];
@@ -104,10 +102,10 @@ void FirstArrangement::layStudies(Workspace workspace)
         else if (isOwn)
             below.insert(isShown ? 0 : below.size(), m_docks[i]);
         else
-            strange += m_docks[i];
+            foreign += m_docks[i];
         m_docks[i]->setVisible(isOwn && panel.atFirst != Panel::AtFirst::Hidden);
     }
-    for (QDockWidget *dock : below + strange) {
+    for (QDockWidget *dock : below + foreign) {
         m_window->addDockWidget(Qt::BottomDockWidgetArea, dock);
         if (dock != below.first())
             m_window->tabifyDockWidget(below.first(), dock);
