@@ -2936,8 +2936,8 @@
         <translation>Vergrößern, verkleinern, die ganze Bildfläche sehen</translation>
     </message>
     <message>
-        <source>Alt+arrows</source>
-        <translation>Alt+Pfeile</translation>
+        <source>Shift+arrows</source>
+        <translation>Umschalt+Pfeile</translation>
     </message>
 </context>
 <context>
@@ -6912,10 +6912,6 @@
         <translation>&amp;Ansicht</translation>
     </message>
     <message>
-        <source>Reset the &amp;layout</source>
-        <translation>Anordnung &amp;zurücksetzen</translation>
-    </message>
-    <message>
         <source>&amp;Grid</source>
         <translation>&amp;Gitter</translation>
     </message>
@@ -7022,6 +7018,34 @@
     <message>
         <source>d&amp;ark</source>
         <translation>d&amp;unkel</translation>
+    </message>
+    <message>
+        <source>&amp;Workspace</source>
+        <translation>&amp;Arbeitsbereich</translation>
+    </message>
+    <message>
+        <source>Step through a run, with all its numbers</source>
+        <translation>Einen Lauf Schritt für Schritt verfolgen, mit allen seinen Zahlen</translation>
+    </message>
+    <message>
+        <source>Compare methods with each other and the truth</source>
+        <translation>Verfahren miteinander und mit der Wahrheit vergleichen</translation>
+    </message>
+    <message>
+        <source>Measure what accuracy costs</source>
+        <translation>Messen, was Genauigkeit kostet</translation>
+    </message>
+    <message>
+        <source>Grade students&apos; pictures</source>
+        <translation>Abgegebene Bilder bewerten</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Reset this workspace</source>
+        <translation>Diesen Arbeitsbereich zu&amp;rücksetzen</translation>
     </message>
 </context>
 <context>
@@ -7143,10 +7167,6 @@
         <translation>Alle Tasten, andere Tasten für die Aktionen, und was die Teile des Fensters sind.</translation>
     </message>
     <message>
-        <source>Asks for what comes next (y_B, the rows, the increments or the next pixel) before it is shown, and tells right and wrong with the reason. Enter checks what is typed, a number or the pixel&apos;s x, y, and goes on. As long as this panel is seen, the others hide what lies ahead, and the truth.</source>
-        <translation>Fragt nach dem, was folgt (y_B, die Zeilen, die Inkremente oder das nächste Pixel), bevor es gezeigt wird, und sagt mit dem Grund, was richtig und was falsch ist. Die Eingabetaste prüft, was eingegeben ist, eine Zahl oder x, y des Pixels, und geht weiter. Solange dieser Bereich zu sehen ist, verbergen die anderen, was voraus liegt, und die Wahrheit.</translation>
-    </message>
-    <message>
         <source>Timeline of the steps, lined up with the picture, with marks at vertices, ties and clamps and at the first wrong pixel. A drag goes to another step. Arrows go by the unit of playing, with Ctrl from mark to mark, PageUp and PageDown by columns or rows, Home and End to the ends.</source>
         <translation>Der Lauf auf einer Linie, mit Marken, wo Eckpunkte, Grenzfälle und Begrenzungen sind und wo das erste Pixel falsch ist; Spalten stehen in jeder Vergrößerung unter denen der Zeichenfläche. Ziehen geht zu einem anderen Schritt. Pfeile gehen in der Einheit des Abspielens, mit Strg von Marke zu Marke, Bild auf und Bild ab um Spalten oder Zeilen, Pos1 und Ende an die Enden.</translation>
     </message>
@@ -7155,8 +7175,12 @@
         <translation>Lässt die Szene sich je Bild um einen Bruchteil eines Pixels bewegen und zählt die Pixel, die flimmern, neben denen der Wahrheit. Das Bild des Reglers ist das, das die Zeichenfläche zeigt und das in Schritten gezeichnet wird.</translation>
     </message>
     <message>
-        <source>What is drawn over the frame, how large, in which colours, and which panels are shown.</source>
-        <translation>Was über die Bildfläche gezeichnet wird, wie groß, in welchen Farben, und welche Bereiche gezeigt werden.</translation>
+        <source>Asks for what comes next (y_B, the rows, the increments or the next pixel) before it is shown, and tells right and wrong with the reason. Enter checks what is typed, a number or the pixel&apos;s x, y, and goes on. As long as this panel is open, the others hide what lies ahead, and the truth.</source>
+        <translation>Fragt nach dem, was folgt (y_B, die Zeilen, die Inkremente oder das nächste Pixel), bevor es gezeigt wird, und sagt mit dem Grund, was richtig und was falsch ist. Die Eingabetaste prüft, was eingegeben ist, eine Zahl oder x, y des Pixels, und geht weiter. Solange dieser Bereich offen ist, verbergen die anderen, was voraus liegt, und die Wahrheit.</translation>
+    </message>
+    <message>
+        <source>What is drawn over the frame, how large, in which colours, and which workspace and panels are shown.</source>
+        <translation>Was über die Bildfläche gezeichnet wird, wie groß, in welchen Farben, und welcher Arbeitsbereich mit welchen Bereichen gezeigt wird.</translation>
     </message>
 </context>
 <context>
@@ -7263,6 +7287,32 @@
     <message>
         <source>Cancel tracing</source>
         <translation>Aufzeichnung abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::WorkspaceRow</name>
+    <message>
+        <source>Workspaces</source>
+        <translation>Arbeitsbereiche</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::Workspaces</name>
+    <message>
+        <source>&amp;Step</source>
+        <translation>&amp;Schritte</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Vergleich</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messung</translation>
+    </message>
+    <message>
+        <source>&amp;Grade</source>
+        <translation>&amp;Bewertung</translation>
     </message>
 </context>
 </TS>

@@ -103,7 +103,7 @@ bool CanvasKeys::handleArrow(QKeyEvent *event)
     case Qt::ControlModifier:
         moveSelectedBy(inFrame);
         return true;
-    case Qt::AltModifier: {
+    case Qt::ShiftModifier: {
         // The view goes where the arrow points, so the picture goes the other way.
         const QSize device = m_view.mapping().deviceRect(m_view.area()).size() / 8;
         m_view.moveBy({-direction->x() * device.width(), -direction->y() * device.height()});

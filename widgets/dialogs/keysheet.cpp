@@ -83,7 +83,7 @@ QString canvasKeyRows()
         + row(KeySheet::tr("Esc"),
               KeySheet::tr("Give up the vertices that wait; then, no vertex is selected"))
         + row(KeySheet::tr("+, −, 0"), KeySheet::tr("Zoom in, out, see the whole frame"))
-        + row(KeySheet::tr("Alt+arrows"), KeySheet::tr("Move the view"));
+        + row(KeySheet::tr("Shift+arrows"), KeySheet::tr("Move the view"));
 }
 
 } // namespace

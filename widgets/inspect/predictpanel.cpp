@@ -16,6 +16,8 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
+#include <utility>
+
 namespace pixelplumb {
 
 namespace {
@@ -104,9 +106,13 @@ PredictPanel::PredictPanel(SceneDocument *document, Playhead *playhead, QWidget 
     forgetScore();
 }
 
+void PredictPanel::leaveOpen() { m_isLeftOpen = isOpen(); }
+
 void PredictPanel::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
+    if (std::exchange(m_isLeftOpen, false))
+        return listQuestions();
     m_playhead->setForetold(true);
     m_seen.clear();
     beginSeen();
@@ -116,8 +122,8 @@ void PredictPanel::showEvent(QShowEvent *event)
 void PredictPanel::hideEvent(QHideEvent *event)
 {
     QWidget::hideEvent(event);
-    if (event->spontaneous())
-        return; // the window is minimized: nothing else of it is seen either
+    if (event->spontaneous() || m_isLeftOpen)
+        return; // a window that is minimized shows nothing else either
     m_playhead->setForetold(false);
     if (m_state == State::Open && m_choice->count() > 0)
         m_left = place();

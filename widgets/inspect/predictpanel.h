@@ -19,7 +19,7 @@ class Playhead;
 class SceneDocument;
 
 /// Asks for a number of the next span, or for the next pixel, before it is shown (objectName
-/// "predict"). While the panel is seen, tables and histories hide what lies ahead of the playhead.
+/// "predict"). While the panel is open, tables and histories hide what lies ahead of the playhead.
 /// Every question counts once, by its first answer, unless its step has been done and undone; the
 /// score lasts while the scene is open and the panel is not closed. Numbers can be seen while it is
 /// closed: a question that was open then has its answer told and counts no more.
@@ -30,6 +30,8 @@ public:
     PredictPanel(SceneDocument *document, Playhead *playhead, QWidget *parent = nullptr);
 
     QSize sizeHint() const override { return {360, 220}; }
+    /// The workspace in which it is open is left: it is hidden, but goes on asking.
+    void leaveOpen();
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -47,6 +49,7 @@ private:
         friend bool operator==(const Place &, const Place &) = default;
     };
 
+    bool isOpen() const { return isVisible() || m_isLeftOpen; }
     Place place() const;
     bool hasBeenSeen() const; ///< whether its step has been done since the panel is open
 
@@ -87,6 +90,7 @@ private:
         std::size_t position = 0;
     };
     std::vector<Seen> m_seen; ///< that in hand is the last
+    bool m_isLeftOpen = false;
     std::optional<Place> m_left; ///< where the panel was closed with a question open
     QSet<QString> m_asked; ///< the questions that have counted
     int m_right = 0;

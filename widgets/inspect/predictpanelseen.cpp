@@ -27,7 +27,7 @@ bool PredictPanel::hasBeenSeen() const
 void PredictPanel::beginSeen()
 {
     const TracedScene *traced = m_playhead->traced();
-    if (!isVisible() || !traced)
+    if (!isOpen() || !traced)
         return;
     Scene scene = traced->scene;
     scene.settings = {};
@@ -42,7 +42,7 @@ void PredictPanel::beginSeen()
 
 void PredictPanel::goTo(std::size_t position)
 {
-    if (isVisible() && !m_seen.empty()) {
+    if (isOpen() && !m_seen.empty()) {
         Seen &seen = m_seen.back();
         if (const std::optional<std::size_t> span = m_playhead->spanInHand())
             seen.spans = std::max(seen.spans, *span + 1);

@@ -66,6 +66,11 @@ GradingPanel::~GradingPanel()
     delete m_review; // which saves what is being typed, as long as the book is there
 }
 
+QSize GradingPanel::sizeHint() const
+{
+    return {960, m_book->results().isEmpty() ? minimumSizeHint().height() : 440};
+}
+
 void GradingPanel::addFiles(QBoxLayout *layout)
 {
     auto *open = namedButton("gradingOpen", tr("Open results…"),
@@ -170,6 +175,8 @@ void GradingPanel::showReport()
     m_table->fitColumns();
     m_report->setEnabled(!m_book->results().isEmpty());
     showSummary();
+    updateGeometry();
+    emit neededHeightChanged();
     emit closeRequested(); // it is of the report before
 }
 

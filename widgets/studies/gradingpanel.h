@@ -34,7 +34,7 @@ public:
     ~GradingPanel() override;
 
     Gradebook *book() const { return m_book; }
-    QSize sizeHint() const override { return {960, 440}; }
+    QSize sizeHint() const override; ///< low as long as there is nobody to show
 
 public slots:
     void openResults(); ///< asks for the folder
@@ -44,6 +44,7 @@ public slots:
 signals:
     void openRequested(const pixelplumb::GradedPicture &picture);
     void closeRequested(); ///< nobody is in hand
+    void neededHeightChanged();
 
 private:
     void addFiles(QBoxLayout *layout);

@@ -2,26 +2,70 @@
 #include "widgets/window/dockroom.h"
 
 #include <QDockWidget>
+#include <QEvent>
 #include <QMainWindow>
 #include <QStyle>
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace pixelplumb {
 
-namespace {
-
-constexpr int tabsHeight = 40; ///< logical pixels: more than any style's tabs
-
-} // namespace
+bool isInFront(const QDockWidget &dock)
+{
+    return dock.isVisible() && !dock.visibleRegion().isEmpty();
+}
 
 DockRoom::DockRoom(QMainWindow *window, const QList<QDockWidget *> &docks, const Usual &usual)
     : QObject(window)
     , m_window(window)
+    , m_centre(window->centralWidget())
     , m_docks(docks)
     , m_usual(usual)
 {
+    window->installEventFilter(this);
+    m_centre->installEventFilter(this);
+}
+
+/// The window itself gets the clicks between its docks: what moves then stops at the half.
+bool DockRoom::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_centre && event->type() == QEvent::Resize && m_centre->width() < half())
+        QMetaObject::invokeMethod(this, &DockRoom::keepHalf, Qt::QueuedConnection);
+    else if (watched == m_window && event->type() == QEvent::MouseButtonPress)
+        m_centre->setMinimumWidth(half());
+    else if (watched == m_window && event->type() == QEvent::MouseButtonRelease)
+        m_centre->setMinimumWidth(0);
+    return QObject::eventFilter(watched, event);
+}
+
+/// Of the window's width, without what separates the canvas from panels on both of its sides.
+int DockRoom::half() const
+{
+    return m_window->width() / 2
+        - 2 * m_window->style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent);
+}
+
+/// Each panel beside the canvas gives its share of what the canvas lacks. Where one is at its least
+/// width, the others give the rest, as the canvas has been resized again.
+void DockRoom::keepHalf()
+{
+    const int taken = m_window->width() - m_centre->width();
+    const int left = m_window->width() - half();
+    if (taken <= left)
+        return;
+    QList<QDockWidget *> beside;
+    QList<int> widths;
+    for (QDockWidget *dock : std::as_const(m_docks)) {
+        const Qt::DockWidgetArea area = m_window->dockWidgetArea(dock);
+        if ((area != Qt::LeftDockWidgetArea && area != Qt::RightDockWidgetArea)
+            || dock->isFloating() || !isInFront(*dock))
+            continue;
+        beside += dock;
+        widths += std::max(1, dock->width() * left / taken);
+    }
+    m_window->resizeDocks(beside, widths, Qt::Horizontal);
 }
 
 void DockRoom::makeFor(QDockWidget *dock)
@@ -48,12 +92,13 @@ void DockRoom::makeBelow(QDockWidget *dock)
 /// for, but for the pixel grid's least.
 void DockRoom::makeBeside(QDockWidget *dock)
 {
-    const int separators = 2 * m_window->style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent);
-    const int half = m_window->width() / 2 - separators;
     if (m_window->dockWidgetArea(dock) == Qt::LeftDockWidgetArea) {
+        const int wanted = dock->sizeHint().width();
+        if (m_usual.formula->isHidden())
+            return m_window->resizeDocks({dock}, {std::min(wanted, half())}, Qt::Horizontal);
         const int left = std::max(dock->minimumSizeHint().width(),
-                                  std::min(dock->sizeHint().width(), half - m_usual.formulaWidth));
-        const int right = std::min(m_usual.formula->width(), half - left);
+                                  std::min(wanted, half() - m_usual.formulaWidth));
+        const int right = std::min(m_usual.formula->width(), half() - left);
         return m_window->resizeDocks({dock, m_usual.formula}, {left, right}, Qt::Horizontal);
     }
     const QList<QDockWidget *> inItsPlace = m_window->tabifiedDockWidgets(m_usual.formula);
@@ -88,9 +133,9 @@ void DockRoom::remember(QDockWidget *dock)
 
 void DockRoom::giveBack()
 {
-    if (!m_heightBefore || !studiesBelow().isEmpty())
+    if (!m_heightBefore || m_usual.columns->isHidden() || !studiesBelow().isEmpty())
         return;
-    if (!m_usual.columns->isHidden() && !m_usual.columns->isFloating())
+    if (!m_usual.columns->isFloating())
         m_window->resizeDocks({m_usual.columns}, {*m_heightBefore}, Qt::Vertical);
     m_heightBefore.reset();
 }

@@ -11,11 +11,18 @@ class QMainWindow;
 
 namespace pixelplumb {
 
-/// The room that a panel takes from the canvas while it is open, and gives back when it is closed.
+/// Shown, and not behind the tab of another, where Qt places it beside the window.
+bool isInFront(const QDockWidget &dock);
+
+/// The room that a panel takes from the canvas while it is open, and gives back when it is closed;
+/// half of the window's width stays the canvas's, whatever is opened or dragged, as far as the
+/// panels beside it can be so narrow.
 class DockRoom : public QObject {
     Q_OBJECT
 
 public:
+    static constexpr int tabsHeight = 40; ///< logical pixels: more than any style's tabs
+
     /// The panels that stand around the canvas at first.
     struct Usual {
         QDockWidget *formula;
@@ -36,12 +43,18 @@ public slots:
     /// What the last study below the canvas had more is the canvas's again.
     void giveBack();
 
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
+    int half() const;
+    void keepHalf();
     void makeBelow(QDockWidget *dock);
     void makeBeside(QDockWidget *dock);
     QList<QDockWidget *> studiesBelow() const;
 
     QMainWindow *m_window;
+    QWidget *m_centre; ///< of the window: the canvas
     QList<QDockWidget *> m_docks;
     Usual m_usual;
     std::optional<int> m_heightBefore; ///< of what is below the canvas, while a study has more

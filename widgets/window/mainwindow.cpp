@@ -42,6 +42,8 @@
 #include "widgets/window/windowdocks.h"
 #include "widgets/window/windowsettings.h"
 #include "widgets/window/windowstatusbar.h"
+#include "widgets/window/workspacerow.h"
+#include "widgets/window/workspaces.h"
 
 #include <QBoxLayout>
 #include <QGuiApplication>
@@ -88,9 +90,8 @@ MainWindow::MainWindow(QWidget *parent)
         playKey->watch(dock);
         escapeKey->watch(dock);
     }
-    m_settings = std::make_unique<WindowSettings>(m_parts, this);
-    if (!m_settings->restore())
-        m_docks->reset();
+    m_settings = std::make_unique<WindowSettings>(m_parts, m_docks->workspaces(), this);
+    m_settings->restore();
     connect(qGuiApp, &QGuiApplication::commitDataRequest, this, &MainWindow::commitData);
     updateTitle();
     explainParts(this);
@@ -134,6 +135,7 @@ void MainWindow::makeCentre()
     layout->setSpacing(0);
     layout->addWidget(m_parts.canvas, 1);
     layout->addWidget(m_parts.scrubber);
+    centre->setFocusProxy(m_parts.canvas);
     setCentralWidget(centre);
 }
 
@@ -151,11 +153,7 @@ void MainWindow::makeMenus()
     menuBar()->addMenu(new StepMenu(m_parts, this));
     menuBar()->addMenu(new MethodMenu(m_parts, this));
     menuBar()->addMenu(new HelpMenu(menuBar()));
-    connect(m_viewMenu, &ViewMenu::layoutResetRequested, this, [this] {
-        for (QToolBar *bar : findChildren<QToolBar *>())
-            bar->show();
-        m_docks->reset();
-    });
+    menuBar()->setCornerWidget(new WorkspaceRow(m_viewMenu->workspaces()));
 }
 
 void MainWindow::makeToolBars()
@@ -271,7 +269,8 @@ void MainWindow::updateTitle()
 QMenu *MainWindow::createPopupMenu()
 {
     auto *menu = new QMenu(this);
-    menu->addActions(m_docks->toggles());
+    for (QDockWidget *dock : m_docks->all())
+        menu->addAction(dock->toggleViewAction());
     menu->addSeparator();
     for (const QToolBar *bar : findChildren<QToolBar *>())
         menu->addAction(bar->toggleViewAction());

@@ -46,7 +46,8 @@ public:
     /// Where to stand when the scene that is being opened has been traced.
     void setOpeningPlace(const OpeningPlace &place);
 
-    /// Of the panels and tool bars, over their titles.
+    /// Of the panels and tool bars, over their titles: what it shows comes into the current
+    /// workspace.
     QMenu *createPopupMenu() override;
 
 protected:

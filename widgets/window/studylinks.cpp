@@ -23,6 +23,7 @@
 #include "widgets/window/examplesdialog.h"
 #include "widgets/window/mainwindow.h"
 #include "widgets/window/windowdocks.h"
+#include "widgets/window/workspaces.h"
 
 namespace pixelplumb {
 
@@ -102,10 +103,10 @@ void connectSubmission(const WindowParts &parts, WindowDocks &docks, MainWindow 
     });
     QObject::connect(panel, &SubmissionPanel::openRequested, parts.pictures,
                      &StudentPictureFiles::open);
-    // Whoever has closed the panel is done with the picture; open, it waits for the scene it is of.
+    // Whoever has closed the panel is done with the picture; else it waits for the scene it is of.
     QObject::connect(parts.files, &SceneFiles::replacing, parts.student,
-                     [dock = docks.dockOf<SubmissionPanel>(), student = parts.student] {
-                         if (!dock->toggleViewAction()->isChecked())
+                     [&docks, panel, student = parts.student] {
+                         if (docks.isClosed(panel))
                              student->remove();
                      });
     QObject::connect(parts.student, &StudentPicture::complaint, parts.messageBar,
@@ -115,11 +116,12 @@ void connectSubmission(const WindowParts &parts, WindowDocks &docks, MainWindow 
                          const auto &judgement = student->judgement();
                          const QDockWidget *submission = docks.dockOf<SubmissionPanel>();
                          QDockWidget *history = docks.dockOf<PixelHistoryPanel>();
-                         // Nothing goes in front of what was clicked.
+                         // Nothing goes in front of what was clicked, and nobody who grades is led
+                         // away.
                          const bool covers = submission->underMouse()
                              && window->tabifiedDockWidgets(history).contains(submission);
-                         if (judgement && judgement->verdictAt(pixel) != PixelVerdict::Same
-                             && !covers)
+                         if (docks.workspaces()->current() == Workspace::Step && judgement
+                             && judgement->verdictAt(pixel) != PixelVerdict::Same && !covers)
                              docks.raise(history->widget());
                      });
 }

@@ -8,6 +8,7 @@
 #include "widgets/look/menuaction.h"
 #include "widgets/look/paletteswitch.h"
 #include "widgets/window/windowdocks.h"
+#include "widgets/window/workspaces.h"
 
 #include <QActionGroup>
 
@@ -40,11 +41,10 @@ ViewMenu::ViewMenu(const WindowParts &parts, WindowDocks *docks, PaletteSwitch *
     addSeparator();
     addZoom(parts.canvas);
     addSeparator();
+    addWorkspaces(docks->workspaces());
     addDocks(parts, docks);
     addSeparator();
     addPalettes(palettes);
-    addMenuAction(this, "resetLayout", tr("Reset the &layout"), {},
-                  [this] { emit layoutResetRequested(); });
 }
 
 void ViewMenu::addOptions(const WindowParts &parts)
@@ -99,18 +99,50 @@ void ViewMenu::addZoom(Canvas *canvas)
                   [canvas] { canvas->zoomOut(); });
     addMenuAction(this, "zoomToFit", tr("&Fit the frame"), Qt::CTRL | Qt::Key_0,
                   [canvas] { canvas->fitToView(); });
-    addMenuAction(this, "zoomToOne", tr("One &to one"), Qt::CTRL | Qt::Key_1,
+    addMenuAction(this, "zoomToOne", tr("One &to one"), Qt::CTRL | Qt::ALT | Qt::Key_0,
                   [canvas] { canvas->setZoom(1); });
+}
+
+void ViewMenu::addWorkspaces(Workspaces *workspaces)
+{
+    QMenu *menu = addMenu(tr("&Workspace"));
+    menu->setObjectName(QStringLiteral("workspaceMenu"));
+    auto *group = new QActionGroup(menu);
+    const auto add = [&](const char *name, Workspace workspace, const QString &tip) {
+        const QKeyCombination key(Qt::ControlModifier, Qt::Key(Qt::Key_1 + m_workspaces.size()));
+        QAction *action = addMenuAction(menu, name, titleOf(workspace), key,
+                                        [=] { workspaces->goTo(workspace); });
+        action->setCheckable(true);
+        action->setToolTip(tipWithKey(tip, key));
+        group->addAction(action);
+        m_workspaces += action;
+    };
+    add("stepWorkspace", Workspace::Step, tr("Step through a run, with all its numbers"));
+    add("compareWorkspace", Workspace::Compare,
+        tr("Compare methods with each other and the truth"));
+    add("measureWorkspace", Workspace::Measure, tr("Measure what accuracy costs"));
+    add("gradeWorkspace", Workspace::Grade, tr("Grade students' pictures"));
+    menu->addSeparator();
+    QAction *back = addMenuAction(menu, "workspaceBack", tr("&Back"), Qt::ALT | Qt::Key_Left,
+                                  [workspaces] { workspaces->goBack(); });
+    menu->addSeparator();
+    addMenuAction(menu, "resetLayout", tr("&Reset this workspace"), {},
+                  [workspaces] { workspaces->reset(); });
+    const auto update = [this, workspaces, back] {
+        m_workspaces[int(workspaces->current())]->setChecked(true);
+        back->setEnabled(workspaces->canGoBack());
+    };
+    connect(workspaces, &Workspaces::changed, this, update);
+    update();
 }
 
 void ViewMenu::addDocks(const WindowParts &parts, WindowDocks *docks)
 {
-    QDockWidget *grid = docks->dockOf<PixelGrid>();
+    auto *grid = docks->panel<PixelGrid>();
     QAction *inspect
-        = addMenuAction(this, "inspect", tr("In&spector (pixel grid)"), Qt::Key_Z, [grid] {
-              grid->show();
-              grid->raise();
-              grid->widget()->setFocus();
+        = addMenuAction(this, "inspect", tr("In&spector (pixel grid)"), Qt::Key_Z, [docks, grid] {
+              docks->raise(grid);
+              grid->setFocus();
           });
     confineKeyTo(parts.canvas, inspect);
     QMenu *panels = addMenu(tr("&Panels"));

@@ -9,8 +9,10 @@ namespace pixelplumb {
 
 class PaletteSwitch;
 class WindowDocks;
+class Workspaces;
 
-/// What is drawn over the frame, how large, in which colours, and which panels are shown.
+/// What is drawn over the frame, how large, in which colours, and which panels are shown in which
+/// workspace.
 class ViewMenu : public QMenu {
     Q_OBJECT
 
@@ -22,18 +24,20 @@ public:
     QAction *differences() const { return m_differences; }
     QAction *truth() const { return m_truth; }
 
-signals:
-    void layoutResetRequested();
+    /// One for each, the current one checked.
+    QList<QAction *> workspaces() const { return m_workspaces; }
 
 private:
     void addOptions(const WindowParts &parts);
     void addZoom(Canvas *canvas);
+    void addWorkspaces(Workspaces *workspaces);
     void addDocks(const WindowParts &parts, WindowDocks *docks);
     void addPalettes(PaletteSwitch *palettes);
 
     QAction *m_grid = nullptr;
     QAction *m_differences = nullptr;
     QAction *m_truth = nullptr;
+    QList<QAction *> m_workspaces;
 };
 
 } // namespace pixelplumb

@@ -130,7 +130,7 @@ constexpr PartExplanation explanations[] = {
          "Asks for what comes next (y_B, the rows, the increments or the next pixel) before it is "
          "shown, and tells right and wrong with the reason. Enter checks what is typed, a number "
          "or "
-         "the pixel's x, y, and goes on. As long as this panel is seen, the others hide what lies "
+         "the pixel's x, y, and goes on. As long as this panel is open, the others hide what lies "
          "ahead, and the truth.")},
     {"motionDock",
      QT_TRANSLATE_NOOP(
@@ -165,7 +165,7 @@ constexpr PartExplanation explanations[] = {
     {"viewMenu",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
                        "What is drawn over the frame, how large, in which colours, and which "
-                       "panels are shown.")},
+                       "workspace and panels are shown.")},
     {"layersMenu",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
                        "Lays the figures of the course texts over the scene, at the step in "

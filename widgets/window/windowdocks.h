@@ -11,9 +11,11 @@ class QMainWindow;
 namespace pixelplumb {
 
 class DockRoom;
+class Workspaces;
+enum class Workspace;
 struct Panel;
 
-/// The panels of the table, as docks around the canvas, and how they lie at first.
+/// The panels of the table, as docks around the canvas, each in its workspace.
 class WindowDocks : public QObject {
     Q_OBJECT
 
@@ -38,44 +40,28 @@ public:
     {
         return static_cast<QDockWidget *>(panel<Widget>()->parentWidget());
     }
-    /// Shows the dock of a panel, in front of those that share its place.
+    /// Shows the dock of a panel in front of those that share its place: in the panel's workspace,
+    /// unless it is open in the current one.
     void raise(QWidget *panel);
+    /// Not open in its workspace, which is the current one.
+    bool isClosed(QWidget *panel) const;
 
-    /// As the window was at its first start.
-    void reset();
-    /// Shares the window's space as at the first start; after the window has its size.
-    void resizeToDefault();
+    Workspaces *workspaces() const { return m_workspaces; }
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    /// How the panels share the window, by its height.
-    enum class Arrangement {
-        Spread, ///< all in sight: the columns and the pixel's history below everything
-        Paired, ///< the pixel's two panels share a place, the columns stand below the canvas alone
-        Tabbed, ///< as Paired, and the formulas share the place too
-    };
-
-    Arrangement arrangement() const;
-    void arrangePixelPanels();
-    void shareLeftPlace();
-    void fitFormula();
     void add(const Panel &panel, const WindowParts &parts);
     void addToggle(QDockWidget *dock);
-    bool isInFront(const QDockWidget &dock) const;
-    bool isNarrow() const;
+    Workspace workspaceOf(const QDockWidget *dock) const;
 
     QMainWindow *m_window;
     QList<QDockWidget *> m_docks;
     QList<QAction *> m_toggles;
     const QObject *m_keyed = nullptr; ///< the toggle whose key was just pressed
     DockRoom *m_room = nullptr;
-    // Those that every arrangement places.
-    QDockWidget *m_formula = nullptr;
-    QDockWidget *m_pixelGrid = nullptr;
-    QDockWidget *m_pixelHistory = nullptr;
-    QDockWidget *m_columns = nullptr;
+    Workspaces *m_workspaces = nullptr;
 };
 
 } // namespace pixelplumb

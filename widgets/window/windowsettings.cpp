@@ -4,7 +4,7 @@
 #include "widgets/look/displayoptions.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
-#include "widgets/window/panels.h"
+#include "widgets/window/workspaces.h"
 
 #include <QMainWindow>
 #include <QScreen>
@@ -13,10 +13,6 @@
 namespace pixelplumb {
 
 namespace {
-
-/// Another one when panels come or go, so that an old layout is not forced on them; the first
-/// number is to be raised when tool bars do.
-int layoutVersion() { return 3 * 100 + int(panels().size()); }
 
 constexpr QSize firstSize(1440, 960);
 /// Asked for by the window itself, so that no panel that is opened, dragged or reset can make the
@@ -36,21 +32,22 @@ Choice choiceFrom(const QSettings &settings, const char *key, Choice fallback, C
 
 } // namespace
 
-WindowSettings::WindowSettings(const WindowParts &parts, QMainWindow *window)
+WindowSettings::WindowSettings(const WindowParts &parts, Workspaces *workspaces,
+                               QMainWindow *window)
     : m_parts(parts)
+    , m_workspaces(workspaces)
     , m_window(window)
 {
     window->setMinimumSize(leastSize.boundedTo(window->screen()->availableSize() - frameRoom));
 }
 
-bool WindowSettings::restore()
+void WindowSettings::restore()
 {
     restoreChoices();
     const QSettings settings;
     m_window->resize(firstSize.boundedTo(m_window->screen()->availableSize() - frameRoom));
     m_window->restoreGeometry(settings.value(QLatin1String("window/geometry")).toByteArray());
-    return m_window->restoreState(settings.value(QLatin1String("window/layout")).toByteArray(),
-                                  layoutVersion());
+    m_workspaces->restore(settings);
 }
 
 void WindowSettings::restoreChoices()
@@ -75,7 +72,7 @@ void WindowSettings::store() const
 {
     QSettings settings;
     settings.setValue(QLatin1String("window/geometry"), m_window->saveGeometry());
-    settings.setValue(QLatin1String("window/layout"), m_window->saveState(layoutVersion()));
+    m_workspaces->store(settings);
     settings.setValue(QLatin1String("stepper/stepsPerSecond"), m_parts.playhead->stepsPerSecond());
     settings.setValue(QLatin1String("stepper/unit"), int(m_parts.playhead->unit()));
     settings.setValue(QLatin1String("canvas/snap"), int(m_parts.document->snap()));

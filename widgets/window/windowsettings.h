@@ -7,20 +7,22 @@ class QMainWindow;
 
 namespace pixelplumb {
 
-/// What the window remembers from run to run, in QSettings: where it is, how its docks lie, the
+class Workspaces;
+
+/// What the window remembers from run to run, in QSettings: where it is, its workspaces, the
 /// speed and unit of playing, the snapping and what is drawn over the frame.
 class WindowSettings {
 public:
-    WindowSettings(const WindowParts &parts, QMainWindow *window);
+    WindowSettings(const WindowParts &parts, Workspaces *workspaces, QMainWindow *window);
 
-    /// False when there is no layout to restore, or one of another version of the window.
-    bool restore();
+    void restore();
     void store() const;
 
 private:
     void restoreChoices();
 
     WindowParts m_parts;
+    Workspaces *m_workspaces;
     QMainWindow *m_window;
 };
 

@@ -249,7 +249,7 @@ private slots:
         };
         const auto zoomIn = [&canvas] {
             canvas.setZoom(4 * canvas.zoom());
-            QTest::keyClick(&canvas, Qt::Key_Right, Qt::AltModifier);
+            QTest::keyClick(&canvas, Qt::Key_Right, Qt::ShiftModifier);
         };
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("scene.json"));

@@ -218,7 +218,6 @@ private slots:
     {
         m_window->resize(1016, 600);
         action(*m_window, "resetLayout")->trigger();
-        action(*m_window, "accuracyLabDockToggle")->trigger();
         runToItsEnd();
         QTest::qWait(50); // the docks take their places by events
 

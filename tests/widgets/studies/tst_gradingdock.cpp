@@ -219,7 +219,6 @@ private slots:
         const auto window = windowWithGrades(classroom);
         window->resize(size);
         action(*window, "resetLayout")->trigger();
-        action(*window, "gradingDockToggle")->trigger();
         book(*window).setComment(std::array{std::size_t(0), std::size_t(1)},
                                  "Round where you cut: half a level is lost on every channel.");
         press(*window, Qt::Key_J);

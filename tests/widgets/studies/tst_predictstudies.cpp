@@ -246,7 +246,13 @@ private:
                                  20000);
         QCoreApplication::processEvents();
     }
-    void togglePredict() { action(*m_window, "predictDockToggle")->trigger(); }
+    /// In its workspace, and back.
+    void togglePredict()
+    {
+        action(*m_window, "stepWorkspace")->trigger();
+        action(*m_window, "predictDockToggle")->trigger();
+        action(*m_window, "workspaceBack")->trigger();
+    }
 
     IsolatedSettings m_settings;
     std::unique_ptr<MainWindow> m_window;

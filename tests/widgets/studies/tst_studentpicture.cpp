@@ -372,6 +372,7 @@ private slots:
         QApplication::clipboard()->setImage(wrongPicture(window->parts().document->scene()));
         action(*window, "pasteStudentPicture")->trigger();
         QTRY_VERIFY(judgement(*window));
+        action(*window, "stepWorkspace")->trigger();
         auto *history = named<QDockWidget>(*window, "pixelHistoryDock");
         history->hide();
         action(*window, "inspectTool")->trigger();

@@ -255,6 +255,11 @@ private slots:
             QAction *toggle = named<QAction>(*window, qPrintable(dock->objectName() + "Toggle"));
             if (!toggle->isChecked())
                 toggle->trigger();
+            QVERIFY(isAsLarge(dock->objectName() + " is opened in its workspace"));
+        }
+        action(*window, "stepWorkspace")->trigger();
+        for (QDockWidget *dock : docks) {
+            dock->show();
             QVERIFY(isAsLarge(dock->objectName() + " is opened beside all before it"));
         }
         for (QDockWidget *dock : docks) {
@@ -265,6 +270,9 @@ private slots:
             dock->close();
             QVERIFY(isAsLarge(dock->objectName() + " is closed"));
             named<QAction>(*window, qPrintable(dock->objectName() + "Toggle"))->trigger();
+            QVERIFY(isAsLarge(dock->objectName() + " is opened again"));
+            action(*window, "stepWorkspace")->trigger();
+            dock->show();
             dock->setFloating(false);
             QVERIFY(isAsLarge(dock->objectName() + " is back"));
         }
@@ -347,12 +355,13 @@ private slots:
         QFETCH(QSize, size);
         const auto window = windowOf(size);
         const QSize before = window->parts().canvas->size();
-        for (const char *name :
-             {"motionDockToggle", "gradingDockToggle", "accuracyLabDockToggle"}) {
+        for (const char *name : {"projectionDockToggle", "motionDockToggle", "gradingDockToggle",
+                                 "accuracyLabDockToggle"}) {
             action(*window, name)->trigger();
             settle();
             QVERIFY2(window->parts().canvas->height() >= size.height() / 4, name);
             action(*window, name)->trigger();
+            action(*window, "stepWorkspace")->trigger();
             settle();
             QVERIFY2(window->parts().canvas->size() == before, name);
         }

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/window/firstarrangement.h"
+
+#include "widgets/inspect/formulapanel.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+
+#include <algorithm>
+#include <utility>
+
+namespace pixelplumb {
+
+namespace {
+
+// Logical pixels of the window's height. Below the first there is no room for the formulas of a
+// column above all that stands below the canvas; below the second they need the whole height.
+constexpr int spreadHeight = 880;
+constexpr int pairedHeight = 700;
+
+constexpr int leftWidth = 280; ///< of the panels left of the canvas, at least
+
+} // namespace
+
+FirstArrangement::FirstArrangement(QMainWindow *window, const QList<QDockWidget *> &docks,
+                                   const DockRoom::Usual &usual, DockRoom *room)
+    : QObject(room)
+    , m_window(window)
+    , m_docks(docks)
+    , m_usual(usual)
+    , m_room(room)
+{
+    window->setDockNestingEnabled(true);
+    connect(qobject_cast<FormulaPanel *>(usual.formula->widget()),
+            &FormulaPanel::neededHeightChanged, this, &FirstArrangement::fitFormula,
+            Qt::QueuedConnection);
+    connect(usual.formula, &QDockWidget::visibilityChanged, this, &FirstArrangement::fitFormula,
+            Qt::QueuedConnection);
+}
+
+void FirstArrangement::lay(Workspace workspace)
+{
+    for (QDockWidget *dock : std::as_const(m_docks)) {
+        if (dock->isFloating())
+            dock->setFloating(false);
+        m_window->removeDockWidget(dock);
+    }
+    if (workspace == Workspace::Step)
+        layStep();
+    else
+        layStudies(workspace);
+}
+
+void FirstArrangement::layStep()
+{
+    m_window->setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+    const auto isShown = [](const Panel &panel) {
+        return panel.workspace == Workspace::Step && panel.atFirst == Panel::AtFirst::Shown;
+    };
+    for (qsizetype i = 0; i < m_docks.size(); ++i) {
+        const Panel &panel = panels()[std::size_t(i)];
+        if (!isShown(panel))
+            continue;
+        m_window->addDockWidget(panel.area, m_docks[i]);
+        m_docks[i]->show();
+    }
+    arrangePixelPanels();
+    for (qsizetype i = 0; i < m_docks.size(); ++i) {
+        const Panel &panel = panels()[std::size_t(i)];
+        if (isShown(panel))
+            continue;
+        m_window->addDockWidget(panel.area, m_docks[i]);
+        if (panel.area == Qt::BottomDockWidgetArea)
+            m_window->tabifyDockWidget(m_usual.columns, m_docks[i]);
+        m_docks[i]->hide();
+    }
+    shareLeftPlace();
+    if (sharing() == Sharing::Paired)
+        m_usual.pixelGrid->raise();
+    if (sharing() == Sharing::Tabbed)
+        m_usual.formula->raise();
+    resizeStep();
+}
+
+/// The study stands below the canvas, with the others as tabs behind it, hidden ones of other
+/// workspaces too; what belongs left of the canvas stands there, as high as both.
+void FirstArrangement::layStudies(Workspace workspace)
+{
+    m_window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    m_window->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    QList<QDockWidget *> below;
+    QList<QDockWidget *> foreign;
+    QList<QDockWidget *> inSight;
+    for (qsizetype i = 0; i < m_docks.size(); ++i) {
+        const Panel &panel = panels()[std::size_t(i)];
+        const bool isOwn = panel.workspace == workspace;
+        const bool isShown = isOwn && panel.atFirst == Panel::AtFirst::Shown;
+        if (isShown)
+            inSight += m_docks[i];
+        if (isOwn && panel.area == Qt::LeftDockWidgetArea)
+            m_window->addDockWidget(Qt::LeftDockWidgetArea, m_docks[i]);
+        else if (isOwn)
+            below.insert(isShown ? 0 : below.size(), m_docks[i]);
+        else
+            foreign += m_docks[i];
+        m_docks[i]->setVisible(isOwn && panel.atFirst != Panel::AtFirst::Hidden);
+    }
+    for (QDockWidget *dock : below + foreign) {
+        m_window->addDockWidget(Qt::BottomDockWidgetArea, dock);
+        if (dock != below.first())
+            m_window->tabifyDockWidget(below.first(), dock);
+    }
+    below.first()->raise();
+    // They have their places only after the window's layout.
+    QMetaObject::invokeMethod(
+        this,
+        [this, inSight] {
+            for (QDockWidget *dock : inSight)
+                m_room->makeFor(dock);
+        },
+        Qt::QueuedConnection);
+}
+
+/// Whether the canvas would have less than half the width between panels on both of its sides.
+bool FirstArrangement::isNarrow() const
+{
+    return m_window->width() < 2 * (m_usual.formulaWidth + leftWidth);
+}
+
+/// The panels left of the canvas share one place; in a narrow window it is the formulas'.
+void FirstArrangement::shareLeftPlace()
+{
+    QDockWidget *first = nullptr;
+    for (QDockWidget *dock : std::as_const(m_docks)) {
+        if (m_window->dockWidgetArea(dock) != Qt::LeftDockWidgetArea)
+            continue;
+        if (isNarrow())
+            m_window->tabifyDockWidget(m_usual.formula, dock);
+        else if (first)
+            m_window->tabifyDockWidget(first, dock);
+        else
+            first = dock;
+        dock->hide();
+    }
+}
+
+FirstArrangement::Sharing FirstArrangement::sharing() const
+{
+    if (m_window->height() >= spreadHeight)
+        return Sharing::Spread;
+    return m_window->height() >= pairedHeight ? Sharing::Paired : Sharing::Tabbed;
+}
+
+void FirstArrangement::arrangePixelPanels()
+{
+    const Sharing chosen = sharing();
+    const bool isSpread = chosen == Sharing::Spread;
+    m_window->setCorner(Qt::BottomRightCorner,
+                        isSpread ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea);
+    if (isSpread)
+        m_window->splitDockWidget(m_usual.columns, m_usual.pixelHistory, Qt::Horizontal);
+    if (chosen == Sharing::Tabbed)
+        m_window->tabifyDockWidget(m_usual.formula, m_usual.pixelGrid);
+    if (!isSpread)
+        m_window->tabifyDockWidget(m_usual.pixelGrid, m_usual.pixelHistory);
+}
+
+/// The formulas get the height that they need, but for what makes the pixel grid legible, its least
+/// height; the other panels of their column share the rest.
+void FirstArrangement::fitFormula()
+{
+    const auto *formula = qobject_cast<const FormulaPanel *>(m_usual.formula->widget());
+    if (!isInFront(*m_usual.formula) || m_usual.formula->isFloating()
+        || formula->neededHeight() == 0)
+        return;
+    QList<QDockWidget *> column;
+    int others = 0;
+    for (QDockWidget *dock : {m_usual.pixelGrid, m_usual.pixelHistory}) {
+        // Of docks that share a place by tabs, all visible to Qt, one stands for them.
+        const QList<QDockWidget *> together = m_window->tabifiedDockWidgets(dock);
+        const bool isCounted = std::ranges::any_of(
+            column, [&](QDockWidget *counted) { return together.contains(counted); });
+        const bool isBeside = dock->isVisible() && !dock->isFloating() && !isCounted
+            && m_window->dockWidgetArea(dock) == m_window->dockWidgetArea(m_usual.formula);
+        if (!isBeside)
+            continue;
+        column += dock;
+        others += dock->height();
+    }
+    const int wanted = m_usual.formula->height() - formula->height() + formula->neededHeight();
+    const int rest
+        = std::max(0, m_usual.formula->height() + others - wanted - DockRoom::tabsHeight);
+    QList<int> heights;
+    for (const QDockWidget *dock : std::as_const(column))
+        heights += std::max(1, rest * dock->height() / others);
+    column.prepend(m_usual.formula);
+    heights.prepend(wanted);
+    m_window->resizeDocks(column, heights, Qt::Vertical);
+}
+
+void FirstArrangement::resizeStep()
+{
+    const int width = m_window->width();
+    const int height = m_window->height();
+    const int right = std::min(std::max(width * 37 / 100, m_usual.formulaWidth), width * 45 / 100);
+    m_window->resizeDocks({m_usual.formula}, {right}, Qt::Horizontal);
+    m_window->resizeDocks({m_usual.columns}, {height * 22 / 100}, Qt::Vertical);
+    if (sharing() == Sharing::Spread)
+        m_window->resizeDocks({m_usual.columns, m_usual.pixelHistory}, {width - right, right},
+                              Qt::Horizontal);
+    const int formulas = m_usual.formula->sizeHint().height();
+    m_window->resizeDocks({m_usual.formula, m_usual.pixelGrid}, {formulas, height - formulas},
+                          Qt::Vertical);
+    fitFormula();
+}
+
+} // namespace pixelplumb

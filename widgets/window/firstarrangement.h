@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/window/dockroom.h"
+#include "widgets/window/panels.h"
+
+namespace pixelplumb {
+
+/// How the panels of a workspace lie before a person has moved any of them, by the window's size.
+class FirstArrangement : public QObject {
+    Q_OBJECT
+
+public:
+    /// The docks are in the order of the table of panels.
+    FirstArrangement(QMainWindow *window, const QList<QDockWidget *> &docks,
+                     const DockRoom::Usual &usual, DockRoom *room);
+
+    void lay(Workspace workspace);
+
+private:
+    /// How the panels of Step share the window, by its height.
+    enum class Sharing {
+        Spread, ///< all in sight: the columns and the pixel's history below everything
+        Paired, ///< the pixel's two panels share a place, the columns stand below the canvas alone
+        Tabbed, ///< as Paired, and the formulas share the place too
+    };
+
+    void layStep();
+    void layStudies(Workspace workspace);
+    Sharing sharing() const;
+    void arrangePixelPanels();
+    void shareLeftPlace();
+    void fitFormula();
+    void resizeStep();
+    bool isNarrow() const;
+
+    QMainWindow *m_window;
+    QList<QDockWidget *> m_docks;
+    DockRoom::Usual m_usual;
+    DockRoom *m_room;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/window/workspaces.h"
+
+#include "widgets/window/firstarrangement.h"
+
+#include <QMainWindow>
+#include <QSettings>
+#include <QToolBar>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr auto currentKey = "workspaces/current";
+
+/// Another one when panels come or go, so that an old layout is not forced on them; the first
+/// number is to be raised when tool bars do.
+int layoutVersion() { return 4 * 100 + int(panels().size()); }
+
+/// Of its layout in the settings.
+QString keyOf(Workspace workspace)
+{
+    return QStringLiteral("workspaces/layout%1").arg(int(workspace));
+}
+
+} // namespace
+
+Workspaces::Workspaces(QMainWindow *window, FirstArrangement *first, QObject *parent)
+    : QObject(parent)
+    , m_window(window)
+    , m_first(first)
+{
+}
+
+void Workspaces::goTo(Workspace workspace)
+{
+    if (workspace == m_current)
+        return;
+    m_visited += m_current;
+    enter(workspace);
+}
+
+void Workspaces::goBack()
+{
+    if (canGoBack())
+        enter(m_visited.takeLast());
+}
+
+void Workspaces::reset()
+{
+    for (QToolBar *bar : m_window->findChildren<QToolBar *>())
+        bar->show();
+    m_first->lay(m_current);
+}
+
+void Workspaces::restore(const QSettings &settings)
+{
+    const int stored = settings.value(QLatin1String(currentKey)).toInt();
+    if (stored > 0 && stored < int(std::size(allWorkspaces)))
+        m_current = Workspace(stored);
+    for (const Workspace each : allWorkspaces)
+        kept(each).layout = settings.value(keyOf(each)).toByteArray();
+    showCurrent();
+    emit changed();
+}
+
+void Workspaces::store(QSettings &settings)
+{
+    keepCurrent();
+    settings.setValue(QLatin1String(currentKey), int(m_current));
+    for (const Workspace each : allWorkspaces)
+        settings.setValue(keyOf(each), kept(each).layout);
+}
+
+void Workspaces::keepCurrent()
+{
+    kept(m_current) = {m_window->saveState(layoutVersion()), m_window->focusWidget()};
+}
+
+void Workspaces::showCurrent()
+{
+    if (!m_window->restoreState(kept(m_current).layout, layoutVersion()))
+        m_first->lay(m_current);
+}
+
+void Workspaces::enter(Workspace workspace)
+{
+    emit leaving();
+    keepCurrent();
+    m_current = workspace;
+    m_window->setUpdatesEnabled(false);
+    showCurrent();
+    m_window->setUpdatesEnabled(true);
+    // What had the keys when it was left has them again, else the canvas.
+    QWidget *focus = kept(workspace).focus;
+    if (!focus || !focus->isVisible())
+        focus = m_window->centralWidget();
+    focus->setFocus();
+    emit changed();
+}
+
+QString titleOf(Workspace workspace)
+{
+    switch (workspace) {
+    case Workspace::Step:
+        return Workspaces::tr("&Step");
+    case Workspace::Compare:
+        return Workspaces::tr("&Compare");
+    case Workspace::Measure:
+        return Workspaces::tr("&Measure");
+    case Workspace::Grade:
+        return Workspaces::tr("&Grade");
+    }
+    return {};
+}
+
+} // namespace pixelplumb
