@@ -20,10 +20,10 @@ constexpr int clampedByte(std::int64_t level)
 /// memory.
 [[gnu::always_inline]] inline constexpr QRgb pixelOfLevels(const std::array<std::int64_t, 3> &level)
 {
-    const auto [red, green, blue] = level;
-    if (std::uint64_t(red | green | blue) <= 255) [[likely]]
-        return QRgb(0xff000000U | unsigned(red) << 16U | unsigned(green) << 8U | unsigned(blue));
-    return qRgb(clampedByte(red), clampedByte(green), clampedByte(blue));
+    const auto [r, g, b] = level;
+    if (std::uint64_t(r | g | b) <= 255) [[likely]]
+        return QRgb(0xff000000U | unsigned(r) << 16U | unsigned(g) << 8U | unsigned(b));
+    return qRgb(clampedByte(r), clampedByte(g), clampedByte(b));
 }
 
 } // namespace pixelplumb
