@@ -51,8 +51,9 @@ QString smoothColourReason(const NeedsTally &tally, const Appearance &appearance
     if (isFlatLit)
         return QStringLiteral("flat light gives each triangle one colour");
     if (tally.ownColours > 0)
-        return QStringLiteral("no triangle and no line that the method draws has vertex colours "
-                              "that differ");
+        return QStringLiteral(
+            "no triangle and no line goes from one vertex colour to another where "
+            "it is drawn");
     if (tally.outside > 0)
         return QStringLiteral("the vertex colours are equal in each %1%2")
                    .arg(noun, amongDrawn(tally))

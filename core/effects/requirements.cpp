@@ -93,10 +93,12 @@ Antialiasing triangleAntialiasing(const Primitives &primitives, const ScanSettin
         return std::ranges::any_of(primitives.triangles,
                                    [&](const Triangle &triangle) { return is(triangle, asked); });
     };
+    // Where nothing is drawn there is nothing to force.
+    if (!isSoOfAny(isDrawnEitherWay))
+        return Antialiasing::None;
     // The edges of one that lies between all samples part the pixels of others.
     return runningOf(appearance, asked, [&] {
-        return isSoOfAny([](const auto &...of) { return hasEdgePixels(of...); })
-            && isSoOfAny(isDrawnEitherWay);
+        return isSoOfAny([](const auto &...of) { return hasEdgePixels(of...); });
     });
 }
 
@@ -104,11 +106,16 @@ Antialiasing strokeAntialiasing(const Primitives &primitives, const FrameView &f
 {
     const Appearance &appearance = primitives.appearance;
     const SampledFrame asked{frame, FillRule::Closed, antialiasingOf(appearance)};
-    return runningOf(appearance, asked, [&] {
-        return std::ranges::any_of(primitives.shapes, [&](const Shape &shape) {
-            return callsForAntialiasing(shape, asked);
-        });
-    });
+    const auto isCalledForBy
+        = [&](const Shape &shape) { return callsForAntialiasing(shape, asked); };
+    const bool isCalledFor = std::ranges::any_of(primitives.shapes, isCalledForBy);
+    const auto isDrawnStroke = [&](const Shape &shape) {
+        return isStroke(shape) && borderCrossingOf(shape, asked) != BorderCrossing::Outside;
+    };
+    // Where nothing is drawn there is nothing to force.
+    if (!isCalledFor && std::ranges::none_of(primitives.shapes, isDrawnStroke))
+        return Antialiasing::None;
+    return runningOf(appearance, asked, [isCalledFor] { return isCalledFor; });
 }
 
 PerEffect<EffectVerdict> requirementsWith(const Primitives &primitives,

@@ -20,7 +20,8 @@ QString spreadsheetText(const QString &text)
     bool isAtStart = true;
     for (const QChar character : text) {
         const QChar plain = plainForm(character);
-        if (isAtStart && QStringView(u"=+-@\t\r").contains(plain))
+        // One that stands there already is doubled, so that no two texts become the same.
+        if (isAtStart && QStringView(u"=+-@\t\r'").contains(plain))
             safe += u'\'';
         safe += character;
         const bool isSkipped = plain.isSpace() || plain == u'"';

@@ -118,11 +118,13 @@ QString verdictText(const BezierStep &step)
             .arg(QString(isAlongA ? u'a' : u'b'), directionText(isAlongA ? a : b))
             .arg((isAlongA ? a : b).atFirst)
             .arg((isAlongA ? a : b).atLast)
-            .arg(isAlongA ? u'b' : u'a')
+            .arg(QString(isAlongA ? u'b' : u'a'))
             .arg((isAlongA ? b : a).lowest);
     }
     case BezierVerdict::ThroughCorner:
-        return QStringLiteral("meets a side or a corner of diamonds at one point: %1, %2.")
+        return (a.runsAlongBorder() || b.runsAlongBorder()
+                    ? QStringLiteral("runs along sides of diamonds and passes one corner: %1, %2.")
+                    : QStringLiteral("meets a side or a corner of diamonds at one point: %1, %2."))
             .arg(squaresText(u'a', a), squaresText(u'b', b));
     }
     return {};

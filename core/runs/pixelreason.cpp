@@ -2,6 +2,7 @@
 #include "core/runs/pixelreason.h"
 
 #include "core/geometry/triangle.h"
+#include "core/methods/formulatext.h"
 #include "core/methods/rejectiontext.h"
 #include "core/oracle/effecttruth.h"
 #include "core/runs/refusaltext.h"
@@ -66,7 +67,9 @@ QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std:
         const QString uncovered
             = QStringLiteral("The %1 does not cover it.").arg(nameOf(attempt.kind));
         return (found.isEmpty() && !attempt.written ? uncovered : found)
-            + stepBesideText(attempt, *traced.trace, x, y) + tieOfShapeText(attempt, traced, x, y);
+            + (attempt.written ? stepOfPixelText(attempt, *traced.trace)
+                               : stepBesideText(attempt, *traced.trace, x, y))
+            + tieOfShapeText(attempt, traced, x, y);
     }
     if (attempt.verdict.zeroArea) {
         return rule == FillRule::Closed
@@ -148,6 +151,23 @@ QString deciderText(const PixelAttempt &attempt, const TracedScene &traced)
     return u' ' + refusalSentence(traced, attempt.primitive, *attempt.sample, decisions);
 }
 
+/// By which numbers the kernel took a sample of a triangle that the truth refuses; empty where it
+/// tests no samples.
+QString acceptingText(const PixelAttempt &attempt, const TracedScene &traced)
+{
+    if (attempt.kind != PrimitiveKind::Triangle)
+        return {};
+    QStringList accepted;
+    for (const SampleDecision &decision :
+         decisionsOf(traced.trace->numbers().sample, *attempt.sample)) {
+        if (!decision.value.isNone())
+            accepted.append(QStringLiteral("%1 = %2").arg(decision.title, term(decision.value)));
+    }
+    return accepted.isEmpty() ? QString()
+                              : QStringLiteral(" The run accepted it by its own numbers: %1.")
+                                    .arg(accepted.join(QStringLiteral(", ")));
+}
+
 /// Why the kernel passed over a sample that the truth covers.
 QString missedText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
                    std::int64_t y)
@@ -161,7 +181,8 @@ QString missedText(const PixelAttempt &attempt, const TracedScene &traced, std::
     if (trace.isCut())
         return QStringLiteral("Not recorded: the recording ended at its limit before this pixel.");
     if (!attempt.span)
-        return QStringLiteral("Missing: the truth covers it, the kernel did not come here.");
+        return QStringLiteral("Missing: the truth covers it, the kernel did not come here.")
+            + stepBesideText(attempt, trace, x, y);
     if (attempt.kind == PrimitiveKind::Line)
         return QStringLiteral("Missing: the truth covers it, but the line's pixel here is another.")
             + stepBesideText(attempt, trace, x, y) + tieOfShapeText(attempt, traced, x, y);
@@ -205,28 +226,6 @@ QString shadedText(const PixelAttempt &attempt, const TracedScene &traced)
     return text;
 }
 
-/// What a set-up made of its primitive that is not the very same; empty where it is.
-QString approximationText(const ScanTrace &trace, std::size_t primitive)
-{
-    if (primitive >= trace.primitiveCount())
-        return {};
-    const std::vector<Quantity> cells = trace.setUp(primitive).cells;
-    const auto &numbers = trace.numbers().setUp;
-    const auto cellOf = [&](const char *id) {
-        const auto found
-            = std::ranges::find(numbers, QString::fromLatin1(id), &NumberDescription::id);
-        return found == numbers.end() ? Quantity() : cells[std::size_t(found - numbers.begin())];
-    };
-    if (const Quantity moved = cellOf("moved"); !moved.isNone() && moved.toDouble() > 0)
-        return QStringLiteral(" Its crossings were moved to multiples of 1/256 px, by %1 px at "
-                              "most, and tilt the edges that meet there.")
-            .arg(moved.toDouble(), 0, 'g', 3);
-    if (!cellOf("curves").isNone())
-        return QStringLiteral(" What was filled are its chords, which leave the curves by 1/32 px "
-                              "at most.");
-    return {};
-}
-
 } // namespace
 
 ScanDistance scanDistance(const oracle::EdgeVerdict &edge, const ScanTrace &trace)
@@ -264,10 +263,12 @@ QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced, std:
         return text + QStringLiteral(" Extra: the truth does not cover it")
             + (attempt.exactColour[0].isNone()
                    ? QStringLiteral(". ")
-                   : QStringLiteral("; the exact levels are those of the triangle's plane outside "
-                                    "of it. "))
-            + refusalText(attempt, traced, x, y).trimmed() + variantText(attempt, traced, x, y)
-            + approximation();
+                   : QStringLiteral("; the exact levels are those of %1. ")
+                         .arg(attempt.verdict.zeroArea
+                                  ? QStringLiteral("its segment, prolonged")
+                                  : QStringLiteral("the triangle's plane outside of it")))
+            + refusalText(attempt, traced, x, y).trimmed() + acceptingText(attempt, traced)
+            + variantText(attempt, traced, x, y) + approximation();
     if (attempt.kind != PrimitiveKind::Triangle)
         return text + stepOfPixelText(attempt, *traced.trace);
     text += keptTiesText(attempt, traced, x, y);

@@ -137,6 +137,25 @@ QString tieText(const TracedScene &traced, std::size_t triangle, const oracle::E
     return QStringLiteral("the rule %1 gives it to neither side").arg(nameText(nameOf(rule)));
 }
 
+namespace {
+
+/// Which weight is too large for a listing that asks for weights of at most 1: "0 ≤ α ≤ 1".
+QString aboveOneText(const TracedScene &traced, std::span<const SampleDecision> decisions)
+{
+    const bool isBounded
+        = std::ranges::any_of(traced.method->pseudocode, [](const PseudocodeLine &line) {
+              return line.text.contains(QStringLiteral("α ≤ 1"));
+          });
+    for (const SampleDecision &decision : decisions) {
+        if (isBounded && !decision.value.isNone() && decision.value.toDouble() > 1)
+            return QStringLiteral("Refused: %1 = %2 is above 1.")
+                .arg(decision.title, term(decision.value));
+    }
+    return {};
+}
+
+} // namespace
+
 std::vector<SampleDecision> decisionsOf(const std::vector<NumberDescription> &columns,
                                         const SampleRecord &sample)
 {
@@ -161,6 +180,9 @@ QString refusalSentence(const TracedScene &traced, std::size_t triangle, const S
             .arg(failed.join(QStringLiteral(", ")),
                  failed.size() == 1 ? QStringLiteral("is") : QStringLiteral("are"));
 
+    const QString above = aboveOneText(traced, decisions);
+    if (!above.isEmpty())
+        return above;
     const oracle::SampleVerdict verdict
         = verdictOn(traced.primitives.triangles[triangle], traced, sample.x, sample.y);
     if (verdict.zeroArea)

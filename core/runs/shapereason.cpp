@@ -128,4 +128,25 @@ QString tieOfShapeText(const PixelAttempt &attempt, const TracedScene &traced, s
     return {};
 }
 
+QString approximationText(const ScanTrace &trace, std::size_t primitive)
+{
+    if (primitive >= trace.primitiveCount())
+        return {};
+    const std::vector<Quantity> cells = trace.setUp(primitive).cells;
+    const auto &numbers = trace.numbers().setUp;
+    const auto cellOf = [&](const char *id) {
+        const auto found
+            = std::ranges::find(numbers, QString::fromLatin1(id), &NumberDescription::id);
+        return found == numbers.end() ? Quantity() : cells[std::size_t(found - numbers.begin())];
+    };
+    if (const Quantity moved = cellOf("moved"); !moved.isNone() && moved.toDouble() > 0)
+        return QStringLiteral(" Its crossings were moved to multiples of 1/256 px, by %1 px at "
+                              "most, and tilt the edges that meet there.")
+            .arg(moved.toDouble(), 0, 'g', 3);
+    if (!cellOf("curves").isNone())
+        return QStringLiteral(" What was filled are its chords, which leave the curves by 1/32 px "
+                              "at most.");
+    return {};
+}
+
 } // namespace pixelplumb

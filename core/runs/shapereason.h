@@ -24,4 +24,7 @@ QString stepOfPixelText(const PixelAttempt &attempt, const ScanTrace &trace);
 QString tieOfShapeText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
                        std::int64_t y);
 
+/// What a set-up made of its primitive that is not the very same; empty where it is.
+QString approximationText(const ScanTrace &trace, std::size_t primitive);
+
 } // namespace pixelplumb

@@ -12,6 +12,7 @@
 
 #include <tiny_obj_loader.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <unordered_map>
@@ -117,7 +118,10 @@ QByteArrayView MeshBuilder::lineInHand() const
 {
     const QByteArrayView before = QByteArrayView(m_text).first(m_buffer.position());
     const QByteArrayView line = before.trimmed();
-    return line.sliced(qMax(line.lastIndexOf('\n'), line.lastIndexOf('\r')) + 1).trimmed();
+    // Not by lastIndexOf(): it looks for a character that is not there from one end to the other.
+    const auto ends = [](char character) { return character == '\n' || character == '\r'; };
+    const auto first = std::find_if(line.rbegin(), line.rend(), ends);
+    return line.last(first - line.rbegin()).trimmed();
 }
 
 void MeshBuilder::fail(const QString &found, const QString &expected)

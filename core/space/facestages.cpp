@@ -94,7 +94,8 @@ private:
     void writeLight()
     {
         m_stages.stages.push_back(
-            lightStageOf({m_scene.appearance, m_material, m_used.vertices.size(), faceNormalName},
+            lightStageOf({m_scene.appearance, m_material, m_used.vertices.size(),
+                          meanOverVertices(m_used.vertices.size()), faceNormalName},
                          m_used.lit, m_exact.lit));
     }
 

@@ -157,22 +157,18 @@ ProjectionStage lightStageOf(const LitPart &part, const std::vector<LitColour<do
         {}};
     writeLights(stage.points.emplace_back(StagePoint{lightsPointName(), {}, {}}), part.appearance,
                 part.material);
-    const auto mean = [&](const QString &number) {
-        const QString sum = sumOverVertices(part.vertices, number);
-        return sum.isEmpty() ? sum : QStringLiteral("(%1)/%2").arg(sum).arg(part.vertices);
-    };
     const BaseFormula baseFormula = [&](const QString &base) {
         if (!isFlat)
             return base + u'′';
-        const QString ofVertices = mean(base);
-        return ofVertices.isEmpty() ? ofVertices : QStringLiteral("⌊%1 + ½⌋").arg(ofVertices);
+        const QString sum = sumOverVertices(part.vertices, base);
+        return sum.isEmpty() ? sum : QStringLiteral("⌊(%1)/%2 + ½⌋").arg(sum).arg(part.vertices);
     };
     for (std::size_t i = 0; i < used.size(); ++i) {
         StagePoint &point = stage.points.emplace_back(
             StagePoint{isFlat ? QStringLiteral("centre") : faceVertexName(i), {}, {}});
         if (isFlat) { // a vertex's stand in the stage before
             StageNumberWriter numbers(point.numbers);
-            numbers.add(QString(), used[i].point.place, &exact[i].point.place, mean);
+            numbers.add(QString(), used[i].point.place, &exact[i].point.place, part.centrePlace);
             numbers.add(QStringLiteral("_N"), used[i].point.normal, &exact[i].point.normal,
                         part.centreNormal);
         }

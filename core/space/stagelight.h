@@ -13,7 +13,9 @@ struct LitPart {
     const Appearance &appearance;
     const Material &material;
     std::size_t vertices = 0;
-    Component centreNormal; ///< how the normal at the centre comes about, in flat shading
+    // How the centre of flat shading comes about, its place and its normal.
+    Component centrePlace;
+    Component centreNormal;
 };
 
 /// How light falls on a face's vertices or its centre: what all points share, the viewer, the

@@ -47,6 +47,14 @@ QString sumOverVertices(std::size_t count, const QString &number)
     return summands.join(QStringLiteral(" + "));
 }
 
+Component meanOverVertices(std::size_t count)
+{
+    return [count](QChar axis) {
+        const QString sum = sumOverVertices(count, axis);
+        return sum.isEmpty() ? sum : QStringLiteral("1/%1·(%2)").arg(count).arg(sum);
+    };
+}
+
 QString fanFormula(std::size_t count, QChar axis)
 {
     if (count > mostFanVertices)

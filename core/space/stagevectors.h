@@ -26,6 +26,9 @@ QString crossFormula(const Component &a, const Component &b, QChar axis);
 /// for a line.
 QString sumOverVertices(std::size_t count, const QString &number);
 
+/// "1/3·(V₀_x + V₁_x + V₂_x)".
+Component meanOverVertices(std::size_t count);
+
 /// Twice the area vector of a face, as a sum over its fan; empty where that is too long for a line.
 QString fanFormula(std::size_t count, QChar axis);
 

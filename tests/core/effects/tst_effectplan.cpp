@@ -292,6 +292,24 @@ private slots:
         } while (std::ranges::next_permutation(order).found);
     }
 
+    void antialiasingIsNotForcedWhereNothingCanHaveIt()
+    {
+        Primitives primitives;
+        Shape polygon = smoothLine();
+        polygon.kind = PrimitiveKind::Polygon;
+        polygon.vertices.push_back({latticePixel(5, 20), {}});
+        primitives.shapes = {polygon};
+        Primitives outside;
+        outside.triangles = {triangleAt({{{-9, 0}, {-2, 0}, {-9, 6}}})};
+        for (Primitives *each : {&primitives, &outside}) {
+            for (const Antialiasing antialiasing : {Antialiasing::None, Antialiasing::Area}) {
+                each->appearance.antialiasing = antialiasing;
+                each->appearance.forced[Effect::Antialiasing] = Forcing::On;
+                QVERIFY(!planOf(*each).runs(Effect::Antialiasing));
+            }
+        }
+    }
+
     void whatIsForcedOffIsNotDivided()
     {
         Primitives primitives;

@@ -504,10 +504,10 @@ private slots:
         const EffectVerdict verdict = verdictsOf(primitives)[Effect::SmoothColour];
 
         QCOMPARE(verdict.verdict, Verdict::NotCalledFor);
-        QCOMPARE(
-            verdict.reason,
-            QStringLiteral("no triangle and no line that the method draws has vertex colours that "
-                           "differ"));
+        QCOMPARE(verdict.reason,
+                 QStringLiteral(
+                     "no triangle and no line goes from one vertex colour to another where it "
+                     "is drawn"));
     }
 };
 

@@ -60,6 +60,9 @@ private slots:
         row("＠x", "'＠x");
         row("a；＝1", "a；'＝1");
         row("﹦1", "'﹦1");
+        row("'=1", "''=1");
+        row("a;'=1", "a;''=1");
+        row("O'Brien", "O'Brien");
     }
     void noCellIsAFormula()
     {

@@ -214,6 +214,12 @@ private slots:
                 && step.count("b_low") == step.count("b_high");
             QCOMPARE(sentence.contains(QStringLiteral("stays within one diamond")), isWithinOne);
             const std::vector<LatticePoint> named = pixelsNamed(sentence);
+            if (sentence.contains(QStringLiteral("passes one side"))) {
+                static const QRegularExpression along(QStringLiteral(
+                    "diamond: (a only (grows|falls) .*, and b|b only (grows|falls) .*, and a) "
+                    "stays within -?−?\\d+\\."));
+                QVERIFY2(along.match(sentence).hasMatch(), qPrintable(sentence));
+            }
             const bool isHalved = sentence.endsWith(QStringLiteral("it is halved."));
             QCOMPARE(step.count("decided"), std::int64_t(isHalved ? 0 : 1));
             if (isHalved) {

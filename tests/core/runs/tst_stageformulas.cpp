@@ -130,7 +130,7 @@ private slots:
         if (projection == Projection::Perspective)
             QVERIFY(formulas.contains(QStringLiteral("φ = fieldOfView/180·π/2")));
         if (shading == Shading::Flat) {
-            for (const char *formula : {"x = (V₀_x + V₁_x + V₂_x)/3",
+            for (const char *formula : {"x = 1/3·(V₀_x + V₁_x + V₂_x)",
                                         "base_G = ⌊(V₀_base_G + V₁_base_G + V₂_base_G)/3 + ½⌋"})
                 QVERIFY2(formulas.contains(QString::fromUtf8(formula)), formula);
         }
