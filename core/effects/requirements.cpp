@@ -4,6 +4,7 @@
 #include "core/effects/bordercrossing.h"
 #include "core/effects/effectreason.h"
 #include "core/effects/framereach.h"
+#include "core/effects/strokestrip.h"
 
 #include <algorithm>
 

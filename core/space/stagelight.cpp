@@ -202,8 +202,13 @@ std::vector<ProjectionStage> lightStagesOf(const Triangle &given,
     }
     Triangle tintedTriangle = given;
     tint(tintedTriangle, material);
-    const LitPart part{appearance, material, 3,
-                       [](QChar axis) { return sumOverVertices(3, axis + QStringLiteral("_n")); }};
+    const Component third = [](QChar axis) {
+        return QStringLiteral("1/3·%1 + 1/3·%2 + 1/3·%3")
+            .arg(ofVertex(0, axis), ofVertex(1, axis), ofVertex(2, axis));
+    };
+    const Component sumOfNormals
+        = [](QChar axis) { return sumOverVertices(3, axis + QStringLiteral("_n")); };
+    const LitPart part{appearance, material, 3, third, sumOfNormals};
     return {corners,
             lightStageOf(part, litColoursOf<double>(tintedTriangle, attributes, appearance.shading),
                          litColoursOf<ExactReal>(tintedTriangle, attributes, appearance.shading))};

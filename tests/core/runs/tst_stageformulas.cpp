@@ -176,6 +176,18 @@ private slots:
         QVERIFY2(scene.isOk(), scene ? "" : qPrintable(scene.error().message()));
         const auto traced = traceScene(scene->scene);
         const std::vector<StageFormulas> stages = explainStep(*traced, 0).stages;
+        for (const StageFormulas &stage : stages) {
+            for (const FormulaLine &line : stage.lines) {
+                if (line.substituted.isEmpty())
+                    continue;
+                const QString fault
+                    = formulaFault(line, FormulaRange::of(line.substituted, Arithmetic::Float64),
+                                   Arithmetic::Float64);
+                QVERIFY2(fault.isEmpty(),
+                         qPrintable(line.symbols + QStringLiteral(": ") + line.substituted + u' '
+                                    + fault));
+            }
+        }
         for (qsizetype i = 0; i < points.size(); ++i) {
             bool isFound = false;
             for (const StageFormulas &stage : stages) {
