@@ -11,7 +11,7 @@ namespace pixelplumb {
 QString effectReason(Effect effect, const NeedsTally &tally, const Primitives &primitives,
                      const ScanSettings &settings, const FrameView &frame);
 
-/// The same of antialiasing alone.
+/// Why antialiasing is called for or not.
 QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing);
 
 /// The same of depth, where the scene leaves the question to the plan.

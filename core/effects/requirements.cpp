@@ -59,13 +59,15 @@ Verdict verdictOf(Effect effect, const NeedsTally &tally)
     return isInDoubt ? Verdict::NotRuledOut : Verdict::CalledFor;
 }
 
-/// What is asked for; none where that is as called for and nothing calls for it.
-template <class IsCalledFor>
+/// What is asked for, where something calls for it or, where it is forced, something is drawn that
+/// can have it; else none. Primitives are looked at only where more than one sample is asked for.
+template <class IsCalledFor, class IsDrawn>
 Antialiasing runningOf(const Appearance &appearance, const SampledFrame &asked,
-                       const IsCalledFor &isCalledFor)
+                       const IsCalledFor &isCalledFor, const IsDrawn &isDrawn)
 {
-    const bool runs = asked.antialiasing == Antialiasing::None
-        || appearance.forced[Effect::Antialiasing] != Forcing::AsCalledFor || isCalledFor();
+    const bool isForced = appearance.forced[Effect::Antialiasing] != Forcing::AsCalledFor;
+    const bool runs
+        = asked.antialiasing != Antialiasing::None && (isCalledFor() || (isForced && isDrawn()));
     return runs ? asked.antialiasing : Antialiasing::None;
 }
 
@@ -94,29 +96,31 @@ Antialiasing triangleAntialiasing(const Primitives &primitives, const ScanSettin
         return std::ranges::any_of(primitives.triangles,
                                    [&](const Triangle &triangle) { return is(triangle, asked); });
     };
-    // Where nothing is drawn there is nothing to force.
-    if (!isSoOfAny(isDrawnEitherWay))
-        return Antialiasing::None;
+    const auto isAnyDrawn = [&] { return isSoOfAny(isDrawnEitherWay); };
     // The edges of one that lies between all samples part the pixels of others.
-    return runningOf(appearance, asked, [&] {
-        return isSoOfAny([](const auto &...of) { return hasEdgePixels(of...); });
-    });
+    const auto isCalledFor = [&] {
+        return isSoOfAny([](const auto &...of) { return hasEdgePixels(of...); }) && isAnyDrawn();
+    };
+    return runningOf(appearance, asked, isCalledFor, isAnyDrawn);
 }
 
 Antialiasing strokeAntialiasing(const Primitives &primitives, const FrameView &frame)
 {
     const Appearance &appearance = primitives.appearance;
     const SampledFrame asked{frame, FillRule::Closed, antialiasingOf(appearance)};
-    const auto isCalledForBy
-        = [&](const Shape &shape) { return callsForAntialiasing(shape, asked); };
-    const bool isCalledFor = std::ranges::any_of(primitives.shapes, isCalledForBy);
-    const auto isDrawnStroke = [&](const Shape &shape) {
-        return isStroke(shape) && borderCrossingOf(shape, asked) != BorderCrossing::Outside;
-    };
-    // Where nothing is drawn there is nothing to force.
-    if (!isCalledFor && std::ranges::none_of(primitives.shapes, isDrawnStroke))
-        return Antialiasing::None;
-    return runningOf(appearance, asked, [isCalledFor] { return isCalledFor; });
+    const auto isSoOfAny
+        = [&](const auto &is) { return std::ranges::any_of(primitives.shapes, is); };
+    return runningOf(
+        appearance, asked,
+        [&] {
+            return isSoOfAny(
+                [&](const Shape &shape) { return callsForAntialiasing(shape, asked); });
+        },
+        [&] {
+            return isSoOfAny([&](const Shape &shape) {
+                return isStroke(shape) && borderCrossingOf(shape, asked) != BorderCrossing::Outside;
+            });
+        });
 }
 
 PerEffect<EffectVerdict> requirementsWith(const Primitives &primitives,

@@ -186,9 +186,10 @@ private:
         }
         if (sample.covered == 0)
             return;
-        sample.after = packed(m_colour.colourAt(sample.place));
         if (m_canvas.hasSampleFrames())
             takeMean(sample, m_canvas.mean(pixel.x, pixel.y));
+        else
+            sample.after = packed(m_colour.colourAt(sample.place));
         write(pixel, sample);
     }
 

@@ -30,8 +30,6 @@ public:
         return !m_isPoint && (at(0) != at(2) || (!m_isSegment && at(0) != at(1)));
     }
 
-    /// Of a segment its first end.
-    std::size_t first() const { return m_isSegment ? std::size_t(m_order[0]) : 0; }
     template <class Vertices, class Value>
     auto leastIn(const Vertices &vertices, Value value) const
     {
@@ -80,7 +78,8 @@ bool hasNormals(const TriangleAttributes &attributes)
 
 Colour oneColourOf(const Triangle &triangle)
 {
-    return triangle.vertices[Carriers(triangle).first()].colour;
+    const bool isSegment = doubledArea(triangle) == 0;
+    return triangle.vertices[isSegment ? std::size_t(sortedByColumn(triangle)[0]) : 0].colour;
 }
 
 TriangleNeeds needsOf(const Triangle &triangle, const TriangleAttributes *attributes,
