@@ -16,12 +16,17 @@ namespace pixelplumb {
 
 namespace {
 
-void show(MainWindow &window)
+void showActive(MainWindow &window)
 {
     window.show();
     window.activateWindow();
     if (!QTest::qWaitForWindowActive(&window))
         QTest::qFail("the window does not become active", __FILE__, __LINE__);
+}
+
+void show(MainWindow &window)
+{
+    showActive(window);
     window.parts().canvas->setFocus();
 }
 
@@ -50,6 +55,23 @@ std::unique_ptr<MainWindow> openedWindow(const QString &sceneFile)
         QTest::qFail(qPrintable(sceneFile), __FILE__, __LINE__);
     show(*window);
     return window;
+}
+
+std::unique_ptr<MainWindow> windowOf(const QSize &size)
+{
+    auto window = std::make_unique<MainWindow>();
+    window->resize(size);
+    action(*window, "resetLayout")->trigger();
+    window->openDefaultScene();
+    showActive(*window);
+    settle();
+    return window;
+}
+
+void settle()
+{
+    for (int round = 0; round < 6; ++round)
+        QCoreApplication::processEvents();
 }
 
 QAction *action(const MainWindow &window, const char *name) { return named<QAction>(window, name); }

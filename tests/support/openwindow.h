@@ -17,6 +17,12 @@ std::unique_ptr<MainWindow> openedWindow();
 std::unique_ptr<MainWindow> openedWindow(const Scene &scene);
 std::unique_ptr<MainWindow> openedWindow(const QString &sceneFile);
 
+/// A window of the default scene, active, as it would open at a size, whatever other runs have
+/// kept.
+std::unique_ptr<MainWindow> windowOf(const QSize &size);
+/// Waits until what windows have put off is done: docks get their places one after another.
+void settle();
+
 /// The part of this name; null where there is none.
 template <class Part>
 Part *named(const QObject &whole, const char *name)

@@ -31,27 +31,6 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Lets the panels take the room that they ask for: asking and taking are events.
-void settle()
-{
-    for (int round = 0; round < 4; ++round)
-        QCoreApplication::processEvents();
-}
-
-std::unique_ptr<MainWindow> windowOf(const QSize &size)
-{
-    auto window = std::make_unique<MainWindow>();
-    window->resize(size);
-    action(*window, "resetLayout")->trigger();
-    window->openDefaultScene();
-    window->show();
-    window->activateWindow();
-    if (!QTest::qWaitForWindowActive(window.get()))
-        QTest::qFail("the window does not become active", __FILE__, __LINE__);
-    settle();
-    return window;
-}
-
 void showPanel(const MainWindow &window, const QDockWidget &dock)
 {
     QAction *toggle = named<QAction>(window, qPrintable(dock.objectName() + "Toggle"));

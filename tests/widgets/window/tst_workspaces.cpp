@@ -27,13 +27,6 @@ namespace {
 constexpr const char *actions[]
     = {"stepWorkspace", "compareWorkspace", "measureWorkspace", "gradeWorkspace"};
 
-/// Panels ask for room and take it: both are events.
-void settle()
-{
-    for (int round = 0; round < 6; ++round)
-        QCoreApplication::processEvents();
-}
-
 QString current(const MainWindow &window)
 {
     for (const char *name : actions) {
@@ -80,21 +73,6 @@ QStringList panelsInFront(const MainWindow &window)
     }
     front.sort();
     return front;
-}
-
-/// The window that opens next, at a size of its own.
-std::unique_ptr<MainWindow> windowOf(const QSize &size)
-{
-    auto window = std::make_unique<MainWindow>();
-    window->resize(size);
-    action(*window, "resetLayout")->trigger();
-    window->openDefaultScene();
-    window->show();
-    window->activateWindow();
-    if (!QTest::qWaitForWindowActive(window.get()))
-        QTest::qFail("the window does not become active", __FILE__, __LINE__);
-    settle();
-    return window;
 }
 
 /// Between the canvas and what stands left or right of it, where it can be dragged.
