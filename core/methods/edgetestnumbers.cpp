@@ -6,6 +6,7 @@
 #include "core/methods/formulatext.h"
 #include "core/methods/placenumbers.h"
 #include "core/methods/units.h"
+#include "core/scan/degeneratesegment.h"
 
 namespace pixelplumb {
 
@@ -17,10 +18,8 @@ using Group = NumberGroup;
 NumberRow<EdgeTestSampleState> segmentNumber()
 {
     using State = EdgeTestSampleState;
-    const auto endOf = [](const State &state, std::size_t place) {
-        const std::array<int, 3> order = sortedByColumn(Triangle{state.vertices});
-        return state.vertices[std::size_t(order[place])].position;
-    };
+    const auto segmentOf
+        = [](const State &state) { return DegenerateSegment(Triangle{state.vertices}); };
     return {{.id = QStringLiteral("segment"),
              .title = QStringLiteral("d"),
              .unit = unit::squarePx(),
@@ -29,19 +28,24 @@ NumberRow<EdgeTestSampleState> segmentNumber()
                                        "passes through it. None of other triangles."),
              .formula = {},
              .group = Group::Span},
-            [endOf](const State &state) {
-                return state.ofSegment ? Quantity::rational(
-                           doubledArea(endOf(state, 0), endOf(state, 2), state.sample),
-                           squareUnitsPerPixel)
-                                       : Quantity();
+            [segmentOf](const State &state) {
+                if (!state.ofSegment)
+                    return Quantity();
+                const DegenerateSegment segment = segmentOf(state);
+                return Quantity::rational(
+                    doubledArea(segment.first().position, segment.last().position, state.sample),
+                    squareUnitsPerPixel);
             },
-            [endOf](NumberDescription &number, const State &state) {
-                const LatticePoint first = endOf(state, 0), last = endOf(state, 2);
-                if (state.ofSegment)
-                    number.formula = QStringLiteral("d = ") + differenceText(last.x, first.x)
-                        + QStringLiteral("·(y − %1) − ").arg(operand(pixels(first.y)))
-                        + differenceText(last.y, first.y)
-                        + QStringLiteral("·(x − %1)").arg(operand(pixels(first.x)));
+            [segmentOf](NumberDescription &number, const State &state) {
+                if (!state.ofSegment)
+                    return;
+                const DegenerateSegment segment = segmentOf(state);
+                const LatticePoint first = segment.first().position;
+                const LatticePoint last = segment.last().position;
+                number.formula = QStringLiteral("d = ") + differenceText(last.x, first.x)
+                    + QStringLiteral("·(y − %1) − ").arg(operand(pixels(first.y)))
+                    + differenceText(last.y, first.y)
+                    + QStringLiteral("·(x − %1)").arg(operand(pixels(first.x)));
             }};
 }
 
