@@ -205,8 +205,11 @@ Result<Scene> underOptions(const CommandLine &line, SceneReading reading, const 
         return method.error();
     const auto arithmetic = chosenArithmetic(line, scene.settings.arithmetic);
     const auto fillRule = chosenFillRule(line, scene.settings.fillRule);
-    if (const auto error = firstError(arithmetic, fillRule))
+    const auto forced = chosenForcing(line);
+    if (const auto error = firstError(arithmetic, fillRule, forced))
         return *error;
+    // Before the method is chosen, which has to draw what is forced on.
+    scene.appearance.forced = *forced;
     OpenSettings open = reading.open;
     open.arithmetic = open.arithmetic && !line.isSet(arithmeticOption);
     open.fillRule = open.fillRule && !line.isSet(fillRuleOption);
@@ -217,8 +220,7 @@ Result<Scene> underOptions(const CommandLine &line, SceneReading reading, const 
     scene.settings = settledFor(**method, scene.settings, open);
     const auto rounding = chosen(line, roundingOption, allByteRoundings, scene.settings.rounding);
     const auto variants = chosenVariants(line, scene.settings.variants);
-    const auto forced = chosenForcing(line);
-    if (const auto error = firstError(rounding, variants, forced))
+    if (const auto error = firstError(rounding, variants))
         return *error;
     if (line.isSet(frameOption)) {
         if (!scene.motion)
@@ -235,7 +237,6 @@ Result<Scene> underOptions(const CommandLine &line, SceneReading reading, const 
     scene.method = (*method)->id.toStdString();
     scene.settings.rounding = *rounding;
     scene.settings.variants = *variants;
-    scene.appearance.forced = *forced;
     return scene;
 }
 

@@ -29,12 +29,16 @@ QString has(std::size_t count, std::size_t all, const QString &noun)
     return countedWords(count, all, noun, QStringLiteral("has"), QStringLiteral("have"));
 }
 
-/// Added to what is said of vertices: a triangle without area is drawn as the segment that it is.
+/// Added to what is said of vertices: a triangle without area is drawn as the segment or the point
+/// that it is.
 QString ofEnds(const NeedsTally &tally)
 {
-    return tally.drawnSegments == 0
-        ? QString()
-        : QStringLiteral("; of a triangle without area the two ends alone count");
+    QString said;
+    if (tally.drawnSegments > 0)
+        said += QStringLiteral("; of a triangle that is a segment the two ends alone count");
+    if (tally.drawnPoints > 0)
+        said += QStringLiteral("; of a triangle that is a point the first vertex alone counts");
+    return said;
 }
 
 QString smoothColourReason(const NeedsTally &tally, const Appearance &appearance,

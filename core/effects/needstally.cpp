@@ -34,7 +34,10 @@ public:
         }
         ++m_tally.drawn;
         ++m_tally.drawnTriangles;
-        m_tally.drawnSegments += doubledArea(triangle) == 0 ? 1 : 0;
+        if (isPoint(triangle))
+            ++m_tally.drawnPoints;
+        else if (doubledArea(triangle) == 0)
+            ++m_tally.drawnSegments;
         const std::int64_t pixels = mostPixelsOf(triangle, reach, m_where.antialiasingOf(triangle));
         addClipping(borderCrossingOf(triangle, m_where), pixels, isCutAtNear(index));
         const TriangleNeeds needs = needsOf(triangle, attributes, m_appearance);

@@ -23,7 +23,8 @@ struct NeedsTally {
     std::size_t drawn = 0; ///< primitives that reach the frame; the others need nothing
     std::size_t ownColours = 0; ///< drawn shapes whose points have each its own
     std::size_t drawnTriangles = 0;
-    std::size_t drawnSegments = 0; ///< of triangles without area
+    std::size_t drawnSegments = 0; ///< triangles without area, but for points
+    std::size_t drawnPoints = 0; ///< triangles whose vertices are one
     std::size_t drawnStrokes = 0; ///< lines and curves that antialiasing can draw
     std::size_t outside = 0;
     std::size_t crossing = 0; ///< the frame's border

@@ -15,7 +15,7 @@ public:
     explicit Carriers(const Triangle &triangle)
         : m_order(sortedByColumn(triangle))
         , m_isSegment(doubledArea(triangle) == 0)
-        , m_isPoint(positionAt(triangle, 0) == positionAt(triangle, 2))
+        , m_isPoint(isPoint(triangle))
     {
     }
 
@@ -40,11 +40,6 @@ public:
     }
 
 private:
-    const LatticePoint &positionAt(const Triangle &triangle, std::size_t place) const
-    {
-        return triangle.vertices[std::size_t(m_order[place])].position;
-    }
-
     std::array<int, 3> m_order;
     bool m_isSegment = false;
     bool m_isPoint = false;
@@ -74,6 +69,12 @@ bool hasNormals(const TriangleAttributes &attributes)
     return std::ranges::any_of(attributes.vertices, [](const VertexAttributes &vertex) {
         return vertex.normal != std::array<Attribute, 3>{};
     });
+}
+
+bool isPoint(const Triangle &triangle)
+{
+    const auto &[a, b, c] = triangle.vertices;
+    return a.position == b.position && b.position == c.position;
 }
 
 Colour oneColourOf(const Triangle &triangle)

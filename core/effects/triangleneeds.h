@@ -30,6 +30,9 @@ struct TriangleNeeds {
 const Texture *textureOf(const TriangleAttributes &attributes, const Appearance &appearance);
 bool hasNormals(const TriangleAttributes &attributes);
 
+/// Whether the three vertices are one place.
+bool isPoint(const Triangle &triangle);
+
 /// What a triangle is painted in where colours are not interpolated: the colour of its first
 /// vertex, of a segment that of its first end.
 Colour oneColourOf(const Triangle &triangle);

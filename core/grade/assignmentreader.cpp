@@ -163,7 +163,8 @@ private:
         AssignedProgram program;
         if (const JsonNode name = node["file"]; !name.isMissing()) {
             program.file = m_json.string(name);
-            if (program.file.contains(u'/') || program.file.startsWith(u'.'))
+            if (program.file.isEmpty() || program.file.contains(u'/')
+                || program.file.startsWith(u'.'))
                 m_json.fail(name, describe(name), QStringLiteral("a file's name, without folders"));
         }
         readWord(node["input"], allProgramInputs, program.input);

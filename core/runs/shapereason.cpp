@@ -61,8 +61,39 @@ QString stepText(const ScanTrace &trace, std::size_t span)
     return told.isEmpty() ? told : QStringLiteral(" %1: %2").arg(spanHeading(trace, span), told);
 }
 
-/// The steps of a curve walk along it: those that wrote the four pixels next to this one tell where
-/// it goes.
+/// Whether the steps of a primitive walk along it, as those of a curve do, and of a line by t.
+bool isWalkedAlong(const PixelAttempt &attempt, const ScanTrace &trace)
+{
+    constexpr std::array walked = {PrimitiveKind::Line, PrimitiveKind::Circle,
+                                   PrimitiveKind::Ellipse, PrimitiveKind::Bezier};
+    const std::size_t first = trace.firstSpanOf(attempt.primitive);
+    return std::ranges::find(walked, attempt.kind) != walked.end()
+        && first < trace.endSpanOf(attempt.primitive)
+        && trace.placeOf(first).axis == SpanAxis::Free;
+}
+
+/// The first of the written samples of a primitive that are nearest to a pixel; none where it wrote
+/// nothing.
+std::optional<std::size_t> nearestWritten(const ScanTrace &trace, std::size_t primitive,
+                                          std::int64_t x, std::int64_t y)
+{
+    std::optional<std::size_t> nearest;
+    std::int64_t least = 0;
+    const std::size_t end = trace.endSampleOf(trace.endSpanOf(primitive) - 1);
+    for (std::size_t i = trace.firstSampleOf(trace.firstSpanOf(primitive)); i < end; ++i) {
+        const PixelChange &change = trace.changes()[i];
+        const std::int64_t distance
+            = (change.x - x) * (change.x - x) + (change.y - y) * (change.y - y);
+        if (change.isWritten() && (!nearest || distance < least)) {
+            nearest = i;
+            least = distance;
+        }
+    }
+    return nearest;
+}
+
+/// The steps that wrote the four pixels next to this one tell where a curve goes; where it passes
+/// none of them, the step that wrote the nearest.
 QString stepsNextToText(const ScanTrace &trace, std::size_t primitive, std::int64_t x,
                         std::int64_t y)
 {
@@ -74,6 +105,10 @@ QString stepsNextToText(const ScanTrace &trace, std::size_t primitive, std::int6
             continue;
         if (const std::size_t span = trace.spanOf(*visit); std::ranges::count(spans, span) == 0)
             spans.push_back(span);
+    }
+    if (spans.empty()) {
+        if (const auto nearest = nearestWritten(trace, primitive, x, y))
+            spans.push_back(trace.spanOf(*nearest));
     }
     std::ranges::sort(spans);
     QString text;
@@ -97,10 +132,9 @@ QString stepBesideText(const PixelAttempt &attempt, const ScanTrace &trace, std:
 {
     if (attempt.primitive >= trace.primitiveCount())
         return {};
-    if (attempt.kind == PrimitiveKind::Circle || attempt.kind == PrimitiveKind::Ellipse)
+    if (isWalkedAlong(attempt, trace))
         return stepsNextToText(trace, attempt.primitive, x, y);
     const auto step = trace.spanNear(attempt.primitive, x, y);
-    // The steps of a curve are no rows and no columns.
     const bool isTold = attempt.kind == PrimitiveKind::Line || isDecidedByOutline(attempt, trace)
         || (step && !attempt.sample && attempt.kind != PrimitiveKind::Triangle
             && trace.placeOf(*step).axis == SpanAxis::Row);

@@ -11,8 +11,8 @@ bool isDecidedByOutline(const PixelAttempt &attempt, const ScanTrace &trace);
 // Sentences about a pixel, each after a space; empty where there is nothing to say.
 
 /// " Column 3: p_k = 0, a tie: step diagonally to the pixel (3, 9); …" Where a line or an outline
-/// was decided that passes beside the pixel; of a circle or an ellipse the steps of the pixels next
-/// to it; of what is filled row by row, the row.
+/// was decided that passes beside the pixel; of what is walked along, as a circle, the steps of the
+/// pixels next to it or else of the nearest; of what is filled row by row, the row.
 QString stepBesideText(const PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x,
                        std::int64_t y);
 

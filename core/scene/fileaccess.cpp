@@ -7,9 +7,28 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include <fcntl.h>
+
 #include <algorithm>
 
 namespace pixelplumb {
+
+namespace {
+
+/// A pipe or a device is waited for, since a person named it; of what calls itself a file, as those
+/// of /proc do, what has nothing to say yet is an error.
+bool openToRead(QFile &file)
+{
+    if (!QFileInfo(file).isFile())
+        return file.open(QIODevice::ReadOnly);
+    const int opened
+        = ::open(QFile::encodeName(file.fileName()).constData(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    // Where it does not open, Qt says why.
+    return opened >= 0 ? file.open(opened, QIODevice::ReadOnly, QFileDevice::AutoCloseHandle)
+                       : file.open(QIODevice::ReadOnly);
+}
+
+} // namespace
 
 Result<QByteArray> readDevice(const QString &place, QIODevice &device, qint64 most)
 {
@@ -41,7 +60,7 @@ Result<QByteArray> readFile(const QString &path, qint64 most)
     if (auto objection = noteInput(path))
         return *objection;
     QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
+    if (!openToRead(file))
         return refusal(file.errorString());
     return readDevice(path, file, most);
 }

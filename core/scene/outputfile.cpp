@@ -20,8 +20,9 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr std::chrono::seconds patience{5};
-constexpr std::chrono::milliseconds glance{20};
+// No longer than a window may stand still.
+constexpr std::chrono::milliseconds patience{40};
+constexpr std::chrono::milliseconds glance{5};
 
 /// Opens a pipe as soon as somebody reads it; false, and errno ENXIO, where nobody does for that
 /// long: to open it plainly would wait for ever.

@@ -272,10 +272,10 @@ private slots:
         QVERIFY2(unread.messages.contains("nobody reads the pipe"), unread.messages.constData());
         QCOMPARE(unread.exitCode, 2);
 
-        // The reader comes after the command.
         const ProgramRun read
             = runHere({"render", "scene.json", "-o", "pipe.ppm"},
-                      "\"$0\" \"$@\" & sleep 0.5; cat pipe.ppm > copy.ppm; wait $!");
+                      "cat pipe.ppm > copy.ppm & until [ -e copy.ppm ]; do sleep 0.1; done;"
+                      " \"$0\" \"$@\"; code=$?; wait; exit $code");
         QCOMPARE(read.exitCode, 0);
         QVERIFY(contentOf("copy.ppm").startsWith("P6\n8 8\n"));
         QCOMPARE(contentOf("copy.ppm").size(), 11 + 8 * 8 * 3);

@@ -218,14 +218,23 @@ private slots:
             std::swap(p.attributes[0].vertices[2].w, p.attributes[0].vertices[1].w);
         };
         add("a segment's middle colour", segment, Effect::SmoothColour, no, 0,
-            "the vertex colours are equal; of a triangle without area the two ends "
-            "alone count");
+            "the vertex colours are equal; of a triangle that is a segment the two "
+            "ends alone count");
         add("a segment's middle alpha", segment, Effect::Blending, no, 0,
             "every alpha is 255: opaque");
         add("a segment's middle w", segment, Effect::Perspective, no, 0,
-            "w is the same at the vertices of every triangle; of a triangle without area the two "
-            "ends "
-            "alone count");
+            "w is the same at the vertices of every triangle; of a triangle that is a segment "
+            "the two ends alone count");
+        add(
+            "a point's other colours",
+            [=](Primitives &p) {
+                segment(p);
+                for (Vertex &vertex : p.triangles[0].vertices)
+                    vertex.position = p.triangles[0].vertices[0].position;
+            },
+            Effect::SmoothColour, no, 0,
+            "the vertex colours are equal; of a triangle that is a point the first vertex alone "
+            "counts");
         add(
             "a segment whose middle is the first vertex",
             [=](Primitives &p) {
@@ -233,7 +242,8 @@ private slots:
                 std::swap(p.triangles[0].vertices[0], p.triangles[0].vertices[1]);
             },
             Effect::SmoothColour, no, 0,
-            "the vertex colours are equal; of a triangle without area the two ends alone count");
+            "the vertex colours are equal; of a triangle that is a segment the two ends alone "
+            "count");
         add(
             "a segment's lowest alpha",
             [=](Primitives &p) {

@@ -381,31 +381,6 @@ private slots:
                      .reason.contains(QStringLiteral("exactly on")));
     }
 
-    /// Radius 5 about (8, 8), F(x, y) = x² + y² − 25 from the centre.
-    void aPixelBesideACircleTellsTheStepsNextToIt_data()
-    {
-        QTest::addColumn<QPoint>("pixel");
-        QTest::addColumn<QString>("told");
-        QTest::newRow("below the top")
-            << QPoint(8, 12) << "Step 0: The arc starts at (x_k, y_k) = (0, 5)";
-        QTest::newRow("F(2, 4 1/2) = −3/4") << QPoint(10, 12) << "Step 2: p_k = −3/4 < 0";
-        QTest::newRow("F(4, 3 1/2) = 3 1/4") << QPoint(12, 12) << "Step 4: p_k = 3 1/4 > 0";
-        QTest::newRow("mirrored") << QPoint(4, 4) << "Step 4: p_k = 3 1/4 > 0";
-    }
-    void aPixelBesideACircleTellsTheStepsNextToIt()
-    {
-        QFETCH(QPoint, pixel);
-        QFETCH(QString, told);
-        const auto traced
-            = traceScene(sceneOf(circleAt(8, 8, 5), "circle-midpoint", frameOf(16, 16)));
-        const QString reason = pixelHistory(*traced, pixel.x(), pixel.y()).front().reason;
-        QVERIFY2(reason.startsWith(QStringLiteral("The circle does not cover it. ")),
-                 qPrintable(reason));
-        QVERIFY2(reason.contains(told), qPrintable(reason));
-        QCOMPARE(pixelHistory(*traced, 8, 8).front().reason,
-                 QStringLiteral("The circle does not cover it."));
-    }
-
     void aRefusedTieTellsTheProduct()
     {
         const auto traced

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/fileaccess.h"
+#include "tests/support/programrun.h"
+#include "tests/support/sourcetree.h"
+#include "tests/support/testprogram.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <vector>
+
+namespace tst_transcripts {
+
+using namespace pixelplumb;
+
+namespace {
+
+/// A command of a transcript: what stands above it, and its lines for the shell.
+struct Command {
+    QStringList comment;
+    QStringList lines;
+};
+
+const QString begin = QStringLiteral("  $ ");
+const QString continued = QStringLiteral("  > ");
+
+/// The commands, without what they printed.
+std::vector<Command> commandsOf(const QString &transcript)
+{
+    std::vector<Command> commands;
+    QStringList comment;
+    for (const QString &line : transcript.split(u'\n')) {
+        if (line.startsWith(begin)) {
+            commands.push_back({comment, {line.sliced(begin.size())}});
+            comment.clear();
+        } else if (line.startsWith(continued) && !commands.empty() && comment.isEmpty()) {
+            commands.back().lines += line.sliced(continued.size());
+        } else if (!line.startsWith(QStringLiteral("  "))) {
+            comment += line;
+        }
+    }
+    // The empty line at the file's end is the last comment.
+    commands.push_back({comment, {}});
+    return commands;
+}
+
+/// What a command printed, indented: standard output, standard error after "! ", and the exit code
+/// in brackets where it is not 0.
+QStringList shownResult(const ProgramRun &result)
+{
+    QStringList shown;
+    const auto add = [&](const QByteArray &text, const QString &mark) {
+        QStringList lines = QString::fromUtf8(text).split(u'\n');
+        if (lines.back().isEmpty())
+            lines.removeLast();
+        else
+            lines.back() += QStringLiteral(" (no newline)");
+        for (const QString &line : lines)
+            shown += (QStringLiteral("  ") + mark + line);
+    };
+    add(result.output, {});
+    add(result.messages, QStringLiteral("! "));
+    if (result.exitCode != 0)
+        shown += QStringLiteral("  [%1]").arg(result.exitCode);
+    return shown;
+}
+
+/// By the shell, in a folder where `scenes` are those of resources/.
+ProgramRun runInShell(const QString &folder, const QString &script)
+{
+    QProcess shell;
+    shell.setWorkingDirectory(folder);
+    shell.setStandardInputFile(QProcess::nullDevice());
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("PATH"),
+                       QFileInfo(program()).path() + u':'
+                           + environment.value(QStringLiteral("PATH")));
+    shell.setProcessEnvironment(environment);
+    shell.start(QStringLiteral("/bin/sh"), {QStringLiteral("-c"), script});
+    if (!shell.waitForFinished(300'000) || shell.exitStatus() != QProcess::NormalExit)
+        return {-1, {}, "did not end by itself\n"};
+    return {shell.exitCode(), shell.readAllStandardOutput(), shell.readAllStandardError()};
+}
+
+/// The transcript as it is when its commands are run now, from the first to the last in one folder.
+QString runAgain(const QString &transcript)
+{
+    const QTemporaryDir folder;
+    QFile::link(resource(QStringLiteral("/scenes")), folder.filePath(QStringLiteral("scenes")));
+    QFile::link(resource(QStringLiteral("/assignments")),
+                folder.filePath(QStringLiteral("assignments")));
+    QStringList lines;
+    for (const Command &command : commandsOf(transcript)) {
+        lines += command.comment;
+        if (command.lines.isEmpty())
+            continue;
+        lines += begin + command.lines.join(u'\n' + continued);
+        lines += shownResult(runInShell(folder.path(), command.lines.join(u'\n')));
+    }
+    return lines.join(u'\n');
+}
+
+} // namespace
+
+/// What the program prints, word for word: the files of tests/data/transcripts are what a person
+/// saw who typed these commands, and are run again. PIXELPLUMB_RECORD=1 in the environment writes
+/// what they print now into the files, to be read before it is committed.
+class TestTranscripts : public QObject {
+    Q_OBJECT
+
+private slots:
+    void saysWhatItSaid_data()
+    {
+        QTest::addColumn<QString>("file");
+        const QDir folder(testData(QStringLiteral("transcripts")));
+        for (const QString &name : folder.entryList({QStringLiteral("*.txt")}))
+            QTest::newRow(qPrintable(name)) << folder.filePath(name);
+    }
+    void saysWhatItSaid()
+    {
+        QFETCH(QString, file);
+        QFile transcript(file);
+        QVERIFY(transcript.open(QIODevice::ReadOnly));
+        const QString recorded = QString::fromUtf8(transcript.readAll());
+        QVERIFY(commandsOf(recorded).size() > 1);
+
+        const QString now = runAgain(recorded);
+
+        if (qEnvironmentVariableIsSet("PIXELPLUMB_RECORD"))
+            QVERIFY(!writeFile(file, now.toUtf8()));
+        else if (now != recorded)
+            QFAIL(qPrintable(firstDifference(recorded.split(u'\n'), now.split(u'\n'))));
+    }
+
+    void whatIsRunAgainIsWhatWasPrinted()
+    {
+        QCOMPARE(runAgain(QStringLiteral("A sentence.\n"
+                                         "  $ printf 'a\\nb'; echo c >&2; exit 3\n"
+                                         "  something else\n"
+                                         "\n"
+                                         "  $ cat <<END\n"
+                                         "  > one\n"
+                                         "  > END\n")),
+                 QStringLiteral("A sentence.\n"
+                                "  $ printf 'a\\nb'; echo c >&2; exit 3\n"
+                                "  a\n"
+                                "  b (no newline)\n"
+                                "  ! c\n"
+                                "  [3]\n"
+                                "\n"
+                                "  $ cat <<END\n"
+                                "  > one\n"
+                                "  > END\n"
+                                "  one\n"));
+    }
+
+private:
+    /// With the command that printed it.
+    static QString firstDifference(const QStringList &recorded, const QStringList &now)
+    {
+        QString command;
+        for (qsizetype i = 0; i < qMax(recorded.size(), now.size()); ++i) {
+            const QString was = recorded.value(i, QStringLiteral("(the end)"));
+            const QString is = now.value(i, QStringLiteral("(the end)"));
+            if (was != is)
+                return QStringLiteral("line %1, of %2\nrecorded: %3\nnow:      %4")
+                    .arg(QString::number(i + 1), command.trimmed(), was, is);
+            if (was.startsWith(begin))
+                command = was;
+        }
+        return {};
+    }
+};
+
+PIXELPLUMB_TEST(TestTranscripts)
+
+} // namespace tst_transcripts
+
+#include "tst_transcripts.moc"
