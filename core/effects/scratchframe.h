@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 namespace pixelplumb {
@@ -39,12 +40,14 @@ class SampleMean {
 public:
     void add(QRgb pixel)
     {
-        ++m_count;
+        m_samples[m_count++] = pixel;
         m_alpha |= pixel & 0xff000000U;
         const Colour colour = unpacked(pixel);
         for (std::size_t i = 0; i < 3; ++i)
             m_sum[i] += colour.channels[i];
     }
+    /// As they were added.
+    std::span<const QRgb> samples() const { return {m_samples.data(), m_count}; }
     const std::array<unsigned, 3> &sum() const { return m_sum; }
     QRgb pixel() const
     {
@@ -58,6 +61,7 @@ private:
     std::array<unsigned, 3> m_sum = {};
     unsigned m_count = 0;
     QRgb m_alpha = 0;
+    std::array<QRgb, 16> m_samples = {};
 };
 
 } // namespace pixelplumb

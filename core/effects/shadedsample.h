@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/effects/samplelight.h"
+#include "core/effects/scratchframe.h"
 #include "core/effects/shadedsetup.h"
 #include "core/effects/texelfetch.h"
 #include "core/number/mixednumber.h"
@@ -48,9 +49,10 @@ struct BoundedColumn : ShadedColumn<N> {
 
 /// The samples of a pixel that has 4 or 16.
 struct SampleColours {
-    int count; ///< 0: the pixel has one
     std::uint16_t written; ///< by this primitive; bit k: sample k
-    std::array<std::uint16_t, 3> sum; ///< of what stands in them now, by channel
+    SampleMean mean; ///< of what stands in them now; of no sample where the pixel has one
+
+    int count() const { return int(mean.samples().size()); }
 };
 
 /// What a sample was compared with.
@@ -84,7 +86,7 @@ struct ShadedSample {
 
     bool isClamped() const
     {
-        if (samples.count > 0)
+        if (samples.count() > 0)
             return false;
         return std::uint64_t(level[0] | level[1] | level[2] | alphaLevel) > 255 || light.clamped;
     }

@@ -36,7 +36,7 @@ struct StrokeSample {
     QRgb before = 0, after = 0;
     int samples = 0; ///< 1, 4 or 16; 0: by area
     std::uint16_t covered = 0; ///< bit k: sample k
-    std::array<unsigned, 3> sum = {}; ///< of 4 or 16: of what stands in them now, by channel
+    SampleMean mean; ///< of 4 or 16: of what stands in them now
     std::uint8_t alpha = 0; ///< by area
     Quantity area; ///< px²; for who reads it
 };
@@ -204,7 +204,7 @@ private:
     static void takeMean(StrokeSample &sample, const SampleMean &mean)
     {
         sample.place = {};
-        sample.sum = mean.sum();
+        sample.mean = mean;
         sample.after = mean.pixel();
         for (std::size_t i = 0; i < 3; ++i)
             sample.level[i] = unpacked(sample.after).channels[i];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/interpolationnames.h"
+#include "core/methods/samplesums.h"
 #include "core/methods/shadednumbers.h"
 
 #include <cmath>
@@ -92,22 +93,12 @@ void appendSamples(Table &table, std::size_t samples)
                        "pixel has one."),
         {},
         [](const State &state) {
-            return state.samples == 0 ? Quantity()
-                                      : Quantity::integer(__builtin_popcount(state.samplesWritten));
+            return state.samples() == 0
+                ? Quantity()
+                : Quantity::integer(__builtin_popcount(state.samplesWritten));
         },
         Group::Span);
-    for (std::size_t i = 0; i < 3; ++i) {
-        const QString letter = QString(QChar(channelLetters[i]));
-        appendPlain(
-            table, QStringLiteral("sum_") + letter,
-            QStringLiteral("The sum of %1 over the pixel's samples, as they stand now.")
-                .arg(letter),
-            {},
-            [i](const State &state) {
-                return state.samples == 0 ? Quantity() : Quantity::integer(state.sampleSum[i]);
-            },
-            Group::FirstColour);
-    }
+    appendSampleSums(table, [](const State &state) -> const SampleMean & { return state.mean; });
     for (std::size_t i = 0; i < 3; ++i) {
         const QString letter = QString(QChar(channelLetters[i]));
         appendPlain(
@@ -115,7 +106,8 @@ void appendSamples(Table &table, std::size_t samples)
             QStringLiteral("The mean of %1 over the pixel's samples, as a byte.").arg(letter),
             QStringLiteral("mean_%1 = ⌊sum_%1/%2 + ½⌋").arg(letter).arg(samples),
             [i](const State &state) {
-                return state.samples == 0 ? Quantity() : Quantity::integer(state.after.channels[i]);
+                return state.samples() == 0 ? Quantity()
+                                            : Quantity::integer(state.after.channels[i]);
             });
     }
 }

@@ -137,15 +137,12 @@ private:
     void announce(std::int64_t x, std::int64_t y, std::uint16_t written)
     {
         ShadedSample<N> sample = {};
-        sample.samples.count = int(m_samples.size());
         sample.samples.written = written;
-        SampleMean mean;
+        SampleMean &mean = sample.samples.mean;
         for (const std::unique_ptr<Sample> &each : m_samples)
             mean.add(*each->frame.view().at(x, y));
         sample.before = *m_frame.at(x, y);
         sample.after = mean.pixel();
-        for (std::size_t i = 0; i < 3; ++i)
-            sample.samples.sum[i] = std::uint16_t(mean.sum()[i]);
         for (std::size_t i = 0; i < 3; ++i)
             sample.level[i] = unpacked(sample.after).channels[i];
         if (written == 0) {

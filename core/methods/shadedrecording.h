@@ -67,7 +67,7 @@ struct ShadedRecording : ShadedNumbers<N, A> {
     static void record(const Sample &sample, SampleRecord &record) { record.level = sample.level; }
     static void record(const SampleInHand<SetUp, Span, Sample> &step, SampleRecord &record)
     {
-        if (step.sample.samples.count > 0 || step.fate == SampleFate::Refused)
+        if (step.sample.samples.count() > 0 || step.fate == SampleFate::Refused)
             return;
         const ShadedQuantities<N> quantities(step.setUp);
         for (std::size_t i = 0; i < 3; ++i)

@@ -150,7 +150,7 @@ void appendBytes(NumberTable<ShadedSampleState> &table, const QString &name, con
 ReadOfSample ofWritten(const ReadOfSample &read)
 {
     return [read](const ShadedSampleState &state) {
-        return state.isWritten && state.samples == 0 ? read(state) : Quantity();
+        return state.isWritten && state.samples() == 0 ? read(state) : Quantity();
     };
 }
 

@@ -78,9 +78,8 @@ struct ShadedSampleState {
     bool isWritten = false;
     bool isBlended = false; ///< and has an alpha
     EffectSet effects; ///< of the triangle
-    int samples = 0; ///< 4 or 16 where the pixel is a mean of them: then none of the rest is there
+    SampleMean mean; ///< of what stands in the pixel's samples: then none of the rest is there
     std::uint16_t samplesWritten = 0;
-    std::array<std::uint16_t, 3> sampleSum = {}; ///< of what stands in them
     bool isBeyondHorizon = false; ///< 1/w is not positive there
     PerChannel<Quantity> linear; ///< divided by w where perspective is corrected
     OfVertices<Quantity> weight;
@@ -106,6 +105,8 @@ struct ShadedSampleState {
     Quantity area;
     Colour before, after;
 
+    /// 4 or 16 where the pixel is a mean of them.
+    int samples() const { return int(mean.samples().size()); }
     /// A channel as the effects take it: the quotient where there is one.
     const Quantity &interpolatedIn(std::size_t channel) const
     {

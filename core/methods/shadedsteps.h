@@ -230,10 +230,9 @@ ShadedSampleState shadedStateOf(
     state.effects = setUp.effects;
     state.before = unpacked(sample.before);
     state.after = unpacked(sample.after);
-    state.samples = sample.samples.count;
-    if (state.samples > 0) {
+    state.mean = sample.samples.mean;
+    if (state.samples() > 0) {
         state.samplesWritten = sample.samples.written;
-        state.sampleSum = sample.samples.sum;
         return state;
     }
     const ShadedQuantities<N> quantities(setUp);

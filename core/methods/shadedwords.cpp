@@ -75,15 +75,15 @@ void tellShaded(StepWords &words, const ShadedSpanState &state)
 
 void tellShaded(StepWords &words, const ShadedSampleState &state)
 {
-    if (state.samples > 0) {
+    if (state.samples() > 0) {
         words.sentence = state.isWritten
             ? QStringLiteral("An edge passes through the pixel: of its %1 samples this triangle "
                              "wrote %2. The pixel is the mean of all of them.")
-                  .arg(state.samples)
-                  .arg(sampleNumbersText(state.samplesWritten, state.samples))
+                  .arg(state.samples())
+                  .arg(sampleNumbersText(state.samplesWritten, state.samples()))
             : QStringLiteral("Refused: at each of the pixel's %1 samples that the triangle covers "
                              "it lies behind what stands there.")
-                  .arg(state.samples);
+                  .arg(state.samples());
         return;
     }
     if (state.isBeyondHorizon) {

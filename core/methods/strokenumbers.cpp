@@ -7,6 +7,7 @@
 #include "core/methods/interpolationnames.h"
 #include "core/methods/lineendnumbers.h"
 #include "core/methods/placenumbers.h"
+#include "core/methods/samplesums.h"
 #include "core/methods/units.h"
 
 #include <bit>
@@ -158,22 +159,6 @@ void appendStrokeSource(NumberTable<StrokeSampleState> &table)
         });
 }
 
-/// Of the samples of a pixel, each of which has a colour of its own.
-void appendSums(NumberTable<StrokeSampleState> &table)
-{
-    appendChannels(
-        table,
-        {.id = QStringLiteral("sum_%"),
-         .title = QStringLiteral("sum_%"),
-         .unit = {},
-         .toolTip = QStringLiteral("The sum of % over the pixel's samples, as they stand now."),
-         .formula = {},
-         .group = Group::FirstColour},
-        [](const StrokeSampleState &state, std::size_t channel) {
-            return Quantity::integer(state.sample.sum[channel]);
-        });
-}
-
 /// How a pixel's byte comes about.
 QString writtenFormula(Antialiasing antialiasing)
 {
@@ -268,7 +253,9 @@ NumberTable<StrokeSampleState> strokeSampleNumbers(Antialiasing antialiasing)
     }
     const std::size_t samples = samplePattern(antialiasing).size();
     if (samples > 0)
-        appendSums(table);
+        appendSampleSums(table, [](const StrokeSampleState &state) -> const SampleMean & {
+            return state.sample.mean;
+        });
     else
         appendStrokeSource(table);
     appendStrokeBytes(table, u'd', QStringLiteral("% that stood there."), {},

@@ -105,6 +105,8 @@ private slots:
             "other: divided is by Δ again; expected one of them, or none");
         row("a program in another folder", assignmentWith(R"("program": { "file": "../x" }, )"),
             "program.file: “../x”; expected a file's name, without folders");
+        row("a program without a name", assignmentWith(R"("program": { "file": "" }, )"),
+            "program.file: “”; expected a file's name, without folders");
     }
     void whatIsWrongWithAnAssignmentIsToldWithItsPlace()
     {

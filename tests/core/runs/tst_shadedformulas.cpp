@@ -135,6 +135,25 @@ private slots:
             QVERIFY2(shown.contains(QString::fromUtf8(formula)), formula);
     }
 
+    /// At (2, 2) the hypotenuse x + y = 4 passes through the centre; of its samples (−1/8, −3/8),
+    /// (3/8, −1/8), (−3/8, 1/8) and (1/8, 3/8) the first and the third lie below it.
+    void theSumOfAPixelsSamplesIsWorkedOutFromThem()
+    {
+        for (const char *primitive :
+             {"'triangle': [[0, 0], [4, 0], [0, 4]], 'colors': ['#ffffff', '#ffffff', '#ffffff']",
+              "'line': [[0, 4], [4, 0]], 'colors': ['#ffffff', '#ffffff']"}) {
+            const QSet<QString> shown = formulasOf(
+                *traceScene(sceneOf("{ 'pixelplumb': 1, 'frame': { 'width': 6, 'height': 6 }, "
+                                    "'antialiasing': 4, 'primitives': [ { "
+                                    + QByteArray(primitive) + " } ] }")));
+            // A stroke one pixel wide has all four there.
+            const bool isTriangle = QByteArray(primitive).contains("triangle");
+            const QString sum
+                = QStringLiteral("sum_R = 255 + %1 + 255 + %1").arg(isTriangle ? 0 : 255);
+            QVERIFY2(shown.contains(sum), qPrintable(QStringList(shown.values()).join(u'\n')));
+        }
+    }
+
     /// By hand: 118 1/2 exactly, which float64 has as 118.49999999999999; A = −132, and β is
     /// 1/(4·132·256²) = 2.88992…·10⁻⁸.
     void whatIsAddedToLevelsInFloat64IsShown()

@@ -18,12 +18,12 @@ private slots:
     void aPixelBesideAWalkTellsTheStepsNextToIt_data()
     {
         QTest::addColumn<Shape>("shape");
-        QTest::addColumn<const char *>("method");
+        QTest::addColumn<QByteArray>("method");
         QTest::addColumn<QPoint>("pixel");
         QTest::addColumn<QString>("told");
         // Radius 5 about (8, 8), F(x, y) = x² + y² − 25 from the centre.
         const auto circle = [](const char *name, const QPoint &pixel, const char *told) {
-            QTest::newRow(name) << circleAt(8, 8, 5) << "circle-midpoint" << pixel
+            QTest::newRow(name) << circleAt(8, 8, 5) << QByteArray("circle-midpoint") << pixel
                                 << QString::fromUtf8(told);
         };
         circle("below the top", QPoint(8, 12), "Step 0: The arc starts at (x_k, y_k) = (0, 5)");
@@ -33,26 +33,26 @@ private slots:
         circle("next to none", QPoint(8, 9), "Step 0: The arc starts at (x_k, y_k) = (0, 5)");
         // At t = 1/8 the line is at (2, 1½), half of a pixel above.
         QTest::newRow("below a tie of P(t)")
-            << lineAt(1, 1, 9, 5) << "line-parametric" << QPoint(2, 1)
+            << lineAt(1, 1, 9, 5) << QByteArray("line-parametric") << QPoint(2, 1)
             << "Step 1: At t = 1/8 the line is at (2, 1 1/2), which rounds to the pixel (2, 2).";
         QTest::newRow("far above P(t)")
-            << lineAt(1, 1, 9, 5) << "line-parametric" << QPoint(1, 7)
-            << "Step 2: At t = 1/4 the line is at (3, 2), which rounds to the pixel (3, 2).";
+            << lineAt(1, 1, 9, 5) << QByteArray("line-parametric") << QPoint(1, 7)
+            << "Step 3: At t = 3/8 the line is at (4, 2 1/2), which rounds to the pixel (4, 3).";
         // (1, 1), (4, 14), (14, 2): at t = 1/2 the curve is at (5¾, 7¾).
         const Shape curve
             = bezierAt({latticePixel(1, 1), latticePixel(4, 14), latticePixel(14, 2)});
-        QTest::newRow("beside a curve")
-            << curve << "bezier-subdivision" << QPoint(6, 9) << "It has the pixel (6, 8).";
+        QTest::newRow("beside a curve") << curve << QByteArray("bezier-subdivision") << QPoint(6, 9)
+                                        << "It has the pixel (6, 8).";
         QTest::newRow("far from a curve")
-            << curve << "bezier-subdivision" << QPoint(6, 15) << "It has the pixel (";
+            << curve << QByteArray("bezier-subdivision") << QPoint(6, 15) << "It has the pixel (";
     }
     void aPixelBesideAWalkTellsTheStepsNextToIt()
     {
         QFETCH(Shape, shape);
-        QFETCH(const char *, method);
+        QFETCH(QByteArray, method);
         QFETCH(QPoint, pixel);
         QFETCH(QString, told);
-        const auto traced = traceScene(sceneOf(shape, method, frameOf(16, 16)));
+        const auto traced = traceScene(sceneOf(shape, method.constData(), frameOf(16, 16)));
         const QString reason = pixelHistory(*traced, pixel.x(), pixel.y()).front().reason;
         QVERIFY2(
             reason.startsWith(QStringLiteral("The %1 does not cover it. ").arg(nameOf(shape.kind))),
