@@ -4,8 +4,6 @@
 #include "tests/support/programrun.h"
 #include "tests/support/testprogram.h"
 
-#include <QDir>
-#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -21,7 +19,6 @@ namespace {
 /// What would be replaced, what steers a terminal, what turns the direction of writing, and what
 /// cannot be seen, within the basic plane and beyond.
 const QString hostileName = QStringLiteral("%1 %2 %L3\x1b[31m\u202e\U000e0001\u2028\x7f");
-const QString shownHostileName = QStringLiteral("%1 %2 %L3\\x1b[31m\\u202e\\U000e0001\\u2028\\x7f");
 
 const QByteArray plainScene = R"({ "pixelplumb": 1, "frame": { "width": 8, "height": 8 },
     "primitives": [ { "triangle": [[0, 0], [7, 0], [0, 5]],
@@ -38,63 +35,12 @@ bool isShowable(const QByteArray &bytes)
 
 } // namespace
 
-/// Names from outside come out as they are, and harm nobody.
+/// Names from outside come out as they are, and harm nobody: in JSON, and by the functions that
+/// escape them. What is printed of them is in tests/data/transcripts/names.txt.
 class TestHostileNames : public QObject {
     Q_OBJECT
 
 private slots:
-    void namesAreWholeAndEscaped_data()
-    {
-        QTest::addColumn<QStringList>("arguments"); // @: the name
-        QTest::addColumn<QByteArray>("content"); // of the file of that name; null: there is none
-        QTest::addColumn<int>("exitCode");
-        const auto row
-            = [](const char *name, const QStringList &arguments, const QByteArray &content,
-                 int exitCode) { QTest::newRow(name) << arguments << content << exitCode; };
-        row("no such command", {"@"}, {}, 2);
-        row("no such option", {"render", "--@"}, {}, 2);
-        row("no such scene", {"render", "@", "--ascii"}, {}, 2);
-        row("no such method", {"render", defaultScene(), "--ascii", "--method", "@"}, {}, 2);
-        row("no whole number", {"pixel", defaultScene(), "@", "1"}, {}, 2);
-        row("no scene", {"trace", "@"}, "{}", 2);
-        row("sizes differ", {"diff", "@", defaultScene()}, plainScene, 3);
-        row("sizes differ, the other way", {"diff", defaultScene(), "@"}, plainScene, 3);
-        row("several scenes", {"render", "@", defaultScene(), "--ascii"}, plainScene, 0);
-        row("a snapped coordinate", {"render", "@", "--ascii"},
-            QByteArray(plainScene).replace("[7, 0]", "[6.3, 0.1]"), 0);
-        row("an unknown key", {"render", "@", "--ascii"},
-            QByteArray(plainScene).replace("\"frame\"", "\"a%1b\": 1, \"frame\""), 2);
-        row("no picture", {"diagnose", "@", "--scene", defaultScene()}, "nonsense", 2);
-        row("no assignment", {"grade", ".", "--assignment", "@", "-o", "r"}, "{}", 2);
-        row("no submissions",
-            {"grade", "@", "--assignment", sceneFile("../assignments/column-scan.json"), "-o", "r"},
-            {}, 2);
-        row("no cases", {"check", "@"}, "{}", 2);
-        row("no such program", {"try", "--scene", defaultScene(), "@"}, {}, 2);
-        row("a program that is none", {"counterexample", "column-scan", "program:\"@\""}, {}, 2);
-        row("an output without a kind", {"render", defaultScene(), "-o", "@"}, {}, 2);
-        row("a trace beside", {"try", "--scene", "@", "true"}, plainScene, 1);
-    }
-    void namesAreWholeAndEscaped()
-    {
-        QFETCH(QStringList, arguments);
-        QFETCH(QByteArray, content);
-        QFETCH(int, exitCode);
-        const QTemporaryDir folder;
-        const QString path = folder.filePath(hostileName);
-        const bool isFile = !content.isNull();
-        if (isFile)
-            QVERIFY(!writeFile(path, content));
-        arguments.replaceInStrings(QStringLiteral("@"), isFile ? path : hostileName);
-
-        const ProgramRun result = run(arguments);
-
-        const QByteArray told = result.output + result.messages;
-        QVERIFY2(result.exitCode == exitCode, told.constData());
-        QVERIFY2(isShowable(told), told.constData());
-        QVERIFY2(QString::fromUtf8(told).contains(shownHostileName), told.constData());
-    }
-
     void jsonMeansTheSameAndIsShowable()
     {
         const QTemporaryDir folder;
@@ -143,27 +89,6 @@ private slots:
     {
         QCOMPARE(shownText(QStringLiteral("\U000e0001a😀b").toUtf8(), 3),
                  QStringLiteral("\uFFFDa😀 …"));
-    }
-
-    void aVeryLongWordIsShortened()
-    {
-        const ProgramRun result = run({"render", QString(100'000, u'x'), "--ascii"});
-        QCOMPARE(result.exitCode, 2);
-        QVERIFY(result.messages.size() < 5'000);
-    }
-
-    void aVeryLongKeyIsToldOnceAndShortened()
-    {
-        const QByteArray scene
-            = QByteArray(plainScene)
-                  .replace("\"frame\"", '"' + QByteArray(5'000'000, 'k') + "\": 1, \"frame\"");
-
-        const ProgramRun result = run({"render", "-", "--ascii"}, scene);
-
-        QCOMPARE(result.exitCode, 2);
-        QVERIFY2(result.messages.size() < 2'000, result.messages.constData());
-        QVERIFY2(result.messages.count('k') < 80, result.messages.constData());
-        QVERIFY(result.messages.contains("unknown key"));
     }
 };
 

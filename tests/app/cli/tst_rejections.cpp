@@ -2,11 +2,9 @@
 #include "core/runs/rejectedprimitives.h"
 #include "core/runs/tracedscene.h"
 #include "core/scene/scenefile.h"
-#include "tests/support/programrun.h"
 #include "tests/support/shapeexamples.h"
 #include "tests/support/testprogram.h"
 
-#include <QJsonDocument>
 #include <QSet>
 #include <QTest>
 
@@ -111,10 +109,9 @@ private slots:
         QCOMPARE(recorded.size(), std::size_t(isDrawn ? 0 : 1));
         QCOMPARE(rejectedPrimitives(drawn), recorded);
         for (const RejectedPrimitive &each : recorded)
-            QCOMPARE(
-                each.message(),
-                QStringLiteral("primitive 0 (triangle): It reaches into the frame, but none of "
-                               "the frame's samples is its own. Nothing is drawn."));
+            QCOMPARE(each.message(),
+                     QStringLiteral("primitive 0 (triangle): It reaches into the frame, but no "
+                                    "sample of the frame belongs to it. Nothing is drawn."));
     }
 
     /// Whether a part of it lies within the squares of the frame's pixels, 8 × 8 from (−½, −½) on.
@@ -154,28 +151,6 @@ private slots:
         }
     }
 
-    void aPictureThatStaysEmptyIsTold_data()
-    {
-        QTest::addColumn<QByteArray>("primitive");
-        QTest::addColumn<bool>("isEmpty");
-        QTest::newRow("points outside")
-            << json("{ 'points': [[40, 40]], 'colors': ['#ff0000'] }") << true;
-        QTest::newRow("circle around the frame")
-            << json("{ 'circle': { 'centre': [3, 3], 'radius': 40 }, 'color': '#cc7722',"
-                    " 'fill': 'outline' }")
-            << true;
-        QTest::newRow("points inside")
-            << json("{ 'points': [[4, 4]], 'colors': ['#000000'] }") << false;
-    }
-    void aPictureThatStaysEmptyIsTold()
-    {
-        QFETCH(QByteArray, primitive);
-        QFETCH(bool, isEmpty);
-        const ProgramRun drawn = run({"render", "-", "--ascii"}, sceneOfPrimitives(primitive));
-        QCOMPARE(drawn.exitCode, 0);
-        QCOMPARE(drawn.messages.contains("nothing is drawn in the frame"), isEmpty);
-    }
-
     /// Behind another one it wrote nothing and covers samples.
     void aTriangleThatIsHiddenIsNotTold()
     {
@@ -187,84 +162,6 @@ private slots:
         const Scene scene = readScene(hidden)->scene;
         QVERIFY(rejectedPrimitives(*traceScene(scene)).empty());
         QVERIFY(rejectedPrimitives(scene).empty());
-    }
-
-    void areSaidOnStandardError_data()
-    {
-        QTest::addColumn<QStringList>("arguments");
-        QTest::addColumn<QStringList>("messages");
-        const QString concave
-            = QStringLiteral("primitive 10 (polygon): It is not convex at vertex 2");
-        const QString crossing
-            = QStringLiteral("primitive 11 (polygon): Its edges 0–1 and 2–3 cross");
-        const QString vertical = QStringLiteral("primitive 6 (line): The line is vertical");
-        const QString tooFar
-            = QStringLiteral("primitive 3 (triangle): A coordinate does not fit this arithmetic");
-        const QString otherKind = QStringLiteral(
-            "primitive 5 (line): It is of another kind, or filled otherwise, than");
-        const auto rows = [](const char *name, const QStringList &options,
-                             const QStringList &messages) {
-            QTest::addRow("render, %s", name)
-                << QStringList{"render", "-", "--ascii"} + options << messages;
-            QTest::addRow("trace, %s", name) << QStringList{"trace", "-"} + options << messages;
-            QTest::addRow("pixel, %s", name)
-                << QStringList{"pixel", "-", "3", "3"} + options << messages;
-        };
-        // Five are named, in drawing order; polygons stand last among the rejected here.
-        rows("line", {"--method", "column-scan"},
-             {QStringLiteral("primitive 2 (triangle): It lies outside"), otherKind,
-              QStringLiteral("more primitives are not drawn")});
-        rows("16.16", {"--method", "column-scan", "--arithmetic", "fixed16.16"}, {tooFar});
-        QTest::newRow("vertical line")
-            << QStringList{"render", "-", "--ascii", "--method", "line-slope-intercept",
-                           "only",   "6"}
-            << QStringList{vertical};
-        QTest::newRow("concave") << QStringList{"render",   "-",           "--ascii",
-                                                "--method", "polygon-fan", "--fill-rule",
-                                                "top-left", "only",        "10"}
-                                 << QStringList{concave};
-        QTest::newRow("crossing") << QStringList{"trace",       "-",
-                                                 "--method",    "polygon-delaunay",
-                                                 "--fill-rule", "top-left",
-                                                 "only",        "11"}
-                                  << QStringList{crossing};
-        QTest::newRow("compare") << QStringList{"compare", "-", "--methods", "column-scan,truth"}
-                                 << QStringList{otherKind, QStringLiteral("column-scan exact")};
-    }
-    void areSaidOnStandardError()
-    {
-        QFETCH(QStringList, arguments);
-        QFETCH(QStringList, messages);
-        QByteArray scene = sceneText();
-        // "only N": the scene of this primitive alone.
-        if (const qsizetype only = arguments.indexOf(QStringLiteral("only")); only >= 0) {
-            const int index = arguments[only + 1].toInt();
-            scene = sceneOfPrimitives(json(everything).split('\n')[index].replace("},", "}"));
-            arguments.resize(only);
-            messages.replaceInStrings(QStringLiteral("primitive %1").arg(index),
-                                      QStringLiteral("primitive 0"));
-        }
-
-        const ProgramRun result = run(arguments, scene);
-
-        const QString said = QString::fromUtf8(result.messages);
-        for (const QString &message : messages)
-            QVERIFY2(said.contains(message), qPrintable(said));
-        QVERIFY(said.count(QStringLiteral(": primitive ")) <= 5);
-    }
-
-    void aPixelIsNotCalledTrueWhereSomethingIsNotDrawn()
-    {
-        const ProgramRun onTheLine
-            = run({"pixel", "-", "4", "3", "--method", "column-scan"}, sceneText());
-        const ProgramRun inJson
-            = run({"pixel", "-", "4", "3", "--method", "column-scan", "--json"}, sceneText());
-
-        const QString heading = QString::fromUtf8(onTheLine.output.split('\n')[0]);
-        QVERIFY2(heading.contains(QStringLiteral("the truth of the scene is")),
-                 qPrintable(heading));
-        const QJsonDocument document = QJsonDocument::fromJson(inJson.output);
-        QCOMPARE(document[QStringLiteral("notDrawn")][0].toString(), QStringLiteral("line 5"));
     }
 };
 

@@ -69,7 +69,7 @@ QStringList shownResult(const ProgramRun &result)
     return shown;
 }
 
-/// By the shell, in a folder where `scenes` are those of resources/.
+/// By the shell, in this folder.
 ProgramRun runInShell(const QString &folder, const QString &script)
 {
     QProcess shell;
@@ -86,13 +86,14 @@ ProgramRun runInShell(const QString &folder, const QString &script)
     return {shell.exitCode(), shell.readAllStandardOutput(), shell.readAllStandardError()};
 }
 
-/// The transcript as it is when its commands are run now, from the first to the last in one folder.
+/// The transcript as it is when its commands are run now, from the first to the last in one folder,
+/// where scenes, assignments and probes are those of resources/, and data is tests/data.
 QString runAgain(const QString &transcript)
 {
     const QTemporaryDir folder;
-    QFile::link(resource(QStringLiteral("/scenes")), folder.filePath(QStringLiteral("scenes")));
-    QFile::link(resource(QStringLiteral("/assignments")),
-                folder.filePath(QStringLiteral("assignments")));
+    for (const char *name : {"scenes", "assignments", "probes"})
+        QFile::link(resource(u'/' + QString::fromLatin1(name)), folder.filePath(name));
+    QFile::link(testData({}), folder.filePath(QStringLiteral("data")));
     QStringList lines;
     for (const Command &command : commandsOf(transcript)) {
         lines += command.comment;

@@ -4,11 +4,8 @@
 #include "tests/support/casestorun.h"
 #include "tests/support/defectgroups.h"
 #include "tests/support/probescenes.h"
-#include "tests/support/programrun.h"
 #include "tests/support/testprogram.h"
 
-#include <QJsonArray>
-#include <QJsonDocument>
 #include <QTest>
 
 #include <algorithm>
@@ -18,7 +15,8 @@ namespace tst_invariants {
 
 using namespace pixelplumb;
 
-/// What holds of every right picture, without one at hand.
+/// What holds of every right picture, without one at hand. What is printed of it is in
+/// tests/data/transcripts/invariants.txt.
 class TestInvariants : public QObject {
     Q_OBJECT
 
@@ -87,53 +85,6 @@ private slots:
                                          .arg(nameOf(each.invariant))));
             }
         }
-    }
-
-    void whatRoundingBreaksIsToldApart_data()
-    {
-        QTest::addColumn<QString>("drawer");
-        QTest::addColumn<QString>("tolerance");
-        QTest::addColumn<QString>("invariant");
-        QTest::addColumn<bool>("mayBeRounding");
-        const auto row = [](const char *drawer, const char *tolerance, const char *invariant,
-                            bool mayBeRounding) {
-            QTest::addRow("%s, %s: %s", drawer, tolerance, invariant)
-                << drawer << tolerance << invariant << mayBeRounding;
-        };
-        row("column-scan:float32", "float32", "count", true); // a sample on an edge
-        row("edge-equations:float32", "float32", "order", true);
-        row("edge-equations:float32", "exact", "order", false); // a byte, beside an edge
-        row("unsorted-colours", "float32", "corners", false); // on an edge, but in another colour
-        row("first-half-missing", "float32", "count", false);
-        row("unsorted-colours", "float32", "order", false);
-    }
-    void whatRoundingBreaksIsToldApart()
-    {
-        QFETCH(QString, drawer);
-        QFETCH(QString, tolerance);
-        QFETCH(QString, invariant);
-        QFETCH(bool, mayBeRounding);
-        const QStringList words
-            = {QStringLiteral("invariants"), drawer, QStringLiteral("--tolerance"), tolerance};
-
-        const ProgramRun json = run(words + QStringList{QStringLiteral("--json")});
-        const ProgramRun text = run(words);
-
-        QCOMPARE(json.exitCode, 1);
-        QCOMPARE(text.exitCode, 1);
-        const QJsonArray broken
-            = QJsonDocument::fromJson(json.output)[QStringLiteral("broken")].toArray();
-        const auto found = std::ranges::find_if(broken, [&](const QJsonValue &each) {
-            return each[QStringLiteral("invariant")] == invariant;
-        });
-        QVERIFY2(found != broken.end(), json.output.constData());
-        QCOMPARE((*found)[QStringLiteral("mayBeRounding")].toBool(), mayBeRounding);
-        const QString lines = QString::fromUtf8(text.output)
-                                  .section(QStringLiteral("broken  %1: ").arg(invariant), 1)
-                                  .section(u'\n', 1, 2);
-        QCOMPARE(
-            lines.contains(QStringLiteral("that the rounding of %1 leaves open").arg(tolerance)),
-            mayBeRounding);
     }
 };
 

@@ -2,7 +2,6 @@
 #include "core/grade/counterexample.h"
 #include "core/grade/invariants.h"
 #include "core/methods/method.h"
-#include "tests/support/programrun.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>
@@ -96,34 +95,6 @@ private slots:
         QVERIFY(drawn);
         QCOMPARE(*drawn, *rightSource().draw(scene));
         QVERIFY(*sourceOf(QStringLiteral("culls-counter-clockwise"), method).draw(scene) != *drawn);
-    }
-
-    void whatAProgramSaidLastIsTheReason_data()
-    {
-        QTest::addColumn<QString>("command");
-        QTest::newRow("counterexample") << QStringLiteral("counterexample truth");
-        QTest::newRow("invariants") << QStringLiteral("invariants");
-    }
-    void whatAProgramSaidLastIsTheReason()
-    {
-        QFETCH(QString, command);
-        const QString student
-            = QStringLiteral("program:sh -c \"echo first >&2; echo division by zero >&2; exit 3\"");
-        const ProgramRun result = run(command.split(u' ') + QStringList{student});
-
-        QCOMPARE(result.exitCode, 1);
-        QVERIFY2(result.messages.contains("triangle ("), result.messages.constData());
-        QVERIFY2(result.messages.contains("3: division by zero"), result.messages.constData());
-    }
-
-    void linesWithoutPixelsAreNoPicture()
-    {
-        const ProgramRun result
-            = run({QStringLiteral("invariants"), QStringLiteral("program:echo column 3 4 5")});
-        QCOMPARE(result.exitCode, 1);
-        QVERIFY2(result.messages.contains("a trace without lines of pixels; expected a picture, or "
-                                          "a line a pixel"),
-                 result.messages.constData());
     }
 };
 
