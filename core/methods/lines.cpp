@@ -24,7 +24,7 @@ std::unique_ptr<ScanTrace> traceLines(const Primitives &primitives, const ScanSe
     });
 }
 
-/// What all line methods have in common.
+/// The common part of all line methods.
 template <class Kernel>
 Method lineMethod()
 {
@@ -38,6 +38,14 @@ Method lineMethod()
     method.fillRules = {FillRule::Closed};
     method.fillRuleReason = QStringLiteral("a line has no inside that an edge could bound");
     return method;
+}
+
+/// Of the methods that decisions lead.
+PseudocodeLine coloursAlongLine()
+{
+    return {1,
+            QStringLiteral("R ← R₀ + (x − x₀)·(R₁ − R₀)/Δx if Δx > 0, else R₀; G and B likewise"),
+            {Moment::Begin, Moment::Stay, Moment::Cross}};
 }
 
 } // namespace
@@ -58,6 +66,9 @@ Method lineSlopeInterceptMethod()
          {Moment::Rejected}},
         {0, QStringLiteral("for each column x from ⌈x₀⌉ to ⌊x₁⌋:"), {Moment::Begin, Moment::Span}},
         {1, QStringLiteral("y ← m·x + b"), {Moment::Begin, Moment::Span}},
+        {1,
+         QStringLiteral("R ← R₀ + (x − x₀)·(R₁ − R₀)/(x₁ − x₀); G and B likewise"),
+         {Moment::Begin, Moment::Span}},
         {1, QStringLiteral("pixel (x, (int)(y + ½)) ← the bytes of R, G, B"), {Moment::First}}};
     method.summary = QStringLiteral("Computes y = m·x + b for each column and rounds it by "
                                     "(int)(y + ½): steep lines have gaps, vertical ones no m.");
@@ -76,8 +87,8 @@ Method lineParametricMethod()
     const VariantSet five = VariantSet().with(Variant::FiveT);
     const VariantSet both = twice.with(Variant::FiveT);
     const QString range = QStringLiteral("for each t = i/N from 0 to 1/%1:");
-    const QString point = QStringLiteral("u ← x₀ + %1t·(x₁ − x₀), v ← y₀ + %1t·(y₁ − y₀); R, G and "
-                                         "B likewise");
+    const QString point = QStringLiteral("u, v ← x₀ + %1t·(x₁ − x₀), y₀ + %1t·(y₁ − y₀); R ← R₀ + "
+                                         "%1t·(R₁ − R₀); G and B likewise");
     method.pseudocode
         = {{0,
             QStringLiteral("N ← ⌈the larger of |x₁ − x₀| and |y₁ − y₀|⌉, at least 1"),
@@ -91,7 +102,7 @@ Method lineParametricMethod()
              {five, range.arg(QChar(u'5'))},
              {both, range.arg("10")}}},
            {1,
-            QStringLiteral("u ← x₀ + t·(x₁ − x₀), v ← y₀ + t·(y₁ − y₀); R, G and B likewise"),
+            point.arg(QString()),
             {Moment::Begin, Moment::Span},
             {},
             {{twice, point.arg(QChar(u'2'))},
@@ -112,28 +123,31 @@ Method lineDdaMethod()
     method.id = QStringLiteral("line-dda");
     method.title = QStringLiteral("Line: DDA");
     method.source = QStringLiteral("Rasterization slides, “DDA Line-Drawing Algorithm”");
-    method.pseudocode
-        = {{0,
-            QStringLiteral("u along the longer side, v across; the ends in the order of u"),
-            {Moment::SetUp}},
-           {0,
-            QStringLiteral("if Δu > 0: m ← Δv/Δu"),
-            {Moment::SetUp},
-            {},
-            {{VariantSet().with(Variant::DivisorPlusOne), QStringLiteral("m ← Δv/(Δu + 1)")},
-             {VariantSet().with(Variant::DivisorMinusOne), QStringLiteral("m ← Δv/(Δu − 1)")},
-             {VariantSet().with(Variant::DivisorPlusOne).with(Variant::DivisorMinusOne),
-              QStringLiteral("if Δu > 0: m ← Δv/Δu")}}},
-           {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-           {0, QStringLiteral("for each u from ⌈u₀⌉ to ⌊u₁⌋:"), {Moment::Begin, Moment::Span}},
-           {1,
-            QStringLiteral("the first: v ← v₀ + (u − u₀)·m; R, G and B likewise"),
-            {Moment::Begin},
-            {},
-            {{VariantSet().with(Variant::NoEdgePreStep),
-              QStringLiteral("the first: v ← v₀; R, G and B likewise")}}},
-           {1, QStringLiteral("else: v ← v + m; R, G and B likewise"), {Moment::Span}},
-           {1, QStringLiteral("pixel (u, ⌊v + ½⌋) ← the bytes of R, G, B"), {Moment::First}}};
+    method.pseudocode = {
+        {0,
+         QStringLiteral("u along the longer side, v across: of a steep line exchange x and y, here "
+                        "and where a pixel is written; the ends in the order of u"),
+         {Moment::SetUp}},
+        {0,
+         QStringLiteral("if Δu > 0: m ← Δv/Δu; ΔR, ΔG and ΔB likewise"),
+         {Moment::SetUp},
+         {},
+         {{VariantSet().with(Variant::DivisorPlusOne),
+           QStringLiteral("m ← Δv/(Δu + 1); ΔR, ΔG and ΔB likewise")},
+          {VariantSet().with(Variant::DivisorMinusOne),
+           QStringLiteral("m ← Δv/(Δu − 1); ΔR, ΔG and ΔB likewise")},
+          {VariantSet().with(Variant::DivisorPlusOne).with(Variant::DivisorMinusOne),
+           QStringLiteral("if Δu > 0: m ← Δv/Δu; ΔR, ΔG and ΔB likewise")}}},
+        {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+        {0, QStringLiteral("for each u from ⌈u₀⌉ to ⌊u₁⌋:"), {Moment::Begin, Moment::Span}},
+        {1,
+         QStringLiteral("the first: v ← v₀ + (u − u₀)·m; R ← R₀ + (u − u₀)·ΔR; G and B likewise"),
+         {Moment::Begin},
+         {},
+         {{VariantSet().with(Variant::NoEdgePreStep),
+           QStringLiteral("the first: v ← v₀; R ← R₀; G and B likewise")}}},
+        {1, QStringLiteral("else: v ← v + m; R ← R + ΔR; G and B likewise"), {Moment::Span}},
+        {1, QStringLiteral("pixel (u, ⌊v + ½⌋) ← the bytes of R, G, B"), {Moment::First}}};
     method.summary = QStringLiteral("Walks along the longer side and adds the slope at each step; "
                                     "the pixel is the nearest one.");
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
@@ -155,22 +169,23 @@ Method lineBresenhamMethod()
          QStringLiteral("if |Δy| ≥ |Δx|: exchange x and y, here and where a pixel is written"),
          {Moment::SetUp}},
         {0, QStringLiteral("(x₀, y₀) ← the end with the smaller x"), {Moment::SetUp}},
+        {0, QStringLiteral("s ← 1 if y₀ ≤ y₁, else −1"), {Moment::SetUp}},
         {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-        {0, QStringLiteral("(x, y) ← (x₀, y₀), p ← 2Δy − Δx"), {Moment::Begin}},
         {0,
-         QStringLiteral("Δx + 1 pixels, with a step before each but the first:"),
-         {Moment::Begin, Moment::Stay, Moment::Cross},
+         QStringLiteral("for each x from x₀ to x₁:"),
+         {Moment::Begin},
          {},
          {{VariantSet().with(Variant::OneStepShort),
-           QStringLiteral("Δx pixels, with a step before each but the first:")}}},
+           QStringLiteral("for each x from x₀ to x₁ − 1 if Δx > 0, else x₁:")}}},
+        coloursAlongLine(),
+        {1, QStringLiteral("the first: y, p ← y₀, 2Δy − Δx"), {Moment::Begin}},
         {1,
-         QStringLiteral("if p < 0: x ← x + 1, p ← p + 2Δy"),
+         QStringLiteral("else if p < 0: p ← p + 2Δy"),
          {Moment::Stay},
          {},
-         {{VariantSet().with(Variant::StayAtZero),
-           QStringLiteral("if p ≤ 0: x ← x + 1, p ← p + 2Δy")}}},
-        {1, QStringLiteral("else: x ← x + 1, y a step across, p ← p + 2Δy − 2Δx"), {Moment::Cross}},
-        {1, QStringLiteral("pixel (x, y) ← colour"), {Moment::First}}};
+         {{VariantSet().with(Variant::StayAtZero), QStringLiteral("else if p ≤ 0: p ← p + 2Δy")}}},
+        {1, QStringLiteral("else: y ← y + s; p ← p + 2Δy − 2Δx"), {Moment::Cross}},
+        {1, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {Moment::First}}};
     method.summary
         = QStringLiteral("Steps from the end of smaller x (of a steep line, of smaller y) by the "
                          "sign of an integer; p_k < 0 stays, so that a tie steps across.");
@@ -191,18 +206,17 @@ Method lineSymmetricMethod()
          QStringLiteral("if |Δy| ≥ |Δx|: exchange x and y, here and where a pixel is written"),
          {Moment::SetUp}},
         {0, QStringLiteral("(x₀, y₀) ← the end with the smaller x, to 1/256 px"), {Moment::SetUp}},
+        {0, QStringLiteral("s ← 1 if y₀ ≤ y₁, else −1"), {Moment::SetUp}},
+        {0, QStringLiteral("m ← s·Δy/Δx if Δx > 0, else 0"), {Moment::SetUp}},
         {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-        {0,
-         QStringLiteral("(x, y) ← the pixel of the first column, by a division; p ← the decision "
-                        "about the next"),
-         {Moment::Begin}},
-        {0,
-         QStringLiteral("for each column, with a step before each but the first:"),
-         {Moment::Begin, Moment::Stay, Moment::Cross}},
+        {0, QStringLiteral("for each x from ⌈x₀⌉ to ⌊x₁⌋:"), {Moment::Begin}},
+        coloursAlongLine(),
         {1,
-         QStringLiteral("if p < 0, or p = 0 on a falling line: x ← x + 1, p ← p + 2Δy"),
-         {Moment::Stay}},
-        {1, QStringLiteral("else: x ← x + 1, y a step across, p ← p + 2Δy − 2Δx"), {Moment::Cross}},
+         QStringLiteral("the first: y ← ⌊y₀ + (x − x₀)·m + ½⌋; p ← Δx·(2·s·(y₀ + (x + 1 − x₀)·m − "
+                        "y) − 1)"),
+         {Moment::Begin}},
+        {1, QStringLiteral("else if p < 0, or p = 0 and s < 0: p ← p + 2Δy"), {Moment::Stay}},
+        {1, QStringLiteral("else: y ← y + s; p ← p + 2Δy − 2Δx"), {Moment::Cross}},
         {1, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {Moment::First}}};
     method.summary
         = QStringLiteral("Bresenham's decisions from any lattice point to any other, "

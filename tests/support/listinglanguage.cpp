@@ -21,10 +21,10 @@ bool belongsToName(QChar character)
     return character.isLetterOrNumber() || character == u'_' || isSubscript;
 }
 
-/// What stands in the place of one of three follows it: "bc" → "ca".
+/// Replaces one of three names by the next one: "bc" → "ca".
 struct Cycle {
     std::array<QString, 3> each;
-    QString before, after; ///< what must stand beside it; `after` empty: the name's end
+    QString before, after; ///< what must surround the name; an empty `after` means the name's end
 
     qsizetype stepAt(const QString &text, qsizetype place, QString &result) const
     {
@@ -59,7 +59,7 @@ QString turned(const QString &text, const std::vector<Cycle> &cycles)
     return result;
 }
 
-/// The next edge, with its vertices and the weight of the one that faces it.
+/// The text with the next edge, its vertices and the weight of the opposite vertex.
 QString nextEdge(const QString &text)
 {
     const QString none, bar = QStringLiteral("_"), open = QStringLiteral("("),
@@ -72,7 +72,7 @@ QString nextEdge(const QString &text)
                    {{QStringLiteral("α"), QStringLiteral("β"), QStringLiteral("γ")}, none, none}});
 }
 
-/// The next channel: R, R_a, R₀, ΔR_x.
+/// The text with the next channel: R, R_a, R₀, ΔR_x.
 QString nextChannel(const QString &text)
 {
     const QString letters = QStringLiteral("RGB");
@@ -87,7 +87,14 @@ QString nextChannel(const QString &text)
     return result;
 }
 
-/// An expression read from left to right.
+Number floorOf(const Number &value)
+{
+    const BigInteger top = numerator(value), bottom = denominator(value);
+    const BigInteger whole = top / bottom; // towards 0
+    return Number(top < 0 && whole * bottom != top ? BigInteger(whole - 1) : whole);
+}
+
+/// Reads an expression from left to right.
 class Reader {
 public:
     Reader(const QString &text, const ListingNames &names)
@@ -144,20 +151,39 @@ private:
     {
         if (takes(QStringLiteral("−")))
             return -factor();
-        if (takes(QStringLiteral("("))) {
-            const Number value = sum();
-            if (!takes(QStringLiteral(")")))
-                throw ListingFault(QStringLiteral("not closed: ") + m_text);
-            return value;
+        if (takes(QStringLiteral("(int)("))) {
+            const Number value = upTo(QStringLiteral(")"));
+            return value < 0 ? -floorOf(-value) : floorOf(value);
         }
+        if (takes(QStringLiteral("(")))
+            return upTo(QStringLiteral(")"));
+        if (takes(QStringLiteral("⌊")))
+            return floorOf(upTo(QStringLiteral("⌋")));
+        if (takes(QStringLiteral("⌈")))
+            return -floorOf(-upTo(QStringLiteral("⌉")));
+        if (takes(QStringLiteral("|"))) {
+            const Number value = upTo(QStringLiteral("|"));
+            return value < 0 ? Number(-value) : value;
+        }
+        if (takes(QStringLiteral("½")))
+            return Number(1, 2);
         const qsizetype first = m_place;
         while (m_place < m_text.size() && m_text[m_place] >= u'0' && m_text[m_place] <= u'9')
             ++m_place;
-        if (m_place > first)
-            return Number(m_text.sliced(first, m_place - first).toStdString());
-        return named();
+        if (m_place == first)
+            return named();
+        const Number value(m_text.sliced(first, m_place - first).toStdString());
+        // A number before a name multiplies: 2Δy
+        return m_place < m_text.size() && m_text[m_place].isLetter() ? value * named() : value;
     }
-    /// The longest name that stands here and ends here.
+    Number upTo(const QString &end)
+    {
+        const Number value = sum();
+        if (!takes(end))
+            throw ListingFault(QStringLiteral("not closed: ") + m_text);
+        return value;
+    }
+    /// The longest name that starts here and ends at a word boundary.
     Number named()
     {
         const std::pair<const QString, Number> *longest = nullptr;

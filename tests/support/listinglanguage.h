@@ -8,10 +8,10 @@
 #include <map>
 #include <stdexcept>
 
-/// The words and expressions of listings that are run.
+/// The words and expressions of listings that the tests run.
 namespace pixelplumb {
 
-/// A line of pseudocode that cannot be read, or a name in it that has no value yet.
+/// A line of pseudocode that cannot be read, or that uses a name without a value.
 struct ListingFault : std::runtime_error {
     explicit ListingFault(const QString &what)
         : std::runtime_error(what.toStdString())
@@ -19,14 +19,15 @@ struct ListingFault : std::runtime_error {
     }
 };
 
-/// What names stand for so far.
+/// The current values of the names.
 using ListingNames = std::map<QString, BigRational>;
 
-/// "A ← B; C and D likewise" as three statements, conditions in the same way. "likewise" turns
+/// Splits "A ← B; C and D likewise" into three statements; conditions likewise. "likewise" advances
 /// ₀ ₁ ₂, bc ca ab, a b c and α β γ by one, or R G B.
 QStringList spelledOut(const QString &text);
 
-/// The value of an expression of + − · / ( ), whole numbers and names.
+/// The value of an expression of + − · / ( ), ⌊ ⌋, ⌈ ⌉, | |, (int)( ), whole numbers, ½ and names;
+/// 2Δy is 2·Δy.
 BigRational valueOf(const QString &expression, const ListingNames &names);
 
 } // namespace pixelplumb

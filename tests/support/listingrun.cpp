@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/listingrun.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 
 namespace pixelplumb {
@@ -8,6 +10,8 @@ namespace pixelplumb {
 namespace {
 
 const QString assigns = QStringLiteral(" ← ");
+
+QString withoutRemark(const QString &line) { return line.section(QStringLiteral(" — "), 0, 0); }
 
 } // namespace
 
@@ -20,10 +24,23 @@ void ListingRun::run()
     const auto first = std::ranges::find_if(m_code, isOfLoops);
     m_names[QStringLiteral("x_min")] = Number(m_box.firstX);
     m_names[QStringLiteral("y_min")] = Number(m_box.firstY);
+    runSetUp(std::size_t(first - m_code.begin()));
     runBlock(std::size_t(first - m_code.begin()), m_code.size());
 }
 
-/// One past the lines that stand deeper than a line and below it.
+/// Runs only choices between two values; other set-up names get their values from the numbers.
+void ListingRun::runSetUp(std::size_t end)
+{
+    for (std::size_t line = 0; line < end; ++line) {
+        const QString text = withoutRemark(m_code[line].text);
+        const QString name = text.section(assigns, 0, 0);
+        if (text.contains(QStringLiteral(", else ")) && !name.contains(u' ')
+            && !m_names.contains(name))
+            runStatement(text);
+    }
+}
+
+/// One past the lines below a line that are nested in it.
 std::size_t ListingRun::endOfBlock(std::size_t line) const
 {
     std::size_t end = line + 1;
@@ -40,34 +57,87 @@ void ListingRun::runBlock(std::size_t first, std::size_t end)
 
 void ListingRun::runLine(std::size_t line)
 {
-    const QString text = m_code[line].text.section(QStringLiteral(" — "), 0, 0);
-    const QString loop = QStringLiteral("for each ");
-    if (text.startsWith(loop) && text.endsWith(QStringLiteral(" of the box:")))
-        return runLoop(line, text.sliced(loop.size(), 1));
-    if (text.startsWith(QStringLiteral("if ")) && text.endsWith(u':')) {
-        if (holds(text.sliced(3).chopped(1)))
-            runBlock(line + 1, endOfBlock(line));
-        return;
+    const QString text = withoutRemark(m_code[line].text);
+    if (!runLoop(line, text) && !runCase(line, text))
+        runStatements(text);
+}
+
+/// False if the line is no loop.
+bool ListingRun::runLoop(std::size_t line, const QString &text)
+{
+    static const QRegularExpression ofBox(QStringLiteral("^for each (x|y) of the box:$"));
+    static const QRegularExpression ofRange(
+        QStringLiteral("^for each (?:\\w+ )?(\\S+)(?: = i/(\\S+))? from (.+) to (.+):$"),
+        QRegularExpression::UseUnicodePropertiesOption);
+    if (const auto match = ofBox.match(text); match.hasMatch()) {
+        const bool isX = match.captured(1) == QStringLiteral("x");
+        const std::int64_t end = isX ? m_box.endX : m_box.endY;
+        for (std::int64_t at = isX ? m_box.firstX : m_box.firstY; at < end; ++at)
+            runBlockWith(line, match.captured(1), Number(at));
+        return true;
     }
-    if (text == QStringLiteral("pixel (x, y) ← the bytes of R, G, B"))
-        return draw();
+    const auto match = ofRange.match(text);
+    if (!match.hasMatch())
+        return false;
+    const Number step
+        = match.captured(2).isEmpty() ? Number(1) : Number(1) / valueOf(match.captured(2));
+    const Number last = chosenValue(match.captured(4));
+    const bool wasFirst = m_isFirst;
+    m_isFirst = true;
+    for (Number at = valueOf(match.captured(3)); at <= last; at += step) {
+        runBlockWith(line, match.captured(1), at);
+        m_isFirst = false;
+    }
+    m_isFirst = wasFirst;
+    return true;
+}
+
+void ListingRun::runBlockWith(std::size_t line, const QString &name, const Number &value)
+{
+    m_names[name] = value;
+    m_hasCase = false;
+    runBlock(line + 1, endOfBlock(line));
+}
+
+/// False if the line is no case.
+bool ListingRun::runCase(std::size_t line, const QString &text)
+{
+    const QString first = QStringLiteral("the first:"), otherwise = QStringLiteral("else:"),
+                  ifElse = QStringLiteral("else if "), onlyIf = QStringLiteral("if ");
+    bool isTaken = false;
+    if (text.startsWith(first))
+        isTaken = m_isFirst;
+    else if (text.startsWith(otherwise))
+        isTaken = !m_hasCase;
+    else if (text.startsWith(ifElse))
+        isTaken = !m_hasCase && holds(text.sliced(ifElse.size()).section(u':', 0, 0));
+    else if (text.startsWith(onlyIf))
+        isTaken = holds(text.sliced(onlyIf.size()).section(u':', 0, 0));
+    else
+        return false;
+    const bool hadCase = m_hasCase && text.startsWith(u'e');
+    const QString statements = text.section(u':', 1).trimmed();
+    if (isTaken && !statements.isEmpty())
+        runStatements(statements);
+    if (isTaken)
+        runBlock(line + 1, endOfBlock(line));
+    m_hasCase = isTaken || hadCase;
+    return true;
+}
+
+void ListingRun::runStatements(const QString &text)
+{
     for (const QString &statement : spelledOut(text))
         runStatement(statement);
 }
 
-void ListingRun::runLoop(std::size_t line, const QString &name)
-{
-    const bool isX = name == QStringLiteral("x");
-    const std::int64_t end = isX ? m_box.endX : m_box.endY;
-    for (std::int64_t at = isX ? m_box.firstX : m_box.firstY; at < end; ++at) {
-        m_names[name] = Number(at);
-        runBlock(line + 1, endOfBlock(line));
-    }
-}
-
 void ListingRun::runStatement(const QString &text)
 {
-    if (text.startsWith(QStringLiteral("add ")))
+    static const QRegularExpression pixel(
+        QStringLiteral("^pixel \\((.+)\\) ← (?:the bytes of R, G, B|colour)$"));
+    if (const auto match = pixel.match(text); match.hasMatch())
+        draw(match.captured(1));
+    else if (text.startsWith(QStringLiteral("add ")))
         add(text);
     else if (text.contains(assigns))
         assign(text);
@@ -75,16 +145,29 @@ void ListingRun::runStatement(const QString &text)
         throw ListingFault(QStringLiteral("does nothing: ") + text);
 }
 
+/// "1 if y₁ ≥ y₀, else −1", which is never part of an expression, or a plain expression.
+ListingRun::Number ListingRun::chosenValue(const QString &expression) const
+{
+    const QString condition = QStringLiteral(" if "), otherwise = QStringLiteral(", else ");
+    if (!expression.contains(condition))
+        return valueOf(expression);
+    const QString rest = expression.section(condition, 1);
+    return valueOf(holds(rest.section(otherwise, 0, 0)) ? expression.section(condition, 0, 0)
+                                                        : rest.section(otherwise, 1));
+}
+
 /// All values are read before the first is written.
 void ListingRun::assign(const QString &statement)
 {
     const QStringList names = statement.section(assigns, 0, 0).split(QStringLiteral(", "));
-    const QStringList expressions = statement.section(assigns, 1).split(QStringLiteral(", "));
+    const QString right = statement.section(assigns, 1);
+    const QStringList expressions
+        = names.size() == 1 ? QStringList(right) : right.split(QStringLiteral(", "));
     if (names.size() != expressions.size())
         throw ListingFault(QStringLiteral("unequal sides: ") + statement);
     std::vector<Number> values;
     for (const QString &expression : expressions)
-        values.push_back(valueOf(expression));
+        values.push_back(chosenValue(expression));
     for (qsizetype i = 0; i < names.size(); ++i)
         m_names[names[i]] = values[std::size_t(i)];
 }
@@ -102,18 +185,25 @@ void ListingRun::add(const QString &statement)
     }
 }
 
-void ListingRun::draw()
+void ListingRun::draw(const QString &place)
 {
     const auto byte = [this](const char *channel) {
         const Number level = valueOf(QString::fromLatin1(channel)) + Number(1, 2);
-        // Towards 0, which is down where levels are not negative.
+        // Rounds towards 0, which is down for levels that are not negative.
         const BigInteger whole = numerator(level) / denominator(level);
         return std::clamp(whole.convert_to<int>(), 0, 255);
     };
-    const auto place = [this](const char *axis) {
-        return numerator(valueOf(QString::fromLatin1(axis))).convert_to<std::int64_t>();
+    const auto coordinate = [&](int part) {
+        const Number value = valueOf(place.section(QStringLiteral(", "), part, part));
+        if (denominator(value) != 1)
+            throw ListingFault(QStringLiteral("is no pixel: ") + place);
+        return numerator(value).convert_to<std::int64_t>();
     };
-    m_pixels[{place("x"), place("y")}] = qRgb(byte("R"), byte("G"), byte("B"));
+    std::int64_t x = coordinate(0), y = coordinate(1);
+    if (m_exchange == Exchange::Axes)
+        std::swap(x, y);
+    if (x >= m_box.firstX && x < m_box.endX && y >= m_box.firstY && y < m_box.endY)
+        m_pixels[{x, y}] = qRgb(byte("R"), byte("G"), byte("B"));
 }
 
 bool ListingRun::holds(const QString &condition) const

@@ -9,28 +9,38 @@
 
 namespace pixelplumb {
 
-/// Runs a method's listing as it is printed, in exact numbers: what a student gets who types it in.
+/// Runs a method's listing as printed, in exact numbers: what a student gets who types it in.
 /// It knows
-///   for each x of the box:            the box's samples, ascending
-///   if A > 0, or A = 0 and B > 0; C and D likewise:
+///   for each x of the box:                    the box's samples, ascending
+///   for each column x from A to B:            "column" may be another word or missing
+///   for each t = i/N from A to B:             i = 0, 1, 2 …
+///   the first: …    else if A > 0: …    else: …     in a loop: in its first round, or else
+///   if A > 0, or A = 0 and B > 0; C and D likewise:     a block, or "…: statements"
 ///   A, B ← C, D        add A, B to C, D        A ← B; C and D likewise
-///   pixel (x, y) ← the bytes of R, G, B
-/// with + − · / ( ) and names. "likewise" turns ₀ ₁ ₂, bc ca ab, a b c and α β γ by one, or R G B.
-/// What stands behind " — " is for the reader.
+///   A ← 1 if B > 0, else −1
+///   pixel (A, B) ← the bytes of R, G, B       or "colour"; writes nothing outside the frame
+/// with the expressions of listinglanguage.h. "likewise" advances ₀ ₁ ₂, bc ca ab, a b c and α β γ
+/// by one, or R G B. Text after " — " is a remark for the reader. From the set-up it runs only the
+/// choices of names that have no value yet.
 class ListingRun {
 public:
     using Number = BigRational;
     using Pixels = std::map<std::pair<std::int64_t, std::int64_t>, QRgb>; ///< by (x, y)
+    /// For a steep line, x and y are swapped when a pixel is written.
+    enum class Exchange { None, Axes };
 
-    /// names: what the set-up has worked out, by the titles of its numbers.
-    ListingRun(Pseudocode code, ListingNames names, const SampleBox &box)
+    /// names: the set-up's results, by the titles of its numbers. box: the samples to visit; for
+    /// listings without a box, those of the frame.
+    ListingRun(Pseudocode code, ListingNames names, const SampleBox &box,
+               Exchange exchange = Exchange::None)
         : m_code(std::move(code))
         , m_names(std::move(names))
         , m_box(box)
+        , m_exchange(exchange)
     {
     }
 
-    /// All lines but those of the set-up. Throws ListingFault.
+    /// Throws ListingFault.
     void run();
     /// The pixels that were drawn.
     const Pixels &pixels() const { return m_pixels; }
@@ -39,19 +49,27 @@ private:
     std::size_t endOfBlock(std::size_t line) const;
     void runBlock(std::size_t first, std::size_t end);
     void runLine(std::size_t line);
-    void runLoop(std::size_t line, const QString &name);
+    void runSetUp(std::size_t end);
+    bool runLoop(std::size_t line, const QString &text);
+    void runBlockWith(std::size_t line, const QString &name, const Number &value);
+    bool runCase(std::size_t line, const QString &text);
+    void runStatements(const QString &text);
     void runStatement(const QString &text);
     void assign(const QString &statement);
     void add(const QString &statement);
-    void draw();
+    void draw(const QString &place);
     bool holds(const QString &condition) const;
     bool holdsOne(const QString &test) const;
     bool holdsChain(const QString &comparison) const;
+    Number chosenValue(const QString &expression) const;
     Number valueOf(const QString &expression) const;
 
     Pseudocode m_code;
     ListingNames m_names;
     SampleBox m_box;
+    Exchange m_exchange;
+    bool m_isFirst = false; ///< whether this is the first round of the current loop
+    bool m_hasCase = false; ///< whether a case was taken in the current round
     Pixels m_pixels;
 };
 

@@ -4,6 +4,7 @@
 #include "core/scan/choicenames.h"
 #include "tests/support/framespec.h"
 #include "tests/support/listingrun.h"
+#include "tests/support/shapes.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>
@@ -16,8 +17,8 @@ using namespace pixelplumb;
 
 namespace {
 
-/// A triangle in a small frame: on whole pixels, where ties are, and between them; some in frames
-/// that cut it.
+/// A triangle in a small frame: on whole pixels, where there are ties, or between them; some frames
+/// cut it.
 Scene triangleSceneFor(int number, std::mt19937 &random)
 {
     const Lattice step = number % 3 == 0 ? 37 : unitsPerPixel;
@@ -36,7 +37,7 @@ Scene triangleSceneFor(int number, std::mt19937 &random)
     return scene;
 }
 
-/// What the kernel writes; each pixel once, by a single triangle.
+/// The pixels that the kernel writes; a single triangle writes each once.
 ListingRun::Pixels pixelsOf(const TracedScene &traced)
 {
     ListingRun::Pixels pixels;
@@ -62,6 +63,39 @@ ListingNames namesOf(const TracedScene &traced, const SetUpRecord &setUp)
     return names;
 }
 
+/// The pixel's place along a coordinate.
+Lattice rounded(Lattice coordinate)
+{
+    return (coordinate + unitsPerPixel / 2) & ~(unitsPerPixel - 1);
+}
+
+/// Whether a method that leads by decisions exchanges x and y of these ends.
+bool isSteep(const LatticePoint &a, const LatticePoint &b)
+{
+    return std::abs(b.y - a.y) >= std::abs(b.x - a.x);
+}
+
+/// Adds the levels of the ends, unless the set-up has them as numbers. The end with the smaller x
+/// comes first; of a steep line that with the smaller y.
+void addColours(ListingNames &names, const LatticePoint &a, const LatticePoint &b,
+                const Shape &line)
+{
+    const bool isInOrder = isSteep(a, b) ? a.y <= b.y : a.x <= b.x;
+    const Vertex &first = isInOrder ? line.vertices.front() : line.vertices.back();
+    const Vertex &second = isInOrder ? line.vertices.back() : line.vertices.front();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const QString letter = channelLetters[i];
+        names.try_emplace(letter + u'₀', first.colour.channels[i]);
+        names.try_emplace(letter + u'₁', second.colour.channels[i]);
+    }
+}
+
+SampleBox frameBox(const FrameSpec &frame)
+{
+    return {frame.firstColumn, frame.firstColumn + frame.width, frame.firstRow,
+            frame.firstRow + frame.height};
+}
+
 /// The samples that the kernel visits.
 SampleBox boxOf(const TracedScene &traced)
 {
@@ -76,12 +110,12 @@ SampleBox boxOf(const TracedScene &traced)
 
 } // namespace
 
-/// What is printed as a method's pseudocode is run.
+/// The printed pseudocode of each method is executed and compared with its kernel.
 class TestListings : public QObject {
     Q_OBJECT
 
 private slots:
-    /// As it is printed, line by line, in exact numbers: of every rule, at ties too.
+    /// The listing is run as printed, line by line, in exact numbers: under every rule, with ties.
     void listingsOfEdgeTestsDrawWhatTheirKernelsDraw_data()
     {
         QTest::addColumn<QString>("id");
@@ -127,7 +161,72 @@ private slots:
         QVERIFY(drawn > 60);
     }
 
-    /// What the reviewers saw printed: without the start of the line kept, nonsense is drawn.
+    /// Lines in every octant, with ties and beyond the frame, and with the variants that the
+    /// listing knows.
+    void listingsOfLinesDrawWhatTheirKernelsDraw_data()
+    {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<VariantSet>("variants");
+        for (const char *id : {"line-slope-intercept", "line-dda", "line-parametric",
+                               "line-bresenham", "line-bresenham-symmetric"}) {
+            const Method &method = *methodNamed(QString::fromLatin1(id));
+            QTest::newRow(id) << method.id << VariantSet();
+            for (const Variant variant : method.variants) {
+                QTest::addRow("%s, %s", id, std::string(nameOf(variant)).c_str())
+                    << method.id << VariantSet().with(variant);
+            }
+        }
+    }
+    void listingsOfLinesDrawWhatTheirKernelsDraw()
+    {
+        QFETCH(QString, id);
+        QFETCH(VariantSet, variants);
+        std::mt19937 random(11);
+        std::uniform_int_distribution<int> level(0, 255);
+        std::size_t drawn = 0;
+        for (int i = 0; i < 200; ++i) {
+            const Lattice step = i % 3 == 0 ? 37 : i % 3 == 1 ? unitsPerPixel / 2 : unitsPerPixel;
+            std::uniform_int_distribution<Lattice> place(0, 12 * unitsPerPixel / step);
+            Shape line = lineAtUnits({place(random) * step, place(random) * step},
+                                     {place(random) * step, place(random) * step});
+            for (Vertex &end : line.vertices)
+                for (auto &channel : end.colour.channels)
+                    channel = std::uint8_t(level(random));
+            Scene scene
+                = sceneOf(line, qPrintable(id), i % 4 == 3 ? frameOf(9, 7, 2, 1) : frameOf(14, 13));
+            scene.settings.variants = variants;
+            const auto traced = traceScene(scene);
+            const SetUpRecord setUp = traced->trace->setUp(0);
+            if (setUp.rejection)
+                continue;
+            ListingNames names = namesOf(*traced, setUp);
+            LatticePoint a = line.vertices[0].position, b = line.vertices[1].position;
+            if (id == QStringLiteral("line-bresenham")) {
+                a = {rounded(a.x), rounded(a.y)};
+                b = {rounded(b.x), rounded(b.y)};
+            }
+            addColours(names, a, b, line);
+            const bool isExchanged = id != QStringLiteral("line-slope-intercept")
+                && id != QStringLiteral("line-parametric") && isSteep(a, b);
+            ListingRun run(pseudocodeOf(*traced, 0), names, frameBox(scene.frame),
+                           isExchanged ? ListingRun::Exchange::Axes : ListingRun::Exchange::None);
+            try {
+                run.run();
+            } catch (const ListingFault &fault) {
+                QFAIL(qPrintable(nameOf(line) + QStringLiteral(": ") + fault.what()));
+            }
+            const ListingRun::Pixels expected = pixelsOf(*traced);
+            QVERIFY2(run.pixels() == expected,
+                     qPrintable(QStringLiteral("%1: %2 pixels, the kernel draws %3")
+                                    .arg(nameOf(line))
+                                    .arg(run.pixels().size())
+                                    .arg(expected.size())));
+            drawn += expected.size();
+        }
+        QVERIFY(drawn > 300);
+    }
+
+    /// The reviewers saw this printed: if the start of the line is not kept, nonsense is drawn.
     void aListingThatDoesNotGoBackToTheLinesStartIsFound()
     {
         for (const char *id : {"edge-equations-incremental", "barycentric-incremental"}) {

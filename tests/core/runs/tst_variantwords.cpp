@@ -18,7 +18,7 @@ namespace {
 
 VariantSet only(Variant variant) { return VariantSet().with(variant); }
 
-/// The line of the slides' table: p_k = 0 at k = 4, where column 25 is entered.
+/// The line of the slides' table: p_k = 0 at k = 4, where it enters column 25.
 Scene slideLine(VariantSet variants)
 {
     Scene scene;
@@ -40,7 +40,7 @@ std::size_t stepOfColumn(const TracedScene &traced, std::int64_t column)
 }
 
 /// The lines of the pseudocode that a step does.
-QStringList linesInHand(const TracedScene &traced, std::size_t step)
+QStringList currentLines(const TracedScene &traced, std::size_t step)
 {
     const Moment moment = momentOf(*traced.trace, step);
     QStringList lines;
@@ -77,7 +77,7 @@ Scene triangleScene(const char *method, VariantSet variants = {})
 
 } // namespace
 
-/// What is said of a run that departs from the right algorithm, and of ties and vertices.
+/// What is said about a run that departs from the right algorithm, and about ties and vertices.
 class TestVariantWords : public QObject {
     Q_OBJECT
 
@@ -116,10 +116,10 @@ private slots:
         const auto right = traceScene(slideLine({}));
         const auto printed = traceScene(slideLine(only(Variant::StayAtZero)));
 
-        QCOMPARE(linesInHand(*right, stepOfColumn(*right, 25)).last(),
-                 QStringLiteral("else: x ← x + 1, y a step across, p ← p + 2Δy − 2Δx"));
-        QCOMPARE(linesInHand(*printed, stepOfColumn(*printed, 25)).last(),
-                 QStringLiteral("if p ≤ 0: x ← x + 1, p ← p + 2Δy"));
+        QCOMPARE(currentLines(*right, stepOfColumn(*right, 25)).last(),
+                 QStringLiteral("else: y ← y + s; p ← p + 2Δy − 2Δx"));
+        QCOMPARE(currentLines(*printed, stepOfColumn(*printed, 25)).last(),
+                 QStringLiteral("else if p ≤ 0: p ← p + 2Δy"));
     }
 
     void aLineHalfWayBetweenTwoPixelsIsATie_data()
@@ -151,7 +151,7 @@ private slots:
         }
     }
 
-    /// Nor is a column that lies beside the triangle, a whole pixel away from its vertex.
+    /// Nor is a column next to the triangle, a whole pixel away from its vertex.
     void aColumnBesideATriangleIsNoVertex()
     {
         Scene scene = triangleScene("barycentric-all");
@@ -168,7 +168,7 @@ private slots:
 
         const QString reason = pixelHistory(*traced, 58, 12).front().reason;
 
-        QVERIFY2(reason.contains(u"of this row the kernel tests the samples 4 … 57 alone"),
+        QVERIFY2(reason.contains(u"in this row the kernel tests only the samples 4 … 57"),
                  qPrintable(reason));
         QVERIFY2(reason.contains(u"“Rounded box”: left = (int)"), qPrintable(reason));
     }
