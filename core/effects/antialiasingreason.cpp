@@ -5,7 +5,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// What there is of what antialiasing can draw.
+/// The kinds of drawn primitives that can be antialiased.
 QString antialiasedWord(const NeedsTally &tally)
 {
     if (tally.drawnStrokes == 0)
@@ -20,8 +20,8 @@ QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing)
 {
     const auto ofSamples = [&](int samples) {
         const QString pixel = tally.drawnStrokes == 0
-            ? QStringLiteral("that an edge passes")
-            : QStringLiteral("that the border of a %1 passes").arg(antialiasedWord(tally));
+            ? QStringLiteral("that an edge passes through")
+            : QStringLiteral("that the border of a %1 passes through").arg(antialiasedWord(tally));
         return QStringLiteral("the scene asks for %1 samples in each pixel %2")
             .arg(QString::number(samples), pixel);
     };

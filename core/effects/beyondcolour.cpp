@@ -9,13 +9,12 @@ std::optional<EffectPlan> planBeyondColour(const Primitives &primitives,
                                            const ScanSettings &settings, const FrameView &frame)
 {
     const Appearance &appearance = primitives.appearance;
-    // Most scenes carry nothing, and their plan is not asked for.
-    const bool mayCallForMore = !primitives.attributes.empty()
-        || appearance.antialiasing != Antialiasing::None || appearance.forced != EffectForcing{};
+    // Most scenes carry nothing and need no plan.
+    const bool mayCallForMore = !primitives.attributes.empty() || appearance.asksForEffects();
     if (!mayCallForMore || primitives.triangles.empty())
         return std::nullopt;
     EffectPlan plan = planFor(primitives, settings, frame);
-    // The plain kernels interpolate what colours there are.
+    // The plain kernels interpolate whatever colours there are.
     const bool losesColours = appearance.forced[Effect::SmoothColour] == Forcing::Off
         && plan.verdicts[Effect::SmoothColour].verdict == Verdict::CalledFor;
     if (plan.isPlain() && !losesColours)

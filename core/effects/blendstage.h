@@ -3,7 +3,7 @@
 
 #include "core/effects/stagedsamples.h"
 
-/// Alpha: the colour is mixed with what stands at its pixel.
+/// Alpha blending: mixes the colour with the pixel's current one.
 namespace pixelplumb::stages {
 
 template <class N>

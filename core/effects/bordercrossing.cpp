@@ -12,7 +12,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Of a bounding box, its boundary included.
+/// The crossing of a bounding box, its boundary included.
 BorderCrossing crossingOfBox(const SampleBox &box, const FrameView &frame)
 {
     const SampleBox inside = intersection(box, samplesOf(frame));
@@ -23,7 +23,7 @@ BorderCrossing crossingOfBox(const SampleBox &box, const FrameView &frame)
     return isWhole ? BorderCrossing::Within : BorderCrossing::MayCross;
 }
 
-/// The samples of a pixel, from its own.
+/// The offsets of a pixel's samples from its own; with area antialiasing its corners.
 std::span<const LatticePoint> samplesOfPixel(Antialiasing antialiasing)
 {
     static constexpr std::array<LatticePoint, 1> own = {};
@@ -37,7 +37,7 @@ std::span<const LatticePoint> samplesOfPixel(Antialiasing antialiasing)
     return pattern.empty() ? std::span<const LatticePoint>(own) : pattern;
 }
 
-/// The pixels with a sample, or where areas are covered a part, within the triangle's bounding box.
+/// The pixels with a sample or, with area antialiasing, a part within the triangle's bounding box.
 SampleBox drawnBoxOf(const Triangle &triangle, Antialiasing antialiasing)
 {
     if (antialiasing == Antialiasing::Area) {
@@ -58,10 +58,10 @@ SampleBox drawnBoxOf(const Triangle &triangle, Antialiasing antialiasing)
     return box;
 }
 
-/// Whether an edge of the triangle has all samples of the frame on its outer side.
+/// Whether all samples of the frame lie on the outer side of one edge of the triangle.
 bool isApart(const Triangle &triangle, const FrameView &frame, Antialiasing antialiasing)
 {
-    Lattice left = 0, right = 0, low = 0, high = 0; // of a pixel's samples
+    Lattice left = 0, right = 0, low = 0, high = 0; // extent of a pixel's samples
     for (const LatticePoint &sample : samplesOfPixel(antialiasing)) {
         left = std::min(left, sample.x);
         right = std::max(right, sample.x);
@@ -93,9 +93,9 @@ bool isApart(const Triangle &triangle, const FrameView &frame, Antialiasing anti
     return false;
 }
 
-/// Of a triangle whose box goes beyond the frame's: whether one of its samples, or where areas are
-/// covered a part of it, does. Most show that in one of a few rows; one that has none in very many
-/// rows is left in doubt.
+/// For a triangle whose box extends beyond the frame: whether one of its samples or, with area
+/// antialiasing, a part of it does. Most show that in one of a few rows; a triangle of very many
+/// rows without one is left undecided.
 BorderCrossing crossingOfSamples(const Triangle &triangle, const SampledFrame &where)
 {
     constexpr std::int64_t fewRows = 64;
@@ -132,7 +132,7 @@ BorderCrossing crossingOfSamples(const Triangle &triangle, const SampledFrame &w
     return isInDoubt ? BorderCrossing::MayCross : BorderCrossing::Within;
 }
 
-/// Whether an antialiased line or curve has a sample of the frame, or where areas are covered a
+/// Whether an antialiased line or curve covers a sample of the frame or, with area antialiasing, a
 /// part of one of its pixels.
 bool isDrawn(const StrokeStrip &strip, const SampledFrame &where)
 {
@@ -167,9 +167,9 @@ SampleBox boxOfLine(const StrokeStrip &strip)
     return {first(byX.min.x), end(byX.max.x), first(byY.min.y), end(byY.max.y)};
 }
 
-/// All pixels that the shape may have, from its vertices: those of an antialiased curve lie ½ px
-/// around it, the others in pixels that its ends are rounded to, of a circle also its radius. Of a
-/// text, which is as long as its font makes it, a generous box.
+/// All pixels that the shape may have, from its vertices. An antialiased curve extends ½ px to each
+/// side; other shapes reach the pixels that their ends are rounded to, and a circle's radius too. A
+/// text, whose length depends on its font, gets a generous box.
 SampleBox boxAround(const Shape &shape, Antialiasing antialiasing)
 {
     Lattice left = largestCoordinate, right = -largestCoordinate;
@@ -202,8 +202,8 @@ SampleBox boxAround(const Shape &shape, Antialiasing antialiasing)
             floorPixel(high + beside) + 1};
 }
 
-/// Whether a line, points or an outline has a vertex whose pixel is the frame's, and one whose is
-/// none, however halves are rounded. A stroke ends beyond where it goes on for a pixel.
+/// Whether a line, points or an outline has one vertex whose pixel is in the frame and one whose
+/// pixel is not, however halves are rounded. A stroke's end counts as outside only a pixel further.
 bool crossesByVertices(const Shape &shape, const FrameView &frame, Antialiasing antialiasing)
 {
     const bool isOutlined = shape.kind == PrimitiveKind::Line || shape.kind == PrimitiveKind::Point
@@ -225,8 +225,8 @@ bool crossesByVertices(const Shape &shape, const FrameView &frame, Antialiasing 
         && std::ranges::any_of(shape.vertices, isBeyond);
 }
 
-/// Whether a line passes all pixels of the frame by: on the sample columns (rows where it is steep)
-/// of the frame it is more than half a pixel beyond its rows (columns).
+/// Whether a line misses all pixels of the frame: at the frame's sample columns (rows where it is
+/// steep) it is more than half a pixel beyond its rows (columns).
 bool passesBy(const Shape &line, const FrameView &frame)
 {
     const LatticePoint &a = line.vertices.front().position;

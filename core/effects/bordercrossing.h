@@ -5,22 +5,22 @@
 
 namespace pixelplumb {
 
-/// Where a primitive is, seen from the frame's border.
+/// How a primitive lies relative to the frame's border.
 enum class BorderCrossing : std::uint8_t {
-    Within, ///< every sample, every pixel that it has a part of, is the frame's
+    Within, ///< every sample, or every pixel that it partly covers, is in the frame
     Crosses,
-    MayCross, ///< by its bounding box; where its line runs was not looked at
-    Outside, ///< nothing of the frame is within its bounding box
+    MayCross, ///< its bounding box does; where its outline runs was not checked
+    Outside, ///< its bounding box holds nothing of the frame
 };
 
-/// Whether the triangle has samples in the frame and beyond it. Where pixels have more than one
-/// sample these count, where areas are covered all that a pixel has of it. Exact, but for one whose
-/// numbers are rounded, which crosses where its bounding box does, and a sliver of very many rows.
+/// Whether the triangle has samples both inside and outside the frame: with 4 or 16 samples those,
+/// with area antialiasing any part of a pixel. Exact, except for a triangle with rounded numbers,
+/// which crosses where its bounding box does, and for a sliver of very many rows.
 BorderCrossing borderCrossingOf(const Triangle &triangle, const SampledFrame &where);
 /// An antialiased line or curve is one pixel wide.
 BorderCrossing borderCrossingOf(const Shape &shape, const SampledFrame &where);
 /// Whether antialiasing changes a line or curve: its border meets a pixel of the frame (see
-/// hasEdgePixels), and it is drawn so, or would be without.
+/// hasEdgePixels), and it is drawn with antialiasing, or would be without.
 bool callsForAntialiasing(const Shape &stroke, const SampledFrame &where);
 
 } // namespace pixelplumb

@@ -9,7 +9,7 @@
 
 namespace pixelplumb {
 
-/// What shaded triangles interpolate, linearly in the frame.
+/// The values that shaded triangles interpolate linearly in the frame.
 enum class Channel : std::uint8_t {
     Red,
     Green,
@@ -28,23 +28,23 @@ enum class Channel : std::uint8_t {
 };
 inline constexpr std::size_t shadedChannelCount = 14;
 
-/// A value for each channel; those that are not carried are never read.
+/// A value for each channel; channels that are not carried are never read.
 template <class Value>
 using PerChannel = std::array<Value, shadedChannelCount>;
 
 constexpr std::size_t indexOf(Channel channel) { return std::size_t(channel); }
 constexpr Channel channelAt(std::size_t index) { return Channel(index); }
 
-/// Whether the channel is divided by w at the vertices where perspective is corrected.
+/// Whether the channel is divided by w at the vertices for perspective correction.
 constexpr bool followsPerspective(Channel channel)
 {
     return channel != Channel::Depth && channel != Channel::Reciprocal;
 }
 
-/// Levels count in whole levels, the other channels in 2^-24.
+/// Whether the channel counts in whole levels; the others count in 2^-24.
 constexpr bool isLevel(Channel channel) { return channel <= Channel::Alpha; }
 
-/// Whether the effects read a channel.
+/// Whether the effects read the channel.
 constexpr bool carries(const EffectSet &effects, Channel channel)
 {
     switch (channel) {
@@ -91,7 +91,7 @@ private:
     std::size_t m_count = 0;
 };
 
-/// Calls function(index) for each of them.
+/// Calls function(index) for each channel that the effects read.
 template <class Function>
 void forEachChannel(const EffectSet &effects, const Function &function)
 {

@@ -3,7 +3,7 @@
 
 #include "core/effects/stagedsamples.h"
 
-/// The colour of the vertices: one, or what lies between three.
+/// The vertex colours: one colour, or interpolated between three.
 namespace pixelplumb::stages {
 
 template <class N>

@@ -8,14 +8,14 @@
 
 namespace pixelplumb {
 
-/// The rows of one column of pixels, each half a pixel to every side of its sample, that a triangle
-/// meets, and those that it covers whole.
+/// The rows of one column of pixel squares, half a pixel to every side of the sample, that a
+/// triangle meets, and those that it covers completely.
 struct CoveredStrip {
     RowRun met;
     RowRun whole; ///< within `met`; empty where there are none
 };
 
-/// The rows at column x of a triangle P0 P1 P2, sorted by x, that has an area.
+/// The rows at column x of a triangle with area, P0 P1 P2 sorted by x.
 inline CoveredStrip coveredStrip(const std::array<LatticePoint, 3> &corners, std::int64_t x)
 {
     const LatticePoint &p0 = corners[0];
@@ -24,14 +24,14 @@ inline CoveredStrip coveredStrip(const std::array<LatticePoint, 3> &corners, std
     const Lattice left = x * unitsPerPixel - halfPixel;
     const Lattice right = x * unitsPerPixel + halfPixel;
     struct Border {
-        Int128 low = 0, high = 0; ///< of the triangle along a vertical line, ⌊256·y⌋ and ⌈256·y⌉
+        Int128 low = 0, high = 0; ///< where the triangle meets a vertical line, ⌊256·y⌋ and ⌈256·y⌉
     };
     const auto onEdge = [](const LatticePoint &a, const LatticePoint &b, Lattice at) -> Border {
         const Int128 width = b.x - a.x;
         const Int128 y = a.y * width + Int128(at - a.x) * (b.y - a.y);
         return {floorDivide<Int128>(y, width), ceilDivide<Int128>(y, width)};
     };
-    /// A line strictly inside of the triangle's columns, or at one of their ends.
+    /// `at` is strictly inside the triangle's columns, or at one of their ends.
     const auto borderAt = [&](Lattice at) -> Border {
         const Border longEdge = p0.x == p2.x ? Border{p0.y, p2.y} : onEdge(p0, p2, at);
         Border shortEdge;
@@ -42,7 +42,7 @@ inline CoveredStrip coveredStrip(const std::array<LatticePoint, 3> &corners, std
             shortEdge = onEdge(p1, p2, at);
         return {std::min(longEdge.low, shortEdge.low), std::max(longEdge.high, shortEdge.high)};
     };
-    /// What is surely inside: between the edges, rounded inward.
+    /// The part surely inside: between the edges, rounded inward.
     const auto innerAt = [&](Lattice at) -> Border {
         const Border longEdge = onEdge(p0, p2, at);
         const Border shortEdge
@@ -66,8 +66,8 @@ inline CoveredStrip coveredStrip(const std::array<LatticePoint, 3> &corners, std
     strip.whole = {strip.met.end, strip.met.end};
     if (left < p0.x || right > p2.x)
         return strip;
-    // The lower border is a convex function of x and the upper one a concave: their extremes within
-    // the strip are at its sides.
+    // The lower border is a convex function of x and the upper one a concave one: their extremes
+    // within the strip are at its sides.
     const Border a = innerAt(left);
     const Border b = innerAt(right);
     const Int128 low = std::max(a.low, b.low);

@@ -16,8 +16,8 @@ constexpr std::uint32_t greatestDepthLevel(DepthFormat format)
     return std::uint32_t((std::uint64_t(1) << unsigned(format)) - 1);
 }
 
-/// The nearest depth so far of each sample of a frame: the kernel's own numbers, or levels. There
-/// is memory for the one or for the other, or for none where no depth is compared.
+/// The nearest depth so far of each sample of a frame: the kernel's own numbers, or levels. Only
+/// the kind in use has memory, and neither has where no depth is compared.
 template <class N>
 class DepthBuffer {
 public:
@@ -35,7 +35,7 @@ public:
             m_levels.assign(size, std::numeric_limits<std::uint32_t>::max());
     }
 
-    /// The depths up a column, from a row on: columns are what kernels walk.
+    /// The depths up a column, from a row on: kernels walk columns.
     Depth *numbersAt(std::int64_t x, std::int64_t y) { return m_numbers.data() + place(x, y); }
     std::uint32_t *levelsAt(std::int64_t x, std::int64_t y)
     {

@@ -25,7 +25,7 @@ Lattice marginOf(Antialiasing antialiasing)
     return antialiasing == Antialiasing::None ? 0 : halfPixel;
 }
 
-/// The triangle's bounding box, widened by a margin, within the frame so widened.
+/// The triangle's bounding box, widened by a margin, clipped to the frame widened as much.
 DepthBox boxWithin(const Triangle &triangle, const FrameView &frame, Lattice margin)
 {
     const auto &v = triangle.vertices;
@@ -42,7 +42,7 @@ DepthBox boxWithin(const Triangle &triangle, const FrameView &frame, Lattice mar
             within(high + margin, frame.firstRow, frame.height)};
 }
 
-/// Depths in levels; the levels are the depths' own units where there are not more.
+/// Sets depths in levels; levels are the depths' own units if there are enough levels.
 void setDepthLevels(DepthCandidates &candidates)
 {
     Attribute least = largestAttribute;

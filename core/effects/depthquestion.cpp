@@ -12,17 +12,17 @@ namespace pixelplumb {
 
 namespace {
 
-// What things cost, in comparisons of two boxes, and how much may be spent.
+// Costs in units of one comparison of two boxes, and the budget.
 constexpr std::int64_t meetingCost = 6;
 constexpr std::int64_t planesCost = 20;
 constexpr std::int64_t behindCost = 140;
 constexpr std::int64_t leastBudget = 1'000'000;
 constexpr std::int64_t budgetPerTriangle = 260;
-/// How many rows and samples are looked at, of pairs one after another, for witnesses: some
-/// milliseconds. Pairs that come after them are in question by their planes alone.
+/// How many rows and samples are searched for witnesses in all pairs, one after another: some
+/// milliseconds. Later pairs are in question by their planes alone.
 constexpr int mostSteps = 20'000;
 
-/// Compares the triangles of each tile, two by two.
+/// Compares the triangles of each tile pairwise.
 class PairComparison {
 public:
     PairComparison(const Primitives &primitives, const SampledFrame &where,
@@ -50,7 +50,7 @@ public:
     }
 
 private:
-    /// False when no more can be compared.
+    /// False when the budget is used up.
     bool compareTile(std::size_t tile)
     {
         const std::span<const std::uint32_t> places = m_tiles.placesIn(tile);
@@ -72,10 +72,11 @@ private:
         return true;
     }
 
-    /// Depth runs for both already: nothing more is learnt, once it is known that it must.
+    /// Pairs for which depth already runs: nothing is learnt from them once it is known that it
+    /// must.
     SettledPairs settledPairs() const
     {
-        // A plane counts at samples outside of its triangle, too, where areas are covered.
+        // With area antialiasing a plane also counts at samples outside its triangle.
         return {m_mayOverlap && !isByArea(), isCalledFor()};
     }
 
@@ -108,8 +109,8 @@ private:
 
     PlaneOrder orderOf(std::size_t earlier, std::size_t later) const
     {
-        // Pixels have parts of both where their boxes meet, and segments no planes: their samples
-        // tell.
+        // Pixels have parts of both where their boxes meet, and segments have no planes: the
+        // samples decide.
         const DepthTriangle early = depthTriangle(earlier);
         const DepthTriangle late = depthTriangle(later);
         if (isByArea() || doubledArea(*early.triangle) == 0 || doubledArea(*late.triangle) == 0)
@@ -117,7 +118,8 @@ private:
         return planeOrderOf(early, late, m_where.rule);
     }
 
-    /// Somewhere the later one lies behind, or may: whether it does where it is drawn.
+    /// Searches for a sample at which the later one, which lies behind somewhere or may, is drawn
+    /// behind.
     void question(std::size_t earlier, std::size_t later)
     {
         WitnessSearch search;
@@ -140,7 +142,7 @@ private:
         m_inQuestion[later] = true;
     }
 
-    /// The pixels that have more than one sample; made for the first pair that asks.
+    /// The pixels with more than one sample; computed for the first pair that needs them.
     const EdgePixels *edgePixels()
     {
         if (!m_edges && !samplePattern(m_where.antialiasing).empty())
@@ -200,7 +202,7 @@ private:
     const DepthCandidates &m_candidates;
     SampledFrame m_where;
     DepthTiles m_tiles;
-    TileBoxes m_boxes; ///< of the tile in hand
+    TileBoxes m_boxes; ///< of the current tile
     std::vector<bool> m_inQuestion; ///< by candidate
     std::int64_t m_budget;
     DepthAnswer m_answer;

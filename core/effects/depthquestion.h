@@ -6,39 +6,40 @@
 
 namespace pixelplumb {
 
-/// Whether painting in drawing order shows what is nearest: no triangle lies behind one that was
-/// drawn before it, at no sample of the frame.
+/// Whether drawing order alone shows the nearest triangles: at no sample of the frame does a
+/// triangle lie behind one drawn before it.
 struct DepthAnswer {
     /// What settled the question.
     enum class Ground : std::uint8_t {
-        FewTriangles, ///< none or one is drawn in the frame
+        FewTriangles, ///< at most one is drawn in the frame
         SameDepth, ///< all z are equal
-        InOrder, ///< each is nearer than all before it, or as near
+        InOrder, ///< each is at least as near as all before it
         Apart, ///< no two overlap
-        NotBehind, ///< where they overlap, the later one is nearer or as near
-        NoSample, ///< it is so at the samples, though not at all points
-        Witness, ///< it is not so at a sample
-        NoWitness, ///< it is not so at all points, and no such sample was found
-        TooMany, ///< not all could be compared in the time that there is
+        NotBehind, ///< where they overlap, the later one is at least as near
+        NoSample, ///< that holds at the samples, though not at all points
+        Witness, ///< it fails at a sample
+        NoWitness, ///< it fails at some point, but no such sample was found
+        TooMany, ///< not all could be compared in the available time
     };
 
     Ground ground = Ground::FewTriangles;
     Verdict verdict = Verdict::NotCalledFor;
-    std::size_t earlier = 0, later = 0; ///< of a witness, or where none was found: the triangles
-    SamplePlace place; ///< of a witness
-    Antialiasing antialiasing = Antialiasing::None; ///< at whose samples it was asked
+    std::size_t earlier = 0, later = 0; ///< the triangles of the witness, or of the pair without
+                                        ///< one
+    SamplePlace place; ///< of the witness
+    Antialiasing antialiasing = Antialiasing::None; ///< whose samples the question is about
     std::int64_t overlaps = 0; ///< pairs of triangles whose planes were compared where they overlap
-    /// Those that lie behind an earlier one somewhere, or before a later one, or may; by triangle.
-    /// Any other triangle may be drawn without depth. Empty where there are none.
+    /// By triangle: whether it lies, or may lie, behind an earlier one or in front of a later one
+    /// somewhere. All others may be drawn without depth. Empty where there are none in question.
     std::vector<bool> inQuestion;
-    std::int64_t operations = 0; ///< about; a comparison of two boxes is one
+    std::int64_t operations = 0; ///< approximate; comparing two boxes counts as one
 
     std::size_t countInQuestion() const;
 };
 
-/// The answer is exact but for NoWitness and TooMany, and depends on nothing but the scene: what
-/// can be compared is bounded by a count of operations. Not looked for where the scene itself says
-/// whether depth runs. Sample coordinates.
+/// The answer is exact except for NoWitness and TooMany, and depends only on the scene: comparisons
+/// are limited by a count of operations. The question is not examined where the scene itself
+/// switches depth on or off. Sample coordinates.
 DepthAnswer depthQuestion(const Primitives &primitives, const ScanSettings &settings,
                           const FrameView &frame, Antialiasing antialiasing);
 

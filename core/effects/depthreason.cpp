@@ -22,8 +22,7 @@ QString depthReason(const DepthAnswer &answer)
         return QStringLiteral("all triangles that are drawn in the frame have the same depth");
     case Ground::InOrder:
         return QStringLiteral(
-            "of the triangles that are drawn in the frame, each is nearer than all "
-            "before it, or as near");
+            "each triangle that is drawn in the frame is nearer than all before it, or as near");
     case Ground::Apart:
         return QStringLiteral("no two triangles that are drawn in the frame overlap");
     case Ground::NotBehind:
@@ -44,16 +43,13 @@ QString depthReason(const DepthAnswer &answer)
                    .arg(answer.earlier)
             + inQuestionWords(answer);
     case Ground::NoWitness:
-        return QStringLiteral(
-                   "triangle %1 may lie behind triangle %2, which is drawn before it: it "
-                   "does not at the samples that could be looked at while the picture "
-                   "waits")
+        return QStringLiteral("triangle %1 may lie behind triangle %2, which is drawn before it; "
+                              "it does not at the samples that were checked")
                    .arg(answer.later)
                    .arg(answer.earlier)
             + inQuestionWords(answer);
     case Ground::TooMany:
-        return QStringLiteral("more triangles lie about each other than can be compared while the "
-                              "picture waits")
+        return QStringLiteral("too many triangles lie close together to compare them all")
             + inQuestionWords(answer);
     }
     return {};

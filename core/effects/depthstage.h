@@ -3,10 +3,10 @@
 
 #include "core/effects/stagedsamples.h"
 
-/// Depth: a sample that lies behind what stands at its place is refused.
+/// Depth: refuses a sample that lies behind the stored depth.
 namespace pixelplumb::stages {
 
-/// Depth in the kernel's own numbers: what is stored up a column, and what is compared with it.
+/// Depth in the kernel's own numbers: the values stored up a column, and those compared with them.
 template <class N>
 struct DepthNumbers {
     using Stored = typename N::Depth;
@@ -30,7 +30,7 @@ struct DepthNumbers {
     }
 };
 
-/// The same in levels.
+/// Depth in levels.
 template <class N>
 struct DepthLevels {
     using Stored = std::uint32_t;
@@ -64,8 +64,8 @@ auto depthsOf(const StagedSamples<N> &run)
     return depths;
 }
 
-/// Which samples are nearer than what is stored, and stores them. No longer run than of one sample
-/// has lost any before.
+/// Stores depths that are not farther than the stored ones and marks their samples in `passes`;
+/// returns how many. Only runs of one sample can have lost any before.
 template <class N, class Kind>
 std::size_t storeNearer(StagedSamples<N> &run,
                         std::array<std::uint32_t, StagedSamples<N>::capacity> &passes)
@@ -95,7 +95,7 @@ void compareDepth(StagedSamples<N> &run)
     run.keep(passes, passing);
 }
 
-/// That and the triangle's one colour: two stages in one, since there is nothing between them.
+/// Depth test and flat paint: two stages in one, since nothing happens between them.
 template <class N, class Kind>
 void paintNearer(StagedSamples<N> &run)
 {
@@ -105,7 +105,7 @@ void paintNearer(StagedSamples<N> &run)
     const QRgb flat = run.surface->flat;
     if (passing == run.count)
         run.forEachPixel([flat](QRgb &pixel, std::size_t) { pixel = flat; });
-    else if (passing > 0) // without a jump, which is foreseen badly
+    else if (passing > 0) // branch-free, because the branch would often be mispredicted
         run.forEachPixel([&](QRgb &pixel, std::size_t i) { pixel = passes[i] ? flat : pixel; });
 }
 

@@ -7,12 +7,12 @@ namespace pixelplumb {
 
 DepthTiles::DepthTiles(std::span<const DepthBox> boxes, std::int32_t width, std::int32_t height)
 {
-    // About two boxes a tile where they are spread evenly.
+    // About two boxes per tile if they are spread evenly.
     constexpr std::uint64_t boxesPerTile = 2;
     const std::uint64_t area = (std::uint64_t(width) + 1) * (std::uint64_t(height) + 1);
     while ((area >> (2 * m_shift)) * boxesPerTile > boxes.size() + 1)
         ++m_shift;
-    // Large boxes touch many tiles: fewer tiles then, of which the whole frame is the last resort.
+    // Large boxes touch many tiles, so use fewer tiles; in the last resort one for the whole frame.
     constexpr std::uint64_t tilesPerBox = 6;
     const std::int32_t longer = std::max(width, height);
     while ((longer >> m_shift) > 0 && touchedTiles(boxes) > tilesPerBox * boxes.size())

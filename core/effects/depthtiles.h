@@ -8,8 +8,8 @@
 
 namespace pixelplumb {
 
-/// A bounding box, its boundary included; lattice units from the frame's first sample. Its depths
-/// are levels of 0 … mostDepthLevel, the same for all boxes of a scene, widened to whole levels.
+/// A bounding box, boundary included; lattice units from the frame's first sample. Depths are
+/// levels of 0 … mostDepthLevel, on one scale for all boxes of a scene, widened to whole levels.
 struct DepthBox {
     std::int32_t left = 0, right = 0, low = 0, high = 0;
     std::int32_t nearest = 0, farthest = 0;
@@ -22,15 +22,15 @@ struct TileCorner {
     std::int32_t x = 0, y = 0;
 };
 
-/// The boxes of a scene's triangles sorted into square tiles, so that only those of a tile need to
-/// be compared with each other. A tile is chosen so that most boxes touch few of them.
+/// The boxes of a scene's triangles sorted into square tiles, so that only boxes in the same tile
+/// need comparing. The tile size is chosen so that most boxes touch few tiles.
 class DepthTiles {
 public:
-    /// Boxes within [0, width] × [0, height].
+    /// The boxes lie within [0, width] × [0, height].
     DepthTiles(std::span<const DepthBox> boxes, std::int32_t width, std::int32_t height);
 
     std::size_t count() const { return m_begin.size() - 1; }
-    /// Which boxes touch a tile, ascending.
+    /// The indices of the boxes that touch a tile, ascending.
     std::span<const std::uint32_t> placesIn(std::size_t tile) const
     {
         return std::span(m_places).subspan(m_begin[tile], m_begin[tile + 1] - m_begin[tile]);
@@ -48,7 +48,7 @@ private:
 
     int m_shift = 0; ///< a tile's side is 2^shift lattice units
     std::size_t m_columns = 1;
-    std::vector<std::uint32_t> m_begin; ///< of each tile in m_places, and the end
+    std::vector<std::uint32_t> m_begin; ///< where each tile begins in m_places, and the end
     std::vector<std::uint32_t> m_places;
 };
 

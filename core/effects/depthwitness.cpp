@@ -10,15 +10,15 @@ namespace pixelplumb {
 
 namespace {
 
-/// Samples that pixels have.
+/// One sample of a group of pixels.
 struct PixelSamples {
     enum class Of : std::uint8_t { AllPixels, EdgePixels, OtherPixels };
 
-    LatticePoint place; ///< in the pixel
+    LatticePoint place; ///< offset in the pixel
     Of of = Of::AllPixels;
 };
 
-/// Of pixels without an edge first: most have none.
+/// Pixels without an edge come first: most have none.
 std::vector<PixelSamples> samplesOfPixels(Antialiasing antialiasing)
 {
     const std::span<const LatticePoint> pattern = samplePattern(antialiasing);
@@ -30,7 +30,7 @@ std::vector<PixelSamples> samplesOfPixels(Antialiasing antialiasing)
     return samples;
 }
 
-/// What a depth buffer of so many bits keeps: ⌊z·(2^n − 1) + ½⌋ of z within 0 … 1.
+/// A depth as a buffer of `format` bits stores it: ⌊z·(2^n − 1) + ½⌋ with z clamped to 0 … 1.
 Int256 depthLevel(const DrawnPlane &plane, const SamplePlace &at, DepthFormat format)
 {
     const Int256 largest = (Int256(1) << int(format)) - 1;
@@ -43,7 +43,7 @@ Int256 depthLevel(const DrawnPlane &plane, const SamplePlace &at, DepthFormat fo
     return (2 * numerator * largest + one) / (2 * one);
 }
 
-/// Two triangles as one sample of the pixels has them.
+/// Two triangles as seen by one sample of each pixel.
 class DrawnPair {
 public:
     DrawnPair(const DepthTriangle &earlier, const DepthTriangle &later, const PixelSamples &samples,
@@ -67,7 +67,7 @@ public:
         }
         return false;
     }
-    /// Keeps of a row where both are drawn and the later one is farther.
+    /// Keeps the part of a row where both are drawn and the later one is farther.
     void keepBehind(RowPixels &columns, std::int64_t row) const
     {
         m_earlier.keepDrawn(columns, row);
@@ -76,7 +76,7 @@ public:
         if (!columns.isEmpty())
             columns.keepPositive(m_behind, row);
     }
-    /// Of one that is farther: whether the depth buffer keeps it so.
+    /// Whether a later one that is farther is also farther in the depth buffer.
     bool isKeptBehind(const SamplePlace &at, DepthFormat format) const
     {
         return format == DepthFormat::Exact
@@ -88,7 +88,7 @@ private:
     PixelForm<Int256> m_behind; ///< above 0 where the later one is farther
 };
 
-/// Goes through the rows of a window for one sample of its pixels after the other.
+/// Searches the rows of a window for one sample of its pixels after the other.
 class Search {
 public:
     Search(const EdgePixels *edges, DepthFormat format, const WitnessWindow &window)
@@ -98,7 +98,7 @@ public:
     {
     }
 
-    /// False where it has ended: with a witness, or before its time.
+    /// False once it has ended: with a witness, or at the step limit.
     bool goOn(const DrawnPair &pair, PixelSamples::Of of)
     {
         ++m_search.steps;

@@ -18,23 +18,23 @@ struct SamplePlace {
     friend bool operator==(const SamplePlace &, const SamplePlace &) = default;
 };
 
-/// What was found of two triangles, looking at what is drawn of them.
+/// The result of searching two triangles, as they are drawn, for a witness.
 struct WitnessSearch {
-    /// A pixel at a sample of which both are drawn and the later one is farther, by exact numbers
-    /// and by what the depth buffer keeps of them. Where areas are covered depths are those at the
-    /// pixel's centre, also beside a triangle.
+    /// A pixel with a sample at which both are drawn and the later one is farther, both in exact
+    /// numbers and as the depth buffer stores them. With area antialiasing depths are those at the
+    /// pixel's centre, even outside a triangle.
     std::optional<SamplePlace> found;
-    bool wasComplete = false; ///< nothing of the window was left out
-    int steps = 0; ///< rows and pixels that were looked at
+    bool wasComplete = false; ///< the whole window was searched
+    int steps = 0; ///< rows and pixels examined
 };
 
-/// Where two triangles are looked at, and how closely.
+/// Where two triangles are searched, and how thoroughly.
 struct WitnessWindow {
     SampleBox pixels;
-    int mostSteps = 0; ///< after which the search ends
+    int mostSteps = 0; ///< the search ends after these
 };
 
-/// Looks at the samples of a window row by row. `edges` are the pixels that have 4 or 16 samples;
+/// Searches the samples of a window row by row. `edges` are the pixels that have 4 or 16 samples;
 /// null where none have.
 WitnessSearch searchWitness(const DepthTriangle &earlier, const DepthTriangle &later,
                             const SampledFrame &where, const EdgePixels *edges, DepthFormat format,

@@ -3,10 +3,11 @@
 
 #include "core/effects/stagedsamples.h"
 
-/// Perspective: what was interpolated over w is divided by 1/w.
+/// Perspective: divides what was interpolated over w by 1/w.
 namespace pixelplumb::stages {
 
-/// Beyond the horizon of its plane a sample has no attributes. Only areas reach so far.
+/// Refuses samples beyond the horizon of the triangle's plane, which have no attributes. Only areas
+/// extend so far.
 template <class N>
 void leaveHorizon(StagedSamples<N> &run)
 {
@@ -19,7 +20,7 @@ void leaveHorizon(StagedSamples<N> &run)
     run.keep(passes, passing);
 }
 
-/// Exact numerators get another denominator, floating numbers are divided.
+/// Divides floating numbers; exact numerators get another denominator instead.
 template <class N>
 void divideByW(StagedSamples<N> &run)
 {

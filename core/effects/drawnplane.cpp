@@ -23,7 +23,7 @@ Form edgeForm(const LatticePoint &a, const LatticePoint &b)
 
 Form negative(const Form &form) { return {-form.x, -form.y, -form.constant}; }
 
-/// Above 0 where the form is not below.
+/// Above 0 where the form is at least 0.
 Form orZero(const Form &form) { return {form.x, form.y, form.constant + 1}; }
 
 } // namespace
@@ -65,7 +65,7 @@ void DrawnPlane::setTriangle(const DepthTriangle &given, const Triangle &seen,
     if (where.antialiasing != Antialiasing::Area)
         return;
     isDivided = given.w != std::array<Attribute, 3>{};
-    // Two convex figures are apart, too, where one lies beside the square's own sides.
+    // Two convex figures are also apart where one lies beyond a side of the square.
     const auto [least, greatest] = boundingCornersOf(seen);
     inside.push_back({unitsPerPixel, 0, halfPixel - least.x});
     inside.push_back({-unitsPerPixel, 0, halfPixel + greatest.x});
@@ -86,7 +86,7 @@ void DrawnPlane::setSegment(const DepthTriangle &given)
          {across, negative(across), Form{unitsPerPixel, 0, -from.x}, Form{-unitsPerPixel, 0, to.x},
           Form{0, unitsPerPixel, -low}, Form{0, -unitsPerPixel, high}})
         inside.push_back(orZero(form));
-    // Along x, or along y where all lies in one column.
+    // Along x, or along y where the segment lies in one column.
     const bool isVertical = from.x == to.x;
     const Lattice start = isVertical ? from.y : from.x;
     const Lattice length = isVertical ? to.y - from.y : to.x - from.x;

@@ -44,7 +44,7 @@ struct RowPixels {
 
     bool isEmpty() const { return first >= end; }
 
-    /// Keeps those at which a form is above 0.
+    /// Keeps the columns at which a form is above 0.
     template <class Integer>
     void keepPositive(const PixelForm<Integer> &form, std::int64_t row)
     {
@@ -64,14 +64,15 @@ struct RowPixels {
     }
 };
 
-/// A triangle, or under the closed rule the segment of one without area, as one sample of the
-/// pixels has it: where it is drawn, and its depth there.
+/// A triangle, or under the closed rule the segment of one without area, as seen by one sample of
+/// each pixel: where it is drawn, and its depth there.
 struct DrawnPlane {
-    /// `sample` is where it lies in its pixel; a segment is always drawn at the pixel's own.
+    /// `sample` is the sample's offset in its pixel; a segment is always drawn at the pixel's own
+    /// sample.
     DrawnPlane(const DepthTriangle &triangle, const LatticePoint &sample,
                const SampledFrame &where);
 
-    /// Keeps of a row what is drawn.
+    /// Keeps the part of a row where it is drawn.
     void keepDrawn(RowPixels &columns, std::int64_t row) const
     {
         for (const PixelForm<Int128> &form : inside)
@@ -83,7 +84,7 @@ struct DrawnPlane {
     std::vector<PixelForm<Int128>> inside; ///< all above 0 where it is drawn
     PixelForm<Int256> depth; ///< z times the denominator
     Int256 denominator = 1; ///< > 0
-    /// Where areas are covered and attributes are divided by w: of the sign of 1/w.
+    /// With area antialiasing and attributes divided by w: has the sign of 1/w.
     PixelForm<Int256> reciprocal;
     bool isDivided = false;
 

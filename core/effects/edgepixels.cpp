@@ -46,7 +46,7 @@ void EdgePixels::addEdge(LatticePoint a, LatticePoint b)
     const Int128 width = b.x - a.x;
     const Int128 rise = b.y - a.y;
     for (std::int64_t x = first; x < end; ++x) {
-        // y·width at both ends of what lies in the strip; of a vertical edge all of it.
+        // y·width at both ends of the part in the strip; a vertical edge lies in it entirely.
         const Lattice left = std::max(a.x, x * unitsPerPixel - halfPixel);
         const Lattice right = std::min(b.x, x * unitsPerPixel + halfPixel);
         Int128 low = width == 0 ? Int128(a.y) : a.y * width + (left - a.x) * rise;

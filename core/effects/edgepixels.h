@@ -13,8 +13,8 @@
 
 namespace pixelplumb {
 
-/// The pixels of a frame whose closed square an edge of some triangle meets: those that 4 or 16
-/// samples are taken in.
+/// The pixels of a frame whose closed square meets an edge of some triangle: those with 4 or 16
+/// samples.
 class EdgePixels {
 public:
     EdgePixels(std::span<const Triangle> triangles, const FrameView &frame);
@@ -22,8 +22,8 @@ public:
     bool contains(std::int64_t x, std::int64_t y) const { return m_isEdge[place(x, y)] != 0; }
     std::int64_t count() const { return m_count; }
 
-    /// Calls function(run) for the runs of rows within `rows` of column x whose pixels are, or are
-    /// not, of these.
+    /// Calls function(run) for each run of rows within `rows` of column x whose pixels all are, or
+    /// all are not, edge pixels.
     template <class Function>
     void forEachRun(std::int64_t x, const RowRun &rows, bool ofEdges,
                     const Function &function) const
@@ -44,7 +44,7 @@ private:
         return std::size_t(x - m_frame.firstColumn) * std::size_t(m_frame.height)
             + std::size_t(y - m_frame.firstRow);
     }
-    /// The rows at which the column goes over to these pixels and, in turn, back, ascending.
+    /// The rows at which the column switches to edge pixels and, in turn, back, ascending.
     std::span<const std::int64_t> bordersIn(std::int64_t x) const
     {
         const auto column = std::size_t(x - m_frame.firstColumn);
@@ -54,17 +54,17 @@ private:
     void addEdge(LatticePoint a, LatticePoint b);
     void findBorders();
 
-    FrameView m_frame; ///< for its window alone
+    FrameView m_frame; ///< used only as a window
     std::vector<std::uint8_t> m_isEdge; ///< column by column
     std::int64_t m_count = 0;
     std::vector<std::int64_t> m_borders;
-    std::vector<std::size_t> m_firstBorder; ///< of each column in m_borders, and the end
+    std::vector<std::size_t> m_firstBorder; ///< where each column begins in m_borders, and the end
 };
 
-/// Where the samples of a pixel lie, from its own sample, 1/256 px; y upward.
+/// Offsets of a pixel's samples from its own sample, 1/256 px; y upward.
 std::span<const LatticePoint> samplePattern(Antialiasing antialiasing);
 
-/// The triangle as one of these samples sees it: moved the other way.
+/// The triangle as seen from one of these samples: moved the opposite way.
 Triangle seenFrom(const Triangle &triangle, const LatticePoint &sample);
 
 } // namespace pixelplumb

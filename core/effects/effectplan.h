@@ -15,7 +15,8 @@
 #include <string_view>
 #include <vector>
 
-/// What a scene needs, and what is run for it: values, found in one pass, shown with their reasons.
+/// What a scene needs, and what is run for it: values found in one pass and shown with their
+/// reasons.
 namespace pixelplumb {
 
 enum class Verdict : std::uint8_t {
@@ -27,23 +28,23 @@ enum class Verdict : std::uint8_t {
 /// "not called for", "called for", "not ruled out".
 std::string_view nameOf(Verdict verdict);
 
-/// What a scene needs of one effect, and why, in words that a student understands.
+/// Whether a scene needs one effect, and why, in words that a student understands.
 struct EffectVerdict {
     Verdict verdict = Verdict::NotCalledFor;
     QString reason; ///< "the three vertex colours are equal", "2 of 3 triangles have an alpha …"
     std::size_t primitives = 0; ///< that call for it
-    std::int64_t pixels = 0; ///< of the frame that it may touch, at most: an upper bound
+    std::int64_t pixels = 0; ///< upper bound for the frame's pixels that it may touch
 };
 
-/// How samples of a batch are compared in depth.
+/// How the depths of a batch's samples are compared.
 enum class DepthTest : std::uint8_t {
     None,
-    Number, ///< the kernel's own number is kept
-    Levels, ///< an integer of so many bits is kept
+    Number, ///< the kernel's own number is stored
+    Levels, ///< an integer of the format's bits is stored
 };
 
-/// What is done at each sample of a batch, which its stages are chosen by. Values that need no
-/// other code (a light's direction, an alpha) stay out of it.
+/// What is done at each sample of a batch; it selects the batch's stages. Values that need no
+/// different code (a light's direction, an alpha) are left out.
 struct EffectSet {
     bool smooth = false;
     bool perspective = false;
@@ -52,7 +53,7 @@ struct EffectSet {
     bool blending = false;
     DepthTest depth = DepthTest::None;
 
-    /// Today's plain kernels suffice: one colour or three interpolated ones, painted over.
+    /// Whether the plain kernels suffice: one colour or three interpolated ones, painted over.
     constexpr bool isPlain() const
     {
         return !perspective && !texture && !light && !blending && depth == DepthTest::None;
@@ -60,47 +61,48 @@ struct EffectSet {
     friend constexpr bool operator==(const EffectSet &, const EffectSet &) = default;
 };
 
-/// Whether it is among them; of clipping and antialiasing, which no stage does, false.
+/// Whether the effect is among them; false for clipping and antialiasing, which no stage does.
 bool contains(const EffectSet &effects, Effect effect);
-/// "smooth colour, depth"; "one colour" where there are none.
+/// "smooth colour, depth"; "one colour" if there are none.
 QString namesOf(const EffectSet &effects);
 
-/// A run of triangles of the same needs, in drawing order.
+/// A run of triangles with the same needs, in drawing order.
 struct EffectBatch {
     std::size_t first = 0;
     std::size_t count = 0;
     EffectSet effects;
-    std::size_t unseen = 0; ///< of them: what reaches no pixel joins what stands beside it
+    std::size_t unseen = 0; ///< of these: triangles that reach no pixel and so join a neighbouring
+                            ///< batch
 
     friend bool operator==(const EffectBatch &, const EffectBatch &) = default;
 };
 
-/// What runs.
+/// What is run for a scene.
 struct EffectPlan {
     PerEffect<EffectVerdict> verdicts;
     std::vector<EffectBatch> batches; ///< of the triangles; together all of them, in order
-    Antialiasing antialiasing = Antialiasing::None; ///< of the triangles
-    Antialiasing strokeAntialiasing = Antialiasing::None; ///< of lines and curves
-    bool smoothLines = false; ///< lines go from the one end's colour to the other's
-    bool vertexLight = false; ///< light is in the vertices' colours, from set-up on
+    Antialiasing antialiasing = Antialiasing::None; ///< for triangles
+    Antialiasing strokeAntialiasing = Antialiasing::None; ///< for lines and curves
+    bool smoothLines = false; ///< lines change from one end's colour to the other's
+    bool vertexLight = false; ///< light is computed into the vertex colours in set-up
 
-    /// Whether it is done anywhere.
+    /// Whether the effect runs anywhere.
     bool runs(Effect effect) const
     {
         return runsOnTriangles(effect) || (effect == Effect::SmoothColour && smoothLines)
             || (effect == Effect::Light && vertexLight)
             || (effect == Effect::Antialiasing && strokeAntialiasing != Antialiasing::None);
     }
-    /// The same of what a kernel of triangles does at their samples.
+    /// Whether the effect runs on triangles.
     bool runsOnTriangles(Effect effect) const;
-    /// Whether the same is done, whatever the verdicts say.
+    /// Whether the same is run, whatever the verdicts say.
     bool runsAs(const EffectPlan &other) const
     {
         return batches == other.batches && antialiasing == other.antialiasing
             && strokeAntialiasing == other.strokeAntialiasing && smoothLines == other.smoothLines
             && vertexLight == other.vertexLight;
     }
-    /// True where today's plain kernels draw all triangles.
+    /// True where the plain kernels draw all triangles.
     bool isPlain() const
     {
         return antialiasing == Antialiasing::None
@@ -109,17 +111,16 @@ struct EffectPlan {
     }
 };
 
-/// What the primitives (sample coordinates) need in the frame, each effect by itself. Forcing is
-/// not looked at.
+/// What the primitives (sample coordinates) need in the frame, effect by effect, ignoring forcing.
 PerEffect<EffectVerdict> requirementsOf(const Primitives &primitives, const ScanSettings &settings,
                                         const FrameView &frame);
 
-/// What is run: that, with what was forced on or off.
+/// What is run: the requirements, with effects forced on or off.
 EffectPlan planFor(const Primitives &primitives, const ScanSettings &settings,
                    const FrameView &frame);
 
-/// The plan of a scene that calls for more than colour; none where one colour a triangle, or three
-/// interpolated ones, painted over what stands, are all of it.
+/// The plan of a scene that calls for more than colour; none where one colour per triangle, or
+/// three interpolated ones, painted over the frame are enough.
 std::optional<EffectPlan> planBeyondColour(const Primitives &primitives,
                                            const ScanSettings &settings, const FrameView &frame);
 

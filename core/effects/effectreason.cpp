@@ -12,13 +12,13 @@ namespace {
 
 QString triangleWord() { return QStringLiteral("triangle"); }
 
-/// "primitive", where there are others than triangles.
+/// "primitive", where there are shapes besides triangles.
 QString primitiveWord(const Primitives &primitives)
 {
     return primitives.shapes.empty() ? triangleWord() : QStringLiteral("primitive");
 }
 
-/// Added to what is said of all or none, where others are not drawn: of those nothing is said.
+/// Limits a statement about all or none to what is drawn, where some primitives are not.
 QString amongDrawn(const NeedsTally &tally)
 {
     return tally.outside == 0 ? QString() : QStringLiteral(" that is drawn in the frame");
@@ -29,15 +29,14 @@ QString has(std::size_t count, std::size_t all, const QString &noun)
     return countedWords(count, all, noun, QStringLiteral("has"), QStringLiteral("have"));
 }
 
-/// Added to what is said of vertices: a triangle without area is drawn as the segment or the point
-/// that it is.
+/// Qualifies a statement about vertices: a triangle without area is drawn as a segment or a point.
 QString ofEnds(const NeedsTally &tally)
 {
     QString said;
     if (tally.drawnSegments > 0)
-        said += QStringLiteral("; of a triangle that is a segment the two ends alone count");
+        said += QStringLiteral("; for a triangle that is a segment, only the two ends count");
     if (tally.drawnPoints > 0)
-        said += QStringLiteral("; of a triangle that is a point the first vertex alone counts");
+        said += QStringLiteral("; for a triangle that is a point, only the first vertex counts");
     return said;
 }
 
@@ -52,8 +51,13 @@ QString smoothColourReason(const NeedsTally &tally, const Appearance &appearance
             + (isFlatLit ? QStringLiteral("; flat light gives each triangle that it falls on one "
                                           "colour")
                          : QString());
-    if (isFlatLit)
-        return QStringLiteral("flat light gives each triangle one colour");
+    if (isFlatLit) {
+        const bool isEachLit = tally.of[Effect::Light].primitives == tally.drawnTriangles;
+        return isEachLit ? QStringLiteral("flat light gives each triangle one colour")
+                         : QStringLiteral("flat light gives each triangle that it falls on one "
+                                          "colour; in the others the vertex colours are equal")
+                + ofEnds(tally);
+    }
     if (tally.ownColours > 0)
         return QStringLiteral(
             "no triangle and no line goes from one vertex colour to another where "
@@ -98,7 +102,7 @@ QString clippingReason(const NeedsTally &tally, const QString &noun, Antialiasin
                      .arg(noun));
 }
 
-/// What is divided by w.
+/// The values that are divided by w.
 QString carriedWords(const TriangleNeeds &carried)
 {
     QStringList words;
@@ -109,7 +113,7 @@ QString carriedWords(const TriangleNeeds &carried)
     if (carried.carriesTexture)
         words.append(QStringLiteral("u and v"));
     if (carried.carriesLight)
-        words.append(QStringLiteral("what light looks at"));
+        words.append(QStringLiteral("what lighting needs"));
     return words.join(QStringLiteral(", "));
 }
 
@@ -129,8 +133,8 @@ QString perspectiveReason(const NeedsTally &tally)
                               "before they are interpolated: %2")
             .arg(ofTriangles(divided, tally.drawnTriangles), carriedWords(tally.carried));
     if (tally.dividingNothing > 0)
-        return QStringLiteral("w differs between the vertices of %1, but nothing else does that is "
-                              "divided by it")
+        return QStringLiteral(
+                   "w differs between the vertices of %1, but nothing that is divided by it does")
                    .arg(ofTriangles(tally.dividingNothing, tally.drawnTriangles))
             + ofEnds(tally);
     return tally.drawnTriangles == 0
@@ -181,8 +185,8 @@ QString lightReason(const NeedsTally &tally, const Appearance &appearance)
         : QStringLiteral("no triangle%1 has normals").arg(amongDrawn(tally));
 }
 
-/// Under the closed rule both triangles of a shared edge are painted over its samples, which shows
-/// where one of them lets the other through.
+/// Under the closed rule both triangles of a shared edge paint its samples, which shows where one
+/// of them is transparent.
 QString paintedTwiceWords(const Primitives &primitives, const NeedsTally &tally,
                           const SampledFrame &where)
 {
@@ -212,12 +216,14 @@ QString blendingReason(const Primitives &primitives, const NeedsTally &tally,
 {
     const std::size_t blended = tally.of[Effect::Blending].primitives;
     if (blended == 0)
-        return tally.outside == 0
-            ? QStringLiteral("every alpha is 255: opaque")
-            : QStringLiteral("every alpha of a triangle%1 is 255: opaque").arg(amongDrawn(tally));
+        return (tally.outside == 0 ? QStringLiteral("every alpha is 255: opaque")
+                                   : QStringLiteral("every alpha of a triangle%1 is 255: opaque")
+                                         .arg(amongDrawn(tally)))
+            + ofEnds(tally);
     const QString reason = QStringLiteral("%1 an alpha below 255, the lowest is %2")
                                .arg(has(blended, tally.drawnTriangles, triangleWord()))
-                               .arg(tally.lowestAlpha);
+                               .arg(tally.lowestAlpha)
+        + ofEnds(tally);
     const SampledFrame where{frame, settings.fillRule, primitives.appearance.antialiasing};
     const bool sharesEdges = where.rule == FillRule::Closed
         && where.antialiasing != Antialiasing::Area && tally.drawnTriangles > 1;

@@ -6,15 +6,15 @@
 
 namespace pixelplumb {
 
-/// Why an effect is called for or not: one clause in a student's words, with numbers, as the tally
-/// has them. All effects but depth.
+/// Why an effect is called for or not: one clause in a student's words, with numbers from the
+/// tally. For all effects but depth.
 QString effectReason(Effect effect, const NeedsTally &tally, const Primitives &primitives,
                      const ScanSettings &settings, const FrameView &frame);
 
 /// Why antialiasing is called for or not.
 QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing);
 
-/// The same of depth, where the scene leaves the question to the plan.
+/// Why depth is called for or not, where the scene leaves the question to the plan.
 QString depthReason(const DepthAnswer &answer);
 
 /// "the triangle has", "1 of 3 triangles has", "both triangles have",

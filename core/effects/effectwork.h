@@ -7,21 +7,21 @@
 
 namespace pixelplumb {
 
-/// What is done at a sample that costs something: what stages count.
+/// The costly work at a sample, which stages count.
 enum class EffectWork : std::uint8_t {
     DepthRead,
     DepthWrite,
     Division, ///< by 1/w
     TexelFetch,
-    Normal, ///< made unit length
+    Normal, ///< scaled to unit length
     Blend,
-    Sample, ///< that gives a pixel: one, or one of 4 or 16
+    Sample, ///< shaded for a pixel: its only one, or one of 4 or 16
 };
 inline constexpr std::size_t effectWorkCount = 7;
 
 using EffectCounts = std::array<std::int64_t, effectWorkCount>;
 
-/// How often the work of effects was done, and what memory their buffers took.
+/// How often the effects' work was done, and how much memory their buffers took.
 struct EffectTally {
     EffectCounts done = {};
     std::size_t depthBytes = 0;

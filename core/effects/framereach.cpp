@@ -31,7 +31,7 @@ void forEachEdge(const Triangle &triangle, const Visit &visit)
     }
 }
 
-/// Whether the sample next to the triangle's middle lies inside of it: so of most triangles.
+/// Whether the sample nearest to the triangle's middle lies inside it: true for most triangles.
 bool coversItsMiddle(const Triangle &triangle, const SampleBox &box)
 {
     const auto middleOf = [&](Lattice LatticePoint::*along, std::int64_t first, std::int64_t end) {
@@ -41,7 +41,7 @@ bool coversItsMiddle(const Triangle &triangle, const SampleBox &box)
     };
     const LatticePoint middle = latticePixel(middleOf(&LatticePoint::x, box.firstX, box.endX),
                                              middleOf(&LatticePoint::y, box.firstY, box.endY));
-    int left = 0, right = 0; // of how many edges
+    int left = 0, right = 0; // number of edges
     for (std::size_t i = 0; i < 3; ++i) {
         const Int128 side = doubledArea(triangle.vertices[i].position,
                                         triangle.vertices[(i + 1) % 3].position, middle);
@@ -51,7 +51,7 @@ bool coversItsMiddle(const Triangle &triangle, const SampleBox &box)
     return left == 3 || right == 3;
 }
 
-/// Whether it is drawn at some sample of these pixels, or where areas are covered has a part of
+/// Whether it is drawn at some sample of these pixels or, with area antialiasing, covers a part of
 /// one.
 bool isDrawnIn(const SampleBox &box, const Triangle &triangle, const SampledFrame &where,
                const std::array<Attribute, 3> &horizon)
@@ -86,8 +86,8 @@ SampleBox boxReachOf(const Triangle &triangle, const SampledFrame &where)
     return intersection(squares, samplesOf(frame));
 }
 
-/// Whether a stroke covers the frame's first sample, and with it all of the frame where its border
-/// does not enter that.
+/// Whether a stroke covers the frame's first sample, and hence the whole frame if its border does
+/// not enter it.
 bool coversFirstSample(const StrokeStrip &strip, const FrameView &frame)
 {
     std::vector<StrokePixel> quads;
@@ -124,7 +124,7 @@ std::int64_t mostPixelsOf(const Triangle &triangle, const SampleBox &reach,
     if (inBox <= fewPixels)
         return inBox;
     double perimeter = 0;
-    double boxPerimeter = 0; // each side of the box is passed there and back
+    double boxPerimeter = 0; // each side of the box is passed back and forth
     forEachEdge(triangle, [&](double x, double y) {
         perimeter += std::sqrt(x * x + y * y);
         boxPerimeter += x + y;
@@ -132,7 +132,7 @@ std::int64_t mostPixelsOf(const Triangle &triangle, const SampleBox &reach,
     double area = double(absolute(doubledArea(triangle))) / (2 * double(unitsPerPixel))
         / double(unitsPerPixel);
     if (antialiasing != Antialiasing::None) {
-        area += boxPerimeter / 2 + 1; // by the square, its width and its height
+        area += boxPerimeter / 2 + 1; // plus the square, and the width and height of the box
         perimeter += 4;
     }
     constexpr double aboveRounding = 1 + 0x1p-40;
@@ -155,7 +155,7 @@ std::int64_t mostPixelsOf(const Shape &stroke, const FrameView &frame)
 
 std::int64_t mostEdgePixelsOf(const Triangle &triangle, const SampledFrame &where)
 {
-    // Along a border between squares it meets those of both sides, and at a corner all four.
+    // Along a border between squares an edge meets those on both sides, and at a corner all four.
     double pixels = 0;
     forEachEdge(triangle, [&](double x, double y) { pixels += std::ceil(2 * (x + y)) + 4; });
     return std::min(sizeOf(boxReachOf(triangle, where)), std::int64_t(pixels));

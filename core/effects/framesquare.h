@@ -9,7 +9,7 @@
 
 namespace pixelplumb {
 
-/// The closed squares of a frame's pixels together; units of so many a pixel.
+/// The union of the closed squares of a frame's pixels, with `unitsOfPixel` units per pixel.
 class FrameSquare {
 public:
     FrameSquare(const FrameView &frame, std::int64_t unitsOfPixel)
@@ -21,25 +21,25 @@ public:
     {
     }
 
-    /// Whether a point lies in its interior.
+    /// Whether a point lies in the interior.
     template <class Point>
     bool holds(const Point &point) const
     {
         return m_left < point.x && point.x < m_right && m_low < point.y && point.y < m_high;
     }
-    /// Whether a segment has a point of it.
+    /// Whether a segment meets the closed square.
     template <class Point>
     bool isMetBy(const Point &a, const Point &b) const
     {
         return !isPartedFrom(a, b, [](auto most, auto from) { return most < from; });
     }
-    /// Whether a segment has a point of its interior.
+    /// Whether a segment meets the interior.
     template <class Point>
     bool isEnteredBy(const Point &a, const Point &b) const
     {
         return !isPartedFrom(a, b, [](auto most, auto from) { return most <= from; });
     }
-    /// Whether a segment lies on a border between pixels: it parts none.
+    /// Whether a segment lies on a border between pixels, and so divides none.
     template <class Point>
     bool hasAsBorder(const Point &a, const Point &b) const
     {
@@ -48,7 +48,7 @@ public:
     }
 
 private:
-    /// By a side of the square, or by the segment's own line.
+    /// Whether a side of the square, or the segment's own line, separates them.
     template <class Point, class IsBeside>
     bool isPartedFrom(const Point &a, const Point &b, const IsBeside &isBeside) const
     {

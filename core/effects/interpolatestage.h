@@ -3,7 +3,7 @@
 
 #include "core/effects/stagedsamples.h"
 
-/// The first stage: what each channel has at the samples, in one of three forms.
+/// The first stage: each channel's value at the samples, in one of three forms.
 namespace pixelplumb::stages {
 
 template <class N>
@@ -15,7 +15,7 @@ void readValues(const StagedSamples<N> &run)
     }
 }
 
-/// What a channel has at the row at which adding begins.
+/// A channel's value at the row where adding begins.
 template <class N>
 typename N::Number startOf(const StagedSamples<N> &run, std::size_t channel)
 {
@@ -27,8 +27,8 @@ typename N::Number startOf(const StagedSamples<N> &run, std::size_t channel)
         return column.bottom[channel] + (Number(run.start) - column.yBottom) * column.rate[channel];
 }
 
-/// So many channels side by side: each addition waits for the one before it, but not for those of
-/// the other channels.
+/// Adds up `width` channels side by side: each addition waits for the one before it, but not for
+/// those of other channels.
 template <std::size_t width, class N>
 void addUp(StagedSamples<N> &run, const std::uint8_t *channels)
 {
@@ -41,7 +41,7 @@ void addUp(StagedSamples<N> &run, const std::uint8_t *channels)
         rate[i] = run.column->rate[channel];
         values[i] = run.value[channel].data();
     }
-    // What is short leaves the processor room to begin with what follows while it waits.
+    // A short loop lets the processor begin with later work while it waits.
     const std::size_t count = run.count;
 #pragma GCC unroll 8
     for (std::size_t sample = 0; sample < count; ++sample) {

@@ -3,7 +3,7 @@
 
 #include "core/effects/stagedsamples.h"
 
-/// Light: what the lamps of the scene send from the sample to the viewer.
+/// Light: what the scene's lights send from the sample to the viewer.
 namespace pixelplumb::stages {
 
 template <class N>

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <utility>
 
-/// Smooth colour along lines, the only shapes whose colour changes from vertex to vertex: as it is
-/// called for, or switched off.
+/// Smooth colour along lines, the only shapes whose colour changes from vertex to vertex: when it
+/// is called for, and when it is switched off.
 namespace pixelplumb {
 
-/// A line whose ends, at two places, have two colours.
+/// Whether it is a line whose ends differ in place and colour.
 inline bool isSmoothLine(const Shape &shape)
 {
     return shape.kind == PrimitiveKind::Line && !shape.vertices.empty()
@@ -18,8 +18,8 @@ inline bool isSmoothLine(const Shape &shape)
         && shape.vertices.front().colour != shape.vertices.back().colour;
 }
 
-/// Calls function(primitives) with what is drawn: where smooth colour is forced off, with each line
-/// in the colour of its first vertex.
+/// Calls function(primitives) with the primitives as drawn: where smooth colour is forced off, each
+/// line has the colour of its first vertex.
 template <class Function>
 decltype(auto) withDrawnColours(const Primitives &primitives, const Function &function)
 {

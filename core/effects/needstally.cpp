@@ -11,7 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Adds one primitive after the other.
+/// Adds up the primitives one by one.
 class NeedsCount {
 public:
     NeedsCount(const Primitives &primitives, const SampledFrame &where)
@@ -55,8 +55,8 @@ public:
         addDetails(triangle, *attributes, needs);
     }
 
-    /// Once all are added: the edges of one that lies between all samples part the pixels of
-    /// others, where there are any.
+    /// Called once all triangles are added: the edges of one that lies between all samples divide
+    /// the pixels of others, if there are any.
     void endTriangles()
     {
         if (m_isAnyDrawn)
@@ -137,9 +137,9 @@ private:
     const Appearance &m_appearance;
     const std::vector<std::size_t> &m_cutAtNear;
     SampledFrame m_where;
-    NeedsTally::Touched m_edges; ///< of triangles
-    bool m_isAnyDrawn = false; ///< of them
-    SampledFrame m_asked; ///< with the antialiasing that the appearance says
+    NeedsTally::Touched m_edges; ///< of the triangles
+    bool m_isAnyDrawn = false; ///< any of the triangles
+    SampledFrame m_asked; ///< with the antialiasing that the appearance asks for
     NeedsTally m_tally;
 };
 

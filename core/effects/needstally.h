@@ -10,7 +10,7 @@ namespace pixelplumb {
 struct NeedsTally {
     struct Touched {
         std::size_t primitives = 0;
-        std::int64_t pixels = 0; ///< at most; of each primitive by itself
+        std::int64_t pixels = 0; ///< upper bound; each primitive is counted by itself
 
         void add(std::int64_t touchedPixels)
         {
@@ -21,24 +21,24 @@ struct NeedsTally {
 
     PerEffect<Touched> of; ///< all effects but depth
     std::size_t drawn = 0; ///< primitives that reach the frame; the others need nothing
-    std::size_t ownColours = 0; ///< drawn shapes whose points have each its own
+    std::size_t ownColours = 0; ///< drawn shapes whose points each have their own colour
     std::size_t drawnTriangles = 0;
-    std::size_t drawnSegments = 0; ///< triangles without area, but for points
-    std::size_t drawnPoints = 0; ///< triangles whose vertices are one
+    std::size_t drawnSegments = 0; ///< triangles without area that are not points
+    std::size_t drawnPoints = 0; ///< triangles whose vertices coincide
     std::size_t drawnStrokes = 0; ///< lines and curves that antialiasing can draw
     std::size_t outside = 0;
-    std::size_t crossing = 0; ///< the frame's border
-    std::size_t cutAtNear = 0; ///< triangles of faces that the near plane has cut
-    std::size_t mayCross = 0; ///< shapes of which it is not known whether they cross the border
+    std::size_t crossing = 0; ///< crossing the frame's border
+    std::size_t cutAtNear = 0; ///< pieces of faces cut by the near plane
+    std::size_t mayCross = 0; ///< shapes that may cross the border; not known for certain
 
-    std::size_t dividingNothing = 0; ///< triangles whose w differ and that carry nothing but z
-    TriangleNeeds carried; ///< what the triangles that call for perspective carry, of any of them
+    std::size_t dividingNothing = 0; ///< triangles whose w differ but that carry nothing but z
+    TriangleNeeds carried; ///< what any triangle that calls for perspective carries
     std::vector<const Texture *> textures; ///< each once, at most three
     int lowestAlpha = 255;
     std::vector<const Triangle *> blended;
 };
 
-/// Whether antialiasing is needed is asked of what the appearance says, all else of what is drawn.
+/// Antialiasing is judged by what the appearance asks for, everything else by what is drawn.
 NeedsTally tallyNeeds(const Primitives &primitives, const SampledFrame &where);
 
 } // namespace pixelplumb

@@ -11,7 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The area of the triangle in the square around the origin; all in units of 1/256 px.
+/// The area of the triangle in the square around pixel (x, y), px²; clipped in units of 1/256 px.
 template <class Number>
 Number areaAround(const Triangle &triangle, std::int64_t x, std::int64_t y)
 {
@@ -36,8 +36,8 @@ PixelArea::PixelArea(const Triangle &triangle, std::int64_t x, std::int64_t y)
         farthest = std::max({farthest, std::abs(double(vertex.position.x - x * unitsPerPixel)),
                              std::abs(double(vertex.position.y - y * unitsPerPixel))});
     m_area = std::min(areaAround<double>(triangle, x, y), 1.0);
-    // Each corner of what was clipped is off by some roundings of the farthest coordinate, amply,
-    // and the area by as much times the length of its border.
+    // A generous bound: each clipped corner is off by some roundings of the farthest coordinate,
+    // and the area by that times the length of its border.
     m_error = farthest * std::ldexp(1.0, -44);
 }
 

@@ -9,8 +9,8 @@
 namespace pixelplumb {
 
 /// How much of a pixel's square, [x − ½, x + ½] × [y − ½, y + ½] in sample coordinates, a triangle
-/// covers: 0 … 1. A double with a bound of its error, made exact where a byte depends on it
-/// (clipped as Sutherland and Hodgman 1974 clip).
+/// covers: 0 … 1. A double with an error bound, computed exactly where a byte depends on it (by
+/// Sutherland-Hodgman clipping, 1974).
 class PixelArea {
 public:
     PixelArea(const Triangle &triangle, std::int64_t x, std::int64_t y);
@@ -18,15 +18,15 @@ public:
     bool isEmpty() const;
     /// ⌊α·area + ½⌋, exactly.
     std::uint8_t times(std::uint8_t alpha) const;
-    /// The fraction itself; the nearest double where 128 bits do not hold it.
+    /// The exact fraction; the nearest double where it does not fit 128 bits.
     Quantity exact() const;
 
 private:
-    const Triangle *m_triangle; ///< outlives this
+    const Triangle *m_triangle; ///< must outlive this
     std::int64_t m_x;
     std::int64_t m_y;
     double m_area = 0;
-    double m_error = 0; ///< at most
+    double m_error = 0; ///< upper bound
 };
 
 } // namespace pixelplumb

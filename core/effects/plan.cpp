@@ -11,7 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Texture and light have nothing to work with where there are no texels, no normals or no lights.
+/// Texture and light cannot be forced on without texels, normals or lights.
 EffectSet withForcing(EffectSet effects, const TriangleAttributes *attributes,
                       const Appearance &appearance)
 {
@@ -40,8 +40,8 @@ bool runsDepth(const Appearance &appearance, const DepthAnswer &depth, std::size
     return isForced(isNeeded, appearance.forced[Effect::Depth]);
 }
 
-/// Gathers triangles in order: a run has one set of effects. What reaches no pixel joins whatever
-/// stands beside it.
+/// Collects triangles in order into batches with one set of effects. Triangles that reach no pixel
+/// join a neighbouring batch.
 class BatchList {
 public:
     void add(const EffectSet &effects)
@@ -68,7 +68,7 @@ private:
     }
 
     std::vector<EffectBatch> m_batches;
-    bool m_hasEffects = false; ///< a triangle of the last batch reaches the frame
+    bool m_hasEffects = false; ///< some triangle of the last batch reaches the frame
 };
 
 std::vector<EffectBatch> batchesOf(const Primitives &primitives, const SampledFrame &where,
@@ -94,7 +94,7 @@ std::vector<EffectBatch> batchesOf(const Primitives &primitives, const SampledFr
     return std::move(list).batches();
 }
 
-/// Whether lines in the frame go from colour to colour.
+/// Whether lines in the frame change from colour to colour.
 bool runsOnLines(const Primitives &primitives, const SampledFrame &where)
 {
     const Forcing forced = primitives.appearance.forced[Effect::SmoothColour];

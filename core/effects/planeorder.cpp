@@ -32,21 +32,22 @@ public:
     {
         return at(0, vertex) >= 0 && at(1, vertex) >= 0 && at(2, vertex) >= 0;
     }
-    /// How far the other triangle reaches to the inner side of the edge that it reaches least:
-    /// negative where that edge parts the two, 0 where they touch it from outside. Two convex
-    /// figures that are apart are parted by an edge of one of them.
+    /// How far the other triangle reaches to the inner side of the edge where it reaches least:
+    /// negative where that edge separates the two, 0 where they touch it from outside. Two disjoint
+    /// convex figures are separated by an edge of one of them.
     Integer parting() const
     {
         const auto most = [](const PerVertex &values) { return std::ranges::max(values); };
         return std::min({most(m_values[0]), most(m_values[1]), most(m_values[2])});
     }
-    /// The plane's depth at a vertex of the other, times the doubled area: |value| < 2^126.
+    /// The plane's depth at a vertex of the other triangle, times the doubled area: |value| <
+    /// 2^126.
     Int128 depthAt(std::size_t vertex, const std::array<Attribute, 3> &z) const
     {
         return Int128(at(0, vertex)) * z[2] + Int128(at(1, vertex)) * z[0]
             + Int128(at(2, vertex)) * z[1];
     }
-    Int128 area() const { return m_area; } ///< doubled, without sign
+    Int128 area() const { return m_area; } ///< doubled, unsigned
 
 private:
     static Integer function(const Triangle &of, std::size_t edge, const LatticePoint &point)
@@ -67,7 +68,7 @@ bool haveOppositeSigns(const Integer &a, const Integer &b)
     return (a < 0 && b > 0) || (a > 0 && b < 0);
 }
 
-/// Two triangles and by how much the later one is farther, in multiples > 0 of the difference.
+/// How much farther the later of two triangles is, as positive multiples of the difference.
 template <class Integer>
 class DepthDifference {
 public:
@@ -82,7 +83,8 @@ public:
     {
     }
 
-    /// At a corner of the polygon in which they overlap; where they touch, at a vertex.
+    /// Whether it is positive at a corner of the polygon in which they overlap or, where they
+    /// touch, at a vertex.
     bool isPositive() const
     {
         const bool touch = m_earlierEdges.parting() == 0 || m_laterEdges.parting() == 0;
@@ -121,7 +123,8 @@ private:
         return false;
     }
 
-    /// Where the earlier triangle's edge from vertex k to k + 1 is crossed by one of the later's.
+    /// Whether it is positive where the earlier triangle's edge from vertex k to k + 1 crosses one
+    /// of the later's.
     bool isPositiveWhereCrossed(std::size_t k, std::size_t ofLater) const
     {
         const std::size_t next = (k + 1) % 3;
@@ -135,11 +138,11 @@ private:
         const Int128 atTo = atEarlier(next);
         if (!haveOppositeSigns(atFrom, atTo))
             return atFrom > 0 || atTo > 0;
-        // At the crossing the ends weigh by the other end's distance: below 2^206.
+        // At the crossing each end is weighted by the other end's distance: below 2^206.
         return Int256(atFrom) * Int256(absolute(to)) + Int256(atTo) * Int256(absolute(from)) > 0;
     }
 
-    const Edges &m_earlierEdges; ///< the earlier triangle's at the later's vertices
+    const Edges &m_earlierEdges; ///< the earlier triangle's edges at the later's vertices
     const Edges &m_laterEdges;
     const DepthTriangle &m_earlier;
     const DepthTriangle &m_later;

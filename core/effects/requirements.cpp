@@ -14,7 +14,7 @@ namespace {
 
 std::int64_t pixelsOf(const FrameView &frame) { return std::int64_t(frame.width) * frame.height; }
 
-/// What pixels the triangles in question may touch, at most; all triangles where all are.
+/// An upper bound for the pixels that the triangles in question may touch.
 std::int64_t pixelsInQuestion(const Primitives &primitives, const SampledFrame &where,
                               const DepthAnswer &depth)
 {
@@ -32,6 +32,11 @@ EffectVerdict depthVerdict(const Primitives &primitives, const NeedsTally &tally
                            const SampledFrame &where, const DepthAnswer &depth)
 {
     EffectVerdict verdict;
+    if (tally.drawnTriangles == 0 && primitives.appearance.depth != DepthUse::Off) {
+        verdict.reason = tally.drawn == 0 ? QStringLiteral("nothing is drawn in the frame")
+                                          : QStringLiteral("no triangle is drawn in the frame");
+        return verdict;
+    }
     switch (primitives.appearance.depth) {
     case DepthUse::Off:
         verdict.reason = QStringLiteral("the scene says so: what is drawn later covers what was "
@@ -39,9 +44,9 @@ EffectVerdict depthVerdict(const Primitives &primitives, const NeedsTally &tally
         return verdict;
     case DepthUse::On:
         verdict.reason = QStringLiteral("the scene says so, for all triangles");
-        verdict.verdict = tally.drawnTriangles > 0 ? Verdict::CalledFor : Verdict::NotCalledFor;
+        verdict.verdict = Verdict::CalledFor;
         verdict.primitives = tally.drawnTriangles;
-        verdict.pixels = tally.drawnTriangles > 0 ? pixelsOf(where.frame) : 0;
+        verdict.pixels = pixelsOf(where.frame);
         return verdict;
     case DepthUse::Auto:
         break;
@@ -59,8 +64,9 @@ Verdict verdictOf(Effect effect, const NeedsTally &tally)
     return isInDoubt ? Verdict::NotRuledOut : Verdict::CalledFor;
 }
 
-/// What is asked for, where something calls for it or, where it is forced, something is drawn that
-/// can have it; else none. Primitives are looked at only where more than one sample is asked for.
+/// The requested antialiasing, if something calls for it or, when forced, if something that can
+/// have it is drawn; else none. Primitives are examined only where more than one sample is
+/// requested.
 template <class IsCalledFor, class IsDrawn>
 Antialiasing runningOf(const Appearance &appearance, const SampledFrame &asked,
                        const IsCalledFor &isCalledFor, const IsDrawn &isDrawn)
@@ -97,7 +103,7 @@ Antialiasing triangleAntialiasing(const Primitives &primitives, const ScanSettin
                                    [&](const Triangle &triangle) { return is(triangle, asked); });
     };
     const auto isAnyDrawn = [&] { return isSoOfAny(isDrawnEitherWay); };
-    // The edges of one that lies between all samples part the pixels of others.
+    // The edges of a triangle that lies between all samples divide the pixels of others.
     const auto isCalledFor = [&] {
         return isSoOfAny([](const auto &...of) { return hasEdgePixels(of...); }) && isAnyDrawn();
     };

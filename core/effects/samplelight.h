@@ -11,8 +11,8 @@
 #include <cmath>
 #include <span>
 
-/// Light at one point: Blinn's formula (Blinn 1977; resources/sources.md). Every term is kept for
-/// who shows it.
+/// Light at one point by Blinn's formula (Blinn 1977; resources/sources.md). Every term is kept for
+/// display.
 namespace pixelplumb {
 
 template <class Real>
@@ -30,7 +30,8 @@ Real largestMagnitude(const Vector<Real> &vector)
     return std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
 }
 
-/// Of length 1; 0 stays 0. Scaled first, so that no square leaves the range of the number.
+/// Scaled to length 1; 0 stays 0. Divided by its largest part first, so that no square leaves the
+/// range of the number.
 template <class Real>
 Vector<Real> unitVector(Vector<Real> vector)
 {
@@ -45,7 +46,7 @@ Vector<Real> unitVector(Vector<Real> vector)
     return vector;
 }
 
-/// What unitVector() divides by, in two steps; 0 where it gives 0.
+/// The length by which unitVector() divides, in two steps; 0 where that gives 0.
 template <class Real>
 Real lengthOf(Vector<Real> vector)
 {
@@ -57,7 +58,7 @@ Real lengthOf(Vector<Real> vector)
     return largest * std::sqrt(dot(vector, vector));
 }
 
-/// Between two directions; 0 where one of them is 0.
+/// The unit vector halfway between two directions; 0 where one of them is 0.
 template <class Real>
 Vector<Real> halfwayOf(const Vector<Real> &a, const Vector<Real> &b)
 {
@@ -75,21 +76,21 @@ Vector<Real> realVector(const std::array<Attribute, 3> &units)
     return vector;
 }
 
-/// What one light adds.
+/// The contribution of one light.
 template <class Real>
 struct SampleLightTerm {
     Vector<Real> toLight; ///< L, of length 1
     Vector<Real> halfway; ///< H, of length 1
     Real diffuse; ///< max(0, N·L)
     Real facing; ///< max(0, N·H)
-    Real highlight; ///< its power by the shininess, 0 where N·L is not positive
+    Real highlight; ///< facing to the power of the shininess, 0 where N·L is not positive
 };
 
 /// Light at a sample.
 template <class Real>
 struct LitSample {
     Vector<Real> place; ///< p
-    Vector<Real> carried; ///< N as it was interpolated, of any length
+    Vector<Real> carried; ///< N as interpolated, of any length
     Vector<Real> normal; ///< n, of length 1
     Vector<Real> toViewer; ///< V, of length 1
     std::array<SampleLightTerm<Real>, mostLights> terms; ///< one for each light
@@ -98,13 +99,13 @@ struct LitSample {
     bool clamped = false;
 };
 
-/// The lights of a scene in the kernel's numbers: made once for a run.
+/// The lights of a scene in the kernel's numbers, made once per run.
 template <class Real>
 struct Lighting {
-    /// The way to something from a point: the same from every point, or to a place.
+    /// The direction from a point to a light or viewer: the same everywhere, or towards a place.
     struct Way {
         Light::Kind kind = Light::Kind::Directional;
-        Vector<Real> at = {}; ///< of length 1, or the place
+        Vector<Real> at = {}; ///< the direction, of length 1, or the place
 
         Vector<Real> from(const Vector<Real> &point) const
         {
@@ -140,7 +141,7 @@ struct Lighting {
         }
     }
 
-    /// Light and viewer are far away.
+    /// True if light and viewer are both far away.
     bool isHalfwaySame(const Source &source) const
     {
         return source.way.kind == Light::Kind::Directional

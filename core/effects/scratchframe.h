@@ -11,7 +11,7 @@
 
 namespace pixelplumb {
 
-/// A frame of its own with the window of another.
+/// A frame with its own memory and the window of another frame.
 class ScratchFrame {
 public:
     explicit ScratchFrame(const FrameView &like)
@@ -35,7 +35,7 @@ private:
     FrameView m_view;
 };
 
-/// The mean of the samples of a pixel, ⌊Σ/n + ½⌋ by channel; opaque where one of them is.
+/// The mean of a pixel's samples, ⌊Σ/n + ½⌋ per channel; opaque if any sample is.
 class SampleMean {
 public:
     void add(QRgb pixel)
@@ -46,7 +46,7 @@ public:
         for (std::size_t i = 0; i < 3; ++i)
             m_sum[i] += colour.channels[i];
     }
-    /// As they were added.
+    /// In the order added.
     std::span<const QRgb> samples() const { return {m_samples.data(), m_count}; }
     const std::array<unsigned, 3> &sum() const { return m_sum; }
     QRgb pixel() const

@@ -22,16 +22,15 @@ constexpr InterpolationForm formOf(ShadedMethod method)
     return InterpolationForm::Bilinear;
 }
 
-/// Whether 64 bits hold the bounds of all triangles, and 128 what they are shaded from.
+/// Whether the bounds of all triangles fit 64 bits, and the numbers for shading 128.
 struct ShadingWidths {
     bool narrowBounds = true;
     bool narrowShading = true;
 };
 ShadingWidths shadingWidthsFor(const Primitives &primitives, const EffectPlan &plan);
 
-/// Calls function.operator()<N, A>() with the numbers that a method computes in: N of what is
-/// shaded, A of the bounds. The column scan walks its bounds in the arithmetic of the settings, the
-/// interpolations exactly.
+/// Calls function.operator()<N, A>() with a method's number types: N for shading, A for the bounds.
+/// The column scan walks its bounds in the arithmetic of the settings, the interpolations exactly.
 template <class Function>
 decltype(auto) withShadingNumbers(ShadedMethod method, const ScanSettings &settings,
                                   const ShadingWidths &widths, const Function &function)
@@ -60,7 +59,7 @@ public:
     {
     }
 
-    /// Asked in ascending order.
+    /// To be called in ascending order.
     const EffectSet &at(std::size_t triangle)
     {
         while (triangle >= m_plan.batches[m_batch].first + m_plan.batches[m_batch].count)

@@ -9,10 +9,10 @@
 
 namespace pixelplumb {
 
-/// Draws the triangles as the plan says, each batch by the stages that it calls for, and counts
-/// what they do. The settings' arithmetic is one that the method shades in. None where the
-/// listener, who hears before each triangle how many are drawn, ended it; with 4 or 16 samples a
-/// triangle counts once more for each.
+/// Draws the triangles by the plan, each batch by the stages that it calls for, and counts their
+/// work. The method must support shading in the settings' arithmetic. Before each triangle the
+/// listener gets the number drawn; with 4 or 16 samples a triangle counts once more for each. None
+/// if the listener ended it.
 std::optional<EffectTally> drawShaded(ShadedMethod method, const Primitives &primitives,
                                       const ScanSettings &settings, FrameView frame,
                                       const EffectPlan &plan,

@@ -10,7 +10,7 @@
 
 namespace pixelplumb {
 
-/// Draws all triangles of a plan, unheard.
+/// Draws all triangles of a plan, without an observer.
 template <class N, class A>
 class ShadedPicture {
 public:
@@ -26,8 +26,8 @@ public:
     {
     }
 
-    /// False where the listener ended it. It hears before each triangle how many are drawn, once
-    /// for each sample that is drawn by itself.
+    /// False if the listener ended it. Before each triangle it gets the number drawn, counting once
+    /// more for each separately drawn sample.
     bool draw()
     {
         switch (m_plan.antialiasing) {
@@ -63,7 +63,7 @@ private:
         return true;
     }
 
-    /// The pixels without an edge once, those with one once for each of their samples.
+    /// Draws the pixels without an edge once, those with one once per sample.
     bool drawSamples()
     {
         const EdgePixels edges(m_primitives.triangles, m_frame);

@@ -13,8 +13,8 @@
 
 namespace pixelplumb {
 
-/// The buffer and the lights that the triangles of one picture share: there is memory only for what
-/// the plan runs.
+/// The depth buffer and lights shared by the triangles of one picture: memory is allocated only for
+/// what the plan runs.
 template <class N>
 struct ShadedSurroundings {
     ShadedSurroundings(const EffectPlan &plan, const Appearance &ofScene, const FrameView &frame)
@@ -38,15 +38,16 @@ struct ShadedSurroundings {
     DepthBuffer<N> depths;
 };
 
-/// The pixels that a picture of several samples is drawn in, and from where they see the triangles.
+/// The pixels drawn in one pass of a picture with several samples, and the sample from which they
+/// see the triangles.
 struct SampledPixels {
     const EdgePixels &edges;
-    bool ofEdges = false; ///< those that an edge meets, or the others
-    LatticePoint sample; ///< from the pixel's own
+    bool ofEdges = false; ///< pixels that meet an edge, or the others
+    LatticePoint sample; ///< offset from the pixel's own sample
 };
 
-/// Draws shaded triangles one by one. The stages of an observer that reads numbers are those of one
-/// that does not; it gets the numbers that they leave, sample by sample.
+/// Draws shaded triangles one by one. The stages are the same whether or not the observer reads
+/// numbers; one that does gets the numbers that the stages leave, sample by sample.
 template <class N, class A, class Observer>
 class ShadedRun {
 public:
@@ -63,16 +64,16 @@ public:
         m_samples.read = m_read.empty() ? nullptr : m_read.data();
     }
 
-    /// One sample a pixel, in all of them or in some.
+    /// Draws one sample per pixel, in all pixels or in some.
     void draw(std::size_t index, const EffectSet &effects, FrameView frame,
               ShadedSurroundings<N> &surroundings, const SampledPixels *pixels = nullptr);
 
-    /// α times the exact area of the triangle in each pixel's square. A segment, which has none, is
-    /// drawn as without.
+    /// Draws with α times the exact area of the triangle in each pixel's square. A segment, which
+    /// has none, is drawn as without antialiasing.
     void drawAreas(std::size_t index, const EffectSet &effects, FrameView frame,
                    ShadedSurroundings<N> &surroundings);
 
-    /// How often the stages did what costs something.
+    /// How often the stages did costly work.
     const EffectCounts &work() const { return m_samples.done; }
 
 private:
@@ -95,7 +96,7 @@ private:
                 nullptr};
     }
 
-    /// Announces the triangle; false where nothing of it is drawn.
+    /// Announces the triangle; false if it is not drawn.
     bool begins(const ShadedTriangle &triangle, const ShadedSetUp<N> &setUp)
     {
         if constexpr (readsNumbers<Observer>) {
@@ -126,7 +127,7 @@ private:
         m_samples.column = &column;
     }
 
-    /// Takes rows of the column that was entered through the stages.
+    /// Runs the stages on rows of the entered column.
     void shade(const StageList<N> &stages, const ShadedSurface<N> &surface, const RowRun &rows,
                FrameView frame)
     {
@@ -143,7 +144,7 @@ private:
         }
     }
 
-    /// Each sample that was shaded, those that were refused among them, and then its pixel.
+    /// Announces each shaded sample, including refused ones, then writes its pixel.
     void announce()
     {
         std::size_t inPlay = 0;
@@ -166,7 +167,7 @@ private:
     const Primitives &m_primitives;
     ScanSettings m_settings;
     Observer m_observer;
-    std::vector<ShadedSample<N>> m_read; ///< of a run, where the observer reads numbers
+    std::vector<ShadedSample<N>> m_read; ///< one per row of a run, where the observer reads numbers
     StagedSamples<N> m_samples;
 };
 
@@ -176,7 +177,7 @@ void ShadedRun<N, A, Observer>::draw(std::size_t index, const EffectSet &effects
                                      const SampledPixels *pixels)
 {
     const ShadedTriangle given = triangleAt(index);
-    // A segment has its pixels whole: each of their samples as it is at the pixel's own.
+    // A segment covers whole pixels: all their samples are taken as at the pixel's own.
     const Triangle seen = pixels && doubledArea(given.triangle) != 0
         ? seenFrom(given.triangle, pixels->sample)
         : given.triangle;
@@ -208,7 +209,7 @@ void ShadedRun<N, A, Observer>::drawAreas(std::size_t index, const EffectSet &ef
     const ShadedTriangle given = triangleAt(index);
     if (doubledArea(given.triangle) == 0)
         return draw(index, effects, frame, surroundings);
-    // The area is an alpha of its own: it counts alone where blending is forced off.
+    // The area acts as an alpha: it is the only one where blending is forced off.
     TriangleAttributes opaque;
     const bool isOpaque = given.attributes && !effects.blending;
     if (isOpaque) {
@@ -217,7 +218,7 @@ void ShadedRun<N, A, Observer>::drawAreas(std::size_t index, const EffectSet &ef
             vertex.alpha = VertexAttributes().alpha;
     }
     const ShadedTriangle triangle{given.triangle, isOpaque ? &opaque : given.attributes};
-    // Where nothing that is divided by w differs, samples beyond the horizon have it too.
+    // Where nothing divided by w differs, samples beyond the horizon have the same values.
     EffectSet needed = effects;
     needed.perspective = effects.perspective
         && hasHorizon(given.triangle, given.attributes, surroundings.appearance);
@@ -233,7 +234,7 @@ void ShadedRun<N, A, Observer>::drawAreas(std::size_t index, const EffectSet &ef
     for (std::size_t i = 0; i < 3; ++i)
         corners[i] = setUp.vertices[std::size_t(setUp.order[i])].position;
     const ShadedScan<N, A> scan(triangle.triangle, setUp, m_settings.fillRule, frame);
-    // Strips that meet the triangle in more than a line.
+    // The strips that meet the triangle in more than a line.
     const std::int64_t first
         = std::max<std::int64_t>(floorPixel(corners[0].x + halfPixel), frame.firstColumn);
     const std::int64_t end = std::min(ceilPixel(corners[2].x - halfPixel) + 1, frame.endColumn());

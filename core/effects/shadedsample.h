@@ -18,10 +18,10 @@ namespace pixelplumb {
 enum class ColumnOrigin : std::uint8_t {
     Walked, ///< from the column before it
     Direct, ///< from the vertices
-    None, ///< no edge meets it: only samples beside the centres reach it
+    None, ///< no edge meets it: only samples off the centres reach it
 };
 
-/// What one column of a shaded triangle uses.
+/// The numbers of one column of a shaded triangle.
 template <class N>
 struct ShadedColumn {
     using Number = typename N::Number;
@@ -32,43 +32,43 @@ struct ShadedColumn {
     LongEdge longEdge = LongEdge::Above;
     std::int64_t firstRow = 0, endRow = 0; ///< covered
     std::int64_t firstDrawn = 0, endDrawn = 0; ///< clipped to the frame
-    // Of the bilinear form.
+    // For the bilinear form.
     PerChannel<Number> rate; ///< per row
-    /// In floating numbers: what the edges have where they meet the column, and where that is, px.
+    /// In floating numbers: the edges' values where they meet the column, and those places, px.
     Number yBottom, yTop;
     PerChannel<Number> bottom, top;
-    /// In exact numbers, over the area: at row 0, where the plane of the channel meets the column.
+    /// In exact numbers, over the area: the plane of the channel at row 0 of the column.
     PerChannel<Number> atRow0;
 };
 
-/// With the bounds that were walked in A, px.
+/// A column with the bounds walked in A, px.
 template <class N, class A>
 struct BoundedColumn : ShadedColumn<N> {
     typename A::Number lower = {}, upper = {};
 };
 
-/// The samples of a pixel that has 4 or 16.
+/// The samples of a pixel with 4 or 16.
 struct SampleColours {
     std::uint16_t written; ///< by this primitive; bit k: sample k
-    SampleMean mean; ///< of what stands in them now; of no sample where the pixel has one
+    SampleMean mean; ///< of their current colours; empty where the pixel has one sample
 
     int count() const { return int(mean.samples().size()); }
 };
 
-/// What a sample was compared with.
+/// The depths compared for a sample.
 template <class N>
 struct DepthVerdict {
-    typename N::Depth before, now; ///< of DepthTest::Number
-    std::uint32_t levelBefore, levelNow; ///< of DepthTest::Levels
+    typename N::Depth before, now; ///< for DepthTest::Number
+    std::uint32_t levelBefore, levelNow; ///< for DepthTest::Levels
 };
 
-/// What one sample has: every number that led to its byte. For who reads numbers.
+/// Every number that led to a sample's byte, for observers that read numbers.
 template <class N>
 struct ShadedSample {
     using Number = typename N::Number;
 
     std::int64_t runFirst; ///< the row at which adding began
-    PerChannel<Number> value; ///< linear in the frame; in exact numbers over the area
+    PerChannel<Number> value; ///< linear in the frame; exact numbers are over the area
     std::array<Number, 3> weight; ///< α β γ of the barycentric form
     DepthVerdict<N> depth;
     std::array<std::int64_t, 3> level; ///< R G B, rounded, before clamping
@@ -76,13 +76,13 @@ struct ShadedSample {
     TexelSample<N> texels;
     Colour textured; ///< after the texture, if there is one
     LitSample<typename N::Real> light;
-    Colour source; ///< after the light, if there is any: what is blended
+    Colour source; ///< after the light, if there is any: the source colour for blending
     std::int64_t alphaLevel; ///< rounded, before clamping
     std::uint8_t alpha;
-    std::uint8_t blendedAlpha; ///< times the covered area
+    std::uint8_t blendedAlpha; ///< alpha times the covered area
     QRgb before, after;
-    SampleColours samples; ///< then nothing else is meaningful but before and after
-    Quantity area; ///< of the pixel, where areas are covered
+    SampleColours samples; ///< if there are any, only they, `before` and `after` are meaningful
+    Quantity area; ///< the covered area of the pixel, with area antialiasing
 
     bool isClamped() const
     {

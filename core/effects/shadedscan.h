@@ -12,7 +12,7 @@
 
 namespace pixelplumb {
 
-/// The numbers of a shaded scan, as its observers hear them.
+/// The numbers of a shaded scan, as its observers receive them.
 template <class N, class A>
 struct ShadedNumbers {
     using SetUp = ShadedSetUpRead<N>;
@@ -20,8 +20,8 @@ struct ShadedNumbers {
     using Sample = ShadedSample<N>;
 };
 
-/// An edge of the bilinear form in floating numbers: y and what the vertices carry where it meets
-/// the current column, each changed by adding a rate.
+/// An edge of the bilinear form in floating numbers: y and the vertices' values where it meets the
+/// current column, each stepped by adding a rate.
 template <class N>
 struct ShadedEdge {
     using Number = typename N::Number;
@@ -55,8 +55,8 @@ struct ShadedEdge {
 };
 
 /// The columns of one triangle, or of its segment where it has no area and the rule is closed, with
-/// what their samples are shaded from. Bounds are walked in A: exactly, or as the column scan in
-/// float32 walks them.
+/// the numbers for shading their samples. Bounds are walked in A: exactly, or as in the float32
+/// column scan.
 template <class N, class A>
 class ShadedScan {
 public:
@@ -72,8 +72,8 @@ public:
     {
     }
 
-    /// Calls fill(column) for each column that has samples in the frame. False where no sample of
-    /// it lies within the triangle's box.
+    /// Calls fill(column) for each column that has samples in the frame. False where the triangle's
+    /// box holds no sample of the frame.
     template <class Fill>
     bool run(const Fill &fill) const
     {
@@ -94,8 +94,8 @@ public:
         return true;
     }
 
-    /// The column at any x, also beside the triangle: its edges go on there. Every row of the frame
-    /// may be asked of it; it covers none.
+    /// The column at any x, also outside the triangle, where its edges are extended. It has values
+    /// at every row of the frame; it covers none.
     Column columnAt(std::int64_t x) const
     {
         const bool isSecond
@@ -119,7 +119,7 @@ public:
 private:
     struct Walker {
         EdgeWalker<A, NoEdgeColours<A>> bound;
-        /// Of the bilinear form. Exact ones need no edge: they are the plane's.
+        /// For the bilinear form. Exact channels need no edge: the plane gives their values.
         std::conditional_t<N::isExact, std::monostate, ShadedEdge<N>> channels;
     };
 
@@ -149,7 +149,7 @@ private:
         return walker;
     }
 
-    /// Beside the short edge between two corners.
+    /// Scans the columns along the short edge between two corners.
     template <class Fill>
     void scanHalf(ColumnHalf half, std::int64_t first, std::int64_t end,
                   const std::array<std::size_t, 2> &corners, Walker &longEdge,
@@ -175,7 +175,7 @@ private:
         }
     }
 
-    /// Both bounds are L₀₂; a vertical segment goes from P0 to P2 in one column.
+    /// Both bounds are L₀₂; a vertical segment runs from P0 to P2 in one column.
     template <class Fill>
     void scanSegment(std::int64_t first, std::int64_t end, const Fill &fill) const
     {
@@ -190,7 +190,7 @@ private:
         }
     }
 
-    /// Which rows belong to the columns between the long edge and a short one.
+    /// Which rows between the long edge and a short one belong to the columns.
     Interval rowsBeside(std::size_t from, std::size_t to) const
     {
         const Lattice shortRise = at(to).y - at(from).y;
@@ -199,8 +199,8 @@ private:
                                                    : rowsBetween(m_rule, longRise, shortRise);
     }
 
-    /// As the column scan has it: under the closed rule a column reaches from the one bound to the
-    /// other where rounding has taken them past each other.
+    /// As in the column scan: where rounding has moved the bounds past each other, a column under
+    /// the closed rule still reaches from one to the other.
     LongEdge sideOfLongEdge(const Walker &shortEdge, const Walker &longEdge) const
     {
         if constexpr (A::boundsMayCross) {
@@ -234,13 +234,13 @@ private:
         return column;
     }
 
-    /// Of the bilinear form.
+    /// For the bilinear form.
     void setRates(const Walker &bottom, const Walker &top, Column &column) const
     {
         if (m_setUp.form != InterpolationForm::Bilinear)
             return;
         if constexpr (N::isExact) {
-            // The rate of every column of the plane is its b, and the values on the bounds are the
+            // The rate of every column is the plane's b, and the values on the bounds are the
             // plane's: the same numbers as (v_T − v_B)/(y_T − y_B), without a division.
             for (const std::size_t channel : m_setUp.carried) {
                 const auto &plane = m_setUp.plane[channel];

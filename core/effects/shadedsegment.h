@@ -7,11 +7,11 @@
 
 #include <array>
 
-/// What is computed once for a triangle without area, of which the closed rule draws the segment
-/// between its extreme vertices in (x, y) order. SetUp is a ShadedSetUp.
+/// The set-up of a triangle without area: the closed rule draws the segment between its extreme
+/// vertices in (x, y) order. SetUp is a ShadedSetUp.
 namespace pixelplumb::shadedsetup {
 
-/// Where a sample lies between the ends of a segment: (at − start)/length along its axis.
+/// A sample's position between the ends of a segment: (at − start)/length along its axis.
 struct SegmentAxis {
     template <class SetUp>
     explicit SegmentAxis(const SetUp &setUp)
@@ -25,12 +25,12 @@ struct SegmentAxis {
         length = axis == 1 ? to.y - from.y : to.x - from.x;
     }
 
-    std::size_t first, last; ///< vertices, as the caller gave them
+    std::size_t first, last; ///< vertices, numbered as by the caller
     std::size_t axis; ///< 0: x, 1: y
     Lattice start, length; ///< lattice units; 0 where the segment is a point
 };
 
-/// In exact numbers: the weights of its ends, over its length.
+/// In exact numbers: the weights of the segment's ends, over its length.
 template <class SetUp>
 void setSegmentWeights(SetUp &setUp)
 {
@@ -48,7 +48,7 @@ void setSegmentWeights(SetUp &setUp)
     first[2] = setUp.area - last[2];
 }
 
-/// In floating numbers: the weight of its last vertex, and what follows from it.
+/// In floating numbers: the weight of the segment's last vertex, and what follows from it.
 template <class SetUp>
 void setSegmentForm(SetUp &setUp)
 {

@@ -11,7 +11,7 @@
 
 namespace pixelplumb {
 
-/// What a vertex has in a channel: levels, or units of 2^-24. 1/w has none of its own.
+/// A vertex's value in a channel: levels, or units of 2^-24. 1/w has no value of its own.
 constexpr std::int64_t channelUnits(const Vertex &vertex, const VertexAttributes &attributes,
                                     Channel channel)
 {
@@ -42,10 +42,10 @@ constexpr std::int64_t channelUnits(const Vertex &vertex, const VertexAttributes
     return 0;
 }
 
-/// One triangle with what it carries.
+/// One triangle with its attributes.
 struct ShadedTriangle {
     const Triangle &triangle;
-    const TriangleAttributes *attributes = nullptr; ///< null: none; both outlive it
+    const TriangleAttributes *attributes = nullptr; ///< null: none; both must outlive this
 
     std::int64_t valueAt(std::size_t vertex, Channel channel) const
     {
@@ -53,7 +53,7 @@ struct ShadedTriangle {
         return channelUnits(triangle.vertices[vertex],
                             attributes ? attributes->vertices[vertex] : none, channel);
     }
-    /// Positive; what is not is taken as the smallest that is.
+    /// Positive; any other value is raised to the smallest positive one.
     std::int64_t wAt(std::size_t vertex) const
     {
         return attributes ? std::max<std::int64_t>(1, attributes->vertices[vertex].w)
@@ -61,17 +61,17 @@ struct ShadedTriangle {
     }
 };
 
-/// A vertex in the kernel's numbers; channels that follow perspective are divided by w, in exact
-/// numbers multiplied by the other two vertices' w instead, which is the same up to a factor of the
-/// triangle's.
+/// A vertex in the kernel's numbers. Channels that follow perspective are divided by w; exact ones
+/// are multiplied by the other two vertices' w instead, which is the same up to a factor common to
+/// the triangle.
 template <class N>
 struct ShadedCorner {
     LatticePoint position;
     PerChannel<typename N::Number> channels = {};
 };
 
-/// What is computed once for a triangle. One without area has its segment from P0 to P2 instead:
-/// along x, or along y where all lies in one column; the middle vertex counts for nothing.
+/// The set-up of one triangle. Without area it is that of the segment from P0 to P2: along x, or
+/// along y where it lies in one column; the middle vertex is ignored.
 template <class N>
 struct ShadedSetUp {
     using Number = typename N::Number;
@@ -81,10 +81,10 @@ struct ShadedSetUp {
     bool zeroArea = false;
     InterpolationForm form = InterpolationForm::Bilinear;
     EffectSet effects;
-    ShadedChannels carried{{}}; ///< by the effects
-    std::array<ShadedCorner<N>, 3> vertices; ///< as the caller gave them
-    /// Doubled, without sign, square lattice units; of a segment its length along the axis, lattice
-    /// units, 1 of a point: the exact denominator.
+    ShadedChannels carried{{}}; ///< the channels that the effects read
+    std::array<ShadedCorner<N>, 3> vertices; ///< in the caller's order
+    /// The exact denominator: doubled area, unsigned, in square lattice units; for a segment its
+    /// length along the axis, lattice units; for a point 1.
     Number area = {};
     /// The plane of a channel, a·x + b·y + c; in exact numbers over the area.
     PerChannel<std::array<Number, 3>> plane = {};
@@ -92,21 +92,21 @@ struct ShadedSetUp {
     std::array<std::array<Number, 3>, 3> weight = {};
 };
 
-/// With what the vertices have, for who reads it.
+/// The set-up with the vertices' data, for observers that read numbers.
 template <class N>
 struct ShadedSetUpRead : ShadedSetUp<N> {
     std::array<Vertex, 3> corners;
-    std::array<VertexAttributes, 3> attributes; ///< as the caller gave them
+    std::array<VertexAttributes, 3> attributes; ///< in the caller's order
     int material = noMaterial;
 };
 
-/// The bits of a magnitude.
+/// The number of bits of the magnitude.
 constexpr int bitsOf(std::int64_t value)
 {
     return int(std::bit_width(std::uint64_t(absolute(value))));
 }
 
-/// The w of the three vertices without their common powers of two: only ratios count.
+/// The three vertices' w without their common powers of two: only ratios matter.
 inline std::array<std::int64_t, 3> reducedW(const ShadedTriangle &triangle)
 {
     std::array<std::int64_t, 3> w = {triangle.wAt(0), triangle.wAt(1), triangle.wAt(2)};
@@ -118,8 +118,8 @@ inline std::array<std::int64_t, 3> reducedW(const ShadedTriangle &triangle)
 
 /// Whether 128 bits hold every numerator of the triangle. Twice a numerator is a sum of three
 /// products of a form of the edges (a doubled area, or a coefficient times a coordinate), of
-/// w_j·w_k, and of a value; a texel's place asks for 26 bits beside the denominator. A sample that
-/// lies outside of the triangle by less than a pixel, where areas are covered, adds two.
+/// w_j·w_k, and of a value; a texel's position needs 26 bits besides the denominator. With area
+/// antialiasing, a sample outside the triangle by less than a pixel adds two.
 inline bool fitsNarrowShading(const ShadedTriangle &triangle, const EffectSet &effects)
 {
     if (integerWidthFor(triangle.triangle) != IntegerWidth::Bits64)
@@ -178,7 +178,7 @@ void setNumbers(ShadedSetUp<ExactShading<Integer>> &setUp, const ShadedTriangle 
         setSegmentWeights(setUp);
     else
         setWeights(setUp);
-    /// What multiplies each vertex's values: the product of the others' w.
+    /// The factor for each vertex's values: the product of the other two w.
     std::array<Integer, 3> factor;
     for (std::size_t i = 0; i < 3; ++i)
         factor[i] = corrects ? Integer(w[(i + 1) % 3]) * w[(i + 2) % 3] : Integer(1);
@@ -215,7 +215,7 @@ void setNumbers(ShadedSetUp<FloatShading<Float>> &setUp, const ShadedTriangle &t
     }
 }
 
-/// Coefficients of the floating forms; exact ones have them from the start.
+/// Sets the coefficients of floating forms; exact forms have them already.
 template <std::floating_point Float>
 void setForm(ShadedSetUp<FloatShading<Float>> &setUp)
 {

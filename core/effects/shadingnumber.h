@@ -11,24 +11,24 @@
 #include <cmath>
 #include <limits>
 
-/// What shaded kernels compute in: exact integers over a common denominator, or a floating number.
-/// Both say how a channel's values at the vertices become one at a sample, and what bytes, depths
-/// and texels these are.
+/// The numbers of shaded kernels: exact integers over a common denominator, or floating point. Both
+/// define how vertex values become a channel's value at a sample, and how that becomes bytes,
+/// depths and texels.
 namespace pixelplumb {
 
-/// Numerators over the triangle's doubled area, or, where perspective is corrected, over the
-/// numerator of 1/w: a value is the quotient of two linear forms of integers. Integer is Int128
-/// where fitsNarrowShading() says that it suffices, Int256 elsewhere.
+/// Numerators over the triangle's doubled area or, with perspective correction, over the numerator
+/// of 1/w: a value is the quotient of two linear forms of integers. Integer is Int128 where
+/// fitsNarrowShading() allows it, else Int256.
 template <class Int>
 struct ExactShading {
     using Integer = Int;
     using Number = Integer; ///< the numerator of a channel
-    using Real = double; ///< for what has no exact number: unit vectors, powers
+    using Real = double; ///< for values without an exact form: unit vectors, powers
     static constexpr bool isExact = true;
     /// Holds the doubled area.
     using Narrow = std::conditional_t<std::is_same_v<Integer, Int128>, std::int64_t, Int128>;
 
-    /// A depth, ⌊z·2^24⌋ and what is left of it over the doubled area.
+    /// A depth: ⌊z·2^24⌋ and the remainder over the doubled area.
     struct Depth {
         std::int64_t whole = std::numeric_limits<std::int64_t>::max();
         Narrow rest = 0;
@@ -43,7 +43,7 @@ struct ExactShading {
         }
     };
 
-    /// The value numerator/denominator, rounded as the settings say.
+    /// numerator/denominator, rounded by the settings.
     static std::int64_t level(const Number &numerator, const Number &denominator,
                               ByteRounding rounding)
     {
@@ -57,7 +57,7 @@ struct ExactShading {
         const Number whole = floorDivide<Number>(numerator, area);
         return {std::int64_t(whole), Narrow(numerator - whole * area), Narrow(area)};
     }
-    /// ⌊z·most + ½⌋ of a z within 0 … 1.
+    /// ⌊z·most + ½⌋ with z clamped to 0 … 1.
     static std::uint32_t depthLevel(const Number &numerator, const Number &area, std::uint32_t most)
     {
         const Number one = area * attributeOne;
@@ -87,9 +87,9 @@ struct FloatShading {
     }
     static std::uint32_t depthLevel(Number z, std::uint32_t most)
     {
-        // A product with 2^32 − 1 would round in float32: the levels are made in double.
+        // A product with 2^32 − 1 would round in float32, so the levels are computed in double.
         const double level = std::clamp(double(z), 0.0, 1.0) * most + 0.5;
-        return level > 0 ? std::uint32_t(std::int64_t(level)) : 0; // 0 for what is no number
+        return level > 0 ? std::uint32_t(std::int64_t(level)) : 0; // 0 for NaN
     }
 };
 

@@ -15,10 +15,10 @@ namespace pixelplumb {
 namespace {
 
 struct SharedEdge {
-    LatticePoint from, to; ///< in the order of points
-    Antialiasing antialiasing; ///< of the triangles that have it
-    /// Whether one of these has no area, and paints the pixels whose centre is on it: whole ones,
-    /// where they have several samples.
+    LatticePoint from, to; ///< ordered as points
+    Antialiasing antialiasing; ///< of the triangles that share it
+    /// Whether one of these has no area and so paints the pixels whose centre is on it: whole ones,
+    /// where pixels have several samples.
     bool isSegmentsToo = false;
 
     friend auto operator<=>(const SharedEdge &, const SharedEdge &) = default;
@@ -29,10 +29,11 @@ struct SamplesOnEdge {
     SamplePlace first;
     SamplePlace step;
     std::int64_t count = 0;
-    std::int64_t place = 0; ///< the number of their place in a pixel
+    std::int64_t place = 0; ///< the index of their place in a pixel
 };
 
-/// The inverse of an odd number modulo 2^64, by Newton's method: each turn doubles the right bits.
+/// The inverse of an odd number modulo 2^64, by Newton's method: each round doubles the correct
+/// bits.
 std::uint64_t inverseOfOdd(std::uint64_t odd)
 {
     std::uint64_t inverse = odd;
@@ -41,7 +42,7 @@ std::uint64_t inverseOfOdd(std::uint64_t odd)
     return inverse;
 }
 
-/// The places t of a range [first, last] at which start + t·step lies within [least, most].
+/// Narrows [first, last] to the t at which start + t·step lies within [least, most].
 void keepWithin(std::int64_t &first, std::int64_t &last, Lattice start, Lattice step, Lattice least,
                 Lattice most)
 {
@@ -63,9 +64,9 @@ SamplesOnEdge samplesOn(const SharedEdge &edge, const FrameView &frame)
     const Lattice parts = std::gcd(width, height);
     if (parts == 0)
         return {};
-    // The lattice points of the edge are from + t·(x, y) with 0 <= t <= parts, x and y prime to
-    // each other; a sample is one at which both coordinates are multiples of a pixel's units. One
-    // of x and y is odd: t is known modulo a pixel by its equation.
+    // The lattice points of the edge are from + t·(x, y) with 0 <= t <= parts, x and y coprime; a
+    // sample has both coordinates multiples of a pixel's units. One of x and y is odd, so its
+    // equation gives t modulo a pixel.
     const LatticePoint step = {width / parts, height / parts};
     const bool isXOdd = step.x % 2 != 0;
     const auto odd = std::uint64_t(isXOdd ? step.x : step.y);
@@ -85,7 +86,7 @@ SamplesOnEdge samplesOn(const SharedEdge &edge, const FrameView &frame)
         {pixel.x + first * step.x, pixel.y + first * step.y}, {step.x, step.y}, last - first + 1};
 }
 
-/// Those in the pixels of others on the same edge.
+/// The samples that lie in the pixels of others on the same edge.
 SamplesOnEdge inPixelsOf(const SamplesOnEdge &others, SamplesOnEdge samples)
 {
     const SamplePlace &step = samples.step;
@@ -99,8 +100,8 @@ SamplesOnEdge inPixelsOf(const SamplesOnEdge &others, SamplesOnEdge samples)
     return samples;
 }
 
-/// Calls function(samples) for those of the edge in the frame: the centres of pixels, or where they
-/// have several samples one call for each place in a pixel.
+/// Calls function(samples) for the edge's samples in the frame: the pixel centres or, where pixels
+/// have several samples, once for each place in a pixel.
 template <class Function>
 void forEachPlaceOn(const SharedEdge &edge, const FrameView &frame, const Function &function)
 {
@@ -131,10 +132,10 @@ std::int64_t countOn(const SharedEdge &edge, const FrameView &frame)
 
 struct TriangleEdge {
     SharedEdge edge;
-    bool isBlended = false; ///< the triangle
+    bool isBlended = false; ///< its triangle
 };
 
-/// Those with samples.
+/// Appends the edges with samples.
 void appendEdges(std::span<const Triangle *const> triangles, const SampledFrame &where,
                  bool areBlended, std::vector<TriangleEdge> &edges)
 {
@@ -144,7 +145,7 @@ void appendEdges(std::span<const Triangle *const> triangles, const SampledFrame 
             const LatticePoint &a = triangle->vertices[i].position;
             const LatticePoint &b = triangle->vertices[(i + 1) % 3].position;
             const SharedEdge edge{std::min(a, b), std::max(a, b), where.antialiasingOf(*triangle)};
-            // A segment that goes there and back has one edge twice.
+            // A segment that runs there and back has one edge twice.
             const auto isIt = [&edge](const TriangleEdge &known) { return known.edge == edge; };
             const bool isKnown = std::any_of(edges.begin() + first, edges.end(), isIt);
             if (!isKnown && countOn(edge, where.frame) > 0)
@@ -153,14 +154,14 @@ void appendEdges(std::span<const Triangle *const> triangles, const SampledFrame 
     }
 }
 
-/// What all of these, which have both ends in common, share with one that is blended.
+/// The edge that these triangles' edges, with both ends in common, share with a blended one.
 std::optional<SharedEdge> sharedOf(std::span<const TriangleEdge> same)
 {
     const auto hasArea = [&same](const TriangleEdge &known) {
         return known.edge.antialiasing == same.back().edge.antialiasing;
     };
     const auto isBlended = [](const TriangleEdge &known) { return known.isBlended; };
-    // Sorted, segments come first.
+    // Sorted: segments come first.
     const auto segments = std::size_t(std::ranges::find_if(same, hasArea) - same.begin());
     const std::span<const TriangleEdge> others = same.subspan(segments);
     SharedEdge shared = same.back().edge;
@@ -174,7 +175,7 @@ std::optional<SharedEdge> sharedOf(std::span<const TriangleEdge> same)
     return shared;
 }
 
-/// Once each.
+/// The shared edges, each once.
 std::vector<SharedEdge> sharedEdgesOf(std::vector<TriangleEdge> edges)
 {
     std::ranges::sort(edges, {}, &TriangleEdge::edge);
@@ -192,7 +193,8 @@ std::vector<SharedEdge> sharedEdgesOf(std::vector<TriangleEdge> edges)
     return shared;
 }
 
-/// Samples of several edges count once. Those at other places in their pixels are others.
+/// Counts samples on several edges once. Those at other places in their pixels are different
+/// samples.
 std::int64_t countOnce(std::span<const SharedEdge> edges, const FrameView &frame)
 {
     std::vector<std::array<std::int64_t, 3>> places;

@@ -10,16 +10,15 @@
 
 namespace pixelplumb {
 
-/// How many samples of the frame lie on edges that two triangles share: the closed rule gives them
+/// How many samples of the frame lie on edges shared by two triangles: the closed rule gives them
 /// to both, and blending then shows them twice.
 struct SharedSamples {
     std::int64_t samples = 0;
-    bool isExact = true; ///< otherwise at most so many: ends of edges are counted more than once
-    SamplePlace first; ///< the pixel of one of them, where there are any
+    bool isExact = true; ///< else an upper bound: ends of edges are counted more than once
+    SamplePlace first; ///< the pixel of one of them, if any
 };
 
-/// Of edges that have both ends in common, and at least one of whose triangles is blended. `others`
-/// are not.
+/// For edges with both ends in common and at least one blended triangle. `others` are not blended.
 SharedSamples sharedSamplesOf(std::span<const Triangle *const> blended,
                               std::span<const Triangle *const> others, const SampledFrame &where);
 

@@ -7,9 +7,10 @@
 
 namespace pixelplumb {
 
-/// A polygon that half-planes cut (Sutherland and Hodgman 1974). A cut adds at most half as many
-/// corners as there are: of three 13 in the end, of four 19. One that crosses itself keeps its
-/// signed area, to which every point counts as often as the border winds around it.
+/// A polygon clipped by half-planes (Sutherland and Hodgman 1974). Each cut adds at most half as
+/// many corners as there are: from three at most 13 in the end, from four 19. A polygon that
+/// crosses itself keeps its signed area, in which every point counts as often as the border winds
+/// around it.
 template <class Number, std::size_t mostCorners>
 class ClippedPolygon {
 public:
@@ -20,7 +21,7 @@ public:
         corner.y = std::move(y);
     }
 
-    /// Keeps what lies in [−half, half] × [−half, half].
+    /// Keeps the part in [−half, half] × [−half, half].
     void clipToSquare(const Number &half)
     {
         for (const int sign : {-1, 1}) {
@@ -28,7 +29,7 @@ public:
             clip(&Corner::y, sign, half);
         }
     }
-    /// Twice the area: positive where the corners go round counterclockwise, y upward.
+    /// Twice the area: positive where the corners run counterclockwise, y upward.
     Number doubledArea() const
     {
         Number sum = 0;
@@ -45,7 +46,7 @@ private:
         Number x, y;
     };
 
-    /// Keeps what has sign·coordinate <= bound.
+    /// Keeps the part with sign·coordinate <= bound.
     void clip(Number Corner::*axis, int sign, const Number &bound)
     {
         ClippedPolygon kept;

@@ -9,21 +9,21 @@
 
 namespace pixelplumb {
 
-/// What the samples of one triangle are shaded with.
+/// What a triangle's samples are shaded with.
 template <class N>
 struct ShadedSurface {
-    const Lighting<typename N::Real> *lighting = nullptr; ///< where light is carried
+    const Lighting<typename N::Real> *lighting = nullptr; ///< if light is carried
     const Material *material = nullptr;
-    DepthBuffer<N> *depths = nullptr; ///< where depth is compared
+    DepthBuffer<N> *depths = nullptr; ///< if depth is compared
     std::uint32_t greatestLevel = 0; ///< of the depth format
     ByteRounding rounding = ByteRounding::Nearest;
-    QRgb flat = 0; ///< of a triangle whose colours are equal
-    const PixelArea *area = nullptr; ///< of the pixel, where areas are covered
+    QRgb flat = 0; ///< the colour of a triangle whose colours are equal
+    const PixelArea *area = nullptr; ///< of the pixel, with area antialiasing
 };
 
-/// Up to 64 samples of one column, bottom to top: all that the stages of a plan hand to each other.
-/// Those in play stand first, without gaps, so that a stage is a plain loop over [0, count); a
-/// sample that is refused is closed over and costs the later stages nothing.
+/// Up to 64 samples of one column, bottom to top: everything that the stages of a plan pass on.
+/// Samples in play come first, without gaps, so that a stage is a plain loop over [0, count); a
+/// refused sample is closed over and costs later stages nothing.
 template <class N>
 struct StagedSamples {
     using Number = typename N::Number;
@@ -35,29 +35,29 @@ struct StagedSamples {
     const ShadedSetUp<N> *setUp = nullptr;
     const ShadedColumn<N> *column = nullptr;
     const ShadedSurface<N> *surface = nullptr;
-    const ShadedChannels *carried = nullptr; ///< by the list of stages that is run
-    /// Where an observer reads numbers: one for each row, else null. Stages leave there what only
-    /// it asks for.
+    const ShadedChannels *carried = nullptr; ///< from the list of stages being run
+    /// One entry per row if an observer reads numbers, else null. Stages leave there what only the
+    /// observer needs.
     ShadedSample<N> *read = nullptr;
     EffectCounts done = {};
 
     std::int64_t start = 0; ///< the row at which adding began
     std::int64_t firstRow = 0;
-    std::size_t size = 0; ///< rows, of samples in play and of refused ones
+    std::size_t size = 0; ///< number of rows, with samples in play or refused
     QRgb *firstPixel = nullptr;
     std::ptrdiff_t stride = 0;
-    PerChannel<Number> next; ///< of the run above, where channels go up by adding
+    PerChannel<Number> next; ///< for the run above, where channels go up by adding
 
     std::size_t count = 0; ///< in play
-    PerSample<std::uint8_t> row; ///< above the first, once a sample has been refused
-    /// Linear in the frame; in exact numbers over the denominator. A floating number is what the
-    /// effects take once it is divided by 1/w.
+    PerSample<std::uint8_t> row; ///< above the first row, once a sample has been refused
+    /// Linear in the frame; exact numbers are over the denominator. Floating numbers become the
+    /// values for the effects when divided by 1/w.
     PerChannel<PerSample<Number>> value;
     PerSample<QRgb> colour; ///< R G B, opaque
     const Number *denominator = nullptr; ///< of exact numbers: one for all, or the values of 1/w
-    bool isDivided = false; ///< the denominators are those of 1/w
+    bool isDivided = false; ///< the values of 1/w are the denominators
 
-    /// The rows from `first` on, all of them in play.
+    /// Begins the rows from `first` on, all of them in play.
     void enter(std::int64_t first, std::size_t rows, FrameView frame)
     {
         firstRow = first;
@@ -73,7 +73,7 @@ struct StagedSamples {
             read[i].runFirst = start;
     }
 
-    /// Leaves those in play that pass, so many of them; the others are refused.
+    /// Keeps the `passing` samples that pass in play; the others are refused.
     void keep(const PerSample<std::uint32_t> &passes, std::size_t passing)
     {
         if (passing == count)
@@ -92,7 +92,7 @@ struct StagedSamples {
         else
             close(row);
         for (const std::size_t channel : *carried) {
-            if (channelAt(channel) != Channel::Depth) // which no later stage reads
+            if (channelAt(channel) != Channel::Depth) // no later stage reads it
                 close(value[channel]);
         }
         count = passing;
@@ -101,7 +101,7 @@ struct StagedSamples {
     /// Whether none has been refused.
     bool isWhole() const { return count == size; }
     std::size_t rowOf(std::size_t sample) const { return isWhole() ? sample : row[sample]; }
-    /// Calls function(pixel, sample) for those in play.
+    /// Calls function(pixel, sample) for samples in play.
     template <class Function>
     void forEachPixel(const Function &function) const
     {
@@ -128,7 +128,7 @@ struct StagedSamples {
     {
         return value[indexOf(channel)][sample];
     }
-    /// What the bytes of a channel are made of.
+    /// The levels that become the bytes of a channel.
     void setLevels(Channel channel, PerSample<std::int64_t> &levels) const
     {
         const ByteRounding rounding = surface->rounding;
@@ -140,7 +140,7 @@ struct StagedSamples {
                 levels[i] = N::level(values[i], rounding);
         }
     }
-    /// A channel in units of one, as what has no exact number reads it.
+    /// A channel in units of one, for work without exact numbers.
     Real realOf(Channel channel, std::size_t sample) const
     {
         if constexpr (N::isExact)

@@ -33,7 +33,7 @@ bool reads(const StageNeeds &needs)
     return needs.effects.texture && needs.filter == filter;
 }
 
-/// One colour a triangle, which nothing changes.
+/// Whether the triangle has one colour that nothing changes.
 bool paints(const StageNeeds &needs)
 {
     const EffectSet &effects = needs.effects;
@@ -41,7 +41,8 @@ bool paints(const StageNeeds &needs)
         && !effects.blending && !needs.isRead;
 }
 
-/// Whether depth is compared in this way, by a stage of its own or by one that paints as well.
+/// Whether depth is compared in this way by a separate stage; paintsBy() is for the stages that
+/// also paint.
 template <DepthTest test>
 bool compares(const StageNeeds &needs)
 {

@@ -5,21 +5,21 @@
 
 namespace pixelplumb {
 
-/// What decides which stages a triangle's samples go through.
+/// What determines the stages of a triangle's samples.
 struct StageNeeds {
     InterpolationForm form = InterpolationForm::Bilinear;
     EffectSet effects;
     TextureFilter filter = TextureFilter::Nearest;
-    bool coversAreas = false; ///< samples may lie beside the triangle
-    bool isRead = false; ///< who reads the numbers writes the pixels as well
+    bool coversAreas = false; ///< samples may lie outside the triangle
+    bool isRead = false; ///< an observer reads the numbers; then no stage writes the pixels
 };
 
-/// One thing that is done to all samples in play of a run.
+/// One operation on all samples in play of a run.
 template <class N>
 using Stage = void (*)(StagedSamples<N> &run);
 
-/// A plan for one triangle: the stages that it calls for, in order. What is not called for is not
-/// in the list, so that nothing of it runs.
+/// The stages that a plan calls for on one triangle, in order. Nothing else is in the list, so
+/// nothing else runs.
 template <class N>
 class StageList {
 public:

@@ -16,8 +16,8 @@ StrokePoint sampleOf(const StrokePixel &pixel)
     return {pixel.x * strokeUnitsPerPixel, pixel.y * strokeUnitsPerPixel};
 }
 
-/// How often the border goes round the point counterclockwise: its edges that a ray to the right
-/// meets, those that go up less those that go down.
+/// How often the border winds around the point counterclockwise: its upward edges that meet a ray
+/// to the right, less the downward ones.
 int windingAround(const StrokePoint &point, const StrokeQuad &quad)
 {
     int winding = 0;
@@ -76,8 +76,8 @@ StrokeCoverage::Share StrokeCoverage::share() const
                                  std::abs(double(corner.y - sample.y))});
     }
     const double area = sumOfAreas<double>();
-    // Each corner of what was clipped is off by some roundings of the farthest coordinate, amply,
-    // and the area by as much times the length of its border.
+    // A generous bound: each clipped corner is off by some roundings of the farthest coordinate,
+    // and the area by that times the length of its border.
     const double error = double(m_pixel.size()) * (farthest / double(strokeUnitsPerPixel) + 1)
         * std::ldexp(1.0, -36);
     const double level = 255 * std::clamp(area, 0.0, 1.0) + 0.5;

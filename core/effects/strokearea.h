@@ -8,30 +8,31 @@
 
 namespace pixelplumb {
 
-/// What a stroke has of one pixel.
+/// How much of one pixel a stroke covers.
 class StrokeCoverage {
 public:
-    /// The pixel's entries, at least one, of these quadrilaterals; both outlive this.
+    /// `pixel` holds the pixel's entries, at least one, for these quadrilaterals; both must outlive
+    /// this.
     StrokeCoverage(std::span<const StrokePixel> pixel, std::span<const StrokeQuad> quads)
         : m_pixel(pixel)
         , m_quads(quads)
     {
     }
 
-    /// Whether the stroke covers a point, given from the pixel's sample: its quadrilaterals wind
-    /// around it. A point on a border is taken as if displaced to the right and, less, up, so that
-    /// neighbours count it once.
+    /// Whether the stroke covers a point, given relative to the pixel's sample: its quadrilaterals
+    /// wind around it. A point on a border counts as displaced to the right and, by less, up, so
+    /// that neighbours count it once.
     bool covers(const LatticePoint &offset) const;
 
     struct Share {
-        /// ⌊255·area + ½⌋, exactly: how much of the pixel's square, centred on its sample, the
+        /// ⌊255·area + ½⌋, exactly: the part of the pixel's square, centred on its sample, that the
         /// stroke covers. The areas of its quadrilaterals are added, each as often as its border
-        /// winds around it; where the stroke lies over itself the sum is at most the square.
+        /// winds around it; where the stroke overlaps itself the sum is at most the square.
         std::uint8_t alpha = 0;
-        bool isEmpty = true; ///< not even a part too small for a byte
+        bool isEmpty = true; ///< not even a part too small for a byte is covered
     };
     Share share() const;
-    /// That area itself, px²; the nearest double where 128 bits do not hold it.
+    /// The area itself, px²; the nearest double where 128 bits do not hold it.
     Quantity area() const;
 
 private:

@@ -8,11 +8,12 @@
 
 namespace pixelplumb {
 
-/// The colour of a stroke at a point. A line's changes evenly from end to end, by the foot of the
-/// perpendicular, and is the end's colour beyond it; a curve has that of its first vertex.
+/// The colour of a stroke at a point. A line's colour changes evenly from end to end, by the foot
+/// of the perpendicular, and stays the end's colour beyond it; a curve has its first vertex's
+/// colour.
 class StrokeColour {
 public:
-    /// How far along a line, t = run/length: 0 … 1; 0 on curves.
+    /// The position along a line, t = run/length: 0 … 1; 0 on curves.
     struct Place {
         Int128 run = 0;
         Int128 length = 1;

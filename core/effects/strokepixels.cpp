@@ -8,7 +8,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The pixels, along one axis, whose squares lie between two coordinates in part.
+/// The pixels, along one axis, whose squares lie at least partly between two coordinates.
 struct PixelRun {
     PixelRun(StrokeUnit low, StrokeUnit high, std::int64_t first, std::int64_t end)
         : first(
@@ -20,7 +20,7 @@ struct PixelRun {
     std::int64_t first, end;
 };
 
-/// How far a quadrilateral reaches, up and down, between two vertical lines, outward to units.
+/// The vertical extent of a quadrilateral between two vertical lines, rounded outward to units.
 struct Reach {
     StrokeUnit low = std::numeric_limits<StrokeUnit>::max();
     StrokeUnit high = std::numeric_limits<StrokeUnit>::min();

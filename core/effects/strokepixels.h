@@ -7,7 +7,7 @@
 
 namespace pixelplumb {
 
-/// A pixel whose square one quadrilateral of a stroke meets; ordered by column, then row.
+/// A pixel whose square meets one quadrilateral of a stroke; ordered by column, then row.
 struct StrokePixel {
     std::int32_t x = 0;
     std::int32_t y = 0;
@@ -16,7 +16,7 @@ struct StrokePixel {
     friend constexpr auto operator<=>(const StrokePixel &, const StrokePixel &) = default;
 };
 
-/// All of the frame, in order; among them may be some that are met in a line or a point alone.
+/// All such pixels of the frame, in order; some may be met only in a line or a point.
 std::vector<StrokePixel> strokePixels(std::span<const StrokeQuad> quads, const FrameView &frame);
 
 } // namespace pixelplumb

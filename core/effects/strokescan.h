@@ -10,18 +10,18 @@
 
 #include <span>
 
-/// Strokes (strokestrip.h) into pixels. By area: the colour at the pixel's sample is blended over
-/// what stands, with α = ⌊255·area + ½⌋ as its opacity, ⌊(s·α + d·(255 − α))/255 + ½⌋. By 4 or
-/// 16 samples: each keeps a colour of its own, strokes paint over those that they cover, and the
+/// Turns strokes (strokestrip.h) into pixels. By area: the colour at the pixel's sample is blended
+/// over the pixel, with α = ⌊255·area + ½⌋ as its opacity, ⌊(s·α + d·(255 − α))/255 + ½⌋. By 4 or
+/// 16 samples: each keeps its own colour, strokes paint over the samples that they cover, and the
 /// pixel is their mean. By one: the pixel is painted where the stroke covers its sample.
 namespace pixelplumb {
 
-/// What is known of a stroke before any pixel.
+/// What is known about a stroke before any pixel.
 struct StrokeSetUp {
     Shape shape; ///< sample coordinates
-    StrokePoint half; ///< of a line
+    StrokePoint half; ///< the half width of a line
     std::int64_t pieces = 0;
-    std::int64_t nearFrame = 0; ///< of the pieces
+    std::int64_t nearFrame = 0; ///< pieces near the frame
 };
 
 /// The pixels of one column whose squares a stroke meets.
@@ -31,14 +31,15 @@ struct StrokeColumn {
 };
 
 struct StrokeSample {
-    StrokeColour::Place place; ///< on a line, of the pixel's sample; of 4 or 16, of none
-    std::array<std::int64_t, 3> level = {}; ///< of the stroke there, rounded; or those of the mean
+    StrokeColour::Place place; ///< on a line, at the pixel's sample; not set with 4 or 16 samples
+    std::array<std::int64_t, 3> level = {}; ///< the stroke's levels there, rounded; or those of the
+                                            ///< mean
     QRgb before = 0, after = 0;
     int samples = 0; ///< 1, 4 or 16; 0: by area
     std::uint16_t covered = 0; ///< bit k: sample k
-    SampleMean mean; ///< of 4 or 16: of what stands in them now
+    SampleMean mean; ///< of 4 or 16: the mean of their current colours
     std::uint8_t alpha = 0; ///< by area
-    Quantity area; ///< px²; for who reads it
+    Quantity area; ///< px²; for observers that read numbers
 };
 
 struct StrokeNumbers {
@@ -47,8 +48,7 @@ struct StrokeNumbers {
     using Sample = StrokeSample;
 };
 
-/// What the strokes of one picture are drawn into: there are frames of samples only where there
-/// are samples.
+/// What the strokes of one picture are drawn into. It has sample frames only with 4 or 16 samples.
 class StrokeCanvas {
 public:
     StrokeCanvas(FrameView frame, Antialiasing antialiasing)
@@ -61,7 +61,7 @@ public:
 
     const FrameView &frame() const { return m_frame; }
     bool isByArea() const { return m_antialiasing == Antialiasing::Area; }
-    /// One at the centre where the pattern is empty.
+    /// The sample offsets; one at the centre where the pattern is empty.
     std::span<const LatticePoint> pattern() const
     {
         static constexpr std::array<LatticePoint, 1> centre = {};
@@ -74,7 +74,7 @@ public:
         if (!m_samples.empty())
             *m_samples[sample].view().at(x, y) = packed(colour);
     }
-    /// What the samples of a pixel come to.
+    /// The mean of a pixel's samples.
     SampleMean mean(std::int64_t x, std::int64_t y) const
     {
         SampleMean mean;

@@ -10,14 +10,14 @@ namespace pixelplumb {
 
 namespace {
 
-/// ⌊√square⌋ of less than 2^52.
+/// ⌊√square⌋ for square < 2^52.
 std::int64_t rootOf(std::int64_t square) { return std::int64_t(std::sqrt(double(square))); }
 
 /// The nearest integer to 2^15·part/√(dx² + dy²), halves away from 0.
 template <class Wide>
 StrokeUnit halfShare(const Wide &part, const Wide &squares)
 {
-    // ⌊2·quotient⌋, by which halves are decided.
+    // ⌊2·quotient⌋, which decides halves.
     const auto doubled = rootOf(std::int64_t(Wide((part * part << 32) / squares)));
     const StrokeUnit nearest = (doubled + 1) / 2;
     return part < 0 ? -nearest : nearest;
@@ -41,7 +41,7 @@ StrokePoint onStrokes(const LatticePoint &point)
     return {point.x * strokeUnitsPerLattice, point.y * strokeUnitsPerLattice};
 }
 
-/// Gathers the quadrilaterals that come near the squares of the frame's pixels.
+/// Collects the quadrilaterals near the squares of the frame's pixels.
 class StripCollector {
 public:
     explicit StripCollector(const FrameView &frame)
@@ -52,7 +52,7 @@ public:
     {
     }
 
-    /// Whether something within `reach` of the box of two points can come near.
+    /// Whether anything within `reach` of the box of two points can come near.
     bool mayMeet(const StrokePoint &a, const StrokePoint &b, StrokeUnit reach) const
     {
         return std::max(a.x, b.x) + reach >= m_first.x && std::min(a.x, b.x) - reach <= m_end.x
@@ -70,8 +70,8 @@ private:
     StrokePoint m_first, m_end; ///< of the squares
 };
 
-/// The joints of one curve are those of k = 0 … pieces() in each of its parts. It says in reach()
-/// how far the curve strays from the box around the ends of a run of them.
+/// Collects joints first … end of a part of a curve, whose joints are k = 0 … pieces(). reach()
+/// says how far the curve strays from the box around the ends of a run of joints.
 template <class Curve>
 void collect(const Curve &curve, int part, std::int64_t first, std::int64_t end,
              StripCollector &collector)
@@ -91,7 +91,7 @@ void collect(const Curve &curve, int part, std::int64_t first, std::int64_t end,
 
 /// A quarter turn is ((1 − t²)/(1 + t²), 2t/(1 + t²)) for t = k/2^m, which is rational; the other
 /// three are its mirror images. Between two points the angle grows by at most 2·2^-m, and the arc
-/// of radius r leaves its chord by at most r·2^-2m/2.
+/// of radius r is at most r·2^-2m/2 from its chord.
 class EllipseCurve {
 public:
     static constexpr int parts = 4;
@@ -101,7 +101,7 @@ public:
         , m_radiusX(absolute(shape.vertices[1].position.x - shape.vertices[0].position.x))
         , m_radiusY(absolute(shape.vertices[1].position.y - shape.vertices[0].position.y))
     {
-        // With the outer side of a circle.
+        // Includes the outer side of a circle.
         const Lattice outer = std::max(m_radiusX, m_radiusY) + halfPixel;
         while (outer > (Lattice(1) << (2 * m_bits - 1)))
             ++m_bits;
@@ -109,7 +109,7 @@ public:
 
     bool hasLength() const { return m_radiusX > 0 || m_radiusY > 0; }
     std::int64_t pieces() const { return std::int64_t(1) << m_bits; }
-    /// A quarter lies in the box around its ends.
+    /// A quarter lies in the box of its ends.
     static StrokeUnit reach(std::int64_t) { return 0; }
 
     StrokeJoint joint(int part, std::int64_t k) const
@@ -120,7 +120,7 @@ public:
         const Int128 along = all * all - at * at;
         const Int128 across = 2 * all * at;
         const Int128 whole = all * all + at * at;
-        // Going up at the right end of the first quarter: left of it is the centre.
+        // At its right end the first quarter runs upward: the centre is to its left.
         const StrokePoint inward = strokeHalfWidth(-m_radiusX * across, m_radiusY * along);
         const int signX = part == 0 || part == 3 ? 1 : -1;
         const int signY = part < 2 ? 1 : -1;
@@ -139,9 +139,9 @@ private:
     int m_bits = 2; ///< m
 };
 
-/// The points P(k/2^m), exact before they are rounded; the direction at each is from the point
-/// before to the point after it. With second differences up to D a curve of degree n leaves its
-/// chords by at most n·(n − 1)·D·2^-2m/8.
+/// The points P(k/2^m), exact before rounding; the direction at each is from the point before to
+/// the point after it. With second differences up to D a curve of degree n is at most n·(n −
+/// 1)·D·2^-2m/8 from its chords.
 class BezierCurve {
 public:
     static constexpr int parts = 1;
@@ -209,7 +209,7 @@ private:
 
     std::array<LatticePoint, 4> m_control;
     int m_degree;
-    Lattice m_bend = 0; ///< of the second derivative, |x| + |y|, lattice units
+    Lattice m_bend = 0; ///< the second derivative's bound, |x| + |y|, lattice units
     int m_bits = 4; ///< m
 };
 

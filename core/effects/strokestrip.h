@@ -7,20 +7,20 @@
 #include <array>
 #include <vector>
 
-/// A stroke: what a line or a curve covers that is drawn one pixel wide. A line is the rectangle
-/// one pixel wide around its segment, with butt ends: it ends where the segment ends. A circle, an
-/// ellipse or a Bézier curve is a strip of quadrilaterals around points of the curve, whose
-/// neighbours share the joint edge between them, ½ px to either side of the curve.
+/// A stroke: the area covered by a line or curve drawn one pixel wide. A line is the rectangle one
+/// pixel wide around its segment, with butt ends: it ends where the segment ends. A circle, ellipse
+/// or Bézier curve is a strip of quadrilaterals around points of the curve; neighbours share the
+/// joint edge between them, ½ px to either side of the curve.
 ///
-/// What is exact: the points on the lattice, which are not snapped, and all areas of the polygons.
-/// What is rounded, to 2^-16 px, the nearest: the half widths, because a unit vector is irrational
-/// in most directions, and the points of curves. A line's four corners have one and the same half
-/// width, so that its rectangle is a parallelogram whose border is displaced by less than
-/// 2^-16.5 px, and whose area is the line's length to one part in 2^15.5. Curves are subdivided
-/// until the chords between their points are within 2^-10 px of them.
+/// Exact are the points on the lattice, which are not snapped, and all areas of the polygons.
+/// Rounded to the nearest 2^-16 px are the half widths, because a unit vector is irrational in most
+/// directions, and the points of curves. A line's four corners use the same half width, so its
+/// rectangle is a parallelogram whose border is displaced by less than 2^-16.5 px, and whose area
+/// is the line's length to one part in 2^15.5. Curves are subdivided until the chords between their
+/// points are within 2^-10 px of them.
 namespace pixelplumb {
 
-/// Coordinates of strokes, 2^-16 px: 1/256 lattice unit.
+/// A coordinate of strokes in units of 2^-16 px: 1/256 lattice unit.
 using StrokeUnit = std::int64_t;
 inline constexpr StrokeUnit strokeUnitsPerPixel = 1 << 16;
 inline constexpr StrokeUnit strokeHalfPixel = strokeUnitsPerPixel / 2;
@@ -33,8 +33,8 @@ struct StrokePoint {
     friend constexpr bool operator==(const StrokePoint &, const StrokePoint &) = default;
 };
 
-/// A point of the line or curve, and the half width that stands on it: ½ px to the left of where
-/// it goes, y upward. Where there is no direction there is no width.
+/// A point of the line or curve, and its half width: ½ px to the left of the direction of travel, y
+/// upward. Without a direction there is no width.
 struct StrokeJoint {
     StrokePoint at;
     StrokePoint half;
@@ -43,13 +43,13 @@ struct StrokeJoint {
     StrokePoint right() const { return {at.x - half.x, at.y - half.y}; }
 };
 
-/// Between two joints: counterclockwise, but where the curve turns tighter than ½ px and the strip
-/// folds.
+/// The part between two joints: counterclockwise, except where the curve turns tighter than ½ px
+/// and the strip folds.
 using StrokeQuad = std::array<StrokePoint, 4>;
 
 struct StrokeStrip {
-    std::int64_t pieces = 0; ///< quadrilaterals of the whole stroke; 0 where it has no length
-    /// Those that may meet a pixel of the frame, in the order of the curve.
+    std::int64_t pieces = 0; ///< quadrilaterals of the whole stroke; 0 if it has no length
+    /// The quadrilaterals that may meet a pixel of the frame, in the order of the curve.
     std::vector<StrokeQuad> quads;
 };
 
@@ -61,10 +61,11 @@ bool isStroke(const Shape &shape);
 StrokeStrip strokeStripOf(const Shape &shape, const FrameView &frame);
 
 /// ½ px to the left of a direction, each part up to 2^110: (−dy, dx)/(2·√(dx² + dy²)), each
-/// coordinate to the nearest unit, halves away from 0; (0, 0) where there is no direction.
+/// coordinate rounded to the nearest unit, halves away from 0; (0, 0) without a direction.
 StrokePoint strokeHalfWidth(Int128 dx, Int128 dy);
 
-/// Whether a line or curve is shorter than a pixel: one pixel wide, it may lie between all samples.
+/// Whether a line or curve is shorter than a pixel: even one pixel wide, it may lie between all
+/// samples.
 bool isShort(const Shape &stroke);
 
 } // namespace pixelplumb

@@ -12,25 +12,25 @@
 #include <cmath>
 #include <cstdint>
 
-/// Which texels a sample reads, and the colour that they make.
+/// Which texels a sample reads, and the colour that they produce.
 namespace pixelplumb {
 
-/// A texel's index inside of the texture.
+/// A texel's index inside the texture.
 constexpr std::int32_t wrapped(std::int64_t index, std::int32_t size, TextureWrap wrap)
 {
     if (wrap == TextureWrap::Clamp)
         return std::int32_t(std::clamp<std::int64_t>(index, 0, size - 1));
     if (index >= 0 && index < size)
         return std::int32_t(index);
-    // Nearly all are narrow, and those are divided in a third of the time.
+    // Nearly all indices fit 32 bits, where division takes a third of the time.
     const auto narrow = std::int32_t(index);
     const std::int32_t remainder
         = narrow == index ? narrow % size : std::int32_t(index % std::int64_t(size));
     return remainder < 0 ? remainder + size : remainder;
 }
 
-/// Where a sample lies along one side of a texture, in texels: those that are whole, and the rest,
-/// 0 <= rest < 1.
+/// A sample's position along one side of a texture, in texels: the whole part and the rest, 0 <=
+/// rest < 1.
 template <class N>
 struct TexturePlace;
 
@@ -39,8 +39,8 @@ struct TexturePlace<FloatShading<Float>> {
     std::int64_t whole = 0;
     Float rest = 0;
 
-    /// The texels below a coordinate, less so many halves. Those beyond ±2^30, and what is no
-    /// number, are at 0: a texture that repeats so often is noise.
+    /// The position of a coordinate, less `halves` half texels. Positions beyond ±2^30 and NaN
+    /// become 0: a texture that repeats so often is noise.
     TexturePlace(Float coordinate, Float, std::int32_t size, int halves)
     {
         const Float texels = coordinate * Float(size) - Float(halves) / 2;
@@ -75,16 +75,16 @@ private:
     static constexpr std::int64_t one = 2 * attributeOne;
 };
 
-/// What a sample reads of a texture.
+/// What a sample reads from a texture.
 template <class N>
 struct TexelSample {
-    std::array<std::int32_t, 2> first = {}; ///< of the texel, or of the lower left of four: {i, j}
+    std::array<std::int32_t, 2> first = {}; ///< {i, j} of the texel, or of the lower left of four
     bool isFiltered = false; ///< four texels are read
     std::array<Colour, 4> four = {}; ///< lower left, lower right, upper left, upper right
-    std::array<typename N::Real, 2> fraction = {}; ///< from the first to its neighbours
+    std::array<typename N::Real, 2> fraction = {}; ///< from the first texel to its neighbours
     std::array<std::int32_t, 2> size = {}; ///< of the texture
     TextureWrap wrap = TextureWrap::Repeat;
-    Colour texel; ///< what they make
+    Colour texel; ///< the resulting colour
 };
 
 namespace texelfetch {
@@ -113,7 +113,7 @@ std::uint8_t exactlyMixed(const std::array<int, 4> &level,
     return std::uint8_t(BigInteger((2 * sum + unit) / (2 * unit)));
 }
 
-/// Reads the four texels around the sample, the first of which is known, and mixes them.
+/// Reads the four texels around the sample, the first of them already known, and mixes them.
 template <class N>
 void filterTexels(const Material &material, const TexturePlace<N> &placeU,
                   const TexturePlace<N> &placeV, TexelSample<N> &sample)
@@ -142,7 +142,8 @@ void filterTexels(const Material &material, const TexturePlace<N> &placeU,
         const std::int64_t byte = floorOf(level);
         sample.texel.channels[channel] = std::uint8_t(clampedByte(byte));
         if constexpr (N::isExact) {
-            // Doubles are off by less than 2^-40 levels: only where that may matter, exactly.
+            // Doubles are off by less than 2^-40 levels: exact numbers are needed only where that
+            // may matter.
             constexpr Real doubt = 1e-9;
             const Real above = level - Real(byte);
             if (above < doubt || above > 1 - doubt)
@@ -159,7 +160,7 @@ constexpr std::size_t texelsOf(TextureFilter filter)
     return filter == TextureFilter::Bilinear ? 4 : 1;
 }
 
-/// Reads the texture of a material at u, v: numerators over the denominator in exact numbers.
+/// Reads the texture of a material at u, v: in exact numbers, numerators over the denominator.
 template <TextureFilter filter, class N>
 TexelSample<N> fetchTexels(const Material &material, const typename N::Number &u,
                            const typename N::Number &v, const typename N::Number &denominator)

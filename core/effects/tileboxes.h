@@ -7,26 +7,26 @@
 
 namespace pixelplumb {
 
-/// Which pairs of boxes say nothing new when they meet.
+/// Which pairs of boxes need no check when they meet.
 struct SettledPairs {
-    bool inOrder = false; ///< those whose later one is nowhere farther than the earlier one
-    bool inQuestion = false; ///< those of which both are in question
+    bool inOrder = false; ///< pairs whose later box is nowhere farther than the earlier one
+    bool inQuestion = false; ///< pairs of which both are already in question
 };
 
-/// The boxes of one tile, coordinate by coordinate, so that several are compared at a time: pairs
-/// are by the million, and a branch for each would be foretold wrongly more often than not.
+/// The boxes of one tile, coordinate by coordinate, so that several are compared at once: there are
+/// millions of pairs, and a branch for each would be mispredicted more often than not.
 class TileBoxes {
 public:
-    /// `places` are those of `boxes` that touch the tile; `inQuestion` is by place. Memory is kept
-    /// from tile to tile.
+    /// `places` are the indices in `boxes` of those that touch the tile; `inQuestion` is by place.
+    /// Memory is reused from tile to tile.
     void take(std::span<const DepthBox> boxes, std::span<const std::uint32_t> places,
               const TileCorner &corner, const std::vector<bool> &inQuestion);
 
     void setInQuestion(std::size_t box) { m_inQuestion[box] = -1; }
 
-    /// How many boxes before `later` meet it, boundaries included, where what the two share has its
-    /// lower left corner in this tile: of all tiles that both touch, one has it. Calls `visit` with
-    /// those that are not settled, ascending.
+    /// Returns how many boxes before `later` meet it, boundaries included, with the lower left
+    /// corner of their intersection in this tile: of all tiles that both touch, exactly one has it.
+    /// Calls `visit` with those that are not settled, ascending.
     template <class Visit>
     std::int64_t forEachMeeting(std::size_t later, SettledPairs settled, const Visit &visit) const
     {
@@ -52,8 +52,8 @@ private:
     static constexpr std::size_t together = 8;
     using Group = std::array<std::int32_t, together>;
 
-    /// Of the boxes first, first + 1, …: 0 where they stand before the later one and meet it here,
-    /// else −1. No difference leaves 32 bits.
+    /// For the boxes first, first + 1, …: 0 where they come before the later one and meet it here,
+    /// else −1. No difference exceeds 32 bits.
     Group apartFrom(std::size_t first, std::size_t later) const
     {
         const std::int32_t left = m_left[later], right = m_right[later];
@@ -71,7 +71,7 @@ private:
         return apart;
     }
 
-    /// Negative where they are apart or settled.
+    /// Negative where the boxes are apart or the pair is settled.
     Group openFrom(std::size_t first, std::size_t later, SettledPairs settled,
                    const Group &apart) const
     {
@@ -85,7 +85,7 @@ private:
         return open;
     }
 
-    // One after another, filled up to whole groups.
+    // One entry per box, padded to whole groups.
     std::vector<std::int32_t> m_left, m_right, m_low, m_high, m_nearest, m_farthest;
     std::vector<std::int32_t> m_outside; ///< 1: begins left of the tile, 2: below it
     std::vector<std::int32_t> m_inQuestion; ///< −1, else 0

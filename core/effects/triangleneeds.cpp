@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Compares a value between the vertices that a triangle carries something from.
+/// Compares values between the vertices that matter for drawing the triangle.
 class Carriers {
 public:
     explicit Carriers(const Triangle &triangle)
@@ -19,8 +19,7 @@ public:
     {
     }
 
-    /// Of a segment its ends, which its middle vertex only lies between; a point has what its first
-    /// vertex has.
+    /// A segment uses only its two ends, a point only its first vertex.
     template <class Vertices, class Value>
     bool differIn(const Vertices &vertices, Value value) const
     {
@@ -45,8 +44,8 @@ private:
     bool m_isPoint = false;
 };
 
-/// Whether light depends on where a sample is: a light far away shines everywhere alike, and so
-/// does its highlight for a viewer far away.
+/// Whether light depends on a sample's place: distant lights shine alike everywhere, and so do
+/// their highlights for a distant viewer.
 bool placeCounts(const Material &material, const Appearance &appearance)
 {
     const bool hasHighlight = material.specular != Colour{{0, 0, 0}};

@@ -12,7 +12,7 @@ void write(StagedSamples<N> &run)
     run.forEachPixel([&](QRgb &pixel, std::size_t i) { pixel = run.colour[i]; });
 }
 
-/// The triangle's one colour, which no stage before has changed: two stages in one, since there is
+/// Paints the triangle's one colour, which no stage has changed: two stages in one, since there is
 /// little else to do for such samples.
 template <class N>
 void paint(StagedSamples<N> &run)

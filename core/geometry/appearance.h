@@ -10,18 +10,18 @@
 #include <string>
 #include <vector>
 
-/// What a scene says of how its triangles look, beside their places and colours: materials, lights,
-/// depth and antialiasing. Values; kernels read them and never change them.
+/// How a scene's triangles look, apart from their positions and colours: materials, lights, depth
+/// and antialiasing. Plain values; kernels read them and never change them.
 namespace pixelplumb {
 
-/// How a texture is read between its texels, and outside of 0 … 1.
+/// How a texture is read between its texels, and outside 0 … 1.
 enum class TextureFilter : std::uint8_t { Nearest, Bilinear };
 enum class TextureWrap : std::uint8_t { Repeat, Clamp };
 
 /// A picture of texels, row 0 the lowest: texel (i, j) covers u in [i/width, (i+1)/width) and v in
 /// [j/height, (j+1)/height).
 struct Texture {
-    std::string name; ///< as the scene says it: "checker", "picture.png"
+    std::string name; ///< as named in the scene: "checker", "picture.png"
     std::int32_t width = 0;
     std::int32_t height = 0;
     std::vector<Colour> texels; ///< width * height, rows upward
@@ -63,7 +63,7 @@ struct Light {
     enum class Kind : std::uint8_t { Directional, Positional };
 
     Kind kind = Kind::Directional;
-    /// The direction in which it shines, of any length but 0, or the place where it stands.
+    /// The direction in which it shines, of any length but 0, or the place of the light.
     std::array<Attribute, 3> at = {};
     Colour colour = {{255, 255, 255}};
 
@@ -72,34 +72,43 @@ struct Light {
 
 inline constexpr std::size_t mostLights = 8;
 
-/// Where light is computed: once a triangle, at its vertices, or at every sample.
+/// Where light is computed: once per triangle, at its vertices, or at every sample.
 enum class Shading : std::uint8_t { Flat, Gouraud, Phong };
 
-/// Whether a sample is compared with what is nearest so far: where the scene calls for it, never,
-/// or always.
+/// Whether samples are tested against the nearest depth so far: where the scene calls for it,
+/// never, or always.
 enum class DepthUse : std::uint8_t { Auto, Off, On };
 
-/// What a depth buffer keeps: the kernel's own number, or an integer of so many bits, whose levels
-/// stand evenly from 0 (nearest) to 1; what is outside is clamped.
+/// What a depth buffer stores: the kernel's own number, or an integer of this many bits whose
+/// levels are evenly spaced from 0 (nearest) to 1; depths outside are clamped.
 enum class DepthFormat : std::uint8_t { Exact = 0, Bits16 = 16, Bits24 = 24, Bits32 = 32 };
 
-/// One sample a pixel; 4 or 16 samples, each with a colour and a depth of its own, averaged, in the
-/// pixels that an edge passes; or α times the exact area of the primitive in the pixel's square.
+/// One sample per pixel; 4 or 16 samples, each with its own colour and depth, averaged, in the
+/// pixels that an edge passes through; or α times the exact area of the primitive in the pixel's
+/// square.
 enum class Antialiasing : std::uint8_t { None, Samples4, Samples16, Area };
 
-/// All of it.
+/// Everything about how a scene looks.
 struct Appearance {
     std::vector<Material> materials;
     std::vector<Light> lights; ///< at most mostLights
-    Colour ambient = {{32, 32, 32}}; ///< #202020; counts where there is a light
+    Colour ambient = {{32, 32, 32}}; ///< #202020; used only where there is a light
     Shading shading = Shading::Phong;
     DepthUse depth = DepthUse::Auto;
     DepthFormat depthFormat = DepthFormat::Exact;
     Antialiasing antialiasing = Antialiasing::None;
-    /// Where the light's viewer stands (a perspective camera's eye), or the direction towards it.
+    /// Where the viewer for lighting stands (a perspective camera's eye), or the direction towards
+    /// it.
     Light::Kind viewerKind = Light::Kind::Directional;
     std::array<Attribute, 3> viewer = {0, 0, -attributeOne};
     EffectForcing forced;
+
+    /// Whether it asks for more than colours, whatever triangles carry.
+    bool asksForEffects() const
+    {
+        return depth == DepthUse::On || antialiasing != Antialiasing::None
+            || forced != EffectForcing{};
+    }
 
     friend bool operator==(const Appearance &, const Appearance &) = default;
 };

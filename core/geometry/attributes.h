@@ -7,10 +7,9 @@
 
 namespace pixelplumb {
 
-/// A number that a vertex carries beside its place in the frame and its colour: an integer of
-/// 2^-24, |value| <= 2^20. A format of its own, finer than the lattice of coordinates: u = 1/3 is
-/// moved by less than 2^-25. The exact kernels' products are bounded for it
-/// (resources/numerics.md).
+/// A number that a vertex carries besides its position in the frame and its colour: an integer in
+/// units of 2^-24, |value| <= 2^20. Finer than the lattice of coordinates: u = 1/3 moves by less
+/// than 2^-25. The exact kernels' products are bounded for this format (resources/numerics.md).
 using Attribute = std::int64_t;
 
 inline constexpr int attributeFractionBits = 24;
@@ -18,27 +17,27 @@ inline constexpr Attribute attributeOne = Attribute(1) << attributeFractionBits;
 inline constexpr Attribute largestAttributeValue = Attribute(1) << 20;
 inline constexpr Attribute largestAttribute = largestAttributeValue * attributeOne;
 
-/// What a vertex may carry beside its colour (Scan Conversion slides, "Interpolation During Scan
+/// What a vertex may carry besides its colour (Scan Conversion slides, "Interpolation During Scan
 /// Conversion"; Triangle Rasterization slides, "Projection of triangles").
 struct VertexAttributes {
     Attribute z = 0; ///< depth; smaller is nearer; 0 … 1 between a camera's planes
-    /// What the camera divided by, > 0; only its ratio to the other vertices' counts. Attributes
-    /// are interpolated as a/w and 1/w where it differs.
+    /// The divisor of the camera's projection, > 0; only its ratio to the other vertices' w
+    /// matters. Where w differs, attributes are interpolated as a/w and 1/w.
     Attribute w = attributeOne;
     std::array<Attribute, 2> texture = {}; ///< u, v
     std::array<Attribute, 3> normal = {}; ///< N_x, N_y, N_z; of any length
-    /// The point in the scene's space that light falls on; of a plain triangle (x, y, z), px.
+    /// The point in the scene's space that light falls on; for a plain triangle (x, y, z), px.
     std::array<Attribute, 3> place = {};
     std::uint8_t alpha = 255; ///< 0 transparent … 255 opaque
 
     friend constexpr bool operator==(const VertexAttributes &, const VertexAttributes &) = default;
 };
 
-/// No material: the vertices' colours alone.
+/// No material: the vertices' colours only.
 inline constexpr int noMaterial = -1;
 
 /// The attributes of one triangle of a scene. Lists of them are sparse, in ascending order: few
-/// triangles have any, and those without have zeros, w = 1 and alpha = 255.
+/// triangles have any, and the others have zeros, w = 1 and alpha = 255.
 struct TriangleAttributes {
     std::size_t triangle = 0; ///< its index
     std::array<VertexAttributes, 3> vertices;

@@ -8,14 +8,14 @@
 
 namespace pixelplumb {
 
-/// What a scene may call for beside covering samples with one colour.
+/// What a scene may call for beyond covering samples with one colour.
 enum class Effect : std::uint8_t {
     SmoothColour, ///< vertex colours differ
     Clipping, ///< a primitive crosses the frame's border or the near plane
     Depth, ///< a later triangle lies behind an earlier one
     Perspective, ///< w differs between vertices that carry something
     Texture,
-    Light, ///< computed at every sample, Phong shading; else in the colours, in set-up
+    Light, ///< computed at every sample (Phong shading); otherwise it is part of the set-up colours
     Blending, ///< an alpha below 255
     Antialiasing,
 };
@@ -37,9 +37,9 @@ struct PerEffect {
     friend constexpr bool operator==(const PerEffect &, const PerEffect &) = default;
 };
 
-/// What a person switched by hand, to see what it costs or changes; never in a file.
+/// A person's manual override, to see what an effect costs or changes; never in a file.
 enum class Forcing : std::uint8_t { AsCalledFor, On, Off };
-/// What then runs.
+/// Whether the effect runs.
 constexpr bool isForced(bool isCalledFor, Forcing forcing)
 {
     return forcing == Forcing::AsCalledFor ? isCalledFor : forcing == Forcing::On;

@@ -7,7 +7,7 @@
 
 namespace pixelplumb {
 
-/// A coordinate in lattice units: 1/256 px, as Direct3D's 8 bits of sub-pixel precision.
+/// A coordinate in lattice units: 1/256 px, like Direct3D's 8 bits of sub-pixel precision.
 using Lattice = std::int64_t;
 
 inline constexpr Lattice unitsPerPixel = 256;
@@ -17,7 +17,8 @@ inline constexpr Lattice halfPixel = unitsPerPixel / 2;
 inline constexpr Lattice largestPixel = Lattice(1) << 30;
 inline constexpr Lattice largestCoordinate = largestPixel * unitsPerPixel;
 
-/// Up to here (2^15 px) all exact products fit 64 bits (resources/numerics.md, 3.1 and 3.3).
+/// Up to this coordinate (2^15 px) all exact products fit 64 bits (resources/numerics.md, 3.1 and
+/// 3.3).
 inline constexpr Lattice largestNarrowCoordinate = (Lattice(1) << 15) * unitsPerPixel;
 
 /// A point on the lattice; ordered by x, then y, as the column scan sorts its vertices.

@@ -10,19 +10,20 @@ namespace pixelplumb {
 /// Why a primitive draws nothing.
 enum class PrimitiveRejection {
     ZeroArea, ///< no colour plane, and only the closed rule paints a segment or a point
-    OutsideFrame, ///< no sample of the frame lies within its bounding box, or in it
-    BetweenSamples, ///< the same of what reaches into the frame: told of a run, by no kernel
+    OutsideFrame, ///< no sample of the frame lies in its bounding box, or in the primitive itself
+    BetweenSamples, ///< it reaches into the frame but covers no sample; reported for a run, never
+                    ///< by a kernel
     NotRepresentable, ///< a coordinate does not fit the arithmetic (fixed 16.16: |c| < 2^15 px)
     VerticalLine, ///< y = m·x + b has no m
-    LineOfNoLength, ///< nor has it of a point
+    LineOfNoLength, ///< nor does a point
     NotOfThisMethod, ///< the method draws other kinds of primitives
     NotConvex, ///< a polygon that no fan of triangles tiles
     SelfCrossing, ///< edges of a polygon cross between vertices
-    NoOutline, ///< a text without a character that leaves a mark
-    FontMissing, ///< no outlines for a text
+    NoOutline, ///< a text with no visible character
+    FontMissing, ///< no outlines for a text: the font is missing
 };
 
-/// The reason, and where in the primitive it is seen.
+/// The reason, and where in the primitive it shows.
 struct Rejection {
     // NOLINTNEXTLINE(google-explicit-constructor): most reasons are seen nowhere in particular.
     Rejection(PrimitiveRejection why)
@@ -36,8 +37,8 @@ struct Rejection {
     }
 
     PrimitiveRejection reason;
-    /// The vertex at which a polygon is not convex; the ends of one edge and of the other that
-    /// cross. Counted from 0, as the scene's file has them; empty where no place is known.
+    /// The vertex at which a polygon is not convex, or the ends of the two edges that cross.
+    /// Counted from 0, as in the scene's file; empty where no place is known.
     std::vector<std::size_t> vertices;
 
     friend bool operator==(const Rejection &, const Rejection &) = default;

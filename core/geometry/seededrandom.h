@@ -7,8 +7,8 @@
 
 namespace pixelplumb {
 
-/// Whole numbers from a seed, the same on every machine: the standard's distributions differ
-/// between libraries.
+/// Seeded random integers, the same on every machine: the standard's distributions differ between
+/// libraries.
 class SeededRandom {
 public:
     explicit SeededRandom(std::uint64_t seed)

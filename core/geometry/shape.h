@@ -12,7 +12,7 @@
 
 namespace pixelplumb {
 
-/// What a primitive of a scene is (Rasterization slides, "Output Primitives").
+/// The kinds of primitives in a scene (Rasterization slides, "Output Primitives").
 enum class PrimitiveKind : std::uint8_t {
     Triangle,
     Point,
@@ -24,18 +24,18 @@ enum class PrimitiveKind : std::uint8_t {
     Text,
 };
 
-/// "triangle", "line", …: in files and in words.
+/// "triangle", "line", …: in files and in texts.
 QString nameOf(PrimitiveKind kind);
 
-/// What of a closed shape is painted.
+/// Which part of a closed shape is painted.
 enum class ShapeFill : std::uint8_t {
     Outline,
     EvenOdd, ///< inside where a ray crosses the boundary an odd number of times
     NonZero, ///< inside where the boundary winds around the sample
 };
 
-/// Any primitive but a triangle. Triangles stand apart, without a heap block each, because scenes
-/// hold millions of them.
+/// Any primitive but a triangle. Triangles are stored separately, without a heap block each,
+/// because scenes hold millions of them.
 struct Shape {
     PrimitiveKind kind = PrimitiveKind::Line;
     /// Point: one or more. Line: two. Circle, ellipse: the centre and a corner of the bounding box,
@@ -43,34 +43,33 @@ struct Shape {
     /// Polygon: the contours one after another; Bézier path: the pieces. Text: the baseline's
     /// start.
     std::vector<Vertex> vertices;
-    /// Of these: the index of each contour's, each piece's first vertex but the first's, which is
-    /// 0.
+    /// Indices into `vertices`: where each later contour or piece begins; the first begins at 0.
     std::vector<std::size_t> laterContours;
     ShapeFill fill = ShapeFill::Outline;
     std::string text; ///< UTF-8, of a text
-    /// Of a text: the font's size, lattice units; negative, for kernels, where y grows downward.
+    /// For a text: the font's size, lattice units; negative, for kernels, where y grows downward.
     Lattice textHeight = 0;
 
     friend bool operator==(const Shape &, const Shape &) = default;
 };
 
 /// What a method draws, in sample coordinates: the triangles in order, then the shapes in order.
-/// A primitive's index counts through both.
+/// Primitive indices count through both.
 struct Primitives {
     std::vector<Triangle> triangles;
     std::vector<Shape> shapes;
     std::vector<TriangleAttributes> attributes = {}; ///< sparse, ascending
     Appearance appearance = {};
-    /// Of the last triangles: those that a camera makes of solids. Their w is the view depth times
-    /// 2^wExponent.
+    /// The sources of the last triangles, those that a camera makes of solids. Their w is the view
+    /// depth times 2^wExponent.
     std::vector<TriangleSource> sources = {};
     int wExponent = 0;
-    /// Triangles that are pieces of a face which the near plane has cut; ascending.
+    /// Triangles that are pieces of a face cut by the near plane; ascending.
     std::vector<std::size_t> cutAtNear = {};
 
-    /// Where a triangle comes from; null where a scene gives it in the frame.
+    /// Where a triangle comes from; null if the scene gives it directly in the frame.
     const TriangleSource *sourceOf(std::size_t triangle) const;
-    /// Null where the triangle carries none.
+    /// Null where the triangle has no attributes.
     const TriangleAttributes *attributesOf(std::size_t triangle) const;
 
     std::size_t size() const { return triangles.size() + shapes.size(); }

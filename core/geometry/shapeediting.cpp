@@ -15,7 +15,7 @@ bool isRound(PrimitiveKind kind)
     return kind == PrimitiveKind::Circle || kind == PrimitiveKind::Ellipse;
 }
 
-/// The corner of the bounding box, up and to the right of the centre.
+/// The corner of the bounding box, above and to the right of the centre.
 LatticePoint cornerOf(PrimitiveKind kind, const LatticePoint &centre, const LatticePoint &wish)
 {
     Lattice right = std::max<Lattice>(1, std::abs(wish.x - centre.x));
@@ -25,8 +25,8 @@ LatticePoint cornerOf(PrimitiveKind kind, const LatticePoint &centre, const Latt
     return {centre.x + right, centre.y + up};
 }
 
-/// Of a Bézier path: the vertex at the joint where a piece ends or begins, in the piece beside it;
-/// none where they do not meet.
+/// For a Bézier path: at a joint where a piece ends or begins, the coinciding vertex of the
+/// neighbouring piece; none where the pieces do not meet.
 std::optional<std::size_t> besideJoint(const Shape &path, std::size_t vertex)
 {
     if (path.kind != PrimitiveKind::Bezier || path.laterContours.empty())
@@ -100,7 +100,7 @@ void moveVertex(Shape &shape, std::size_t vertex, const LatticePoint &position)
     if (vertex == 1) {
         const LatticePoint &centre = shape.vertices[0].position;
         LatticePoint wish = position;
-        // Of a circle's square the one coordinate that is changed takes the other along.
+        // In a circle's square, the one coordinate that changes takes the other along.
         if (shape.kind == PrimitiveKind::Circle && wish.y == corner.y)
             wish.y = centre.y + (wish.x - centre.x);
         else if (shape.kind == PrimitiveKind::Circle && wish.x == corner.x)

@@ -17,7 +17,7 @@ struct Vertex {
     friend constexpr bool operator==(const Vertex &, const Vertex &) = default;
 };
 
-/// Three vertices in the order in which the person gave them; kernels never reorder them.
+/// Three vertices in the order in which the user gave them; kernels never reorder them.
 struct Triangle {
     std::array<Vertex, 3> vertices;
 
@@ -37,9 +37,9 @@ constexpr Int128 doubledArea(const Triangle &triangle)
                        triangle.vertices[2].position);
 }
 
-/// The vertices' indices sorted by x, then y, then index: P0, P1, P2 of the assignment. Inlined by
-/// order: a call would read them back from memory in other words than it stored them in, and wait
-/// until every pixel before is stored.
+/// The vertices' indices sorted by x, then y, then index: P0, P1, P2 of the assignment.
+/// Force-inlined: a call would read them back from memory in words of another size than they were
+/// stored in, and stall until every earlier pixel is stored.
 [[gnu::always_inline]] inline constexpr std::array<int, 3> sortedByColumn(const Triangle &triangle)
 {
     std::array<int, 3> order = {0, 1, 2};
@@ -57,7 +57,7 @@ constexpr Int128 doubledArea(const Triangle &triangle)
     return order;
 }
 
-/// Which integer width the exact kernel needs for a primitive; chosen per primitive.
+/// The integer width that the exact kernel needs; chosen per primitive.
 enum class IntegerWidth { Bits64, Bits128 };
 
 constexpr IntegerWidth integerWidthFor(std::span<const Vertex> vertices)

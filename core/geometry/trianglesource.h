@@ -5,8 +5,7 @@
 
 namespace pixelplumb {
 
-/// Where a triangle of the frame comes from: a piece of the fan of the polygon that clipping makes
-/// of a face of a solid.
+/// Where a triangle of the frame comes from: a piece of the fan of a solid's clipped face.
 struct TriangleSource {
     std::uint32_t solid = 0;
     std::uint32_t face = 0;

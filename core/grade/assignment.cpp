@@ -24,11 +24,13 @@ QJsonObject assignedJson(const CheckPoints &points)
 
 QJsonObject assignedJson(const AssignedProgram &program)
 {
-    return {{QStringLiteral("file"), program.file},
-            {QStringLiteral("input"), nameOf(program.input)},
-            {QStringLiteral("seconds"), program.seconds},
-            {QStringLiteral("megabytes"), program.megabytes},
-            {QStringLiteral("outputMegabytes"), program.outputMegabytes}};
+    QJsonObject object{{QStringLiteral("input"), nameOf(program.input)},
+                       {QStringLiteral("seconds"), program.seconds},
+                       {QStringLiteral("megabytes"), program.megabytes},
+                       {QStringLiteral("outputMegabytes"), program.outputMegabytes}};
+    if (!program.file.isEmpty())
+        object.insert(QStringLiteral("file"), program.file);
+    return object;
 }
 
 } // namespace

@@ -9,8 +9,8 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int waitingShare = 64; // who computes less than 1/64 of its time waits
-constexpr int timesByClock = 64; // whatever is computed
+constexpr int waitingShare = 64; // computing less than 1/64 of the time limit counts as waiting
+constexpr int timesByClock = 64; // however much it computes
 
 } // namespace
 
@@ -28,11 +28,12 @@ std::optional<LateEnd> ProgramClock::look(std::chrono::milliseconds computed, Cl
         return LateEnd{false,
                        QStringLiteral("it was ended after %1 s of computing in all its processes")
                            .arg((m_limits.timesInAll * own).count())};
-    // How often it was looked at before depends on what else the machine does: it is not told.
+    // The number of earlier looks depends on the machine's load, so it is not reported.
     if (waitingShare * (computed - m_computedBefore) < own)
-        return LateEnd{true,
-                       QStringLiteral("it was ended by the clock: it had waited for %1 s")
-                           .arg(double(m_limits.wallTime().count()) / 1000)};
+        return LateEnd{
+            true,
+            QStringLiteral("it was ended by the clock: for %1 s it was not seen to compute")
+                .arg(double(m_limits.wallTime().count()) / 1000)};
     if (now >= m_start + timesByClock * own)
         return LateEnd{true,
                        QStringLiteral("it was ended after %1 s by the clock")

@@ -19,13 +19,13 @@
 
 namespace pixelplumb {
 
-/// A name in a folder that is open; no folder where there is none.
+/// A name in an open folder; the folder is not open where it does not exist.
 struct ResultsFolder::Place {
     Descriptor folder;
     QByteArray name;
     QString path;
 
-    /// Of what has the name, itself and not what it leads to; none where nothing has.
+    /// The mode of the entry itself, without following links; none where there is none.
     std::optional<mode_t> mode() const
     {
         struct stat status = {};
@@ -33,7 +33,7 @@ struct ResultsFolder::Place {
             return std::nullopt;
         return status.st_mode;
     }
-    /// Why what has the name is not ours to read or to replace.
+    /// Why the entry with this name is not ours to read or replace.
     std::optional<InputError> objection() const
     {
         const std::optional<mode_t> found = mode();
@@ -51,9 +51,9 @@ struct ResultsFolder::Place {
 namespace {
 
 constexpr int folderFlags = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
-constexpr mode_t everybody = 0777; // less what the user's mask takes
+constexpr mode_t everybody = 0777; // reduced by the user's umask
 
-/// Writes all of it and lets it reach the disk.
+/// Writes all content and flushes it to the disk.
 bool fill(int descriptor, const QByteArray &content)
 {
     for (qsizetype written = 0; written < content.size();) {
@@ -77,7 +77,7 @@ const QStringList &ResultsFolder::folders()
 
 QString ResultsFolder::pathOf(const QString &file) const { return QDir(m_path).filePath(file); }
 
-/// A folder in it that is none, or is missing, is an error.
+/// An error where the folder inside is missing, or is no folder.
 Result<ResultsFolder::Place> ResultsFolder::placeOf(const QString &file) const
 {
     const QString folder = file.section(u'/', 0, -2);
@@ -105,7 +105,7 @@ Result<Descriptor> ResultsFolder::take() const
         return InputError{m_path, QStringLiteral("another run is writing results to it"),
                           QStringLiteral("its end, or another folder")};
     if (errno == EOPNOTSUPP || errno == ENOLCK)
-        return folder; // on such a disk nobody is kept out
+        return folder; // on such a disk there is no locking
     return InputError{m_path, QStringLiteral("cannot be read: ") + qt_error_string(errno),
                       QStringLiteral("a folder")};
 }
@@ -148,6 +148,9 @@ Result<QByteArray> ResultsFolder::read(const QString &file) const
     if (!content.isOpen()
         || !device.open(content.number(), QIODevice::ReadOnly | QIODevice::Unbuffered))
         return place->error(QStringLiteral("cannot be read: "));
+    // Not recorded: a grade that is read may be replaced by a newer one.
+    if (auto refusal = refusalToRead(content.number()))
+        return *refusal;
     return readDevice(place->path, device, largestPictureFile);
 }
 

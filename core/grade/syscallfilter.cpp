@@ -55,26 +55,29 @@ private:
     bool m_hasFailed = false;
 };
 
-/// Memory of which no process' limit knows; programs that can do without it do so at ENOSYS.
+/// Memory outside every process's limit; programs that can do without fall back at ENOSYS.
 void denySharedMemory(FilterRules &rules)
 {
     for (const char *call : {"memfd_create", "memfd_secret", "io_uring_setup"})
         rules.deny(seccomp_syscall_resolve_name(call), ENOSYS);
     for (const char *call : {"shmget", "msgget", "semget", "mq_open"})
         rules.deny(seccomp_syscall_resolve_name(call), EPERM);
+    // A file in memory holds megabytes of attributes, which its file system does not count.
+    for (const char *call : {"setxattr", "lsetxattr", "fsetxattr", "setxattrat"})
+        rules.deny(seccomp_syscall_resolve_name(call), EOPNOTSUPP);
 }
 
-/// A condition on an argument of a call, by its place from 0. The macros of seccomp.h are C's.
+/// A condition on a call's argument, counted from 0. The macros of seccomp.h are C only.
 scmp_arg_cmp argument(unsigned place, scmp_compare comparison, scmp_datum_t datum,
                       scmp_datum_t second = 0)
 {
     return {place, comparison, datum, second};
 }
 
-/// In a namespace of users whoever made it may mount, and make devices of the network.
+/// Whoever makes a user namespace may mount and create network devices in it.
 void denyNamespaces(FilterRules &rules)
 {
-    rules.deny(SCMP_SYS(clone3), ENOSYS); // its flags are in memory: clone has them at hand
+    rules.deny(SCMP_SYS(clone3), ENOSYS); // its flags are in memory; clone has them in a register
     for (const int call : {SCMP_SYS(clone), SCMP_SYS(unshare)})
         rules.denyWhere(call, EPERM, argument(0, SCMP_CMP_MASKED_EQ, CLONE_NEWUSER, CLONE_NEWUSER));
     for (const char *call : {"setns", "mount", "umount2", "pivot_root", "fsopen", "move_mount",
@@ -82,8 +85,8 @@ void denyNamespaces(FilterRules &rules)
         rules.deny(seccomp_syscall_resolve_name(call), EPERM);
 }
 
-/// What no namespace keeps apart: files by number instead of by path, keys, counters of the
-/// processor, protocols such as those between virtual machines.
+/// What no namespace separates: files by number instead of by path, keys, processor counters,
+/// protocols such as those between virtual machines.
 void denyShared(FilterRules &rules)
 {
     for (const char *call :
@@ -101,7 +104,7 @@ void denyShared(FilterRules &rules)
     rules.denyWhere(SCMP_SYS(socket), EAFNOSUPPORT, argument(0, SCMP_CMP_GT, unsigned(lastDomain)));
 }
 
-/// Where there is no namespace of processes, a signal to all would end who started the program.
+/// Without a process namespace, a signal to all would end whoever started the program.
 void denyDisturbing(FilterRules &rules)
 {
     rules.denyWhere(SCMP_SYS(kill), EPERM, argument(0, SCMP_CMP_EQ, ~0U));

@@ -10,7 +10,7 @@ template <EdgeTestForm form>
 struct EdgeTestKernel : TriangleKernel,
                         InExactOrFloat<ExactPlane<std::int64_t>, ExactPlane<Int128>,
                                        FloatPlane<float>, FloatPlane<double>> {
-    /// Samples anywhere in the frame are tested, and the off-screen point.
+    /// The integers must hold samples anywhere in the frame, and the off-screen point.
     static IntegerWidth widthFor(const Triangle &triangle, const FrameView &frame)
     {
         const LatticePoint first = latticePixel(frame.firstColumn, frame.firstRow);
@@ -31,7 +31,7 @@ struct EdgeTestKernel : TriangleKernel,
     }
 };
 
-/// What all methods that test samples have in common.
+/// The common part of all methods that test samples.
 template <EdgeTestForm form>
 Method edgeTestMethod()
 {

@@ -18,7 +18,7 @@ public:
 
     const EdgeTestForm &form() const { return m_form; }
 
-    /// What stands after a coordinate or a level of a vertex: "₀", "_a"; in files "_0", "_a".
+    /// The suffix of a vertex's coordinates and levels: "₀", "_a"; in files "_0", "_a".
     QString vertex(std::size_t vertex) const;
     QString vertexId(std::size_t vertex) const;
     QString vertexLetter(std::size_t vertex) const; ///< "P₀", "a"
@@ -27,13 +27,13 @@ public:
     /// The weight of the vertex that faces a line: "α".
     QString weight(std::size_t line) const;
 
-    /// A text with {l} put in for the line, {from}, {to} and {opp} for its vertices, {letter} for
-    /// the last one's letter, {w} for the weight and {value} for its value; in sentences {edge} for
-    /// the edge's name, "P₀P₁" or "bc", and {facing} for that of the vertex that faces it.
+    /// A text with {l} replaced by the line, {from}, {to} and {opp} by its vertices, {letter} by
+    /// the letter of {opp}, {w} by the weight and {value} by its value; in sentences {edge} by the
+    /// edge's name, "P₀P₁" or "bc", and {facing} by that of the vertex that faces it.
     QString filled(QString text, std::size_t line) const;
     QString filledId(QString text, std::size_t line) const;
 
-    /// The line's equation at a point, with {l} and its fellows still to be filled in.
+    /// The line's equation at a point, its placeholders such as {l} not yet filled in.
     QString lineAt(const QString &x, const QString &y) const;
     /// How the numbers of the edges are found.
     QString linesText() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/edgetestnumbers.h"
 
+#include "core/methods/boxnumbers.h"
 #include "core/methods/channelnumbers.h"
 #include "core/methods/edgetestnames.h"
 #include "core/methods/formulatext.h"
@@ -14,7 +15,7 @@ namespace {
 
 using Group = NumberGroup;
 
-/// What decides about a sample of a triangle without an area: no edge does.
+/// What decides a sample of a triangle without area: no edge does.
 NumberRow<EdgeTestSampleState> segmentNumber()
 {
     using State = EdgeTestSampleState;
@@ -72,6 +73,7 @@ NumberTable<EdgeTestSpanState> edgeTestSpanNumbers(const EdgeTestForm &form)
     const bool isRow = form.order == LoopOrder::RowByRow;
     const QChar across = isRow ? u'y' : u'x';
     const QChar along = isRow ? u'x' : u'y';
+    const bool isBox = form.visited == VisitedSamples::BoundingBox;
     NumberTable<EdgeTestSpanState> table
         = {{triangleNumber(),
             [](const State &state) { return Quantity::integer(Int128(state.primitive)); }},
@@ -87,14 +89,24 @@ NumberTable<EdgeTestSpanState> edgeTestSpanNumbers(const EdgeTestForm &form)
              .toolTip = QStringLiteral("The first sample that is tested."),
              .formula = {},
              .group = Group::Span},
-            [](const State &state) { return Quantity::integer(state.firstTested); }},
+            [](const State &state) { return Quantity::integer(state.firstTested); },
+            [=](NumberDescription &number, const State &state) {
+                const BoxExtent &box = isRow ? state.x : state.y;
+                if (isBox)
+                    number.formula = firstInBoxFormula(along, box.rounding, box.firstClip());
+            }},
            {{.id = along + QStringLiteral("_max"),
              .title = along + QStringLiteral("_max"),
              .unit = unit::px(),
              .toolTip = QStringLiteral("The last sample that is tested."),
              .formula = {},
              .group = Group::Span},
-            [](const State &state) { return Quantity::integer(state.endTested - 1); }}};
+            [](const State &state) { return Quantity::integer(state.endTested - 1); },
+            [=](NumberDescription &number, const State &state) {
+                const BoxExtent &box = isRow ? state.x : state.y;
+                if (isBox)
+                    number.formula = lastInBoxFormula(along, box.rounding, box.lastClip());
+            }}};
     if (form.evaluation == Evaluation::EverySample)
         return table;
     if (!form.isBarycentric()) {

@@ -13,10 +13,10 @@ NumberTable<EdgeTestSetUpState> edgeTestSetUpNumbers(const EdgeTestForm &form);
 NumberTable<EdgeTestSpanState> edgeTestSpanNumbers(const EdgeTestForm &form);
 NumberTable<EdgeTestSampleState> edgeTestSampleNumbers(const EdgeTestForm &form);
 
-/// Who owns a sample exactly on an edge, and by which numbers the fill rule decides that.
+/// Appends who owns a sample exactly on an edge, and the numbers by which the fill rule decides.
 void appendTies(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &names);
 /// "1 of a left edge and of a level one at the top, else 0": the values of the ties in a listing.
-/// Empty of the off-screen point, which decides for each edge by a product.
+/// Empty for the off-screen point, which decides each edge by a product.
 QString ownersText(FillRule rule);
 
 } // namespace pixelplumb

@@ -6,8 +6,8 @@
 
 #include <QStringList>
 
-/// The listings of the methods that test samples. A test runs every line from the box on: names are
-/// those of the numbers' tables, and what is done to one edge, weight or channel is done to the
+/// The listings of the methods that test samples. A test runs every line from the box on: the names
+/// are those of the numbers' tables, and what is done to one edge, weight or channel is done to the
 /// others "likewise".
 namespace pixelplumb {
 
@@ -44,12 +44,12 @@ private:
     {
         m_code.push_back({.depth = depth, .text = text, .moments = moments, .of = of});
     }
-    /// What is done where the edges decide.
+    /// Adds a line that runs where the edges decide.
     void addOfArea(int depth, const QString &text, const std::vector<Moment> &moments)
     {
         add(depth, text, moments, LineOf::Area);
     }
-    /// What is done of a triangle without an area, which the closed rule alone draws.
+    /// Adds a line for a triangle without area, which only the closed rule draws.
     void addOfSegment(int depth, const QString &text, const std::vector<Moment> &moments)
     {
         add(depth, text, moments, LineOf::Segment);
@@ -59,7 +59,7 @@ private:
         }
     }
 
-    /// What is done for the line 0, and likewise for the two others.
+    /// What is done for line 0, and likewise for the two others.
     QString alike(const QString &pattern, const QString &name) const
     {
         return m_names.filled(pattern, 0)
@@ -114,7 +114,7 @@ private:
         add(0, QStringLiteral("if no sample is to be drawn: done"), {Rejected});
     }
 
-    /// Of which edges a sample exactly on them is the triangle's.
+    /// Says which edges give the triangle a sample exactly on them.
     void addTies()
     {
         add(0, tiesText(FillRule::Closed), {SetUp});
@@ -140,8 +140,8 @@ private:
         addPixel();
     }
 
-    /// As the slide has currEELS beside currEE: the numbers of a line's start are kept, and each
-    /// line sets out from them.
+    /// Like currEELS next to currEE on the slide: the numbers at a line's start are kept, and the
+    /// next line starts from them.
     void addIncrementalLoops()
     {
         const QString start = isRowByRow() ? QStringLiteral("row") : QStringLiteral("column");
@@ -178,7 +178,7 @@ private:
         return three(axis == QStringLiteral("x") ? QStringLiteral("a{l}") : QStringLiteral("b{l}"));
     }
 
-    /// At the box's first sample.
+    /// Evaluates at the box's first sample.
     void addStart()
     {
         const QString value = m_names.lineAt(QStringLiteral("x_min"), QStringLiteral("y_min"));
@@ -219,7 +219,7 @@ private:
             m_code.back().ruled.push_back({rule, testText(rule)});
     }
 
-    /// The colour along a segment, and the pixel of either.
+    /// The colour along a segment, and the pixel in either case.
     void addPixel()
     {
         addOfSegment(2,
@@ -241,7 +241,7 @@ private:
             + QStringLiteral("; G and B likewise");
     }
 
-    /// What makes a sample exactly on a line one of the triangle's.
+    /// What gives the triangle a sample exactly on a line.
     QString tieText(FillRule rule) const
     {
         return rule == FillRule::OffScreenPoint ? QStringLiteral("{value}({letter})·{value}(r) > 0")
@@ -266,7 +266,7 @@ private:
         return QStringLiteral("if ") + alike(within, name) + u':';
     }
 
-    /// u, v and w have no cycle: the third test is that of the sum.
+    /// u, v and w have no cycle: the third test is on the sum.
     QString cramerText(FillRule rule) const
     {
         if (rule == FillRule::Closed)

@@ -33,15 +33,15 @@ struct EdgeTestRecording : EdgeTestNumbers<A> {
         return table;
     }
 
-    static EdgeTestSetUpState stateOf(const SetUpInHand<SetUp> &step)
+    static EdgeTestSetUpState stateOf(const CurrentSetUp<SetUp> &step)
     {
         return edgeTestStateOf<A, form>(step.setUp);
     }
-    static EdgeTestSpanState stateOf(const SpanInHand<SetUp, Span> &step)
+    static EdgeTestSpanState stateOf(const CurrentSpan<SetUp, Span> &step)
     {
         return edgeTestStateOf<A>(step);
     }
-    static EdgeTestSampleState stateOf(const SampleInHand<SetUp, Span, Sample> &step)
+    static EdgeTestSampleState stateOf(const CurrentSample<SetUp, Span, Sample> &step)
     {
         return edgeTestStateOf<A, form>(step);
     }
@@ -52,7 +52,7 @@ struct EdgeTestRecording : EdgeTestNumbers<A> {
     }
     static bool isClamped(const Sample &sample) { return sample.isClamped(); }
 
-    /// Edge functions have the names of the vertices already.
+    /// Only for barycentric forms: edge functions already use the vertices' names.
     template <class State>
     static auto tell(StepWords &words, const State &state)
         -> decltype(tellBarycentric(words, state, form))
@@ -78,7 +78,7 @@ struct EdgeTestRecording : EdgeTestNumbers<A> {
         record.level = sample.level;
     }
 
-    /// Tests the samples of a frame of this one span once more with the same numbers.
+    /// Tests this one span again, in a frame of its own, with the same numbers.
     template <class Observer>
     static void walk(const SetUp &setUp, const Span &span, const ScanSettings &settings,
                      Observer observer)

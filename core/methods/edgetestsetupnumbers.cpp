@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/boxnumbers.h"
 #include "core/methods/channelnumbers.h"
 #include "core/methods/edgetestnames.h"
 #include "core/methods/edgetestnumbers.h"
@@ -45,7 +46,7 @@ void appendColours(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &
             });
 }
 
-/// A line through (0, 0) has the determinant 0: the solved form chooses c = 0 and does not divide.
+/// A line through (0, 0) has determinant 0: the solved form then takes c = 0 and does not divide.
 void specifyThroughOrigin(NumberDescription &number, const QString &divisor)
 {
     if (!number.formula.contains(divisor))
@@ -155,7 +156,7 @@ void appendCramer(NumberTable<EdgeTestSetUpState> &table)
                      std::mem_fn(&EdgeTestSetUpState::determinant)});
 }
 
-/// What the weights and levels change by.
+/// The increments of the weights and levels.
 void appendRates(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &names)
 {
     for (const char16_t axis : {u'x', u'y'}) {
@@ -201,6 +202,7 @@ NumberTable<EdgeTestSetUpState> edgeTestSetUpNumbers(const EdgeTestForm &form)
     const EdgeTestNames names(form);
     NumberTable<EdgeTestSetUpState> table;
     appendVertices(table, names);
+    appendBox(table, names);
     if (form.inside == InsideTest::Cramer)
         appendCramer(table);
     for (std::size_t line = 0; line < 3 && form.inside != InsideTest::Cramer; ++line)

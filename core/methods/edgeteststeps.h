@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/scan/edgetestsetup.h"
-#include "core/trace/stepinhand.h"
+#include "core/trace/currentstep.h"
+
+#include <optional>
 
 /// What the tables of edge tests read: the kernel's numbers as quantities, so that one table serves
 /// every arithmetic.
@@ -17,21 +19,49 @@ struct EdgeTestLineState {
     Quantity sidedness; ///< at the vertex that faces the edge, before a flip
     Quantity a, b, c;
     Quantity atOpposite;
-    /// At the off-screen point, and that times atOpposite; none where no rule asks for it.
+    /// The value at the off-screen point, and its product with atOpposite; none under other rules.
     Quantity atRulesPoint, tieProduct;
 
     /// Whether the solved form found no solution.
     bool passesOrigin() const { return determinant.toDouble() == 0; }
 };
 
+/// The samples of the box along one axis, tested and before they are clipped to the frame.
+struct BoxExtent {
+    std::int64_t first = 0, end = 0;
+    std::int64_t visitedFirst = 0, visitedEnd = 0;
+    BoxRounding rounding = BoxRounding::None;
+
+    /// The sample at the frame's border where the box is clipped there.
+    std::optional<std::int64_t> firstClip() const
+    {
+        return first == visitedFirst ? std::nullopt : std::optional(first);
+    }
+    std::optional<std::int64_t> lastClip() const
+    {
+        return end == visitedEnd ? std::nullopt : std::optional(end - 1);
+    }
+};
+
+/// Along x or y.
+template <class A>
+BoxExtent boxExtentOf(const EdgeTestSetUp<A> &setUp, QChar axis)
+{
+    const SampleBox &tested = setUp.tested, &visited = setUp.visited;
+    return axis == u'x'
+        ? BoxExtent{tested.firstX, tested.endX, visited.firstX, visited.endX, setUp.boxRounding}
+        : BoxExtent{tested.firstY, tested.endY, visited.firstY, visited.endY, setUp.boxRounding};
+}
+
 struct EdgeTestSetUpState {
     std::array<Vertex, 3> vertices;
     bool zeroArea = false;
     ThreeQuantities x, y; ///< of the vertices, px
+    BoxExtent across; ///< rows or columns
     std::array<EdgeTestLineState, 3> lines;
     FillRule rule = FillRule::Closed;
-    int down = -1; ///< the step of y that goes down as seen
-    Quantity rulesX, rulesY; ///< of the off-screen point, px; none where no rule asks for it
+    int down = -1; ///< the step of y that goes down on the screen
+    Quantity rulesX, rulesY; ///< of the off-screen point, px; none under other rules
     std::array<bool, 3> ownsTie = {};
     Quantity xAC, yAC, xBC, yBC; ///< of Cramer's rule, px
     Quantity determinant; ///< |A − C, B − C|, px²
@@ -42,11 +72,12 @@ struct EdgeTestSetUpState {
 struct EdgeTestSpanState {
     std::size_t primitive = 0;
     std::int64_t coordinate = 0;
+    BoxExtent x, y; ///< of the whole box
     std::int64_t firstTested = 0, endTested = 0;
     ThreeQuantities value, weight, colour; ///< at the first tested sample, where incremental
 };
 
-/// The numbers of a sample; none where a segment decided, but for the colour.
+/// The numbers of a sample; where a segment decided, none but the colour.
 struct EdgeTestSampleState {
     ThreeQuantities value, weight;
     ThreeQuantities colour; ///< levels, before rounding
@@ -82,7 +113,7 @@ EdgeTestLineState edgeTestStateOf(const EdgeLine<A> &edge, typename A::Number at
     return state;
 }
 
-/// What the rule off-screen-point looks at; left none under every other one.
+/// Adds the rule and its ties; the numbers of the off-screen point stay none under other rules.
 template <class A, EdgeTestForm form>
 void addTies(EdgeTestSetUpState &state, const EdgeTestSetUp<A> &setUp)
 {
@@ -110,13 +141,14 @@ EdgeTestSetUpState edgeTestStateOf(const EdgeTestSetUp<A> &setUp)
     EdgeTestSetUpState state;
     state.vertices = setUp.vertices;
     state.zeroArea = setUp.zeroArea;
+    state.across = boxExtentOf(setUp, form.order == LoopOrder::RowByRow ? u'y' : u'x');
     for (std::size_t i = 0; i < 3; ++i) {
         state.x[i] = length(A::length(setUp.vertices[i].position.x));
         state.y[i] = length(A::length(setUp.vertices[i].position.y));
         state.lines[i] = edgeTestStateOf(setUp.lines[i], setUp.atOpposite[i]);
     }
     addTies<A, form>(state, setUp);
-    // Of Cramer's rule the lines bc and ca are what A − C and B − C span.
+    // In Cramer's rule A − C and B − C span the lines ca and bc.
     const typename A::Number zero(0);
     state.xAC = length(zero - setUp.lines[1].b);
     state.yAC = length(setUp.lines[1].a);
@@ -133,7 +165,7 @@ EdgeTestSetUpState edgeTestStateOf(const EdgeTestSetUp<A> &setUp)
 }
 
 template <class A>
-EdgeTestSpanState edgeTestStateOf(const SpanInHand<EdgeTestSetUp<A>, EdgeTestSpan<A>> &step)
+EdgeTestSpanState edgeTestStateOf(const CurrentSpan<EdgeTestSetUp<A>, EdgeTestSpan<A>> &step)
 {
     const EdgeTestSpan<A> &span = step.span;
     EdgeTestSpanState state;
@@ -141,6 +173,8 @@ EdgeTestSpanState edgeTestStateOf(const SpanInHand<EdgeTestSetUp<A>, EdgeTestSpa
     state.coordinate = span.coordinate;
     state.firstTested = span.firstTested;
     state.endTested = span.endTested;
+    state.x = boxExtentOf(step.setUp, u'x');
+    state.y = boxExtentOf(step.setUp, u'y');
     if (step.setUp.zeroArea)
         return state; // no edge tests a segment
     for (std::size_t line = 0; line < 3; ++line)
@@ -150,7 +184,7 @@ EdgeTestSpanState edgeTestStateOf(const SpanInHand<EdgeTestSetUp<A>, EdgeTestSpa
     return state;
 }
 
-/// A sample has a colour where it is covered; where colours are stepped like weights, everywhere.
+/// A sample has a colour if it is covered or, where colours are stepped like weights, everywhere.
 template <class A, EdgeTestForm form>
 ThreeQuantities edgeTestColourOf(const TestedSample<A> &sample)
 {
@@ -161,7 +195,7 @@ ThreeQuantities edgeTestColourOf(const TestedSample<A> &sample)
 
 template <class A, EdgeTestForm form>
 EdgeTestSampleState edgeTestStateOf(
-    const SampleInHand<EdgeTestSetUp<A>, EdgeTestSpan<A>, TestedSample<A>> &step)
+    const CurrentSample<EdgeTestSetUp<A>, EdgeTestSpan<A>, TestedSample<A>> &step)
 {
     const TestedSample<A> &sample = step.sample;
     EdgeTestSampleState state;

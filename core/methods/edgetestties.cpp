@@ -18,8 +18,8 @@ QString productTitle(const EdgeTestNames &names, std::size_t line)
     return names.filled(QStringLiteral("{value}({letter})·{value}(r)"), line);
 }
 
-/// The edge's function at a point. Cramer's rule has no coefficients of it: its own is counted from
-/// C, or from the edge's first end where that is no end of it.
+/// The edge's function at a point. Cramer's rule has no coefficients for it: its own counts from C,
+/// or from the edge's first end if C is not an end of it.
 QString valueFormula(const EdgeTestNames &names, std::size_t line, const QString &point)
 {
     const QString x = QStringLiteral("x") + point;
@@ -45,7 +45,7 @@ NumberRow<State> pointNumber(QChar axis, Quantity State::*coordinate)
             std::mem_fn(coordinate)};
 }
 
-/// What the rule off-screen-point looks at on which side of an edge r lies.
+/// How the off-screen-point rule finds on which side of an edge r lies.
 void appendSides(NumberTable<State> &table, const EdgeTestNames &names, std::size_t line)
 {
     const auto filled
@@ -84,8 +84,8 @@ void appendSides(NumberTable<State> &table, const EdgeTestNames &names, std::siz
          [line](const State &state) { return state.lines[line].tieProduct; }});
 }
 
-/// By what a rule that displaces samples decides: the coefficient along the displacement, or that
-/// across it where the first is 0. Empty of Cramer's rule, which has none.
+/// What decides under a rule that displaces samples: the coefficient along the displacement, or the
+/// one across it where the first is 0. Empty for Cramer's rule, which has none.
 QString displacedCondition(const EdgeTestNames &names, std::size_t line, const State &state)
 {
     const EdgeTestLineState &edge = state.lines[line];
@@ -96,7 +96,7 @@ QString displacedCondition(const EdgeTestNames &names, std::size_t line, const S
     const bool isByY = isTopLeft == turns;
     if ((isByY ? edge.b : edge.a).toDouble() == 0)
         return {};
-    // The rule top-left goes down as seen where an edge is level.
+    // The rule top-left goes down on the screen where an edge is level.
     const bool isNegative = isTopLeft && isByY && state.down < 0;
     const QString coefficient = isByY ? QStringLiteral("b{l}") : QStringLiteral("a{l}");
     const QString decided

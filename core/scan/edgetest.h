@@ -11,10 +11,10 @@
 /// Scan conversion by testing samples: each is inside or outside by three edge functions (Scan
 /// Conversion slides, "Edge Equations: Code") or by the three weights that they give (Triangles
 /// slides, "for all x do for all y do"; Rasterization slides, "Barycentric Coordinates of P (2D)").
-/// One kernel; a form says which of the slides' variants it is.
+/// One kernel serves all; its EdgeTestForm says which of the slides' variants it is.
 namespace pixelplumb {
 
-/// What is made of a sample of a triangle of zero area, of which edge functions say nothing.
+/// A sample of a triangle of zero area, about which edge functions say nothing.
 template <class A>
 TestedSample<A> segmentSampleAt(const DegenerateSegment &segment, std::int64_t x, std::int64_t y)
 {
@@ -30,8 +30,8 @@ TestedSample<A> segmentSampleAt(const DegenerateSegment &segment, std::int64_t x
     return sample;
 }
 
-/// Colours those samples of a span that are inside. Inlined by order, as what calls it is: a call
-/// would keep the innermost numbers in memory.
+/// Colours the samples of a span that are inside. Forced inline, like its callers: a call would
+/// keep the innermost numbers in memory.
 template <class A, EdgeTestForm form, class Observer, class SampleAt>
 [[gnu::always_inline]] inline void colourSpan(const EdgeTestSpan<A> &span, ByteRounding rounding,
                                               FrameView frame, Observer observer, SampleAt sampleAt)
@@ -77,7 +77,7 @@ template <class A, EdgeTestForm form, class Observer>
         });
 }
 
-/// The same of a triangle that has none.
+/// Tests the samples of one span of a triangle of zero area.
 template <class A, EdgeTestForm form, class Observer>
 void testSegmentSpan(const EdgeTestSetUp<A> &setUp, const EdgeTestSpan<A> &span,
                      ByteRounding rounding, FrameView frame, Observer observer)
@@ -88,8 +88,7 @@ void testSegmentSpan(const EdgeTestSetUp<A> &setUp, const EdgeTestSpan<A> &span,
     });
 }
 
-/// Walks a span again, alone, with the same numbers: the set-up and the span's numbers are all that
-/// it reads.
+/// Walks a span again, alone, with the same numbers: it reads only the set-up and the span.
 template <class A, EdgeTestForm form, class Observer>
 void testSpan(const EdgeTestSetUp<A> &setUp, const EdgeTestSpan<A> &span, ByteRounding rounding,
               FrameView frame, Observer observer)
@@ -100,7 +99,7 @@ void testSpan(const EdgeTestSetUp<A> &setUp, const EdgeTestSpan<A> &span, ByteRo
         testTriangleSpan(SpanWalker<A, form>(setUp), span, rounding, frame, observer);
 }
 
-/// Walks the spans of the box, from the first on; `test(span)` tests the samples of one.
+/// Walks the spans of the box; `test(span)` tests the samples of one.
 template <class A, EdgeTestForm form, class Observer, class Test, class Step>
 [[gnu::always_inline]] inline void walkSpans(const EdgeTestSetUp<A> &setUp, EdgeTestSpan<A> span,
                                              Observer observer, Test test, Step stepToNext)
@@ -121,8 +120,8 @@ template <class A, EdgeTestForm form, class Observer, class Test, class Step>
     }
 }
 
-/// A triangle of zero area. Its set-up is a copy, so that the numbers of all others can stay in
-/// registers.
+/// Tests a triangle of zero area. Its set-up is a copy, so that the numbers of all other triangles
+/// can stay in registers.
 template <class A, EdgeTestForm form, class Observer>
 [[gnu::noinline]] void testSegment(EdgeTestSetUp<A> setUp, ByteRounding rounding, FrameView frame,
                                    Observer observer)
@@ -133,7 +132,7 @@ template <class A, EdgeTestForm form, class Observer>
     walkSpans<A, form>(setUp, {}, observer, test, [](EdgeTestSpan<A> &) {});
 }
 
-/// The test of one triangle's samples.
+/// Tests the samples of one triangle.
 template <class A, EdgeTestForm form, ScanObserver<EdgeTestNumbers<A>> Observer>
 void testSamples(const Triangle &triangle, const ScanSettings &settings, FrameView frame,
                  Observer observer)

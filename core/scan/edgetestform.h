@@ -5,13 +5,13 @@
 
 namespace pixelplumb {
 
-/// Whether a number is computed anew for each sample or by adding to the one before.
+/// Whether numbers are computed anew for each sample or by increments.
 enum class Evaluation { EverySample, Increments };
 
-/// What says that a sample is inside. Every test but the first divides each edge's value by its
-/// value at the opposite vertex, which gives the weight of that vertex. Signs: Scan Conversion
-/// slides, "Edge Equations: Code". UnitInterval and NonNegative: Triangles slides, "Optimizations?"
-/// before and after. Cramer: Rasterization slides, "Cramer's Rule".
+/// What makes a sample inside. Every test but the first divides each edge's value by its value at
+/// the opposite vertex, which gives the weight of that vertex. Signs: Scan Conversion slides, "Edge
+/// Equations: Code". UnitInterval and NonNegative: Triangles slides, "Optimizations?" before and
+/// after. Cramer: Rasterization slides, "Cramer's Rule".
 enum class InsideTest {
     Signs, ///< E₀, E₁ and E₂ not negative, their sides flipped to be positive inside
     UnitInterval, ///< α, β and γ within [0, 1]
@@ -31,7 +31,7 @@ enum class LoopOrder {
     ColumnByColumn, ///< for x, for y: as barycentric coordinates are printed
 };
 
-/// A method that tests samples one by one: what the literal and the stable ones differ in.
+/// The choices in which the literal and the stable sample-testing methods differ.
 struct EdgeTestForm {
     LineForm line = LineForm::Absolute;
     Evaluation evaluation = Evaluation::EverySample;
@@ -44,14 +44,14 @@ struct EdgeTestForm {
     friend constexpr bool operator==(const EdgeTestForm &, const EdgeTestForm &) = default;
 };
 
-// Scan Conversion slides, "Edge Equations: Code", and what keeps it exact.
+// Scan Conversion slides, "Edge Equations: Code", and the form that keeps it exact.
 inline constexpr EdgeTestForm edgeEquationsForm = {};
 inline constexpr EdgeTestForm incrementalEdgeEquationsForm = {.evaluation = Evaluation::Increments};
 inline constexpr EdgeTestForm solvedEdgeEquationsForm = {.line = LineForm::Solved};
 inline constexpr EdgeTestForm canonicalEdgeEquationsForm = {.line = LineForm::CanonicalEnd};
 
-// Triangles slides, "for all x do for all y do" to "dealing with shared triangle edges", and what
-// keeps it exact.
+// Triangles slides, "for all x do for all y do" to "dealing with shared triangle edges", and the
+// form that keeps it exact.
 inline constexpr EdgeTestForm allSamplesBarycentricForm = {.inside = InsideTest::UnitInterval,
                                                            .visited = VisitedSamples::Frame,
                                                            .order = LoopOrder::ColumnByColumn};

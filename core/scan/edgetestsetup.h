@@ -6,10 +6,10 @@
 
 namespace pixelplumb {
 
-/// Which edge a line of the set-up is, from vertex to vertex, and which vertex faces it. Edge
-/// equations count E₀ = [P₀P₁], E₁ = [P₁P₂], E₂ = [P₂P₀] (Scan Conversion slides, "Edge
-/// Equations"); barycentric coordinates count by the vertex that a weight belongs to: α faces bc, β
-/// faces ca, γ faces ab (Triangles slides).
+/// The ends of a line of the set-up, and the vertex that faces it. Edge equations number E₀ =
+/// [P₀P₁], E₁ = [P₁P₂], E₂ = [P₂P₀] (Scan Conversion slides, "Edge Equations"); barycentric
+/// coordinates number by the vertex that a weight belongs to: α faces bc, β faces ca, γ faces ab
+/// (Triangles slides).
 struct EdgeEnds {
     std::size_t from, to, opposite;
 };
@@ -27,7 +27,7 @@ constexpr int signOf(Number number)
 }
 
 /// Whether a sample exactly on a line is inside. The closed rule draws it, the open one does not;
-/// the others look to which side the rule's displacement takes it, or on which side of the line the
+/// the others ask to which side the rule's displacement moves it, or on which side of the line the
 /// off-screen point lies.
 template <class A, EdgeTestForm form>
 [[gnu::always_inline]] inline bool ownsTie(const EdgeTestSetUp<A> &setUp, std::size_t line,
@@ -52,7 +52,7 @@ template <class A, EdgeTestForm form>
     return false;
 }
 
-/// A level of the vertices weighted: α·R_a + β·R_b + γ·R_c.
+/// A channel's level weighted from the vertices: α·R_a + β·R_b + γ·R_c.
 template <class A>
 typename A::Ratio weightedLevel(const EdgeTestSetUp<A> &setUp,
                                 const std::array<typename A::Ratio, 3> &weight, std::size_t channel)
@@ -78,7 +78,6 @@ template <class A>
     setUp.colourPerY = colour(setUp.weightPerY);
 }
 
-/// One line of the set-up.
 template <class A, EdgeTestForm form>
 [[gnu::always_inline]] inline void setLine(EdgeTestSetUp<A> &setUp, std::size_t line,
                                            const BoundaryRule &rule)
@@ -98,8 +97,8 @@ template <class A, EdgeTestForm form>
     setUp.ownsTie[line] = ownsTie<A, form>(setUp, line, rule);
 }
 
-/// Inlined by order, and without loops over the lines: a kernel's innermost numbers stay in
-/// registers only where nothing looks for them by an index.
+/// Forced inline, and without loops over the lines: a kernel's innermost numbers stay in registers
+/// only if nothing indexes them.
 template <class A, EdgeTestForm form>
 [[gnu::always_inline]] inline EdgeTestSetUp<A> edgeTestSetUp(const Triangle &triangle,
                                                              const BoundaryRule &rule,
@@ -112,10 +111,12 @@ template <class A, EdgeTestForm form>
     setUp.zeroArea = doubledArea(triangle) == 0;
     setUp.visited
         = form.visited == VisitedSamples::Frame ? samplesOf(frame) : boundingBoxOf(triangle);
-    // One question a triangle: who is right pays no more.
+    // One test per triangle: the correct box costs nothing more.
     if (form.visited == VisitedSamples::BoundingBox && variants.contains(Variant::RoundedBox)) {
         const auto [least, greatest] = boundingCornersOf(triangle);
         setUp.visited = roundedSamplesIn(least, greatest, frame.pixelCentre);
+        setUp.boxRounding = frame.pixelCentre == PixelCentre::Half ? BoxRounding::HalfCentres
+                                                                   : BoxRounding::IntegerCentres;
     }
     setUp.tested = intersection(setUp.visited, samplesOf(frame));
     setLine<A, form>(setUp, 0, rule);

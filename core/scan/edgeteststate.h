@@ -24,10 +24,10 @@ inline SampleBox samplesIn(const LatticePoint &least, const LatticePoint &greate
             floorPixel(greatest.y) + 1};
 }
 
-/// The same as the slides round it (Triangle Rasterization slides, "Triangle rasterization
-/// implementation guidelines"): left = (int)(x_min + .5), right = (int)(x_max - .5), in the scene's
-/// coordinates. With pixel centres at halves it loses those on x_min and y_min alone; with centres
-/// on whole numbers up to half a pixel. (int) rounds towards 0.
+/// Like samplesIn(), rounded as on the slides (Triangle Rasterization slides, "Triangle
+/// rasterization implementation guidelines"): left = (int)(x_min + .5), right = (int)(x_max - .5),
+/// in the scene's coordinates. With pixel centres at halves it loses only the samples on x_min and
+/// y_min; with centres on whole numbers up to half a pixel. (int) rounds towards 0.
 inline SampleBox roundedSamplesIn(const LatticePoint &least, const LatticePoint &greatest,
                                   PixelCentre pixelCentre)
 {
@@ -37,6 +37,10 @@ inline SampleBox roundedSamplesIn(const LatticePoint &least, const LatticePoint 
     const auto end = [&](Lattice to) { return whole(to + offset - halfPixel) + 1; };
     return {first(least.x), end(greatest.x), first(least.y), end(greatest.y)};
 }
+
+/// How the box of the vertices becomes samples: as samplesIn(), or as roundedSamplesIn() for one of
+/// the pixel centres.
+enum class BoxRounding : std::uint8_t { None, IntegerCentres, HalfCentres };
 
 /// The corners of the bounding box of the vertices, lattice units: the least and the greatest.
 inline std::pair<LatticePoint, LatticePoint> boundingCornersOf(const Triangle &triangle)
@@ -76,23 +80,24 @@ struct EdgeTestSetUp {
     std::array<Vertex, 3> vertices;
     bool zeroArea = false;
     SampleBox visited; ///< unclipped
+    BoxRounding boxRounding = BoxRounding::None;
     SampleBox tested; ///< clipped to the frame
     std::array<EdgeLine<A>, 3> lines;
     std::array<Number, 3> atOpposite = {}; ///< each line's value at the vertex that faces it
     std::array<std::array<typename A::Level, 3>, 3> facing = {}; ///< that vertex's R G B
-    BoundaryRule rule = FillRule::Closed; ///< by which the next are decided
+    BoundaryRule rule = FillRule::Closed; ///< decides ownsTie
     std::array<bool, 3> ownsTie = {}; ///< whether a sample exactly on the line is inside
     // Where weights and colours are incremental: their changes for each step of x and of y.
     std::array<Ratio, 3> weightPerX = {}, weightPerY = {};
     std::array<Ratio, 3> colourPerX = {}, colourPerY = {};
 };
 
-/// What one sample was tested by and what coloured it.
+/// The numbers that tested and coloured one sample.
 template <class A>
 struct TestedSample {
     std::array<typename A::Number, 3> value = {}; ///< of each line
     std::array<typename A::Ratio, 3> weight = {}; ///< of the vertex that faces each line
-    std::array<typename A::Ratio, 3> colour = {}; ///< levels, of a covered sample
+    std::array<typename A::Ratio, 3> colour = {}; ///< levels, if covered
     std::array<std::int64_t, 3> level = {}; ///< rounded, before clamping to 0 … 255
     bool covered = false;
     bool ofSegment = false; ///< decided by the segment alone

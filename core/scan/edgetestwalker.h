@@ -6,7 +6,7 @@
 
 namespace pixelplumb {
 
-/// The value of one line at every step along a span, as the form computes it.
+/// Computes the samples along a span, as the form prescribes.
 template <class A, EdgeTestForm form>
 class SpanWalker {
 public:
@@ -23,8 +23,8 @@ public:
     {
     }
 
-    /// What the form makes of a sample: by its coordinates, or by the numbers that the increments
-    /// have reached.
+    /// A sample as the form computes it: from its coordinates, or from the numbers that the
+    /// increments have reached.
     [[gnu::always_inline]] Sample sampleAt(std::int64_t x, std::int64_t y,
                                            const EdgeTestSpan<A> &numbers) const
     {
@@ -56,8 +56,8 @@ public:
         numbers.colour = sample.colour;
     }
 
-    /// Adds what one step along the span or from span to span adds. Of edge equations the values
-    /// are incremental, of barycentric coordinates the weights and colours are.
+    /// Take one step along the span or from span to span. They increment the values of edge
+    /// equations, or the weights and colours of barycentric coordinates.
     [[gnu::always_inline]] void stepX(EdgeTestSpan<A> &numbers) const
     {
         step(numbers, &EdgeLine<A>::a, m_setUp.weightPerX, m_setUp.colourPerX);
@@ -95,7 +95,7 @@ private:
         }
     }
 
-    /// Edge equations have no use for weights until a sample is to be coloured.
+    /// Edge equations need weights only when a sample is to be coloured.
     [[gnu::always_inline]] void evaluateColour(Sample &sample) const
     {
         if constexpr (!form.isBarycentric())
@@ -147,7 +147,7 @@ private:
     }
 
     const SetUp &m_setUp;
-    std::array<typename A::Divisor, 3> m_whole; ///< by the values at the opposite vertices
+    std::array<typename A::Divisor, 3> m_whole; ///< the values at the opposite vertices
 };
 
 } // namespace pixelplumb

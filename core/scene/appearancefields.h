@@ -7,8 +7,8 @@
 
 #include <QStringList>
 
-/// What a scene file calls the parts of an appearance: one list a part, by which they are read and
-/// written, in this order. What is left out is as by default, and what is by default is left out.
+/// The names of an appearance's fields in files: one list for each part, used to read and to write
+/// it, in this order. A field that is left out has its default, and defaults are left out.
 namespace pixelplumb {
 
 /// A number in [first, last].

@@ -7,7 +7,7 @@
 #include <array>
 #include <string_view>
 
-/// The names in files of what a scene says beside its triangles.
+/// The names in files of what a scene says apart from its triangles.
 namespace pixelplumb {
 
 inline constexpr std::array allTextureFilters = {TextureFilter::Nearest, TextureFilter::Bilinear};
@@ -45,7 +45,7 @@ constexpr std::string_view nameOf(DepthUse use)
     return names[std::size_t(use)];
 }
 
-/// Of numbers, "16" and its fellows, files have the number.
+/// Names that are numbers, such as "16", are written as numbers in files.
 constexpr std::string_view nameOf(DepthFormat format)
 {
     switch (format) {
@@ -72,7 +72,7 @@ constexpr std::string_view nameOf(Projection projection)
     return projection == Projection::Perspective ? "perspective" : "orthographic";
 }
 
-/// The keys that name solids.
+/// The keys that name solids in files.
 constexpr std::string_view nameOf(SolidKind kind)
 {
     constexpr std::array<std::string_view, 6> names

@@ -32,7 +32,7 @@ Light readLight(JsonReader &json, NumberReader &numbers, const JsonNode &node)
     return light;
 }
 
-/// Reads the fields of parts; what is left out stays as it is.
+/// Reads the fields of parts; a missing field keeps its value.
 class FieldsReader {
 public:
     FieldsReader(JsonReader &json, NumberReader &numbers, ReferredFiles &files)

@@ -6,11 +6,11 @@
 
 namespace pixelplumb {
 
-/// "materials", "lights", "ambient", "shading", "depth", "depthBits", "antialiasing": the keys of a
-/// scene that say how its triangles look.
+/// The keys of a scene that say how its triangles look: "materials", "lights", "ambient",
+/// "shading", "depth", "depthBits", "antialiasing".
 QStringList appearanceKeys();
 
-/// Reads them, what is left out as Appearance has it; errors stay with the JsonReader.
+/// Reads these keys; a missing one keeps Appearance's default. Errors stay with the JsonReader.
 Appearance readAppearance(JsonReader &json, NumberReader &numbers, ReferredFiles &files,
                           const JsonNode &root);
 

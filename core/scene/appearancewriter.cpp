@@ -11,7 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// A name stands in quotation marks, but for numbers.
+/// Names are quoted, except those that are numbers.
 template <class Choice, class Choices>
 QByteArray textOf(const ChoiceOf<Choice, Choices> &field, const QString & /*folder*/)
 {
@@ -34,7 +34,7 @@ QByteArray textOf(const std::shared_ptr<const Texture> &texture, const QString &
     return texture ? quotedText(nameInFolder(texture->name, folder).toUtf8()) : QByteArray();
 }
 
-/// The fields that are not as by default, each behind a separator.
+/// The fields that differ from their defaults, each after a separator.
 template <class Part>
 QByteArray fieldsText(const Part &part, const QByteArray &separator, const QString &folder);
 
@@ -45,7 +45,7 @@ QByteArray lightLine(const Light &light)
         + ", \"color\": " + textOf(light.colour, {}) + " }";
 }
 
-/// Elements, each on a line of its own, between brackets.
+/// Elements in brackets, each on its own line.
 QByteArray block(const QByteArrayList &lines, char open, char close)
 {
     return open + ("\n        " + lines.join(",\n        ") + "\n    ") + close;

@@ -8,8 +8,8 @@
 
 namespace pixelplumb {
 
-/// The lines of a scene file in the folder that say how its triangles look, without those that say
-/// nothing new; what readAppearance reads back.
+/// The lines of a scene file in the folder that say how its triangles look, without defaults;
+/// readAppearance() reads them back.
 QByteArray appearanceText(const Appearance &appearance, const QString &folder);
 
 } // namespace pixelplumb

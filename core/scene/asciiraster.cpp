@@ -15,8 +15,7 @@ namespace {
 constexpr QChar covered = u'#';
 constexpr QChar uncovered = u'.';
 
-/// Whether a pixel is covered, by its place in the picture: column from the left, line from the
-/// top.
+/// Whether a pixel is covered: column from the picture's left, line from its top.
 bool isCovered(const CoverageMask &coverage, int column, int line)
 {
     const FrameSpec &spec = coverage.spec();
@@ -103,8 +102,8 @@ Result<CoverageMask> parseAsciiRaster(QStringView text)
     CoverageMask coverage(spec);
     for (qsizetype line = 0; line < lines.size(); ++line) {
         if (lines[line].size() != width)
-            return unexpected(line, QStringLiteral("%1 characters").arg(lines[line].size()),
-                              QStringLiteral("%1 as in the first line").arg(width));
+            return unexpected(line, QStringLiteral("its length is %1").arg(lines[line].size()),
+                              QStringLiteral("%1, as that of the first line").arg(width));
         for (qsizetype column = 0; column < width; ++column) {
             const QChar character = lines[line][column];
             if (character == covered)

@@ -10,21 +10,21 @@
 
 namespace pixelplumb {
 
-/// A picture as text, the top line first: `#` covered, `.` not. It travels by clipboard and stands
-/// in tests and in mails; every line ends with a line feed.
+/// A picture as text, top line first: `#` covered, `.` not; every line ends with a line feed. Meant
+/// for the clipboard, tests and mails.
 QString asciiRaster(const CoverageMask &coverage);
 
 /// The pixels that the scene's method writes, whatever their colours.
 CoverageMask coverageOf(const Scene &scene);
-/// Those that a recorded run has written at a position.
+/// The pixels that a recorded run has written at a position.
 CoverageMask coverageAt(const ScanTrace &trace, const FrameSpec &spec, std::size_t position);
 
-/// Whether a file or an output is meant as a raster: most of its first line, and how this begins,
-/// is # and full stops.
+/// Whether a file or an output is meant as a raster: its first line begins with # or a full stop,
+/// and consists mostly of these.
 bool looksLikeRaster(const QByteArray &content);
 
-/// Reads a raster; its frame begins at (0, 0) in the lower left. The last line feed may be missing
-/// and lines may end as on Windows. Ragged lines and other characters are errors.
+/// Reads a raster; the frame's lower left is (0, 0). The last line feed may be missing, and Windows
+/// line ends are allowed. Ragged lines and other characters are errors.
 Result<CoverageMask> parseAsciiRaster(QStringView text);
 
 } // namespace pixelplumb

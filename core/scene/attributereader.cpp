@@ -28,7 +28,7 @@ void readEach(JsonReader &json, const JsonNode &node, Vertices &vertices, const 
         read(values[i], vertices[i]);
 }
 
-/// A key with a value for each vertex; nothing where all are the default.
+/// A key with a value for each vertex; nothing where all have the default.
 template <class Value>
 QByteArray valuesText(const QString &key, const Vertices &vertices, Value VertexAttributes::*member)
 {

@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Where fields of the file header and of BITMAPINFOHEADER stand, bytes from the file's start.
+/// The fields of the file header and of BITMAPINFOHEADER, in bytes from the file's start.
 enum Field {
     PixelsOffset = 10,
     HeaderSize = 14,
@@ -21,7 +21,7 @@ enum Field {
     HeadersEnd = 54,
 };
 
-/// The same of the older BITMAPCOREHEADER, all in two bytes, never compressed.
+/// The fields of the older BITMAPCOREHEADER, two bytes each; it has no compression.
 enum CoreField {
     CoreWidth = 18,
     CoreHeight = 20,
@@ -29,7 +29,7 @@ enum CoreField {
     CoreHeadersEnd = 26,
 };
 
-/// Of the ways to compress, those that leave as many bytes as there are pixels.
+/// Whether the compression leaves the pixels at their full size.
 bool isUncompressed(qint32 compression) { return compression == 0 || compression == 3; }
 
 qint64 fieldAt(const QByteArray &content, Field place)
@@ -42,7 +42,7 @@ qint64 shortFieldAt(const QByteArray &content, int place)
     return qFromLittleEndian<quint16>(content.constData() + place);
 }
 
-/// Whole words of four bytes.
+/// Lines are padded to whole words of four bytes.
 qint64 bytesOfLine(qint64 width, qint64 bitsOfAPixel)
 {
     return (width * bitsOfAPixel + 31) / 32 * 4;
@@ -54,7 +54,7 @@ bool hasCoreHeader(const QByteArray &content)
     return content.size() >= CoreHeadersEnd && fieldAt(content, HeaderSize) == coreHeaderSize;
 }
 
-/// A negative height stands for lines from the top down.
+/// A negative height means lines from the top down.
 qint64 bytesOfPixels(const QByteArray &content)
 {
     if (hasCoreHeader(content))

@@ -6,9 +6,9 @@
 
 namespace pixelplumb {
 
-/// How many bytes a BMP file's pixels lack: "a BMP that ends early, 12 of 9216 bytes of pixels are
-/// missing"; empty of a whole one and of what is no BMP. Its decoder takes such a file and leaves
-/// the last lines to what stood in memory.
+/// How many bytes of pixels a BMP file lacks: "a BMP that ends early, 12 of 9216 bytes of pixels
+/// are missing"; empty for a whole BMP and for other files. Its decoder accepts such a file and
+/// leaves in the last lines whatever the memory held.
 QString bmpFault(const QByteArray &content);
 
 } // namespace pixelplumb

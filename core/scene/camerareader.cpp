@@ -11,10 +11,10 @@ namespace pixelplumb {
 
 namespace {
 
-/// What stands beside an angle is taken for a line of sight when its sine is smaller.
+/// Directions count as parallel when the sine of their angle is smaller.
 constexpr double smallestSine = 1e-9;
 
-/// A number between two, both excluded.
+/// A number between two bounds, both excluded.
 double numberBetween(JsonReader &json, NumberReader &numbers, const JsonNode &node, double above,
                      double below, double byDefault)
 {

@@ -6,7 +6,7 @@
 
 namespace pixelplumb {
 
-/// Reads a scene's camera, what is left out as Camera has it; errors stay with the JsonReader.
+/// Reads a scene's camera; a missing key keeps Camera's default. Errors stay with the JsonReader.
 Camera readCamera(JsonReader &json, NumberReader &numbers, const JsonNode &node);
 
 } // namespace pixelplumb

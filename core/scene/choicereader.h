@@ -9,15 +9,15 @@
 
 namespace pixelplumb {
 
-/// "one of a, b, c"; of one name, the name.
+/// "one of a, b, c"; a single name stands alone.
 inline QString anyOf(const QStringList &names)
 {
     return names.size() == 1 ? names.front()
                              : QStringLiteral("one of ") + names.join(QStringLiteral(", "));
 }
 
-/// A choice by its name, or by its number where that is its name; it keeps its default where the
-/// key is missing.
+/// Reads a choice by its name, or as a number where the name is one; a missing key keeps the
+/// default.
 template <class Choice, std::size_t Count>
 void readChoice(JsonReader &json, const JsonNode &node, const std::array<Choice, Count> &choices,
                 Choice &choice)
@@ -38,7 +38,7 @@ void readChoice(JsonReader &json, const JsonNode &node, const std::array<Choice,
     json.fail(node, describe(node), anyOf(names));
 }
 
-/// Their names in an array; none where the key is missing.
+/// Reads an array of variant names; no variants where the key is missing.
 inline VariantSet readVariants(JsonReader &json, const JsonNode &node)
 {
     VariantSet variants;

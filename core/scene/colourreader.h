@@ -6,9 +6,9 @@
 
 namespace pixelplumb {
 
-/// A colour "#rrggbb"; an error stays with the JsonReader.
+/// Reads a colour "#rrggbb"; errors stay with the JsonReader.
 Colour readColour(JsonReader &json, const JsonNode &node);
-/// A colour "#rrggbb" or "#rrggbbaa".
+/// Reads a colour "#rrggbb" or "#rrggbbaa".
 BlendedColour readBlendedColour(JsonReader &json, const JsonNode &node);
 
 } // namespace pixelplumb

@@ -8,7 +8,7 @@
 
 namespace pixelplumb {
 
-/// A colour and how much of what stands below it hides: 0 transparent … 255 opaque.
+/// A colour and its opacity: 0 transparent … 255 opaque.
 struct BlendedColour {
     Colour colour;
     std::uint8_t alpha = 255;
@@ -21,7 +21,7 @@ Result<BlendedColour> parseColour(QStringView text);
 
 /// "#rrggbb"
 QString colourText(const Colour &colour);
-/// "#rrggbbaa"; "#rrggbb" of an opaque one.
+/// "#rrggbbaa", or "#rrggbb" for an opaque colour.
 QString colourText(const BlendedColour &colour);
 
 } // namespace pixelplumb

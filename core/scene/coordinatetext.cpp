@@ -12,19 +12,19 @@ namespace pixelplumb {
 
 namespace {
 
-/// Beyond it a written exponent says nothing: such a number is zero, or far outside.
+/// Larger exponents make no difference: such a number is zero, or far out of range.
 constexpr int largestExponent = 999;
 
 using Natural = boost::multiprecision::cpp_int;
 
-/// A written value: sign, numerator, denominator > 0.
+/// A written value; denominator > 0.
 struct WrittenValue {
     bool negative = false;
     Natural numerator;
     Natural denominator = 1;
 };
 
-/// Digits 0 … 9 only; none for an empty text and for anything else.
+/// Digits 0 … 9 only; none for an empty text or anything else.
 std::optional<Natural> naturalOf(QStringView digits)
 {
     const auto isDigit = [](QChar each) { return each >= u'0' && each <= u'9'; };
@@ -60,7 +60,7 @@ std::optional<WrittenValue> parseFraction(QStringView text)
     return WrittenValue{false, *numerator, *denominator};
 }
 
-/// "26 1/2", the spaces of any kind
+/// "26 1/2", with any kind of space
 std::optional<WrittenValue> parseMixed(QStringView text)
 {
     qsizetype wholeLength = 0;
@@ -74,7 +74,7 @@ std::optional<WrittenValue> parseMixed(QStringView text)
     return fraction;
 }
 
-/// "2.65e1": digits with a point somewhere or nowhere, then an exponent or none
+/// "2.65e1": digits with an optional point, then an optional exponent
 std::optional<WrittenValue> parseDecimal(QStringView text)
 {
     int exponent = 0;
@@ -127,7 +127,7 @@ Quantity quantityOf(const WrittenValue &value)
                                   value.denominator.convert_to<std::uint64_t>());
     }
     const boost::multiprecision::cpp_rational ratio(value.numerator, value.denominator);
-    // Never 0: a displacement too small for a double is still one.
+    // Never 0: a displacement too small for a double is still a displacement.
     const double magnitude
         = qMax(ratio.convert_to<double>(), std::numeric_limits<double>::denorm_min());
     return Quantity::of(value.negative ? -magnitude : magnitude);
@@ -143,7 +143,7 @@ QString rangeText(const NumberFormat &format)
     return QStringLiteral("±%1%2").arg(format.largest).arg(QLatin1String(format.unit));
 }
 
-/// A value within the format's limits.
+/// Parses a value within the format's limits.
 Result<WrittenValue> parseWithin(QStringView text, const NumberFormat &format)
 {
     if (text.size() > longestNumberText)
@@ -159,14 +159,14 @@ Result<WrittenValue> parseWithin(QStringView text, const NumberFormat &format)
     return *value;
 }
 
-/// units / one − value: both over one * denominator.
+/// units / one − value, both over one * denominator.
 Quantity displacementOf(std::int64_t units, std::int64_t one, const WrittenValue &value)
 {
     const Natural used = absolute(units) * value.denominator;
     const Natural written = value.numerator * one;
     if (used == written)
         return Quantity::integer(0);
-    // Away from zero means up for a positive value and down for a negative one.
+    // Away from zero is up for a positive value and down for a negative one.
     const bool awayFromZero = written < used;
     return quantityOf(
         {awayFromZero == value.negative, abs(used - written), value.denominator * one});
@@ -185,8 +185,8 @@ Result<SnappedNumber> parseNumber(QStringView text, const NumberFormat &format)
     const Result<WrittenValue> value = parseWithin(text, format);
     if (!value)
         return value.error();
-    // Nearest number to |value|: ⌊one·|v| + 1/2⌋, and halves down for a negative value, which is up
-    // on the number line.
+    // The number nearest to |value| is ⌊one·|v| + 1/2⌋; ties of a negative value go down in
+    // magnitude, which is up on the number line.
     const Natural doubled = value->numerator * (2 * format.one) + value->denominator;
     Natural quotient;
     Natural remainder;

@@ -11,7 +11,7 @@
 
 namespace pixelplumb {
 
-/// Reads into parts by their lists of fields; errors stay with the JsonReader.
+/// Reads parts of a file by their lists of fields; errors stay with the JsonReader.
 class FieldReader {
 public:
     explicit FieldReader(JsonReader &json)
@@ -87,7 +87,7 @@ public:
         readMembers(node, part, {});
     }
 
-    /// `more`: keys that are read elsewhere, or by nobody.
+    /// `more`: further keys that are allowed, read elsewhere or not at all.
     template <HasFields Part>
     void readMembers(const JsonNode &node, Part &part, const QStringList &more)
     {

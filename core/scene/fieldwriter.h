@@ -17,7 +17,7 @@ namespace pixelplumb {
 inline QJsonValue jsonOf(bool value) { return value; }
 inline QJsonValue jsonOf(int value) { return value; }
 inline QJsonValue jsonOf(std::int64_t value) { return qint64(value); }
-/// A number of JSON would lose its last digits.
+/// As text: a JSON number would lose its last digits.
 inline QJsonValue jsonOf(std::uint64_t value) { return QString::number(value); }
 inline QJsonValue jsonOf(double value) { return value; }
 inline QJsonValue jsonOf(const QString &value) { return value; }
@@ -50,7 +50,7 @@ QJsonValue jsonOf(const std::array<T, count> &values)
     return array;
 }
 
-/// Of optional fields those that are there.
+/// Inserts fields into the object; optional ones only where they have a value.
 struct FieldWriter {
     QJsonObject &object;
 

@@ -15,15 +15,15 @@ namespace pixelplumb {
 
 namespace {
 
-/// A pipe or a device is waited for, since a person named it; of what calls itself a file, as those
-/// of /proc do, what has nothing to say yet is an error.
+/// Waits for a pipe or device, since the user named it. Files that have no data yet, such as some
+/// in /proc, fail instead.
 bool openToRead(QFile &file)
 {
     if (!QFileInfo(file).isFile())
         return file.open(QIODevice::ReadOnly);
     const int opened
         = ::open(QFile::encodeName(file.fileName()).constData(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    // Where it does not open, Qt says why.
+    // If open() fails, QFile reports why.
     return opened >= 0 ? file.open(opened, QIODevice::ReadOnly, QFileDevice::AutoCloseHandle)
                        : file.open(QIODevice::ReadOnly);
 }

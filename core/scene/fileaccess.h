@@ -11,26 +11,26 @@
 
 namespace pixelplumb {
 
-/// Of scenes, meshes, assignments and all else that is no picture; bytes.
+/// The largest file in bytes, for scenes, meshes, assignments and everything else but pictures.
 inline constexpr qint64 largestFile = qint64(256) << 20;
 
-/// The content of a file of at most so many bytes, which is an input from then on: a pipe, too,
-/// since a person named it.
+/// Reads a file of at most `most` bytes and records it as an input. Pipes are read too, since the
+/// user named the path.
 Result<QByteArray> readFile(const QString &path, qint64 most = largestFile);
-/// The same of what no person named for itself, or chose in a window: a pipe or a device, which may
-/// never begin or end, is refused.
+/// Like readFile(), but refuses pipes and devices, which may never begin or end: for paths that the
+/// user did not type, or chose in a window.
 Result<QByteArray> readRegularFile(const QString &path, qint64 most = largestFile);
-/// What is left of a device that is open, in pieces: it may never end. `place` names it.
+/// Reads the rest of an open device in pieces, since it may never end. `place` names it in errors.
 Result<QByteArray> readDevice(const QString &place, QIODevice &device, qint64 most);
 
-/// An error in what a file holds, with the file's path before its place.
+/// An error in a file's content, with the file's path before its place.
 InputError errorIn(const QString &path, InputError error);
 
-/// What is said where a listener ended the reading.
+/// The error where a listener ended the reading.
 InputError readingCancelled(const QString &place);
 
-/// Replaces a file in one step: after an error the old content stands. What is no regular file (a
-/// device, a pipe) is written to as it is.
+/// Replaces a file in one step: after an error the old content remains. What is no regular file (a
+/// device, a pipe) is written to directly.
 std::optional<InputError> writeFile(const QString &path, const QByteArray &content,
                                     WrittenAs as = WrittenAs::Export);
 

@@ -5,16 +5,16 @@
 
 #include <algorithm>
 
-/// The primitives of a scene in the order of its file, the hidden ones in their places.
+/// Visits a scene's primitives in the order of its file, the hidden ones in their places.
 namespace pixelplumb {
 
-/// Where the hidden shapes begin.
+/// Also the index of the first hidden shape.
 inline std::size_t hiddenTriangleCount(const HiddenPrimitives &hidden)
 {
     return std::size_t(std::ranges::count_if(hidden, &HiddenPrimitive::isTriangle));
 }
 
-/// The hidden ones of [next, end) among so many drawn ones.
+/// Visits `count` drawn primitives and, in their places, the hidden ones of [next, end).
 template <class Drawn, class Hidden>
 void visitInOrder(std::size_t count, const HiddenPrimitives &all, std::size_t next, std::size_t end,
                   const Drawn &drawn, const Hidden &hidden)
@@ -27,8 +27,8 @@ void visitInOrder(std::size_t count, const HiddenPrimitives &all, std::size_t ne
     }
 }
 
-/// Calls drawn(index, attributes), null where the triangle has none, and hidden(index among all
-/// hidden ones).
+/// Calls drawn(index, attributes), with null for a triangle without attributes, and hidden(index
+/// among all hidden primitives).
 template <class Drawn, class Hidden>
 void visitTriangles(const Scene &scene, const Drawn &drawn, const Hidden &hidden)
 {
@@ -41,7 +41,7 @@ void visitTriangles(const Scene &scene, const Drawn &drawn, const Hidden &hidden
                  drawnNext, hidden);
 }
 
-/// Calls drawn(index) and hidden(index among all hidden ones).
+/// Calls drawn(index) and hidden(index among all hidden primitives).
 template <class Drawn, class Hidden>
 void visitShapes(const Scene &scene, const Drawn &drawn, const Hidden &hidden)
 {

@@ -6,8 +6,8 @@
 
 namespace pixelplumb {
 
-/// The frame but for its off-screen point, which the whole scene's numbers are read with. Errors
-/// stay with the reader: a side or an area that is too large, an unknown origin or centre.
+/// Reads the frame without its off-screen point, which is read with the whole scene's numbers.
+/// Errors stay with the reader: a side or an area that is too large, an unknown origin or centre.
 FrameSpec readFrame(JsonReader &json, const JsonNode &node);
 
 } // namespace pixelplumb

@@ -12,15 +12,15 @@ namespace pixelplumb {
 
 struct HiddenTriangle {
     Triangle triangle;
-    TriangleAttributes attributes; ///< their own index says nothing
+    TriangleAttributes attributes; ///< their own triangle index is unused
 
     friend bool operator==(const HiddenTriangle &, const HiddenTriangle &) = default;
 };
 
-/// A triangle or shape that a person keeps without drawing it. It stands beside the scene's
-/// primitives, not among them: nothing draws, judges or counts it.
+/// A triangle or shape that the user keeps without drawing it. It is stored apart from the scene's
+/// primitives: nothing draws, judges or counts it.
 struct HiddenPrimitive {
-    /// How many of the scene's triangles, or of its shapes, are drawn before its place.
+    /// How many of the scene's drawn triangles, or of its drawn shapes, come before it.
     std::size_t place = 0;
     std::variant<HiddenTriangle, Shape> primitive;
 

@@ -28,7 +28,7 @@ StreamEnd inflate(const QByteArray &stream, const BytesListener &listener)
         }
         if (result == Z_STREAM_END)
             end = StreamEnd::Whole;
-        else if (result != Z_OK && result != Z_BUF_ERROR) // a lack of bytes is no fault of theirs
+        else if (result != Z_OK && result != Z_BUF_ERROR) // missing bytes are no broken ones
             end = StreamEnd::Broken;
     }
     inflateEnd(&state);

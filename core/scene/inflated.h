@@ -9,15 +9,15 @@
 
 namespace pixelplumb {
 
-/// How a stream that is deflated (RFC 1950) ended.
+/// How a deflated stream (RFC 1950) ended.
 enum class StreamEnd {
-    Whole, ///< and its checksum is right
+    Whole, ///< with the right checksum
     Early,
     Broken,
     Stopped, ///< by its listener
 };
 
-/// Hears the bytes of a stream, a block after the other; false ends it.
+/// Receives the bytes of a stream block by block; false ends it.
 using BytesListener = std::function<bool(std::span<const std::uint8_t> block)>;
 
 StreamEnd inflate(const QByteArray &stream, const BytesListener &listener);

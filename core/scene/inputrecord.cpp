@@ -17,7 +17,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// A regular file, however it is reached.
+/// Identifies a regular file, however it is reached.
 struct FileIdentity {
     dev_t device = 0;
     ino_t number = 0;
@@ -32,7 +32,7 @@ std::optional<FileIdentity> identityIn(int result, const struct stat &status)
     return FileIdentity{status.st_dev, status.st_ino};
 }
 
-/// None of what is no regular file. It is not opened: a pipe could be read but once.
+/// None unless it is a regular file. It is not opened: a pipe can be read only once.
 std::optional<FileIdentity> identityOf(const QString &path)
 {
     struct stat status = {};
@@ -47,10 +47,10 @@ std::optional<FileIdentity> identityOf(int descriptor)
 
 struct Inputs {
     std::mutex mutex;
-    int records = 0; ///< that live
+    int records = 0; ///< alive
     std::set<QString> paths; ///< canonical
     std::set<QString> folders; ///< canonical
-    std::multimap<FileIdentity, QString> files; ///< what stood at each path as it was read
+    std::multimap<FileIdentity, QString> files; ///< the file at each path when it was read
     bool hasStandardInput = false;
 };
 
@@ -60,7 +60,7 @@ Inputs &inputs()
     return all;
 }
 
-/// The number of a file that is gone may be another one's now, so the path is looked up again.
+/// A deleted file's inode number may be reused, so the path is looked up again.
 bool isInput(const std::optional<FileIdentity> &file)
 {
     if (!file)
@@ -86,7 +86,7 @@ bool isIn(const QString &folder, const QString &file)
     return file.startsWith(folder.endsWith(u'/') ? folder : folder + u'/');
 }
 
-/// Where it is a file that is there.
+/// False for a file that does not exist.
 bool isInInputFolder(const QString &path)
 {
     const QString canonical = QFileInfo(path).canonicalFilePath();
@@ -112,6 +112,11 @@ std::optional<InputError> refusalToRead(const std::optional<FileIdentity> &file)
 }
 
 } // namespace
+
+std::optional<InputError> refusalToRead(int descriptor)
+{
+    return refusalToRead(identityOf(descriptor));
+}
 
 InputRecord::InputRecord()
 {

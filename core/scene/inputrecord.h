@@ -7,9 +7,9 @@
 
 namespace pixelplumb {
 
-/// While one lives, as long as a command runs or a window is open, each file that is read is an
-/// input, and no input is written to, by whatever name: its own, a link or a hard link. The record
-/// is the process's; several at once are one.
+/// While one lives, which is as long as a command runs or a window is open, every file that is read
+/// is an input, and no input is written to under any name: its own, a link or a hard link. The
+/// record belongs to the process; several at once share it.
 class InputRecord {
 public:
     InputRecord();
@@ -17,25 +17,29 @@ public:
     Q_DISABLE_COPY_MOVE(InputRecord)
 };
 
-/// Makes a file that is read, or is going to be, an input. An error where standard output or
-/// standard error lead to it: it would be changed as it is read.
+/// Records a file that is read, or about to be, as an input. An error where standard output or
+/// standard error leads to it: it would change while it is read.
 std::optional<InputError> noteInput(const QString &path);
-/// Makes all files that lie in a folder inputs, and in the folders below: what is shown all of them
-/// may read any. An error where standard output leads to one that is not empty, and would be
-/// changed.
+/// Records all files in a folder and in the folders below it as inputs, since a program that sees
+/// the folder may read any of them. An error where standard output leads to one that is not empty:
+/// it would be changed.
 std::optional<InputError> noteInputFolder(const QString &path);
-/// The same as noteInput() of the file that standard input leads to.
+/// Like noteInput(), for the file that standard input leads to.
 std::optional<InputError> noteStandardInput();
 
-/// Whether a path leads to an input, or an open descriptor does.
+/// An error where standard output or standard error leads to an open file that is read without being
+/// recorded: it would change meanwhile.
+std::optional<InputError> refusalToRead(int descriptor);
+
+/// Whether a path, or an open descriptor, leads to an input.
 bool isInput(const QString &path);
 bool isInput(int descriptor);
-/// Why a path is not written to, or standard output; none where it may be.
+/// Why a path, or standard output, must not be written to; none where it may be.
 std::optional<InputError> refusalToWrite(const QString &path);
 std::optional<InputError> refusalToPrint();
 
-/// Whether two paths lead to one regular file, through links too; false where one of them does not
-/// exist.
+/// Whether two paths lead to the same regular file, also through links; false where one of them
+/// does not exist.
 bool isSameFile(const QString &path, const QString &other);
 
 } // namespace pixelplumb

@@ -11,16 +11,16 @@ namespace pixelplumb {
 /// What is wrong with a JSON text, and where.
 struct JsonFault {
     quint32 offset = 0;
-    QString path; ///< empty where the text is no JSON: what stands there has none
-    QString found; ///< empty: what stands there
+    QString path; ///< empty where the text is no JSON and has no paths
+    QString found; ///< empty: the text at the offset
     QString expected;
 };
 
-/// What should stand where RapidJSON found something else.
+/// What should stand where RapidJSON reports an error.
 QString expectedAt(rapidjson::ParseErrorCode code, char found);
-/// What stands in place of half a character.
+/// What is expected in place of half a surrogate pair.
 QString wholeCharacters();
-/// What stands at an offset, as a message quotes it.
+/// The text at an offset, as a message quotes it.
 QString foundAt(const QByteArray &text, qsizetype offset);
 
 } // namespace pixelplumb

@@ -8,8 +8,8 @@
 #include <concepts>
 #include <type_traits>
 
-/// What the parts of a file are called in it: one list a part, eachField(part, visit), by which
-/// readFields() and jsonOf() read and write it.
+/// The names of fields in files: one list for each part, eachField(part, visit), by which
+/// FieldReader and jsonOf() read and write it.
 namespace pixelplumb {
 
 template <class Self, class T>

@@ -14,10 +14,10 @@ namespace pixelplumb {
 namespace {
 
 constexpr std::size_t deepestNesting = 1024;
-constexpr std::size_t mostValues = std::size_t(1) << 24; ///< that are kept: 256 MiB
+constexpr std::size_t mostValues = std::size_t(1) << 24; ///< kept: 256 MiB
 constexpr unsigned flags = rapidjson::kParseValidateEncodingFlag;
 
-/// Notes where values stand while RapidJSON goes through the text.
+/// Records where values stand while RapidJSON parses the text.
 class Collector : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Collector> {
 public:
     Collector(const rapidjson::MemoryStream &stream, JsonText &json, QByteArrayView folded)
@@ -27,10 +27,11 @@ public:
     {
     }
 
-    /// What RapidJSON does not look for: it ends the parsing, or is told of a text that is JSON.
+    /// A fault that RapidJSON does not detect: it ends the parsing, or is reported for a text that
+    /// is otherwise JSON.
     std::optional<JsonFault> fault;
 
-    // RapidJSON's events, and its names for them.
+    // RapidJSON's events, with its names.
     bool Default() // a number or a word
     {
         const auto isInside = [](char byte) {
@@ -71,9 +72,9 @@ private:
     struct Open {
         JsonKind kind;
         quint32 place; ///< in the list of values
-        bool isFolded = false; ///< its elements are
-        qsizetype children = 0; ///< that are begun
-        JsonValue key = {}; ///< of the last one
+        bool isFolded = false; ///< its elements are folded
+        qsizetype children = 0; ///< begun so far
+        JsonValue key = {}; ///< of the last child
     };
 
     static JsonKind kindOf(char first)
@@ -92,7 +93,7 @@ private:
 
     quint32 place() const { return quint32(m_json.values.size()); }
     quint32 end() const { return quint32(m_stream.src_ - m_stream.begin_); }
-    /// The last one's; every other in it has a backslash before it.
+    /// The opening quote of the last string; every other quote in it has a backslash before it.
     const char *firstOfString() const
     {
         const char *quote = m_stream.src_ - 2;
@@ -100,7 +101,7 @@ private:
             --quote;
         return quote;
     }
-    /// Whether what a value holds is told: not of elements that are folded.
+    /// Whether the current values are recorded: not inside folded elements.
     bool isKept() const { return m_open.size() < 3 || !m_open[1].isFolded; }
 
     bool isText(const char *text, rapidjson::SizeType length)
@@ -108,7 +109,7 @@ private:
         const QByteArrayView view(text, length);
         if (view.isValidUtf8())
             return true;
-        // RapidJSON passes the second half of a character that has no first one.
+        // RapidJSON accepts the second half of a surrogate pair without the first.
         fault = JsonFault{quint32(firstOfString() - m_stream.begin_), {}, {}, wholeCharacters()};
         return false;
     }
@@ -172,7 +173,7 @@ private:
         }
         return true;
     }
-    /// Of the value that begins.
+    /// The path of the value that begins.
     QString openPath() const
     {
         QString path = m_json.path;
@@ -187,13 +188,12 @@ private:
     JsonText &m_json;
     QByteArrayView m_folded;
     std::vector<Open> m_open;
-    std::vector<std::set<std::string, std::less<>>>
-        m_keys; ///< of the objects that are open, by depth
-    std::size_t m_inElement = 0; ///< values of the element in hand, where elements are folded
+    std::vector<std::set<std::string, std::less<>>> m_keys; ///< of the open objects, by depth
+    std::size_t m_inElement = 0; ///< values of the current element, where elements are folded
     bool m_hasRepeatedKey = false;
 };
 
-/// Of a word that is no value RapidJSON tells the letter that is wrong.
+/// RapidJSON reports the first wrong letter of an invalid word; this finds the word's start.
 std::size_t firstOfWord(const QByteArray &text, std::size_t offset)
 {
     while (offset > 0 && text[qsizetype(offset) - 1] >= 'a' && text[qsizetype(offset) - 1] <= 'z')
@@ -229,7 +229,7 @@ Result<JsonText> parseJson(const QByteArray &text, QByteArrayView folded)
                           {},
                           json->values.empty() ? QStringLiteral("JSON")
                                                : expectedAt(parsed.Code(), found)};
-    } else if (stream.Tell() < size && !parsed.IsError()) { // to RapidJSON a byte 0 is the end
+    } else if (stream.Tell() < size && !parsed.IsError()) { // RapidJSON takes a byte 0 for the end
         fault = JsonFault{quint32(stream.Tell()), {}, {}, QStringLiteral("the text's end")};
     }
     if (!fault)

@@ -46,7 +46,7 @@ void JsonReader::expectObject(const JsonNode &node, const QStringList &keys)
         return;
     for (const QString &key : node.keys()) {
         if (!keys.contains(key)) {
-            // Of a long one the object is the place.
+            // For a long key the place is the object.
             fail(key.size() > longestQuote ? node : node[key],
                  QStringLiteral("unknown key “%1”").arg(shortened(key)),
                  QStringLiteral("one of ") + keys.join(QStringLiteral(", ")));

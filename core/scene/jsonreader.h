@@ -7,16 +7,16 @@
 
 namespace pixelplumb {
 
-/// Reads a JSON text step by step and remembers the first thing that is wrong with it. After an
-/// error every reading function still returns a value of its type, so that a reader is
-/// straight-line code that looks once, at its end, whether it succeeded.
+/// Reads a JSON text step by step and remembers the first error. After an error every reading
+/// function still returns a value of its type, so that a reader is straight-line code that checks
+/// for success once, at its end.
 class JsonReader {
 public:
     JsonReader(const JsonReader &) = delete;
     JsonReader &operator=(const JsonReader &) = delete;
-    /// A text that is no JSON, or that has a key twice in one object, is an error from the start.
+    /// Fails from the start where the text is no JSON, or has a key twice in one object.
     explicit JsonReader(const QByteArray &text, QByteArrayView folded = {});
-    /// Reads a value of another one's text, such as an element that was folded.
+    /// Reads a value inside another reader's text, such as a folded element.
     JsonReader(const JsonReader &whole, const JsonNode &node, const QString &path,
                QByteArrayView folded = {});
 
@@ -27,7 +27,7 @@ public:
 
     JsonNode root() const { return m_text.values.empty() ? JsonNode() : JsonNode(m_text); }
 
-    /// An object with no keys but these.
+    /// Fails unless the node is an object with no keys but these.
     void expectObject(const JsonNode &node, const QStringList &keys);
     QString string(const JsonNode &node);
     bool boolean(const JsonNode &node);
@@ -41,11 +41,11 @@ private:
     std::optional<InputError> m_error;
 };
 
-/// A value as a message tells it: "“abc”", "3", "an object", "nothing".
+/// A value as a message shows it: "“abc”", "3", "an object", "nothing".
 QString describe(const JsonNode &node);
 
-/// A number as it is written to a file: an integer to the last digit, anything else as the shortest
-/// decimal that means the same.
+/// A number as it is written to a file: an integer to its last digit, anything else as the shortest
+/// decimal for the same double.
 QString numberText(double number);
 
 } // namespace pixelplumb

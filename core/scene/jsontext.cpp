@@ -60,7 +60,7 @@ QString JsonText::pathOf(quint32 place) const
     return pathSoFar;
 }
 
-/// Hears the keys of an object until it says false.
+/// Visits the keys of an object until `visit` returns false.
 template <class Visit>
 void JsonNode::visitMembers(const Visit &visit) const
 {

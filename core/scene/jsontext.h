@@ -13,20 +13,20 @@ namespace pixelplumb {
 
 enum class JsonKind : quint32 { Null, False, True, Number, String, Array, Object };
 
-/// A value where it stands in its text.
+/// The position of a value in its text.
 struct JsonValue {
     quint32 offset = 0; ///< of its first byte
-    quint32 size = 0; ///< bytes of a number, a string or a word; elements or members
-    quint32 next = 0; ///< the place in JsonText::values of what follows it and all that it holds
+    quint32 size = 0; ///< bytes of a number, string or word; count of elements or members
+    quint32 next = 0; ///< the place in JsonText::values after this value and its content
     JsonKind kind = JsonKind::Null;
 };
 
-/// A JSON text (RFC 8259) and where its values stand. Keys and values are read out of the text when
-/// they are asked for, so that a number is what the text says, to the last digit.
+/// A JSON text (RFC 8259) and the positions of its values. Keys and values are read from the text
+/// on request, so that a number is what the text says, to the last digit.
 struct JsonText {
     QByteArray text;
-    QString path; ///< of the root in the file; empty for the whole
-    /// In the text's order: the root, then what it holds. A member is its key, a string, and then
+    QString path; ///< of the root in the file; empty for a whole file
+    /// In the order of the text: the root, then its content. A member is its key, a string, then
     /// its value.
     std::vector<JsonValue> values;
 
@@ -37,26 +37,26 @@ struct JsonText {
     /// What a string means: "w\u0069dth" is "width".
     QString string(const JsonValue &string) const;
     bool isString(const JsonValue &string, QAnyStringView meaning) const;
-    /// "primitives[0].triangle" of the value at a place in `values`.
+    /// The path "primitives[0].triangle" of the value at a place in `values`.
     QString pathOf(quint32 place) const;
 };
 
-/// Reads a text; an error where it is no JSON, nests deeper than 1024 levels or has a key twice in
-/// one object. The elements of `folded`, an array that is a member of the root, are looked through
-/// and not kept: a scene has millions of primitives, of which one at a time is needed.
+/// Parses a text; an error where it is no JSON, nests deeper than 1024 levels or has a key twice in
+/// one object. The elements of `folded`, an array that is a member of the root, are checked but not
+/// kept: a scene has millions of primitives, needed one at a time.
 Result<JsonText> parseJson(const QByteArray &text, QByteArrayView folded = {});
-/// The value that begins at an offset of a text that was parsed.
+/// The value that begins at an offset of a text already parsed.
 JsonText unfolded(const JsonText &whole, quint32 offset, const QString &path,
                   QByteArrayView folded);
 
-/// "line 5, column 33, primitives[0].triangle" of a byte and the path there, which may be empty;
+/// "line 5, column 33, primitives[0].triangle" for a byte offset and its path, which may be empty;
 /// columns count characters.
 QString placeOf(const QByteArray &text, qsizetype offset, const QString &path);
-/// The path of a member of the object, or of an element of the array, at a path.
+/// The path of an object's member, or of an array's element.
 QString memberPath(const QString &parent, const QString &key);
 QString elementPath(const QString &parent, qsizetype index);
 
-/// A value of a JsonText, which outlives it, or one that is missing.
+/// A value of a JsonText, which must outlive the node, or a missing value.
 class JsonNode {
 public:
     JsonNode() = default; ///< missing, nowhere
@@ -74,28 +74,28 @@ public:
     bool isBoolean() const { return is(JsonKind::True) || is(JsonKind::False); }
     bool isTrue() const { return is(JsonKind::True); }
 
-    /// Missing where the object has no such key, or the array no such element.
+    /// A missing node where the object has no such key, or the array no such element.
     JsonNode operator[](QAnyStringView key) const;
     JsonNode operator[](qsizetype index) const;
-    /// Elements, or members; 0 of anything else.
+    /// Elements or members; 0 for any other value.
     qsizetype size() const { return isArray() || isObject() ? qsizetype(value().size) : 0; }
-    /// Of an object, in the order of their codes.
+    /// An object's keys in the order of their codes.
     QStringList keys() const;
-    bool hasOnly(const QStringList &keys) const; ///< or is no object
+    bool hasOnly(const QStringList &keys) const; ///< also true if it is no object
     std::vector<JsonNode> elements() const;
-    /// Visits the elements of an array until one says false.
+    /// Visits the elements of an array until `visit` returns false.
     template <class Visit>
     void visitElements(const Visit &visit) const;
 
-    QString toString() const; ///< empty of what is no string
-    /// As the text has it, of an array or object nothing.
+    QString toString() const; ///< empty unless it is a string
+    /// The value as written in the text; nothing for an array or object.
     QByteArrayView written() const;
     double toDouble(double otherwise) const;
-    /// A whole number of 64 bits, however it is written: 100, 1e2, 100.0.
+    /// A whole number of 64 bits in any notation: 100, 1e2, 100.0.
     qint64 toInteger(qint64 otherwise) const;
 
     QString path() const;
-    quint32 offset() const { return value().offset; } ///< of what is missing, its parent's
+    quint32 offset() const { return value().offset; } ///< a missing value has its parent's
 
 private:
     bool is(JsonKind kind) const { return !isMissing() && value().kind == kind; }
@@ -106,8 +106,8 @@ private:
     JsonNode at(quint32 place) const { return JsonNode(*m_text, place); }
 
     const JsonText *m_text = nullptr;
-    quint32 m_place = 0; ///< of the value, or of the innermost that is there around it
-    QString m_missing; ///< where it is not there: its path from there on
+    quint32 m_place = 0; ///< of the value; where it is missing, of its innermost existing parent
+    QString m_missing; ///< of a missing value: its path from that parent on
 };
 
 template <class Visit>

@@ -21,7 +21,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// A text as a stream that tells how far it was read.
+/// A text as a stream that knows how far it has been read.
 class TextBuffer : public std::streambuf {
 public:
     explicit TextBuffer(QByteArray &text) { setg(text.begin(), text.begin(), text.end()); }
@@ -42,7 +42,7 @@ struct CornerHash {
     }
 };
 
-/// Makes a mesh of the lines that tinyobjloader tells. The first fault ends the reading.
+/// Builds a mesh from the lines that tinyobjloader reports. The first fault ends the reading.
 class MeshBuilder {
 public:
     MeshBuilder(const QByteArray &text, TextBuffer &buffer, const ProgressListener &listener)
@@ -82,7 +82,7 @@ private:
     void take(std::vector<Vector3> &all, std::size_t needed);
     std::int64_t resolved(int index, std::size_t count, const char *what);
     std::uint32_t cornerOf(const CornerIndices &indices);
-    QByteArrayView lineInHand() const;
+    QByteArrayView currentLine() const;
     void fail(const QString &found, const QString &expected);
 
     const QByteArray &m_text;
@@ -96,11 +96,11 @@ private:
     QString m_found;
     QString m_expected;
     qsizetype m_line = 0;
-    std::int64_t m_lines = 0; ///< of those that are taken
+    std::int64_t m_lines = 0; ///< used so far
     bool m_wasCancelled = false;
 };
 
-/// Before each line that is taken.
+/// Called before each line that is used.
 bool MeshBuilder::goesOnReading()
 {
     if (hasFailed() || m_wasCancelled)
@@ -114,11 +114,11 @@ bool MeshBuilder::goesOnReading()
     return !m_wasCancelled;
 }
 
-QByteArrayView MeshBuilder::lineInHand() const
+QByteArrayView MeshBuilder::currentLine() const
 {
     const QByteArrayView before = QByteArrayView(m_text).first(m_buffer.position());
     const QByteArrayView line = before.trimmed();
-    // Not by lastIndexOf(): it looks for a character that is not there from one end to the other.
+    // Not lastIndexOf(): when a character is absent it searches the whole text.
     const auto ends = [](char character) { return character == '\n' || character == '\r'; };
     const auto first = std::find_if(line.rbegin(), line.rend(), ends);
     return line.last(first - line.rbegin()).trimmed();
@@ -128,22 +128,23 @@ void MeshBuilder::fail(const QString &found, const QString &expected)
 {
     m_found = found;
     m_expected = expected;
-    const QByteArrayView line = lineInHand();
+    const QByteArrayView line = currentLine();
     m_line = m_text.first(line.data() - m_text.data()).count('\n') + 1;
     m_buffer.end();
 }
 
-/// tinyobjloader takes what is no number for 0, and rounds decimals in a way of its own.
+/// Parses numbers itself: tinyobjloader turns non-numbers into 0 and rounds decimals in its own
+/// way.
 void MeshBuilder::take(std::vector<Vector3> &all, std::size_t needed)
 {
     if (!goesOnReading())
         return;
-    const QByteArrayView line = lineInHand();
+    const QByteArrayView line = currentLine();
     const char *place = line.data();
     const char *end = place + line.size();
     const auto isBlank = [](char character) { return character == ' ' || character == '\t'; };
     while (place != end && !isBlank(*place))
-        ++place; // "v", "vt", "vn"
+        ++place; // skips "v", "vt" or "vn"
     Vector3 numbers = {};
     for (std::size_t i = 0; i < needed; ++i) {
         while (place != end && isBlank(*place))
@@ -161,7 +162,8 @@ void MeshBuilder::take(std::vector<Vector3> &all, std::size_t needed)
     all.push_back(numbers);
 }
 
-/// Indices count from 1, negative ones from the last that was read back; 0 where there is none.
+/// Resolves an index, which counts from 1, or if negative back from the last one read; 0 where
+/// there is none.
 std::int64_t MeshBuilder::resolved(int index, std::size_t count, const char *what)
 {
     const std::int64_t fromZero = index < 0 ? std::int64_t(count) + index : std::int64_t(index) - 1;
@@ -193,7 +195,7 @@ void MeshBuilder::takeFace(const tinyobj::index_t *corners, int count)
 {
     if (!goesOnReading())
         return;
-    const QByteArray line = lineInHand().toByteArray();
+    const QByteArray line = currentLine().toByteArray();
     const QList<QByteArray> words = line.simplified().split(' ');
     const auto wrong = std::find_if(words.begin() + 1, words.end(),
                                     [](const QByteArray &word) { return !isCorner(word); });

@@ -7,13 +7,13 @@
 
 namespace pixelplumb {
 
-/// The triangles of a Wavefront OBJ file: its v, vt, vn and f lines; a face of more corners becomes
-/// a fan. Everything else in the file (groups, materials, lines) is passed over.
+/// Reads the triangles of a Wavefront OBJ file: its v, vt, vn and f lines; a face with more corners
+/// becomes a fan. Everything else in the file (groups, materials, lines) is skipped.
 /// The listener hears now and then how many bytes are read; when it ends the reading, an error says
 /// so.
 Result<Mesh> readMesh(const QString &path, const ProgressListener &listener = {});
 
-/// The same of its content; `name` stands in messages.
+/// Like readMesh(), from the file's content; `name` stands for the file in messages.
 Result<Mesh> parseMesh(QByteArray text, const QString &name, const ProgressListener &listener = {});
 
 } // namespace pixelplumb

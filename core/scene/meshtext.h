@@ -5,13 +5,13 @@
 
 namespace pixelplumb {
 
-/// Whether a word of a face is "1", "1/2", "1//3" or "1/2/3", with minus signs or without, of at
-/// most nine digits each: tinyobjloader takes the digits that it finds for the number, and lets it
+/// Whether a word of a face is "1", "1/2", "1//3" or "1/2/3", each with an optional minus sign and
+/// at most nine digits. tinyobjloader itself takes any leading digits for the number, and lets it
 /// overflow.
 bool isCorner(QByteArrayView word);
 
-/// A Wavefront OBJ file's text without a byte order mark, remarks and the ends of lines that go on;
-/// with as many lines, so that faults are found at their numbers.
+/// A Wavefront OBJ file's text without its byte order mark, comments and line continuations. It
+/// keeps the number of lines, so that faults are reported at their lines.
 QByteArray withoutRemarks(const QByteArray &text);
 
 } // namespace pixelplumb

@@ -10,7 +10,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// way·frame/last to the nearest, a half to the greater one; |way| ≤ 2^39, frame < 2^10.
+/// way·frame/last rounded to nearest, ties to the greater; |way| ≤ 2^39, frame < 2^10.
 Lattice partOf(Lattice way, int frame, int last)
 {
     return floorDivide(2 * way * frame + last, Lattice(2 * last));

@@ -9,7 +9,7 @@ struct Scene;
 
 inline constexpr int largestFrameCount = 1000;
 
-/// How what lies in the plane moves: all of it, by a vector from the first frame to the last (Scan
+/// A motion of everything in the plane, by one vector from the first frame to the last (Scan
 /// Conversion slides, "Triangle Rasterization Issues: Moving Slivers").
 struct Motion {
     LatticePoint by; ///< lattice units
@@ -18,9 +18,9 @@ struct Motion {
     friend bool operator==(const Motion &, const Motion &) = default;
 };
 
-/// The scene at a frame, 0 … frames − 1: its triangles and shapes moved by by·frame/(frames − 1),
-/// each part to the nearest lattice unit, the off-screen point left where it is, and standing
-/// there. The scene itself where nothing moves; a vertex that would leave ±2^30 px stays at that
+/// The scene at a frame, 0 … frames − 1, without its motion: triangles and shapes moved by
+/// by·frame/(frames − 1), each coordinate to the nearest lattice unit, the off-screen point
+/// unmoved. A scene without motion stays as it is; a vertex that would leave ±2^30 px stays at that
 /// border.
 Scene sceneAtFrame(const Scene &scene, int frame);
 

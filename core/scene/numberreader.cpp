@@ -34,7 +34,7 @@ std::int64_t NumberReader::number(const JsonNode &node, const NumberFormat &form
         m_json.fail(node, describe(node), expectationOf(format));
         return 0;
     }
-    // Most are whole numbers, and a scene may hold millions: no big numbers for them.
+    // Most are whole numbers, and a scene may hold millions: these need no big numbers.
     if (const qint64 whole = wholeNumber(node.written());
         whole >= -format.largest && whole <= format.largest)
         return whole * format.one;

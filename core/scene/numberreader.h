@@ -17,7 +17,7 @@ struct PointCount {
     std::size_t most = 1;
 };
 
-/// Reads the numbers of a scene: snaps them to their format and reports by how much; errors stay
+/// Reads a scene's numbers: snaps them to their format and reports each displacement; errors stay
 /// with the JsonReader.
 class NumberReader {
 public:
@@ -31,7 +31,8 @@ public:
     Attribute attribute(const JsonNode &node) { return number(node, attributeFormat); }
     template <std::size_t Count>
     std::array<Attribute, Count> attributes(const JsonNode &node);
-    /// What is computed in double: numbers of the scene's space, at most largestAttributeValue.
+    /// A number that is computed with in double, in the scene's space; at most
+    /// largestAttributeValue.
     double real(const JsonNode &node);
     Vector3 vector(const JsonNode &node);
     /// A number above 0.
@@ -39,7 +40,7 @@ public:
     /// A coordinate above 0: a radius, a height.
     Lattice length(const JsonNode &node, const QString &what);
     LatticePoint position(const JsonNode &node);
-    /// Those before the first error.
+    /// The positions before the first error.
     std::vector<LatticePoint> positions(const JsonNode &node, PointCount count);
 
 private:

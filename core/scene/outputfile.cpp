@@ -20,12 +20,12 @@ namespace pixelplumb {
 
 namespace {
 
-// No longer than a window may stand still.
+// No longer than a window may freeze.
 constexpr std::chrono::milliseconds patience{40};
 constexpr std::chrono::milliseconds glance{5};
 
-/// Opens a pipe as soon as somebody reads it; false, and errno ENXIO, where nobody does for that
-/// long: to open it plainly would wait for ever.
+/// Opens a pipe as soon as it has a reader; after `patience` without one, false and errno ENXIO: a
+/// plain open would wait for ever.
 bool openPipe(QFile &file)
 {
     const QByteArray name = QFile::encodeName(file.fileName());
@@ -54,7 +54,7 @@ std::optional<InputError> OutputFile::open()
         if (auto refusal = refusalToWrite(m_path))
             return refusal;
     }
-    // A device or a pipe cannot be replaced by a finished file.
+    // A device or pipe cannot be replaced by a finished file.
     const QFileInfo target(m_path);
     const bool isReplaced = !target.exists() || target.isFile() || target.isDir();
     if (isReplaced) {
@@ -77,7 +77,7 @@ std::optional<InputError> OutputFile::open()
 
 std::optional<InputError> OutputFile::finish()
 {
-    // Once a file is given up it does not say any more why.
+    // Checked first: a discarded file no longer says why.
     if (m_file->error() != QFileDevice::NoError || !m_file->flush())
         return error();
     auto *file = qobject_cast<QSaveFile *>(m_file.get());
@@ -94,7 +94,8 @@ InputError writingError(const QString &place, const QFileDevice &device, const Q
     if (device.error() != QFileDevice::NoError)
         return {place, QStringLiteral("cannot be written: ") + device.errorString(), {}};
     QString why = otherwise;
-    // Of a disk that takes a part of what is written Qt knows no error: the next byte meets it.
+    // When a disk takes only part of a write, Qt reports no error; writing one more byte reveals
+    // it.
     if (why.isEmpty() && device.handle() >= 0 && ::write(device.handle(), "", 1) < 0)
         why = qt_error_string(errno);
     return {place,

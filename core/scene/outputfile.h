@@ -11,8 +11,8 @@
 
 namespace pixelplumb {
 
-/// A file that is written as its content is made: it appears whole or not at all. What is no
-/// regular file (a device, a pipe) is written to as it is.
+/// A file that is written while its content is made; it appears whole or not at all. What is no
+/// regular file (a device, a pipe) is written to directly.
 class OutputFile {
 public:
     explicit OutputFile(QString path, WrittenAs as = WrittenAs::Export);
@@ -20,10 +20,10 @@ public:
     /// An error when it cannot be written to.
     std::optional<InputError> open();
     QFileDevice &device() { return *m_file; }
-    /// Makes it permanent; without it a file is left as it was.
+    /// Makes the file permanent; without it the old file stays.
     std::optional<InputError> finish();
 
-    /// Why it cannot be written: what the device says, else `otherwise`.
+    /// Why the file cannot be written: what the device reports, else `otherwise`.
     InputError error(const QString &otherwise = {}) const;
 
 private:
@@ -32,7 +32,8 @@ private:
     std::unique_ptr<QFileDevice> m_file;
 };
 
-/// Why a device takes no more, at a place that has a name; `otherwise` where it does not say.
+/// Why a device takes no more data; `place` names it, and `otherwise` stands in where it reports
+/// nothing.
 InputError writingError(const QString &place, const QFileDevice &device, const QString &otherwise);
 
 } // namespace pixelplumb

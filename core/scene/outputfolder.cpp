@@ -13,7 +13,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Whether a path leads into a folder, by whatever links, or will as soon as it is made.
+/// Whether a path leads into a folder through any links, or will once it is made.
 bool isIn(const QString &path, const QString &folder)
 {
     namespace fs = std::filesystem;

@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Of the largest picture with two bytes a channel.
+/// Enough for the largest picture with two bytes per channel.
 constexpr int mostMegabytes = int(largestFrameArea * 8 >> 20);
 
 QString faultOf(const QByteArray &content)

@@ -6,18 +6,18 @@
 
 namespace pixelplumb {
 
-/// Reads a picture's file, of a kind that its content tells. What its decoder would write to the
-/// terminal is told as a fault, and pictures of up to 2^28 pixels are decoded, of which Qt reads
-/// less by itself.
+/// Reads a picture file and recognises its format by the content. What its decoder would print to
+/// the terminal is reported as a fault. Pictures of up to 2^28 pixels are decoded, more than Qt
+/// allows by default.
 class PictureReader {
 public:
     explicit PictureReader(const QByteArray &content);
 
-    /// Where a PNG or a BMP is broken that its decoder would complain of by itself, or take; empty
-    /// of a whole one and of other kinds. What is broken is not to be decoded.
+    /// Where a PNG or BMP has a fault that its decoder would print or ignore; empty for a whole one
+    /// and for other formats. A broken picture must not be decoded.
     const QString &fault() const { return m_fault; }
-    QByteArray format() { return m_reader.format(); } ///< "png"; empty: it is no picture
-    QSize size() { return m_reader.size(); } ///< px, before it is decoded; not valid: unknown
+    QByteArray format() { return m_reader.format(); } ///< "png"; empty: no picture
+    QSize size() { return m_reader.size(); } ///< px, before decoding; not valid: unknown
     QImage read() { return m_reader.read(); } ///< null where it cannot be decoded
     QString errorString() const { return m_reader.errorString(); }
 

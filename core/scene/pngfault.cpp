@@ -28,7 +28,7 @@ std::uint32_t checksumOf(QByteArrayView bytes)
     return check.checksum();
 }
 
-/// Critical chunks have a capital first: bit 5 is not set.
+/// Critical chunks begin with a capital: bit 5 is not set.
 bool isCritical(QByteArrayView type) { return (std::uint8_t(type.front()) & 0x20U) == 0; }
 
 bool isName(QByteArrayView type)
@@ -38,22 +38,22 @@ bool isName(QByteArrayView type)
     });
 }
 
-/// A damaged file may have anything for a type.
+/// A damaged file may have any bytes as a type.
 QString typeText(QByteArrayView type)
 {
     return isName(type) ? QString::fromLatin1(type) : QStringLiteral("a chunk");
 }
 
-/// The chunks that the pixels need, in the order in which they stand; views of the file.
+/// The chunks that the pixels need, in file order; views of the file.
 struct PngParts {
     QByteArrayView headerChunk;
     PngHeader header;
     QByteArrayView palette; ///< empty: none
     QByteArrayView transparency;
-    QByteArray pixels; ///< of all chunks that have some
+    QByteArray pixels; ///< joined from all their chunks
 };
 
-/// Red, green and blue of each colour.
+/// A palette has red, green and blue for each colour.
 QString paletteFault(QByteArrayView palette, const PngParts &parts)
 {
     constexpr qsizetype bytesOfColour = 3;
@@ -67,14 +67,14 @@ QString paletteFault(QByteArrayView palette, const PngParts &parts)
     return QStringLiteral("its palette (PLTE) has %1 bytes").arg(palette.size());
 }
 
-/// Of the first chunk of pixels: what is missing before it, or whether they are compressed
-/// otherwise (RFC 1950, 2.2).
+/// Checks the first chunk of pixels: what is missing before it, and whether it is compressed in
+/// another way (RFC 1950, 2.2).
 QString firstPixelsFault(QByteArrayView pixels, const PngParts &parts)
 {
     if (parts.header.colourType == ColourType::Palette && parts.palette.isEmpty())
         return QStringLiteral("its palette (PLTE) is missing");
     constexpr int deflate = 8;
-    if (pixels.size() < 2) // the others are in the next chunk
+    if (pixels.size() < 2) // the rest is in the next chunk
         return {};
     const auto first = std::uint8_t(pixels[0]);
     const bool isDeflated
@@ -82,7 +82,7 @@ QString firstPixelsFault(QByteArrayView pixels, const PngParts &parts)
     return isDeflated ? QString() : QStringLiteral("its pixels (IDAT) are not deflated");
 }
 
-/// Takes a chunk behind the header; what is wrong with it, or empty.
+/// Takes a chunk after the header; returns what is wrong with it, or empty.
 QString takeChunk(QByteArrayView type, QByteArrayView content, PngParts &parts)
 {
     if (type == "IDAT") {
@@ -95,7 +95,7 @@ QString takeChunk(QByteArrayView type, QByteArrayView content, PngParts &parts)
         parts.palette = content;
         return fault;
     }
-    // Elsewhere it is passed over (5.6).
+    // Elsewhere tRNS is ignored (5.6).
     const bool isInPlace = parts.pixels.isEmpty()
         && (parts.header.colourType != ColourType::Palette || !parts.palette.isEmpty());
     if (type == "tRNS" && isInPlace && parts.transparency.isEmpty())
@@ -105,7 +105,7 @@ QString takeChunk(QByteArrayView type, QByteArrayView content, PngParts &parts)
     return {};
 }
 
-/// Looks at the lines of pixels as they are inflated.
+/// Checks the lines of pixels as they are inflated.
 class LineCheck {
 public:
     explicit LineCheck(const PngHeader &header)
@@ -115,7 +115,7 @@ public:
             m_needed += each.bytes * each.count;
     }
 
-    /// False at a fault, and where there is far more than the pixels need.
+    /// False at a fault, and when there is far more than the pixels need.
     bool take(std::span<const std::uint8_t> block)
     {
         constexpr std::uint64_t mostBeyond = std::uint64_t(1) << 16;
@@ -159,10 +159,10 @@ public:
 
 private:
     std::vector<PngLines> m_lines;
-    std::uint64_t m_needed = 0; ///< bytes in all
+    std::uint64_t m_needed = 0; ///< bytes in total
     std::uint64_t m_bytes = 0;
     std::size_t m_pass = 0;
-    std::uint64_t m_line = 0; ///< of the pass
+    std::uint64_t m_line = 0; ///< within the pass
     std::uint64_t m_inLine = 0; ///< bytes
     bool m_hasUnknownFilter = false;
 };
@@ -171,7 +171,7 @@ QString pixelsFault(const PngParts &parts)
 {
     if (parts.pixels.isEmpty())
         return QStringLiteral("it has no pixels (IDAT)");
-    if (parts.header.area() > std::uint64_t(largestFrameArea)) // is refused, whatever it has
+    if (parts.header.area() > std::uint64_t(largestFrameArea)) // refused anyway
         return {};
     LineCheck check(parts.header);
     const StreamEnd end = inflate(
@@ -184,7 +184,7 @@ QString broken(const QString &fault)
     return fault.isEmpty() ? fault : QStringLiteral("a broken PNG: ") + fault;
 }
 
-/// Takes the chunks of a file up to its end; what is wrong with them, or empty.
+/// Takes the chunks of a file up to its end; returns what is wrong with them, or empty.
 QString takeChunks(const QByteArray &content, PngParts &parts)
 {
     for (qsizetype at = signature.size();;) {
@@ -219,7 +219,7 @@ QString takeChunks(const QByteArray &content, PngParts &parts)
     }
 }
 
-/// Whether the decoder can use what is said of transparency (11.3.2).
+/// Whether the decoder can use the tRNS chunk (11.3.2).
 bool isTransparencyOf(QByteArrayView transparency, const PngParts &parts)
 {
     constexpr qsizetype bytesOfSample = 2, bytesOfColour = 3;

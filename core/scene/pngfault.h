@@ -6,12 +6,12 @@
 
 namespace pixelplumb {
 
-/// Where a PNG is broken, even where a decoder would take it; empty of a whole one and of what is
-/// no PNG. A chunk that no decoder needs may be broken.
+/// Where a PNG is broken, even where a decoder would accept it; empty for a whole one and for other
+/// files. Chunks that no decoder needs may be broken.
 QString pngFault(const QByteArray &content);
 
-/// A whole PNG with what its pixels need alone: its decoder writes to the terminal what it thinks
-/// of other chunks.
+/// A whole PNG reduced to what its pixels need: its decoder prints remarks about other chunks to
+/// the terminal.
 QByteArray plainPng(const QByteArray &content);
 
 } // namespace pixelplumb

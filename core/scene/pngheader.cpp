@@ -12,7 +12,7 @@ namespace {
 
 using ColourType = PngHeader::ColourType;
 
-/// The depths in bits that a colour type can have; none: it is no type.
+/// The bit depths that a colour type allows; none for an unknown type.
 QByteArrayView depthsOf(ColourType type)
 {
     switch (type) {
@@ -44,7 +44,7 @@ std::uint64_t samplesOfPixel(ColourType type)
     return 1;
 }
 
-/// Pixels of every so manieth column and line from one on.
+/// The pixels of every n-th column and line from a first one on.
 struct Pass {
     std::uint64_t firstColumn, firstLine, columns, lines;
 };
@@ -72,7 +72,7 @@ QString readPngHeader(QByteArrayView content, PngHeader &header)
         return QStringLiteral("its header says colour type %1 of %2 bits, which is none")
             .arg(byteAt(typePlace))
             .arg(header.depth);
-    constexpr std::uint32_t largestSide = 1'000'000; // px, of decoders
+    constexpr std::uint32_t largestSide = 1'000'000; // px, the limit of decoders
     if (header.width < 1 || header.height < 1 || header.width > largestSide
         || header.height > largestSide)
         return QStringLiteral("its header says %1 × %2 pixels")

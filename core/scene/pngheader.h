@@ -9,7 +9,7 @@
 
 namespace pixelplumb {
 
-/// What a PNG says of its pixels before them: ISO/IEC 15948, 11.2.2.
+/// A PNG's header: ISO/IEC 15948, 11.2.2.
 struct PngHeader {
     enum class ColourType { Grey = 0, Rgb = 2, Palette = 3, GreyAlpha = 4, Rgba = 6 };
 
@@ -21,16 +21,16 @@ struct PngHeader {
     std::uint64_t area() const { return std::uint64_t(width) * height; }
 };
 
-/// Reads a header's content; what is wrong with it, or empty.
+/// Reads a header's content; returns what is wrong with it, or empty.
 QString readPngHeader(QByteArrayView content, PngHeader &header);
 
-/// Lines of pixels of one length.
+/// Lines of pixels of equal length.
 struct PngLines {
-    std::uint64_t bytes = 0; ///< of each, with the filter's, which stands first
+    std::uint64_t bytes = 0; ///< of each line, with its filter byte, which comes first
     std::uint64_t count = 0;
 };
-/// Those that the pixels take before they are compressed, in their order: one pass over the
-/// picture, or the seven of an interlaced one (8.2), but for empty ones.
+/// The lines of the uncompressed pixels in their order: one pass over the picture, or the seven of
+/// an interlaced one (8.2) without the empty ones.
 std::vector<PngLines> linesOf(const PngHeader &header);
 
 } // namespace pixelplumb

@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Reads words one by one; a # begins a comment that goes to the end of its line.
+/// Reads words one by one; # begins a comment up to the end of its line.
 class WordReader {
 public:
     explicit WordReader(const QByteArray &content)
@@ -17,7 +17,7 @@ public:
     {
     }
 
-    /// None at the end.
+    /// None at the end of the content.
     std::optional<QByteArray> next()
     {
         while (m_place < m_content.size() && (isSpace() || m_content[m_place] == '#')) {
@@ -34,7 +34,7 @@ public:
         return m_content.sliced(first, m_place - first);
     }
     int line() const { return m_line; } ///< of the last word, from 1
-    qsizetype place() const { return m_place; } ///< behind the last word
+    qsizetype place() const { return m_place; } ///< just after the last word
 
 private:
     bool isSpace() const
@@ -53,7 +53,7 @@ private:
     int m_line = 1;
 };
 
-/// What the header says; levels from 0 to the greatest.
+/// The header's content; levels run from 0 to the greatest.
 struct PnmHeader {
     char digit = '1'; ///< of P1 … P6
     int width = 0;
@@ -69,7 +69,7 @@ struct PnmHeader {
                           : (hasColours() ? QStringLiteral("PPM") : QStringLiteral("PGM"));
     }
     qint64 levels() const { return qint64(width) * height * (hasColours() ? 3 : 1); }
-    /// Of the pixels, where they are no text: bits fill up their line's last byte.
+    /// The size of binary pixels; each line of bits is padded to whole bytes.
     qint64 bytes() const
     {
         constexpr int greatestByte = 255;
@@ -78,10 +78,10 @@ struct PnmHeader {
     }
 };
 
-/// Reads the header behind its P and digit; what is wrong with it, or empty.
+/// Reads the header after its P and digit; returns what is wrong with it, or empty.
 QString headerFault(WordReader &reader, PnmHeader &header)
 {
-    constexpr int most = 65535; // of a side, of a level
+    constexpr int most = 65535; // for a side or a level
     const auto take = [&](const char *name, int &number) -> QString {
         const auto word = reader.next();
         if (!word)
@@ -113,7 +113,7 @@ QString missingText(const PnmHeader &header, qint64 found, qint64 needed, const 
              QLatin1String(what));
 }
 
-/// Bits of a bitmap may stand without a space between them.
+/// The bits of a bitmap may stand without spaces between them.
 QString levelsFault(WordReader &reader, const PnmHeader &header)
 {
     qint64 found = 0;
@@ -145,7 +145,7 @@ QString pnmFault(const QByteArray &content)
         return fault;
     if (header.isText())
         return levelsFault(reader, header);
-    // One space alone stands before the pixels.
+    // Exactly one space precedes the pixels.
     const qint64 found = std::max<qint64>(0, content.size() - reader.place() - 1);
     return missingText(header, found, header.bytes(), "bytes of pixels");
 }

@@ -6,10 +6,10 @@
 
 namespace pixelplumb {
 
-/// Where a PBM, PGM or PPM file is broken or ends early, in its header or behind it, or where its
-/// levels in text (P1 … P3) go beyond its greatest one or stop being numbers: "line 4: no level
-/// from 0 to 255". Empty of one that is right and of what is none. Its decoder would take what is
-/// left of levels in text.
+/// Where a PBM, PGM or PPM file is broken or ends early, in its header or after it, or where its
+/// levels in text (P1 … P3) exceed the greatest one or stop being numbers: "line 4: no level from 0
+/// to 255". Empty for a sound file and for other formats. Its decoder would accept the levels in
+/// text up to there.
 QString pnmFault(const QByteArray &content);
 
 } // namespace pixelplumb

@@ -97,7 +97,7 @@ PrimitiveKind PrimitiveReader::kindOf(const JsonNode &primitive)
         if (!primitive[keyOf(kind)].isMissing())
             return kind;
     }
-    // A misspelt key is named before the one that it stands for is missed.
+    // Reports a misspelt key before the missing primitive.
     expectKeys(primitive, primitiveKeys() + QStringList{colourKey, coloursKey, fillKey});
     m_json.fail(primitive, QStringLiteral("no primitive is named"),
                 QStringLiteral("one of ") + primitiveKeys().join(QStringLiteral(", ")));
@@ -143,14 +143,14 @@ void PrimitiveReader::readSolid(const JsonNode &primitive, SolidKind kind)
     if (!m_scene.camera)
         m_json.fail(node, QStringLiteral("a %1 in a scene without a camera").arg(key),
                     QStringLiteral("a key \"camera\" of the scene: { \"eye\": [0, 0, 5], … }"));
-    Solid solid = SolidReader(m_json, m_numbers, m_inHand.files, m_scene.appearance.materials)
+    Solid solid = SolidReader(m_json, m_numbers, m_current.files, m_scene.appearance.materials)
                       .read(primitive, kind);
     solid.isHidden = isHidden(primitive);
     if (m_json.hasFailed())
         return;
-    m_inHand.solidTriangles += triangleCount(solid);
-    if (m_inHand.solidTriangles > mostSolidTriangles)
-        m_json.fail(node, tooManyTriangles(m_inHand.solidTriangles), fewerTriangles());
+    m_current.solidTriangles += triangleCount(solid);
+    if (m_current.solidTriangles > mostSolidTriangles)
+        m_json.fail(node, tooManyTriangles(m_current.solidTriangles), fewerTriangles());
     m_scene.solids.push_back(std::move(solid));
 }
 
@@ -233,16 +233,16 @@ void PrimitiveReader::readText(const JsonNode &primitive, Shape &shape)
     shape.text = text.toStdString();
     shape.vertices = {{m_numbers.position(primitive["at"]), {}}};
     shape.textHeight = m_numbers.length(primitive["height"], QStringLiteral("a height"));
-    // What fonts are drawn for: the outlines of a letter may overlap.
+    // Fonts are drawn for this rule: the outlines of a letter may overlap.
     shape.fill = ShapeFill::NonZero;
     readColourOfAll(primitive, shape);
 }
 
 void PrimitiveReader::countVertices(const JsonNode &node, qsizetype more)
 {
-    m_inHand.shapeVertices += std::size_t(more);
-    if (m_inHand.shapeVertices > mostShapeVertices)
-        m_json.fail(node, tooManyVertices(m_inHand.shapeVertices), fewerVertices());
+    m_current.shapeVertices += std::size_t(more);
+    if (m_current.shapeVertices > mostShapeVertices)
+        m_json.fail(node, tooManyVertices(m_current.shapeVertices), fewerVertices());
 }
 
 void PrimitiveReader::appendPositions(const JsonNode &node, PointCount count, Shape &shape)

@@ -10,21 +10,21 @@ namespace pixelplumb {
 QStringList primitiveKeys();
 
 /// A scene while it is read.
-struct SceneInHand {
+struct CurrentScene {
     SceneReading reading;
     ReferredFiles files;
-    std::size_t solidTriangles = 0; ///< into which its solids are cut so far
-    std::size_t shapeVertices = 0; ///< of its shapes so far; characters count as one
+    std::size_t solidTriangles = 0; ///< that its solids are cut into so far
+    std::size_t shapeVertices = 0; ///< of its shapes so far; each character of a text counts as one
 };
 
 /// Reads the primitives of a scene; errors stay with the JsonReader.
 class PrimitiveReader {
 public:
-    PrimitiveReader(JsonReader &json, SceneInHand &inHand)
+    PrimitiveReader(JsonReader &json, CurrentScene &current)
         : m_json(json)
-        , m_inHand(inHand)
-        , m_scene(inHand.reading.scene)
-        , m_numbers(json, inHand.reading.snaps)
+        , m_current(current)
+        , m_scene(current.reading.scene)
+        , m_numbers(json, current.reading.snaps)
     {
     }
 
@@ -33,10 +33,10 @@ public:
 
 private:
     PrimitiveKind kindOf(const JsonNode &primitive);
-    /// These and what every primitive of the frame may have.
+    /// Fails on keys other than these and those that every primitive of the frame may have.
     void expectKeys(const JsonNode &primitive, const QStringList &keys);
     bool isHidden(const JsonNode &primitive);
-    bool hasShapes() const; ///< hidden ones too
+    bool hasShapes() const; ///< also hidden ones
     void readSolid(const JsonNode &primitive, SolidKind kind);
     void readTriangle(const JsonNode &primitive);
     void readPoints(const JsonNode &primitive, PointCount count, Shape &shape);
@@ -45,17 +45,19 @@ private:
     void readPolygon(const JsonNode &primitive, Shape &shape);
     void readText(const JsonNode &primitive, Shape &shape);
 
-    /// Counts so many more vertices or characters of the scene's shapes; an error above the limit.
+    /// Adds `more` vertices or characters to the count of the scene's shapes; an error above the
+    /// limit.
     void countVertices(const JsonNode &node, qsizetype more);
     void appendPositions(const JsonNode &node, PointCount count, Shape &shape);
-    /// The arrays of points of a shape that has several; `none` is what is said where it has none.
+    /// Reads the arrays of points of a shape with several parts; `none` is the error where there
+    /// are none.
     void appendParts(const JsonNode &node, const QString &none, PointCount count, Shape &shape);
     void readColours(const JsonNode &primitive, Shape &shape);
     void readColourOfAll(const JsonNode &primitive, Shape &shape);
     ShapeFill fill(const JsonNode &node, PrimitiveKind kind);
 
     JsonReader &m_json;
-    SceneInHand &m_inHand;
+    CurrentScene &m_current;
     Scene &m_scene;
     NumberReader m_numbers;
 };

@@ -42,7 +42,7 @@ QByteArray colours(std::span<const Vertex> vertices, const TriangleAttributes *a
     return ", \"colors\": [" + text + ']';
 }
 
-/// The first vertex' colour, which is that of all.
+/// The first vertex's colour, shared by all.
 QByteArray colourOfAll(const Shape &shape)
 {
     const Colour first = shape.vertices.empty() ? Colour() : shape.vertices.front().colour;
@@ -72,7 +72,7 @@ QByteArray roundText(const Shape &shape)
     return "{ \"centre\": " + jsonPointText(centre) + radius + " }";
 }
 
-/// The vertices, or the arrays of a shape of several parts under a key.
+/// The vertices; with several parts, their arrays under a key.
 QByteArray partsText(const Shape &shape, const char *key)
 {
     if (shape.laterContours.empty())

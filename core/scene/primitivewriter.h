@@ -9,12 +9,12 @@
 
 namespace pixelplumb {
 
-/// A primitive as one line of a scene file; what readScene reads back as the same primitive.
-/// A triangle without attributes: null.
+/// A primitive as one line of a scene file, which readScene() reads back as the same primitive.
+/// `attributes` is null for a triangle without any.
 QByteArray primitiveText(const Triangle &triangle, const TriangleAttributes *attributes,
                          const std::vector<Material> &materials);
 QByteArray primitiveText(const Shape &shape);
-/// With its key "hidden".
+/// Adds the key "hidden".
 QByteArray primitiveText(const HiddenPrimitive &hidden, const std::vector<Material> &materials);
 
 /// "[26, "53/2"]".
@@ -25,7 +25,7 @@ QByteArray jsonAttributeText(Attribute value);
 /// "[1, "1/3"]".
 QByteArray jsonAttributeText(std::span<const Attribute> values);
 
-/// A text between quotation marks, as JSON has it.
+/// A text in quotation marks, escaped for JSON.
 QByteArray quotedText(const QByteArray &utf8);
 
 } // namespace pixelplumb

@@ -15,7 +15,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Of a scene: four of the largest.
+/// For a whole scene: four of the largest textures.
 constexpr std::size_t mostTexels = std::size_t(4) * largestTextureSide * largestTextureSide;
 
 } // namespace

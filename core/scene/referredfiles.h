@@ -12,18 +12,18 @@
 
 namespace pixelplumb {
 
-/// What a scene takes from other files, pictures and meshes: each read once, found beside the
-/// scene's own file.
+/// The pictures and meshes that a scene refers to: each is read once, relative to the scene's own
+/// file.
 class ReferredFiles {
 public:
-    /// The folder of the scene's file; empty where there is none: the current one.
+    /// `folder`: that of the scene's file; empty: the current one.
     explicit ReferredFiles(QString folder, ProgressListener listener = {})
         : m_folder(std::move(folder))
         , m_listener(std::move(listener))
     {
     }
 
-    /// "checker", or a picture.
+    /// Returns "checker", or reads a picture.
     Result<std::shared_ptr<const Texture>> texture(const QString &name);
     Result<std::shared_ptr<const Mesh>> mesh(const QString &name);
 
@@ -31,18 +31,18 @@ private:
     QString pathOf(const QString &name) const;
 
     QString m_folder;
-    ProgressListener m_listener; ///< of meshes
+    ProgressListener m_listener; ///< for meshes
     QHash<QString, std::shared_ptr<const Texture>> m_textures; // by path
     QHash<QString, std::shared_ptr<const Mesh>> m_meshes;
     std::size_t m_texels = 0;
 };
 
-/// How many bytes a scene's file has with the pictures and meshes that it names, so far as they are
-/// there; for guesses of how long it takes to read them. Beyond 1 MiB its own alone.
+/// How many bytes a scene's file has together with the existing pictures and meshes that it names,
+/// to estimate the time of reading; above 1 MiB the scene's file alone counts.
 qint64 bytesToRead(const QString &path);
 
-/// A file's name as a scene in the folder says it: relative where there is a folder; names that are
-/// no absolute path, as "checker", stay.
+/// A file's name as written in a scene in the folder: relative where there is a folder; names that
+/// are no absolute path, such as "checker", stay.
 QString nameInFolder(const std::string &name, const QString &folder);
 
 } // namespace pixelplumb

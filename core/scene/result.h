@@ -8,8 +8,7 @@
 
 namespace pixelplumb {
 
-/// What is wrong with something that a person or a file gave: where, what stands there, what
-/// should.
+/// What is wrong with input from the user or a file: where, what was found, what is expected.
 struct InputError {
     QString place; ///< "line 5, column 33, primitives[0].triangle[1][0]"; empty for the whole input
     QString found; ///< "3e9 is outside ±1073741824 px"

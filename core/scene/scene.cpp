@@ -10,7 +10,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Behind those that are there already.
+/// Appends after the triangles already there.
 void append(ProjectedSolids projected, Primitives &primitives)
 {
     const std::size_t first = primitives.triangles.size();
@@ -56,9 +56,7 @@ std::size_t Scene::hiddenCount() const
 
 bool mayCallForEffects(const Scene &scene)
 {
-    return !scene.attributes.empty() || scene.hasSolids()
-        || scene.appearance.antialiasing != Antialiasing::None
-        || scene.appearance.forced != EffectForcing{};
+    return !scene.attributes.empty() || scene.hasSolids() || scene.appearance.asksForEffects();
 }
 
 Primitives primitivesOnSamples(const Scene &scene)

@@ -12,11 +12,11 @@ namespace pixelplumb {
 /// The format that this program writes, and the newest that it reads.
 inline constexpr int sceneFormat = 1;
 
-/// A number of a file that its format does not have: a coordinate off the lattice, an attribute
+/// A number in a file that its format cannot represent: a coordinate off the lattice, an attribute
 /// finer than 2^-24. Its displacement is an error of the input, never of a method.
 struct SnapReport {
     QString place; ///< "primitives[0].triangle[1][0]"
-    QString written; ///< as the file says it
+    QString written; ///< as in the file
     SnappedNumber snapped;
     const NumberFormat *format = &coordinateFormat;
 
@@ -24,7 +24,7 @@ struct SnapReport {
     QString message() const;
 };
 
-/// The first of them, and how many there are: a large scene may have millions.
+/// The first reports and the count of all: a large scene may have millions.
 class SnapReports {
 public:
     static constexpr std::size_t mostKept = 1000;
@@ -40,7 +40,7 @@ public:
     std::size_t size() const { return m_count; }
     const SnapReport &front() const { return m_kept.front(); }
     const SnapReport &operator[](std::size_t index) const { return m_kept[index]; } ///< < mostKept
-    // Those that are kept.
+    // Only those that are kept.
     auto begin() const { return m_kept.begin(); }
     auto end() const { return m_kept.end(); }
 
@@ -53,21 +53,22 @@ class JsonNode;
 class JsonReader;
 struct Method;
 
-/// What a scene file does not name: settings are as the method has them, the method is chosen.
+/// Which settings a scene file leaves open. Open settings follow the method, and an open method is
+/// chosen.
 struct OpenSettings {
     bool method = true;
     bool arithmetic = true;
     bool fillRule = true;
 };
 
-/// The settings of a scene drawn by a method: of those that are left open exact and closed, or the
-/// method's first where it keeps neither.
+/// The settings of a scene drawn by a method: open ones are exact and closed, or the method's first
+/// where it does not support that.
 ScanSettings settledFor(const Method &method, ScanSettings settings, const OpenSettings &open);
 
-/// The method of a scene that names none: the first that draws its first primitive, antialiased
-/// where that is a line or curve and the scene asks for it, under the settings that are named, and
-/// with effects where the scene carries what may call for them. Where no method can all of it, the
-/// first that draws the primitive under the settings, or at all.
+/// The method for a scene that names none: the first that draws its first primitive, under the
+/// settings that are named, with effects where the scene may need them, and antialiased where that
+/// primitive is a line or curve and the scene asks for it. Where no method does all that, the first
+/// that draws the primitive under the settings, or at all.
 const Method &methodFor(const Scene &scene, const OpenSettings &open);
 
 /// A scene file as it was read.
@@ -77,23 +78,23 @@ struct SceneReading {
     OpenSettings open = {};
 };
 
-/// Reads a scene in JSON: "pixelplumb", "frame" with "width" and "height", and "primitives" must be
-/// there; everything else has a default: the method is methodFor() the scene, arithmetic and fill
-/// rule are exact and closed, or the method's first where it keeps neither.
+/// Reads a scene in JSON: "pixelplumb", "frame" with "width" and "height", and "primitives" are
+/// required; everything else has a default: the method is methodFor() the scene, arithmetic and
+/// fill rule are exact and closed, or the method's first where it supports neither.
 /// Unknown and repeated keys are errors. The listener hears how many bytes are read; when it ends
-/// the reading, an error says so. Pictures and meshes are found in the folder of the scene; empty:
+/// the reading, an error says so. Pictures and meshes are looked up in the scene's folder; empty:
 /// the current one. Their names in the scene are absolute.
 Result<SceneReading> readScene(const QByteArray &text, const ProgressListener &listener = {},
                                const QString &folder = {});
-/// The same of a scene that is part of another file; errors stay with the JsonReader.
+/// Reads a scene that is part of another file; errors stay with the JsonReader.
 Scene readScene(JsonReader &json, const JsonNode &node, const QString &folder = {});
 Result<SceneReading> readSceneFile(const QString &path, const ProgressListener &listener = {});
 
-/// Of texts up to this size the listener hears nothing: they are read at once.
+/// Texts up to this size are read at once, without a word to the listener.
 inline constexpr qsizetype shortText = qsizetype(1) << 20; // bytes
 
-/// The same scene gives the same bytes, whatever the locale. Pictures and meshes are named as seen
-/// from the folder; empty: as the scene has them.
+/// Writes a scene: equal scenes give equal bytes in any locale. Pictures and meshes are named
+/// relative to the folder; empty: as the scene names them.
 QByteArray writeScene(const Scene &scene, const QString &folder = {});
 std::optional<InputError> writeSceneFile(const QString &path, const Scene &scene);
 

@@ -8,7 +8,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Whether the method draws the scene's first primitive; an empty scene is one for triangles.
+/// Whether the method draws the scene's first primitive; an empty scene counts as triangles.
 bool drawsFirst(const Method &method, const Scene &scene)
 {
     if (scene.hasTriangles() || scene.isEmpty())
@@ -16,7 +16,7 @@ bool drawsFirst(const Method &method, const Scene &scene)
     return method.draws(scene.shapes.front());
 }
 
-/// Whether it can what the scene may call for at that primitive.
+/// Whether the method supports what the scene may need for its first primitive.
 bool canEffects(const Method &method, const Scene &scene, Arithmetic arithmetic)
 {
     if (!scene.hasTriangles())
@@ -44,7 +44,8 @@ ScanSettings settledFor(const Method &method, ScanSettings settings, const OpenS
 
 const Method &methodFor(const Scene &scene, const OpenSettings &open)
 {
-    // The first that can do it all, or else keep the settings, or else do the effects, or draw.
+    // The first that does it all; else one that keeps the settings, else one with the effects, else
+    // any that draws.
     const Method *keeping = nullptr;
     const Method *shading = nullptr;
     const Method *drawing = nullptr;

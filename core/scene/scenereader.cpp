@@ -18,7 +18,7 @@ namespace {
 
 constexpr auto primitivesKey = "primitives";
 
-/// Reads the parts of a scene out of a JSON text; errors stay with the JsonReader.
+/// Reads the parts of a scene from JSON; errors stay with the JsonReader.
 class SceneReader {
 public:
     using MayGoOn = std::function<bool(qint64 offset)>;
@@ -26,7 +26,7 @@ public:
     SceneReader(JsonReader &json, ReferredFiles files, MayGoOn mayGoOn)
         : m_json(json)
         , m_mayGoOn(std::move(mayGoOn))
-        , m_inHand{{}, std::move(files)}
+        , m_current{{}, std::move(files)}
     {
     }
 
@@ -35,11 +35,11 @@ public:
         readSurroundings();
         readPrimitives(m_json.root()[primitivesKey]);
         chooseMethod(m_json.root());
-        return std::move(m_inHand.reading);
+        return std::move(m_current.reading);
     }
 
 private:
-    /// Everything but the primitives, and but the choice of a method, which depends on them.
+    /// Everything except the primitives and the choice of a method, which depends on them.
     void readSurroundings()
     {
         const JsonNode root = m_json.root();
@@ -48,20 +48,20 @@ private:
             = {"pixelplumb",     "frame",    "method",   "arithmetic", "fillRule",
                "offScreenPoint", "rounding", "variants", "camera",     "motion"};
         m_json.expectObject(root, keys + appearanceKeys() + QStringList{primitivesKey});
-        m_inHand.reading.scene.frame = readFrame(m_json, root["frame"]);
+        m_current.reading.scene.frame = readFrame(m_json, root["frame"]);
         readSettings(root);
-        NumberReader numbers(m_json, m_inHand.reading.snaps);
-        Scene &scene = m_inHand.reading.scene;
+        NumberReader numbers(m_json, m_current.reading.snaps);
+        Scene &scene = m_current.reading.scene;
         if (const JsonNode point = root["offScreenPoint"]; !point.isMissing())
             scene.frame.offScreenPoint = numbers.position(point);
         if (const JsonNode camera = root["camera"]; !camera.isMissing())
             scene.camera = readCamera(m_json, numbers, camera);
         if (const JsonNode motion = root["motion"]; !motion.isMissing())
             scene.motion = readMotion(numbers, motion);
-        scene.appearance = readAppearance(m_json, numbers, m_inHand.files, root);
+        scene.appearance = readAppearance(m_json, numbers, m_current.files, root);
     }
 
-    /// First of all: a newer file may have keys that this program does not know.
+    /// Checked first: a newer file may have keys that this program does not know.
     void readFormat(const JsonNode &root)
     {
         const JsonNode format = root["pixelplumb"];
@@ -92,14 +92,14 @@ private:
 
     void readSettings(const JsonNode &root)
     {
-        Scene &scene = m_inHand.reading.scene;
+        Scene &scene = m_current.reading.scene;
         readChoice(m_json, root["arithmetic"], allArithmetics, scene.settings.arithmetic);
         readChoice(m_json, root["fillRule"], allFillRules, scene.settings.fillRule);
         readChoice(m_json, root["rounding"], allByteRoundings, scene.settings.rounding);
         scene.settings.variants = readVariants(m_json, root["variants"]);
     }
 
-    /// One by one: the listener is asked before every so many whether to go on.
+    /// Before every 1024 primitives the listener is asked whether to go on.
     void readPrimitives(const JsonNode &node)
     {
         constexpr qsizetype betweenProgress = 1024;
@@ -113,7 +113,7 @@ private:
             if (m_json.hasFailed())
                 return false;
             JsonReader json(m_json, primitive, elementPath(path, index++));
-            PrimitiveReader(json, m_inHand).read(json.root());
+            PrimitiveReader(json, m_current).read(json.root());
             if (json.hasFailed())
                 m_json.fail(json.error());
             return !json.hasFailed();
@@ -123,9 +123,9 @@ private:
     /// The method that the scene names, or methodFor() it.
     void chooseMethod(const JsonNode &root)
     {
-        Scene &scene = m_inHand.reading.scene;
+        Scene &scene = m_current.reading.scene;
         const JsonNode node = root["method"];
-        OpenSettings &open = m_inHand.reading.open;
+        OpenSettings &open = m_current.reading.open;
         open = {node.isMissing(), root["arithmetic"].isMissing(), root["fillRule"].isMissing()};
         const Method *method = nullptr;
         if (open.method) {
@@ -146,10 +146,10 @@ private:
             m_json.fail(refusedNode(*method, root), refusal, {});
     }
 
-    /// Which of the settings the method does not keep.
+    /// The node of the setting that the method does not support.
     JsonNode refusedNode(const Method &method, const JsonNode &root) const
     {
-        const ScanSettings &settings = m_inHand.reading.scene.settings;
+        const ScanSettings &settings = m_current.reading.scene.settings;
         if (!method.supports(settings.arithmetic))
             return root["arithmetic"];
         return root[method.supports(settings.fillRule) ? QStringLiteral("variants")
@@ -158,7 +158,7 @@ private:
 
     JsonReader &m_json;
     MayGoOn m_mayGoOn;
-    SceneInHand m_inHand;
+    CurrentScene m_current;
 };
 
 } // namespace

@@ -14,8 +14,8 @@ namespace pixelplumb {
 
 namespace {
 
-// One primitive a line, so that a difference of two scenes reads as a difference of primitives.
-// QJsonDocument would sort the keys and break lines.
+// One primitive per line, so that a diff of two scenes is a diff of primitives. QJsonDocument would
+// sort the keys and break lines.
 
 QByteArray quoted(std::string_view text)
 {
@@ -37,7 +37,7 @@ QByteArray frameText(const FrameSpec &frame)
     return text + " }";
 }
 
-/// Written where the scene has a point of its own.
+/// Written only where the scene sets its own off-screen point.
 QByteArray offScreenText(const FrameSpec &frame)
 {
     return frame.offScreenPoint
@@ -51,7 +51,7 @@ QByteArray motionText(const Motion &motion)
         + ", \"frames\": " + QByteArray::number(motion.frames) + " }";
 }
 
-/// Written where the scene departs from the right algorithm.
+/// Written only where the scene departs from the right algorithm.
 QByteArray variantsText(VariantSet variants)
 {
     if (variants.isEmpty())

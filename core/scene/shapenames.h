@@ -7,14 +7,14 @@
 
 namespace pixelplumb {
 
-/// What a fill is called in files, for one kind of shape.
+/// A fill's name in files, for one kind of shape.
 struct FillName {
     const char *name;
     ShapeFill fill;
 };
 
-/// The fills that a kind of shape may have in files, its default first; none where a shape has no
-/// choice. A circle never crosses itself, so that both fill rules are one for it.
+/// The fills that a kind of shape may have in files, its default first; none where there is no
+/// choice. A circle never crosses itself, so both fill rules agree on it.
 inline std::span<const FillName> fillNamesOf(PrimitiveKind kind)
 {
     static constexpr FillName ofCircles[]

@@ -5,15 +5,15 @@
 
 namespace pixelplumb {
 
-/// Characters of what is quoted from a file or a command line.
+/// The most characters quoted from a file or a command line.
 inline constexpr qsizetype longestQuote = 60;
 
-/// A text as it is quoted in a message: whole, or its beginning and an ellipsis.
+/// A text as a message quotes it: whole, or its beginning and an ellipsis.
 inline QString shortened(const QString &text, qsizetype longest = longestQuote)
 {
     if (text.size() <= longest)
         return text;
-    // Both halves of a character beyond the BMP, or neither.
+    // Keeps both halves of a surrogate pair, or neither.
     const qsizetype end = longest - (text[longest - 1].isHighSurrogate() ? 1 : 0);
     return text.first(end) + QStringLiteral("…");
 }

@@ -106,7 +106,7 @@ void SolidReader::readCorners(const JsonNode &primitive, Solid &solid)
                             QStringLiteral("a direction"));
         }
     }
-    // They stand with the corners.
+    // The corners carry the colour instead.
     solid.colour = Solid().colour;
     solid.alpha = Solid().alpha;
 }

@@ -6,7 +6,7 @@
 
 namespace pixelplumb {
 
-/// Reads the solids of a scene, whose materials are known; errors stay with the JsonReader.
+/// Reads a scene's solids; its materials must be known already. Errors stay with the JsonReader.
 class SolidReader {
 public:
     SolidReader(JsonReader &json, NumberReader &numbers, ReferredFiles &files,

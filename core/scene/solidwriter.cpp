@@ -14,7 +14,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The shortest decimal that means the same double.
+/// The shortest decimal for the same double.
 QByteArray realText(double value) { return numberText(value).toUtf8(); }
 
 QByteArray realsText(std::span<const double> values)
@@ -50,7 +50,7 @@ QByteArray positionsText(std::span<const SolidCorner> corners)
                        [](const SolidCorner &corner) { return realsText(corner.position); });
 }
 
-/// What triangle3 and polygon3 have at each corner.
+/// What each corner of a triangle3 or polygon3 carries.
 QByteArray cornerValuesText(const std::vector<SolidCorner> &corners)
 {
     const auto isSame = [&corners](const auto &value) {
@@ -92,7 +92,7 @@ QByteArray segmentsText(const Solid &solid)
                       + QByteArray::number(solid.segments[1]) + ']');
 }
 
-/// What follows the key that names the solid, but for its material.
+/// What follows the key that names the solid, without its material.
 QByteArray valueText(const Solid &solid, const QString &folder)
 {
     const QByteArray colour = member("color", blendedColourText(solid.colour, solid.alpha));

@@ -7,7 +7,8 @@
 
 namespace pixelplumb {
 
-/// A solid as one line of a scene file in the folder; what readScene reads back as the same solid.
+/// A solid as one line of a scene file in the folder, which readScene() reads back as the same
+/// solid.
 QByteArray primitiveText(const Solid &solid, const std::vector<Material> &materials,
                          const QString &folder);
 

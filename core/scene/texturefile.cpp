@@ -14,7 +14,7 @@ bool isWithinLimits(const QSize &size)
         && size.height() <= largestTextureSide;
 }
 
-/// Pictures of pixels alone: a drawing could name other files, or never end.
+/// Pixel formats only: a vector drawing could name other files, or never end.
 bool isTextureFormat(const QByteArray &format)
 {
     static const QList<QByteArray> formats

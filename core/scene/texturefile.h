@@ -8,8 +8,8 @@ namespace pixelplumb {
 
 inline constexpr int largestTextureSide = 4096; // texels
 
-/// A picture as texels, by any format that Qt reads; where the picture is transparent is not
-/// looked at. Its size is judged by its header, before anything is decoded.
+/// Reads a picture as texels; its transparency is ignored. The size is judged by the header, before
+/// anything is decoded.
 Result<Texture> readTexture(const QString &path);
 
 } // namespace pixelplumb

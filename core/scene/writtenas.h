@@ -3,10 +3,10 @@
 
 namespace pixelplumb {
 
-/// What is written to a file.
+/// What a file is written as.
 enum class WrittenAs {
     Export, ///< never over an input
-    Document, ///< what was opened, where it came from
+    Document, ///< saved back to where it was opened
 };
 
 } // namespace pixelplumb

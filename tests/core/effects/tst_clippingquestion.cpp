@@ -10,20 +10,20 @@ namespace tst_clippingquestion {
 
 using namespace pixelplumb;
 
-/// What lies in the frame, and what beyond it.
+/// What lies inside the frame, and what beyond it.
 class TestClippingQuestion : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Against every sample in and around the frame, by products in whole numbers.
-    void clippingIsAskedOfTheSamples_data()
+    /// Checked against every sample in and around the frame, by products of whole numbers.
+    void clippingIsDecidedBySamples_data()
     {
         QTest::addColumn<Antialiasing>("antialiasing");
         QTest::newRow("1") << Antialiasing::None;
         QTest::newRow("4") << Antialiasing::Samples4;
         QTest::newRow("16") << Antialiasing::Samples16;
     }
-    void clippingIsAskedOfTheSamples()
+    void clippingIsDecidedBySamples()
     {
         QFETCH(Antialiasing, antialiasing);
         constexpr std::array<LatticePoint, 1> own = {};
@@ -33,7 +33,7 @@ private slots:
         SeededRandom random(27);
         int crossing = 0;
         for (int i = 0; i < 400; ++i) {
-            // About the frame's upper right corner, in quarters of a pixel.
+            // Around the frame's upper right corner, in quarters of a pixel.
             Triangle triangle = plain().triangles[0];
             for (Vertex &vertex : triangle.vertices)
                 vertex.position = {random.between(29 * 4, 34 * 4) * unitsPerPixel / 4,
@@ -72,7 +72,7 @@ private slots:
     }
 
     /// A stroke is ½ px wide to each side, and the frame ends ½ px beyond its samples.
-    void aStrokeBesideTheFrameCallsForNothing()
+    void aStrokeOutsideTheFrameNeedsNothing()
     {
         for (const Antialiasing antialiasing :
              {Antialiasing::Samples4, Antialiasing::Samples16, Antialiasing::Area}) {
@@ -91,7 +91,8 @@ private slots:
         }
     }
 
-    /// The midpoint circle rounds its centre and its radius: (−2.5, 2), 1.5 reaches the column 0.
+    /// The midpoint circle rounds its centre and its radius: centre (−2.5, 2), radius 1.5 reaches
+    /// column 0.
     void aCircleIsInTheFrameWhereItsRoundedOneIs()
     {
         Primitives primitives;

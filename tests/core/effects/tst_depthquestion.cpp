@@ -31,8 +31,8 @@ FrameView frameView()
     return frame.view();
 }
 
-/// Triangles in and about the frame, on a coarse lattice so that edges and corners meet, with
-/// depths of few values.
+/// Triangles in and around the frame, on a coarse lattice so that edges and corners meet, with few
+/// distinct depths.
 Primitives randomScene(quint32 seed)
 {
     QRandomGenerator random(seed);
@@ -60,14 +60,14 @@ Primitives randomScene(quint32 seed)
     return primitives;
 }
 
-/// One sample of a pixel, as antialiasing has it: what each triangle has there.
+/// One sample of a pixel, as antialiasing places it, and what each triangle has there.
 class DrawnSample {
 public:
     DrawnSample(const Primitives &primitives, const BoundaryRule &rule, Antialiasing antialiasing,
                 const LatticePoint &offset, const SamplePlace &place)
     {
         oracle::EffectTruth what = oracle::truthOf(primitives.appearance);
-        what.light = false; // that changes no depth, and takes its time
+        what.light = false; // light changes no depth and takes time
         for (std::size_t i = 0; i < primitives.triangles.size(); ++i) {
             Triangle seen = primitives.triangles[i];
             const bool isSegment = doubledArea(seen) == 0;
@@ -98,7 +98,7 @@ private:
     std::vector<std::optional<oracle::WideFraction>> m_depths; ///< of the triangles drawn here
 };
 
-/// The samples that a pixel has: several where an edge meets its square.
+/// The samples of a pixel: several if an edge meets its square.
 std::vector<DrawnSample> samplesAt(const Primitives &primitives, const BoundaryRule &rule,
                                    Antialiasing antialiasing, const SamplePlace &place)
 {
@@ -120,7 +120,7 @@ bool isBehindAt(const Primitives &primitives, std::size_t earlier, std::size_t l
         [&](const DrawnSample &sample) { return sample.isBehind(later, earlier); });
 }
 
-/// The triangles that lie behind an earlier one, or before a later one, at some sample.
+/// The triangles that, at some sample, lie behind an earlier one or in front of a later one.
 std::set<std::size_t> trulyInQuestion(const Primitives &primitives, const BoundaryRule &rule,
                                       FrameView frame,
                                       Antialiasing antialiasing = Antialiasing::None)
@@ -151,8 +151,8 @@ std::set<std::size_t> inQuestion(const DepthAnswer &answer)
     return found;
 }
 
-/// A terrain of triangles over the frame, each square of the grid two, later rows farther away
-/// where `isTilted`.
+/// A terrain of triangles over the frame, two per square of the grid; the depth grows with the
+/// column and, by `slope`, with the row.
 Primitives grid(int cells, FrameView frame, int slope)
 {
     Primitives primitives;
@@ -188,7 +188,7 @@ DepthAnswer answerFor(const Primitives &primitives, FrameView frame,
                          antialiasing);
 }
 
-/// Every third triangle without area, and w that differ.
+/// A random scene with different w, in which every third triangle has no area.
 Primitives randomSceneOfSegments(quint32 seed)
 {
     Primitives primitives = randomScene(seed);
@@ -319,7 +319,8 @@ private slots:
 
     void whatCannotBeComparedInTimeIsNotRuledOut()
     {
-        // Slivers that all cross, each a little nearer than the one before, but not by range.
+        // Slivers that all cross, each a little nearer than the previous one, but with overlapping
+        // ranges.
         const FrameBuffer frame(frameOf(200, 200));
         Primitives primitives;
         for (int i = 0; i < 3000; ++i) {
@@ -369,7 +370,7 @@ private slots:
                     const SampleBox reach
                         = reachOf(triangle, {frame, FillRule::Closed, antialiasing});
                     if (antialiasing == Antialiasing::Samples4 && reach.isEmpty())
-                        continue; // it touches squares and none of their samples
+                        continue; // it touches squares but none of their samples
                     QVERIFY(mostPixelsOf(triangle, reach, antialiasing) >= touched);
                 }
             }
@@ -395,7 +396,7 @@ private slots:
 
                 const std::span<const Triangle *const> both(twice);
                 QCOMPARE(sharedSamplesOf(both, {}, where).samples, expected);
-                // One of them lets the other through; neither does.
+                // First, one of the two lets the other show through; then neither does.
                 QCOMPARE(sharedSamplesOf(both.first(1), both.last(1), where).samples, expected);
                 QCOMPARE(sharedSamplesOf({}, both, where).samples, 0);
             }
@@ -404,7 +405,7 @@ private slots:
     }
 
 private:
-    /// The centres of pixels on the border of a triangle.
+    /// The number of pixel centres on the border of a triangle.
     static std::int64_t samplesOnEdgesOf(const Triangle &triangle, const FrameView &frame)
     {
         std::int64_t count = 0;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array shadedMethods = {ShadedMethod::ColumnScan, ShadedMethod::Bilinear,
                                       ShadedMethod::Plane, ShadedMethod::Barycentric};
-/// Those that some of the methods keep.
+/// The rules that some of the methods support.
 constexpr std::array keptRules
     = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::TopLeft, FillRule::Open};
 
@@ -44,7 +44,7 @@ QString nameOf(ShadedMethod method)
     return {};
 }
 
-/// A picture with the pixels that the truth cannot tell.
+/// A picture, and the pixels that the truth cannot decide.
 struct Truth {
     FrameBuffer frame;
     std::vector<oracle::PixelPlace> undecided;
@@ -66,10 +66,10 @@ FrameBuffer drawnBy(ShadedMethod method, const EffectScene &scene, const ScanSet
     return frame;
 }
 
-/// How a picture differs from another.
+/// How one picture differs from another.
 struct Departure {
-    int pixels = 0; ///< that differ
-    int beyondOne = 0; ///< by more than one level of a channel
+    int pixels = 0; ///< differing pixels
+    int beyondOne = 0; ///< those that differ by more than one level of a channel
     QString first; ///< "(x, y): 1 2 3 instead of 4 5 6"
 };
 
@@ -104,7 +104,7 @@ Departure departureOf(const FrameBuffer &drawn, const FrameBuffer &truth,
 
 constexpr std::uint64_t seedCount = isSanitized ? 1 : 12;
 
-/// Calls function(scene, settings, text) for random scenes of a hardship, under each rule.
+/// Calls function(scene, settings, text) for random scenes with a hardship, under each rule.
 template <class Function>
 void forEachScene(EffectHardship hardship, const std::vector<Arithmetic> &arithmetics,
                   const Function &function)
@@ -137,7 +137,7 @@ void addHardshipRows()
         QTest::newRow(qPrintable(nameOf(hardship))) << hardship;
 }
 
-/// A plan with all that changes no pixel where it is not called for.
+/// A plan with every effect on that changes no pixel where it is not needed.
 EffectPlan withNeutralEffects(EffectPlan plan)
 {
     for (EffectBatch &batch : plan.batches) {
@@ -150,7 +150,7 @@ EffectPlan withNeutralEffects(EffectPlan plan)
 
 } // namespace
 
-/// The kernels of effects against the truth, which shares nothing with them, on random scenes.
+/// The effect kernels against the truth, with which they share no code, on random scenes.
 class TestEffectKernels : public QObject {
     Q_OBJECT
 
@@ -231,19 +231,19 @@ private slots:
     }
 
     // How far float32 is from the truth. Where a sample decides by depth or by a texel's border,
-    // another surface or texel shows there; where depths differ in a last bit that float32 does not
-    // have, and far from the origin, this is seldom right; a column scan's rounded bounds miss
+    // another surface or texel may show; where depths differ in a last bit that float32 does not
+    // have, and far from the origin, it is seldom right; a column scan's rounded bounds miss
     // samples of segments.
     void inFloat32MostPixelsAreRight_data()
     {
         QTest::addColumn<EffectHardship>("hardship");
-        QTest::addColumn<int>("perMille"); // pixels that are off by more than one level, at most
+        QTest::addColumn<int>("perMille"); // most pixels that may be off by more than one level
         for (const EffectHardship hardship : allEffectHardships) {
             const int bound = hardship == EffectHardship::FarAway ? 300
                 : hardship == EffectHardship::Coincident          ? 150
                 : hardship == EffectHardship::Segments            ? 100
                                                                   : 5;
-            // A share of few scenes strays farther from that of many.
+            // The share over few scenes varies more than over many.
             QTest::newRow(qPrintable(nameOf(hardship)))
                 << hardship << bound * (isSanitized ? 3 : 1);
         }

@@ -8,7 +8,7 @@ namespace tst_effectmutations {
 
 using namespace pixelplumb;
 
-/// Verdicts are minimal: a change turns its own and no other.
+/// Verdicts are minimal: a change flips its own verdict and no other.
 class TestEffectMutations : public QObject {
     Q_OBJECT
 

@@ -43,7 +43,7 @@ QString textOf(const std::vector<EffectBatch> &batches)
 
 } // namespace
 
-/// What runs.
+/// Which effects a plan runs, and for which triangles.
 class TestEffectPlan : public QObject {
     Q_OBJECT
 
@@ -240,7 +240,7 @@ private slots:
             for (VertexAttributes &vertex : attributesAt(primitives, i).vertices)
                 vertex.z = i % 2 == 0 ? largestAttribute : -largestAttribute;
         }
-        attributesAt(primitives, 1).material = 5; // there is none
+        attributesAt(primitives, 1).material = 5; // there is no such material
         attributesAt(primitives, 2).vertices[1].z = 0;
         Shape empty;
         primitives.shapes = {empty};
@@ -257,8 +257,7 @@ private slots:
         }
     }
 
-    /// A point is its first vertex; of a segment the middle vertex counts for nothing, wherever it
-    /// is named.
+    /// A point is its first vertex; a segment ignores its middle vertex, wherever it is listed.
     void aPointAndASegmentNeedWhatTheirEndsHave()
     {
         Primitives point;
@@ -321,7 +320,7 @@ private slots:
         QCOMPARE(planOf(primitives).verdicts[Effect::Perspective].verdict, Verdict::NotCalledFor);
     }
 
-    /// Beyond its horizon nothing of a triangle is drawn, and only perspective knows where that is.
+    /// Nothing of a triangle is drawn beyond its horizon, and only perspective knows where that is.
     void whatLiesBeyondItsHorizonKeepsItsPerspective()
     {
         Primitives primitives;

@@ -8,7 +8,7 @@ namespace tst_effectreasons {
 
 using namespace pixelplumb;
 
-/// What is called for, and the words that say why.
+/// Which effects are needed, and the words that say why.
 class TestEffectReasons : public QObject {
     Q_OBJECT
 
@@ -126,9 +126,7 @@ private slots:
                 setDepths(p, 1, {1, 2, 3});
             },
             Effect::Depth, no, 0,
-            "of the triangles that are drawn in the frame, each is nearer than all before it, or "
-            "as "
-            "near");
+            "each triangle that is drawn in the frame is nearer than all before it, or as near");
         add(
             "side by side",
             [](Primitives &p) {
@@ -185,8 +183,8 @@ private slots:
         add(
             "w differs alone", [](Primitives &p) { setW(p, 0, 2 * attributeOne); },
             Effect::Perspective, no, 0,
-            "w differs between the vertices of 1 of 2 triangles, but nothing else does that is "
-            "divided by it");
+            "w differs between the vertices of 1 of 2 triangles, but nothing that is divided by it "
+            "does");
         add(
             "w and the colours differ",
             [](Primitives &p) {
@@ -209,7 +207,7 @@ private slots:
             "no triangle, no w", [](Primitives &p) { p.triangles.clear(); }, Effect::Perspective,
             no, 0, "nothing is drawn in the frame");
 
-        // Of a segment its ends alone are carried.
+        // A segment uses only its two ends.
         const Change segment = [](Primitives &p) {
             p.triangles = {triangleAt({{{1, 1}, {3, 3}, {5, 5}}})};
             setColour(p, 0);
@@ -218,13 +216,14 @@ private slots:
             std::swap(p.attributes[0].vertices[2].w, p.attributes[0].vertices[1].w);
         };
         add("a segment's middle colour", segment, Effect::SmoothColour, no, 0,
-            "the vertex colours are equal; of a triangle that is a segment the two "
-            "ends alone count");
+            "the vertex colours are equal; for a triangle that is a segment, only the two ends "
+            "count");
         add("a segment's middle alpha", segment, Effect::Blending, no, 0,
-            "every alpha is 255: opaque");
+            "every alpha is 255: opaque; for a triangle that is a segment, only the two ends "
+            "count");
         add("a segment's middle w", segment, Effect::Perspective, no, 0,
-            "w is the same at the vertices of every triangle; of a triangle that is a segment "
-            "the two ends alone count");
+            "w is the same at the vertices of every triangle; for a triangle that is a segment, "
+            "only the two ends count");
         add(
             "a point's other colours",
             [=](Primitives &p) {
@@ -233,7 +232,7 @@ private slots:
                     vertex.position = p.triangles[0].vertices[0].position;
             },
             Effect::SmoothColour, no, 0,
-            "the vertex colours are equal; of a triangle that is a point the first vertex alone "
+            "the vertex colours are equal; for a triangle that is a point, only the first vertex "
             "counts");
         add(
             "a segment whose middle is the first vertex",
@@ -242,7 +241,7 @@ private slots:
                 std::swap(p.triangles[0].vertices[0], p.triangles[0].vertices[1]);
             },
             Effect::SmoothColour, no, 0,
-            "the vertex colours are equal; of a triangle that is a segment the two ends alone "
+            "the vertex colours are equal; for a triangle that is a segment, only the two ends "
             "count");
         add(
             "a segment's lowest alpha",
@@ -250,16 +249,20 @@ private slots:
                 segment(p);
                 attributesAt(p, 0).vertices[2].alpha = 200;
             },
-            Effect::Blending, yes, 1, "the triangle has an alpha below 255, the lowest is 200");
+            Effect::Blending, yes, 1,
+            "the triangle has an alpha below 255, the lowest is 200; for a triangle that is a "
+            "segment, only the two ends count");
         add(
             "a segment that goes there and back",
             [](Primitives &p) {
                 p.triangles[0] = triangleAt({{{1, 1}, {5, 1}, {1, 1}}});
                 setAlpha(p, 0, 128);
             },
-            Effect::Blending, yes, 1, "1 of 2 triangles has an alpha below 255, the lowest is 128");
+            Effect::Blending, yes, 1,
+            "1 of 2 triangles has an alpha below 255, the lowest is 128; for a triangle that is a "
+            "segment, only the two ends count");
 
-        // Of what is not drawn nothing is said, whatever it has.
+        // A primitive that is not drawn is never mentioned, whatever it carries.
         const Change other = [](Primitives &p) {
             p.triangles[0] = triangleAt({{{-9, 2}, {-2, 2}, {-9, 10}}});
             setColour(p, 0);
@@ -345,7 +348,7 @@ private slots:
         add(
             "two panes that share an upright edge, of 16 samples a pixel",
             [](Primitives &p) {
-                // One of the 16 lies straight below the centre, 112/256 px from it.
+                // One of the 16 samples lies directly below the centre, 112/256 px from it.
                 p.appearance.antialiasing = Antialiasing::Samples16;
                 p.triangles[0] = triangleAt({{{10, 2}, {10, 10}, {2, 10}}});
                 p.triangles[1] = triangleAt({{{10, 2}, {10, 10}, {14, 6}}});
@@ -357,15 +360,16 @@ private slots:
         add(
             "a pane without area on another's edge, of 16 samples a pixel",
             [](Primitives &p) {
-                // It paints pixels whole: with them the sample on the diagonal, 1/16 px from the
-                // centre, of all but the last.
+                // It paints whole pixels: including the sample on the diagonal, 1/16 px from the
+                // centre, of all but the last pixel.
                 p.appearance.antialiasing = Antialiasing::Samples16;
                 p.triangles[0] = triangleAt({{{1, 1}, {4, 4}, {4, 1}}});
                 p.triangles[1] = triangleAt({{{1, 1}, {4, 4}, {1, 1}}});
                 setAlpha(p, 1, 128);
             },
             Effect::Blending, yes, 1,
-            "1 of 2 triangles has an alpha below 255, the lowest is 128; the closed rule gives 3 "
+            "1 of 2 triangles has an alpha below 255, the lowest is 128; for a triangle that is a "
+            "segment, only the two ends count; the closed rule gives 3 "
             "samples on shared edges to both triangles, one of them in pixel (1, 1)");
         add(
             "two panes without area on another's edge, of 16 samples a pixel",
@@ -378,7 +382,8 @@ private slots:
                 setAlpha(p, 1, 128);
             },
             Effect::Blending, yes, 2,
-            "2 of 3 triangles have an alpha below 255, the lowest is 128; the closed rule gives 3 "
+            "2 of 3 triangles have an alpha below 255, the lowest is 128; for a triangle that is a "
+            "segment, only the two ends count; the closed rule gives 3 "
             "samples on shared edges to both triangles, one of them in pixel (1, 1)");
         add(
             "a face that the near plane cuts", [](Primitives &p) { p.cutAtNear = {1}; },
@@ -410,7 +415,7 @@ private slots:
             "four samples",
             [](Primitives &p) { p.appearance.antialiasing = Antialiasing::Samples4; },
             Effect::Antialiasing, yes, 2,
-            "the scene asks for 4 samples in each pixel that an edge passes");
+            "the scene asks for 4 samples in each pixel that an edge passes through");
         add(
             "exact area", [](Primitives &p) { p.appearance.antialiasing = Antialiasing::Area; },
             Effect::Antialiasing, yes, 2,
@@ -481,7 +486,7 @@ private slots:
         QCOMPARE(verdictsOf(primitives)[Effect::SmoothColour].reason,
                  QStringLiteral("nothing is drawn in the frame"));
         QVERIFY(!planOf(primitives).runs(Effect::SmoothColour));
-        // (−5, 5) to (5, −5) has the pixel (0, 0).
+        // The line (−5, 5) to (5, −5) passes through pixel (0, 0).
         primitives.shapes[0].vertices[0].position = latticePixel(-5, 5);
         primitives.shapes[0].vertices[1].position = latticePixel(5, -5);
         QCOMPARE(verdictsOf(primitives)[Effect::SmoothColour].verdict, Verdict::CalledFor);

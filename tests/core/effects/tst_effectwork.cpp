@@ -42,7 +42,7 @@ Primitives everything()
     return primitives;
 }
 
-/// The same again, farther away.
+/// Adds the same triangle again, farther away.
 void addBehind(Primitives &primitives)
 {
     primitives.triangles.push_back(primitives.triangles.front());
@@ -61,12 +61,12 @@ EffectTally tallyOf(ShadedMethod method, const Primitives &primitives)
 
 } // namespace
 
-/// What the kernels of effects do at a sample, counted.
+/// Counts what the effect kernels do at a sample.
 class TestEffectWork : public QObject {
     Q_OBJECT
 
 private slots:
-    void whatIsNotCalledForIsNotDone()
+    void unneededEffectsDoNoWork()
     {
         for (std::uint64_t seed = 0; seed < 200; ++seed) {
             const EffectScene scene = randomEffectScene(seed, EffectHardship::None);
@@ -121,7 +121,7 @@ private slots:
                  4 * slopeSamples);
     }
 
-    void whatLiesBehindIsComparedAndNothingElse()
+    void aHiddenSampleOnlyComparesDepth()
     {
         Primitives primitives = everything();
         addBehind(primitives);
@@ -137,9 +137,9 @@ private slots:
     {
         Primitives primitives = everything();
         primitives.appearance.antialiasing = Antialiasing::Samples4;
-        // On an edge are 17 pixels of the lower one, 16 more of the left one, and of the diagonal
-        // those with x + y = 15, 16 or 17 that are not among them: 14 + 15 + 16. The others within
-        // are those with x, y >= 1 and x + y <= 14: 91, with one sample each.
+        // Edge pixels: 17 on the lower edge, 16 more on the left one, and along the diagonal those
+        // with x + y = 15, 16 or 17 that are not among them: 14 + 15 + 16. Inner pixels have x, y
+        // >= 1 and x + y <= 14: 91, with one sample each.
         std::int64_t covered = 0; // samples of edge pixels
         const Triangle triangle = primitives.triangles[0];
         for (std::int64_t y = -1; y <= 18; ++y) {

@@ -14,7 +14,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Panes of glass, one over the other.
+/// Panes of glass, one on top of the other.
 Scene glassScene(Arithmetic arithmetic, Antialiasing antialiasing)
 {
     std::mt19937 random(4);
@@ -54,16 +54,16 @@ std::shared_ptr<const Scene> shared(const Scene &scene)
 
 } // namespace
 
-/// Drawings with effects, and of solids, that end when they are told to.
+/// Drawings with effects, and of solids, that stop when told to.
 class TestEndedDrawings : public QObject {
     Q_OBJECT
 
 private slots:
-    void aDrawingWithEffectsEndsWhenItIsToldToAndLosesNothing_data()
+    void anEndedEffectDrawingKeepsItsPixels_data()
     {
         QTest::addColumn<Arithmetic>("arithmetic");
         QTest::addColumn<Antialiasing>("antialiasing");
-        QTest::addColumn<int>("passes"); ///< over the triangles, of both pictures
+        QTest::addColumn<int>("passes"); ///< over the triangles, in both pictures
         const auto add
             = [](const char *name, Arithmetic arithmetic, Antialiasing antialiasing, int passes) {
                   QTest::newRow(name) << arithmetic << antialiasing << passes;
@@ -73,7 +73,7 @@ private slots:
         add("4 samples", Arithmetic::Exact, Antialiasing::Samples4, 5);
         add("areas", Arithmetic::Exact, Antialiasing::Area, 1);
     }
-    void aDrawingWithEffectsEndsWhenItIsToldToAndLosesNothing()
+    void anEndedEffectDrawingKeepsItsPixels()
     {
         QFETCH(Arithmetic, arithmetic);
         QFETCH(Antialiasing, antialiasing);

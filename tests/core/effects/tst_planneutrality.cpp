@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::array allAntialiasings
     = {Antialiasing::None, Antialiasing::Samples4, Antialiasing::Samples16, Antialiasing::Area};
-/// Those that change no byte where they are not called for.
+/// The effects that change no byte where they are not needed.
 constexpr std::array neutralEffects
     = {Effect::SmoothColour, Effect::Depth, Effect::Perspective, Effect::Blending};
 
@@ -51,8 +51,8 @@ FrameBuffer pictureOf(const QString &method, const Primitives &primitives, const
 
 bool areSame(const FrameBuffer &a, const FrameBuffer &b) { return a.image() == b.image(); }
 
-/// How a picture changes when what is not called for is forced off, or what is neutral on; empty
-/// where no byte does.
+/// How a picture changes if an effect that is not needed is forced off, or a neutral one on; empty
+/// if no byte changes.
 QString changeByForcing(const QString &method, Primitives primitives, const FrameSpec &spec,
                         FillRule rule)
 {
@@ -77,7 +77,7 @@ QString changeByForcing(const QString &method, Primitives primitives, const Fram
     return {};
 }
 
-/// The same triangles, of which none has what an effect shows.
+/// The same triangles without anything that the effect would show.
 Primitives without(Effect effect, Primitives primitives)
 {
     for (Triangle &triangle : primitives.triangles) {
@@ -102,7 +102,7 @@ Primitives without(Effect effect, Primitives primitives)
     return primitives;
 }
 
-/// A line in and about a frame of 12 × 9 pixels; some lie along its rows and reach beyond it.
+/// A line in and around a frame of 12 × 9 pixels; some lie along its rows and reach beyond it.
 Shape randomLine(SeededRandom &random)
 {
     const Lattice step = random.coin() ? unitsPerPixel : unitsPerPixel / 2;
@@ -120,8 +120,8 @@ Shape randomLine(SeededRandom &random)
     return line;
 }
 
-/// A triangle about a frame of 6 × 5 pixels, as thin as a sliver or in few of its squares; some are
-/// segments. Its vertices are on the lattice, on its quarters of a pixel, or on samples.
+/// A triangle around a frame of 6 × 5 pixels, as thin as a sliver or within few of its squares;
+/// some are segments. Its vertices are on the lattice, on quarters of a pixel, or on samples.
 Triangle thinTriangle(SeededRandom &random)
 {
     constexpr std::array<Lattice, 3> steps = {1, unitsPerPixel / 4, unitsPerPixel};
@@ -147,7 +147,7 @@ Triangle thinTriangle(SeededRandom &random)
     return triangle;
 }
 
-/// Whether it is drawn at a pixel, by the oracle's own words.
+/// Whether the oracle draws the triangle at a pixel.
 bool isDrawnAt(const Triangle &triangle, FillRule rule, Antialiasing antialiasing, std::int64_t x,
                std::int64_t y)
 {
@@ -165,13 +165,13 @@ bool isDrawnAt(const Triangle &triangle, FillRule rule, Antialiasing antialiasin
 
 } // namespace
 
-/// Verdicts are kept by pictures: what is not called for leaves every byte when it is forced off,
-/// and what is neutral when it is forced on, however many samples a pixel has.
+/// Pictures confirm the verdicts: forcing off what is not needed, or forcing on what is neutral,
+/// leaves every byte, however many samples a pixel has.
 class TestPlanNeutrality : public QObject {
     Q_OBJECT
 
 private slots:
-    void whatIsNotCalledForChangesNoByteEitherWay_data()
+    void forcingUnneededEffectsChangesNoByte_data()
     {
         QTest::addColumn<EffectHardship>("hardship");
         QTest::addColumn<Antialiasing>("antialiasing");
@@ -182,7 +182,7 @@ private slots:
                     << hardship << antialiasing;
         }
     }
-    void whatIsNotCalledForChangesNoByteEitherWay()
+    void forcingUnneededEffectsChangesNoByte()
     {
         QFETCH(EffectHardship, hardship);
         QFETCH(Antialiasing, antialiasing);
@@ -203,10 +203,7 @@ private slots:
         }
     }
 
-    void whatIsForcedOffIsAsIfNoTriangleHadIt_data()
-    {
-        whatIsNotCalledForChangesNoByteEitherWay_data();
-    }
+    void whatIsForcedOffIsAsIfNoTriangleHadIt_data() { forcingUnneededEffectsChangesNoByte_data(); }
     void whatIsForcedOffIsAsIfNoTriangleHadIt()
     {
         QFETCH(EffectHardship, hardship);
@@ -215,7 +212,8 @@ private slots:
             EffectScene scene = randomEffectScene(seed, hardship);
             Appearance &appearance = scene.primitives.appearance;
             appearance.antialiasing = antialiasing;
-            appearance.shading = Shading::Phong; // others light the vertices, whose colours count
+            appearance.shading = Shading::Phong; // the other shadings light the vertices, whose
+                                                 // colours then matter
             const QString method = seed % 2 == 0 ? QStringLiteral("column-scan")
                                                  : QStringLiteral("interpolate-barycentric");
             for (const Effect effect : {Effect::SmoothColour, Effect::Depth, Effect::Perspective,
@@ -233,7 +231,7 @@ private slots:
         }
     }
 
-    /// The legs of the right angle part the pixels in halves and its corner in quarters.
+    /// The legs of the right angle cut pixels into halves, and its corner into quarters.
     void anAreaCountsAloneWhereBlendingIsForcedOff()
     {
         Primitives primitives;
@@ -256,14 +254,14 @@ private slots:
         QCOMPARE(levelsOf(), (std::array{64, 128, 255})); // ⌊255·A + ½⌋
     }
 
-    /// A sliver between all samples draws nothing, but its edges part a pixel of the board.
-    void anEdgeBetweenTheSamplesPartsThePixelsOfOthers_data()
+    /// A sliver between all samples draws nothing, but its edges split a pixel of the board.
+    void anEdgeBetweenSamplesSplitsOtherTrianglesPixels_data()
     {
         QTest::addColumn<Antialiasing>("antialiasing");
         QTest::newRow("4 samples") << Antialiasing::Samples4;
         QTest::newRow("16 samples") << Antialiasing::Samples16;
     }
-    void anEdgeBetweenTheSamplesPartsThePixelsOfOthers()
+    void anEdgeBetweenSamplesSplitsOtherTrianglesPixels()
     {
         QFETCH(Antialiasing, antialiasing);
         Primitives primitives;
@@ -289,7 +287,7 @@ private slots:
         QVERIFY(!areSame(pictureOf(QStringLiteral("column-scan"), primitives, spec), drawn));
     }
 
-    /// Only what shades by a plan can leave out colours; the others say so.
+    /// Only methods that shade by a plan can leave out colours; the others say that they cannot.
     void aMethodThatCannotLeaveOutColoursSaysSo()
     {
         Primitives primitives;
@@ -314,15 +312,15 @@ private slots:
                                                "off; column-scan, ")));
     }
 
-    /// A triangle calls for colours, blending, texture and light where it is drawn at some sample
-    /// of the frame, and nowhere else.
+    /// A triangle needs colours, blending, texture and light if it is drawn at some sample of the
+    /// frame, and nowhere else.
     void aTriangleBetweenTheSamplesCallsForNothing()
     {
         SeededRandom random(11);
         const FrameSpec spec = frameOf(6, 5);
         const FrameBuffer frame(spec);
         int drawn = 0;
-        int between = 0; // those whose bounding box has samples, and they none
+        int between = 0; // those whose bounding box contains samples but which contain none
         for (int i = 0; i < fewerIfSanitized(6000); ++i) {
             const FillRule rule = std::array{FillRule::Closed, FillRule::TopLeft, FillRule::Open,
                                              FillRule::HalfOpenColumn}[std::size_t(i) % 4];
@@ -338,12 +336,12 @@ private slots:
                 for (std::int64_t x = 0; x < 6; ++x)
                     isDrawn |= isDrawnAt(triangle, rule, antialiasing, x, y);
             }
-            // Antialiasing that changes nothing does not run, and pixels have their own samples
-            // then.
+            // Antialiasing that changes nothing does not run; pixels then have only their own
+            // samples.
             const EffectPlan plan
                 = planFor(primitives, {Arithmetic::Exact, rule, {}}, frame.view());
             const EffectVerdict &smooth = plan.verdicts[Effect::SmoothColour];
-            // A point has what its first vertex has.
+            // A point shows only its first vertex.
             const bool isPoint = triangle.vertices[0].position == triangle.vertices[1].position
                 && triangle.vertices[0].position == triangle.vertices[2].position;
             const bool isSmooth = isDrawn && !isPoint;
@@ -354,7 +352,7 @@ private slots:
             QCOMPARE(plan.runs(Effect::SmoothColour), isSmooth);
             if (!isDrawn) {
                 QCOMPARE(smooth.reason, QStringLiteral("nothing is drawn in the frame"));
-                // But what makes a triangle vanish between four samples is antialiasing.
+                // A triangle that vanishes between four samples vanishes through antialiasing.
                 bool isDrawnWithout = false;
                 for (std::int64_t y = 0; y < 5; ++y) {
                     for (std::int64_t x = 0; x < 6; ++x)
@@ -373,8 +371,8 @@ private slots:
         QVERIFY(between > fewerIfSanitized(100));
     }
 
-    /// In the one pixel that it meets, 1/w is −74/25: nothing is drawn there, which perspective
-    /// alone sees to. Without it the pixel is painted.
+    /// In the one pixel that it meets, 1/w is −74/25: nothing is drawn there, and only perspective
+    /// knows that. Without it the pixel is painted.
     void aTriangleBeyondItsHorizonCallsForPerspective()
     {
         Primitives primitives;
@@ -402,8 +400,9 @@ private slots:
         QVERIFY(!(coverageOf(scene) == CoverageMask(scene.frame)));
     }
 
-    /// Its border lies on the border of the frame's squares, and it covers the other side.
-    void aLineBesideTheFrameCallsForNoAntialiasing_data()
+    /// The stroke's border lies on the border of the frame's squares, and the stroke is on the
+    /// outer side.
+    void aLineOutsideTheFrameNeedsNoAntialiasing_data()
     {
         QTest::addColumn<Antialiasing>("antialiasing");
         QTest::addColumn<int>("row"); // halves
@@ -420,7 +419,7 @@ private slots:
             add("all in it", 8, antialiasing != Antialiasing::Area);
         }
     }
-    void aLineBesideTheFrameCallsForNoAntialiasing()
+    void aLineOutsideTheFrameNeedsNoAntialiasing()
     {
         QFETCH(Antialiasing, antialiasing);
         QFETCH(int, row);
@@ -457,7 +456,7 @@ private slots:
         QVERIFY(withoutEdges > 0);
     }
 
-    /// From red to green over eight pixels; in one colour, all red.
+    /// The line goes from red to green over eight pixels; in one colour it is all red.
     void aLineIsInItsFirstColourOnceSmoothColourIsForcedOff_data()
     {
         QTest::addColumn<QString>("method");
@@ -487,8 +486,8 @@ private slots:
         }
     }
 
-    /// Drawn in a frame that reaches two pixels farther, a triangle whose verdict is that it lies
-    /// within paints nothing beyond the first frame's border, or all.
+    /// A triangle whose verdict is that it lies inside is drawn in a frame that reaches two pixels
+    /// farther: it paints nothing beyond the first frame's border, or everything.
     void whatNeedsNoClippingStaysOnOneSideOfTheBorder()
     {
         for (const EffectHardship hardship : allEffectHardships) {

@@ -29,7 +29,7 @@ Scene sceneOf(const Shape &shape, Antialiasing antialiasing)
 
 } // namespace
 
-/// Who antialiases lines and curves, and who says that he does not.
+/// Which methods antialias lines and curves, and which say that they do not.
 class TestStrokePlans : public QObject {
     Q_OBJECT
 
@@ -65,7 +65,7 @@ private slots:
     {
         QTest::addColumn<Shape>("stroke");
         QTest::newRow("a point") << lineAt(3, 3, 3, 3);
-        // Its border is in the frame, and no sample of it.
+        // Its border is in the frame, but none of its samples are.
         Shape low = lineAt(1, 8, 8, 8);
         for (Vertex &vertex : low.vertices)
             vertex.position.y -= unitsPerPixel * 3 / 32;
@@ -88,8 +88,8 @@ private slots:
         }
     }
 
-    /// It lies between the four samples of its pixel: without antialiasing it would be drawn.
-    void ofAShortLineAntialiasingAloneIsCalledFor()
+    /// The line lies between the four samples of its pixel: without antialiasing it would be drawn.
+    void aShortLineNeedsOnlyAntialiasing()
     {
         Shape line = lineAt(3, 3, 3, 3);
         line.vertices[1].position.x += unitsPerPixel / 16;
@@ -109,7 +109,7 @@ private slots:
         QCOMPARE(readScene(sceneOfPrimitives(curve, antialiased))->scene.method,
                  std::string("stroke-coverage"));
         QCOMPARE(readScene(sceneOfPrimitives(line))->scene.method, std::string("line-dda"));
-        // No method of lines keeps this rule: the message is of the one that antialiases.
+        // No line method supports this rule: the message names the one that antialiases.
         const Result<SceneReading> ruled
             = readScene(sceneOfPrimitives(line, antialiased + "\"fillRule\": \"top-left\","));
         QVERIFY(!ruled);

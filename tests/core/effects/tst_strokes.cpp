@@ -54,7 +54,7 @@ Shape whiteLine(const LatticePoint &a, const LatticePoint &b)
     return line;
 }
 
-/// Shapes of every kind, some without length, on and between the lattice's coarser points.
+/// Shapes of every kind, some without length, on lattice points and between.
 class RandomStrokes {
 public:
     explicit RandomStrokes(std::uint64_t seed)
@@ -64,7 +64,7 @@ public:
         m_frame.height = std::int32_t(m_random.between(1, 24));
         m_frame.background = m_random.colour();
         const std::int64_t where = m_random.between(0, 7);
-        if (where == 0) { // as far as a frame can be
+        if (where == 0) { // as far away as a frame can be
             m_frame.firstColumn = std::int32_t(largestPixel - 30);
             m_frame.firstRow = std::int32_t(-largestPixel + 3);
         } else {
@@ -120,7 +120,7 @@ private:
     std::vector<Shape> m_shapes;
 };
 
-/// The sum of the exact areas that a stroke has of the frame's pixels.
+/// The sum of the exact areas that a stroke covers of the frame's pixels.
 double sumOfAreas(const Shape &shape, const FrameSpec &frame)
 {
     const auto traced = traceScene(sceneOf({shape}, frame, Antialiasing::Area));
@@ -160,8 +160,8 @@ private slots:
         QCOMPARE(levelsText(scene), QStringLiteral("  0   0\n128 128\n128 128\n"));
     }
 
-    /// The sum is that of four pictures of one sample a pixel, whose line is moved against the
-    /// sample; what a mean has no part of, its t and its colour at the centre, is not shown.
+    /// The sum equals that of four pictures with one sample per pixel, in which the line is shifted
+    /// against the sample. Values without a mean (t, and the colour at the centre) are not shown.
     void aPixelOfFourSamplesShowsTheirSum()
     {
         const auto lineMovedBy = [](const LatticePoint &move) {

@@ -51,13 +51,13 @@ private slots:
                 }
             }
             const DepthTiles tiles(boxes, side, side);
-            TileBoxes inHand;
+            TileBoxes current;
             Pairs visited;
             for (std::size_t tile = 0; tile < tiles.count(); ++tile) {
                 const auto places = tiles.placesIn(tile);
-                inHand.take(boxes, places, tiles.cornerOf(tile), inQuestion);
+                current.take(boxes, places, tiles.cornerOf(tile), inQuestion);
                 for (std::size_t later = 0; later < places.size(); ++later)
-                    meeting -= inHand.forEachMeeting(later, settled, [&](std::size_t earlier) {
+                    meeting -= current.forEachMeeting(later, settled, [&](std::size_t earlier) {
                         visited.insert({places[earlier], places[later]});
                     });
             }

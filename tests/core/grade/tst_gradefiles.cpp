@@ -47,16 +47,26 @@ GradedCandidate candidate(const char *id, std::int64_t distance = 0)
 
 } // namespace
 
-/// Assignments and grades in files.
+/// Assignments and grades as files.
 class TestGradeFiles : public QObject {
     Q_OBJECT
 
 private slots:
+    void anAssignmentIsReadBackAsItWasWritten_data()
+    {
+        QTest::addColumn<QByteArray>("program");
+        QTest::newRow("a program with a name")
+            << QByteArray(R"({ "file": "main.py", "input": "lines", "seconds": 3 })");
+        QTest::newRow("the one executable file")
+            << QByteArray(R"({ "input": "lines", "seconds": 3 })");
+    }
     void anAssignmentIsReadBackAsItWasWritten()
     {
+        QFETCH(QByteArray, program);
         const auto assignment = readAssignment(assignmentWith(
             R"("hint": "full", "leeway": "none", "credit": "share", "points": { "coverage": 2.5 },
-               "program": { "file": "main.py", "input": "lines", "seconds": 3 }, )"));
+               "program": )"
+            + program + ", "));
         QVERIFY2(assignment.isOk(), assignment ? "" : qPrintable(assignment.error().message()));
         QCOMPARE(assignment->hint, HintLevel::Full);
         QCOMPARE(assignment->points(), 1 + 2.5 + 2);
@@ -102,7 +112,7 @@ private slots:
             + oneScene.mid(1) + "} ] }";
         row("variants that cancel each other", varied,
             "scenes[0].scene: the variants divisor-minus-one and divisor-plus-one cancel each "
-            "other: divided is by Δ again; expected one of them, or none");
+            "other: the divisor is Δ again; expected one of them, or none");
         row("a program in another folder", assignmentWith(R"("program": { "file": "../x" }, )"),
             "program.file: “../x”; expected a file's name, without folders");
         row("a program without a name", assignmentWith(R"("program": { "file": "" }, )"),
@@ -133,8 +143,8 @@ private slots:
         graded.digest = QStringLiteral("12ab");
         graded.differing = 5'000'000'000;
         graded.candidates[0].parts
-            = GradedParting{QStringLiteral("one"), 3, QStringLiteral("Column 2"),
-                            QStringLiteral("y_T is 1, should be 2")};
+            = FirstDivergence{QStringLiteral("one"), 3, QStringLiteral("Column 2"),
+                              QStringLiteral("y_T is 1, should be 2")};
         GradedScene scene;
         scene.scene = QStringLiteral("one");
         scene.counts = {1, 2, 3, 4, 5};

@@ -72,7 +72,7 @@ Scene smallScene()
 
 } // namespace
 
-/// Programs of others, as children: what they may do, and what they cannot.
+/// Foreign programs as child processes: what they may do and what they cannot.
 class TestProgramRun : public QObject {
     Q_OBJECT
 
@@ -113,7 +113,7 @@ private slots:
         QFETCH(QString, script);
         QFETCH(ProgramEnd, end);
         QFETCH(int, code);
-        // Those that hang need not be waited for as long as those that a busy machine delays.
+        // Programs that hang need a shorter wait than those that a busy machine delays.
         const auto time = end == ProgramEnd::TimedOut ? 300ms : 60'000ms;
 
         const StudentRun run = runShell(script, within(time), QByteArray(1 << 20, 'x'));
@@ -123,7 +123,7 @@ private slots:
         QVERIFY(!run.told.isEmpty());
     }
 
-    void whoComputesTooLongIsToldSo()
+    void aProgramThatComputesTooLongIsReported()
     {
         ProgramLimits limits = within(1000ms);
         QCOMPARE(limits.wallTime(), 4000ms);
@@ -134,27 +134,28 @@ private slots:
         // However busy the machine is.
         QCOMPARE(computing.told, QStringLiteral("it was ended after 1 s of computing"));
         QVERIFY(!computing.isByClock);
-        // Who does not heed the kernel's word, and who only looks like one that was ended.
+        // One program ignores the kernel's signal; another only looks as if it had been ended by
+        // it.
         const StudentRun deaf
             = runPython(QStringLiteral("import signal\nsignal.signal(signal.SIGXCPU, "
                                        "signal.SIG_IGN)\nwhile True: pass"),
                         limits);
         QCOMPARE(deaf.told, QStringLiteral("it was ended after 1 s of computing"));
-        // What starts it tells a signal by such an exit code, as shells do.
+        // The launcher reports a signal as such an exit code, as shells do.
         QVERIFY(runShell(QStringLiteral("exit 152"), limits).told.startsWith("it crashed"));
         QVERIFY(runShell(QStringLiteral("kill -XCPU $$"), limits).told.startsWith("it crashed"));
         QCOMPARE(runShell(QStringLiteral("exit 255"), limits).told,
                  QStringLiteral("it ended with exit code 255"));
-        // Who waits for others, as on a busy machine, has not computed.
+        // A program that waits for others, as on a busy machine, has not computed.
         const StudentRun waiting = runShell(QStringLiteral("sleep 1.5; echo done"), limits);
         QCOMPARE(nameOf(waiting.end), QStringLiteral("finished"));
         const StudentRun hanging = runShell(QStringLiteral("sleep 1000"), within(100ms));
         QCOMPARE(hanging.told,
-                 QStringLiteral("it was ended by the clock: it had waited for 0.4 s"));
+                 QStringLiteral("it was ended by the clock: for 0.4 s it was not seen to compute"));
         QVERIFY(hanging.isByClock);
     }
 
-    void whoseProcessesTogetherComputeTooLongIsToldSo()
+    void processesThatTogetherComputeTooLongAreReported()
     {
         ProgramLimits limits = within(1000ms);
         limits.clockTimes = 1;
@@ -173,7 +174,8 @@ private slots:
 
     void whoComputesTooLongIsToldSoByAnyCount()
     {
-        // The kernel's count in ticks may be far ahead of the one told: here by a part of a second.
+        // The kernel's count in ticks may be ahead of the reported one: here by a fraction of a
+        // second.
         const StudentRun ended = runPython(QStringLiteral("import os, signal, time\n"
                                                           "while time.process_time() < 1.3: pass\n"
                                                           "os.kill(os.getpid(), signal.SIGXCPU)"),
@@ -181,7 +183,7 @@ private slots:
         QCOMPARE(ended.told, QStringLiteral("it was ended after 2 s of computing"));
     }
 
-    void theClockEndsWhoWaitsAlone()
+    void theClockEndsProgramsThatOnlyWait()
     {
         using Clock = ProgramClock::Clock;
         const ProgramLimits limits = within(10'000ms);
@@ -195,11 +197,12 @@ private slots:
             return QStringLiteral("goes on");
         };
         QCOMPARE(ProgramClock(limits, start).nextLook(), start + 40s);
-        // 1/64 of 10 s is 156 ms: of a machine that serves 250 others a program has more.
+        // 1/64 of 10 s is 156 ms: a machine that also serves 250 others gives a program more.
         QCOMPARE(lookedAt(157ms, 15), QStringLiteral("goes on"));
-        QCOMPARE(lookedAt(156ms, 15),
-                 QStringLiteral("1: it was ended by the clock: it had waited for 40 s"));
-        // What the kernel does not end, for no process computes too long.
+        QCOMPARE(
+            lookedAt(156ms, 15),
+            QStringLiteral("1: it was ended by the clock: for 40 s it was not seen to compute"));
+        // The kernel does not end this, because no single process computes too long.
         QCOMPARE(lookedAt(40'000ms, 15),
                  QStringLiteral("4: it was ended after 160 s of computing in all its processes"));
         ProgramLimits less = limits;
@@ -211,7 +214,7 @@ private slots:
         ProgramClock clock(limits, start);
         QVERIFY(!clock.look(5'000ms, start + 40s));
         QCOMPARE(clock.nextLook(), start + 80s);
-        const auto end = clock.look(5'000ms, start + 80s); // it computed, then it waited
+        const auto end = clock.look(5'000ms, start + 80s); // first it computed, then it waited
         QVERIFY(end && end->isByClock);
     }
 
@@ -219,7 +222,7 @@ private slots:
     {
         if (!QFile::exists(QStringLiteral("/proc/thread-self/children")))
             QSKIP("the kernel does not list children");
-        QProcess shell; // its child computes, and a child of that, which ends
+        QProcess shell; // its child computes, and so does a grandchild, which then ends
         shell.start(
             QStringLiteral("sh"),
             {QStringLiteral("-c"),
@@ -299,7 +302,7 @@ private slots:
         QCOMPARE(run.end, ProgramEnd::Finished);
         const QList<QByteArray> words = run.output.trimmed().split(' ');
         QVERIFY2(words[0].toInt() > 0, run.output.constData());
-        // Else those of others are counted, too.
+        // Otherwise other users' processes are counted, too.
         const bool isCountedAlone = run.isSandboxed() && words.last() != "0";
         QVERIFY2(!isCountedAlone || words[0].toInt() < 64, run.output.constData());
     }
@@ -353,7 +356,7 @@ private slots:
         ProgramLimits limits = within(60'000ms);
         limits.memory = std::int64_t(leastMegabytes) << 20;
         QCOMPARE(runShell(QStringLiteral("echo here"), limits).output, QByteArray("here\n"));
-        // What starts it needs more than that: it is not the program that failed.
+        // The launcher needs more than that: the program itself did not fail.
         limits.memory = 1 << 20;
         const StudentRun none = runShell(QStringLiteral("echo here"), limits);
         if (!none.isSandboxed())
@@ -422,7 +425,8 @@ private slots:
         QCOMPARE(lines.first(), QByteArray("1")); // the loopback device
         QVERIFY(!lines.contains("seen"));
         for (const QByteArray &line : lines.sliced(1))
-            QVERIFY2(line.isEmpty() || line.contains('='), line.constData()); // of the environment
+            QVERIFY2(line.isEmpty() || line.contains('='), line.constData()); // environment
+                                                                              // variables
         QVERIFY(!run.output.contains("QT_"));
     }
 
@@ -535,7 +539,8 @@ private slots:
                  tried.output.constData());
         QVERIFY2(tried.output.contains("\nrounding-truncate\n"), tried.output.constData());
 
-        // No program of ours: built with a sanitizer it wants more memory than it is given.
+        // `cat` is not ours: built with a sanitizer, our programs need more memory than they are
+        // given.
         const QString truth = folder.filePath(QStringLiteral("truth.ppm"));
         QCOMPARE(run({"render", defaultScene(), "-o", truth}).exitCode, 0);
         const ProgramRun right

@@ -25,7 +25,8 @@ using namespace pixelplumb;
 
 namespace {
 
-/// With NAME in the script for a name: a file that the command names would be shown to it.
+/// Replaces NAME in the script by a name: a file named on the command line would be visible in the
+/// sandbox.
 StudentRun runPython(QString script, Confinement confinement, const QString &name = {},
                      const ProgramLimits &limits = {})
 {
@@ -35,14 +36,14 @@ StudentRun runPython(QString script, Confinement confinement, const QString &nam
     return runProgram(*program, {}, limits, {}, confinement);
 }
 
-/// Something comes to it, or somebody.
+/// Whether data or a connection arrives at the descriptor.
 bool isReached(const Descriptor &descriptor)
 {
     pollfd awaited = {descriptor.number(), POLLIN, 0};
     return poll(&awaited, 1, 0) > 0;
 }
 
-/// A socket that listens; not open where that is not possible.
+/// A listening socket; not open if that is impossible.
 template <class Address>
 Descriptor listenAt(const Address &address, socklen_t length)
 {
@@ -64,7 +65,7 @@ Descriptor listenAtPath(const QByteArray &path)
     return listening;
 }
 
-/// On the loopback, with its port.
+/// A listening socket on the loopback device, and its port.
 std::pair<Descriptor, int> listenAtPort()
 {
     sockaddr_in address = {};
@@ -76,7 +77,7 @@ std::pair<Descriptor, int> listenAtPort()
     return {std::move(listening), int(ntohs(address.sin_port))};
 }
 
-/// In a folder that everybody may look into, as those of the system are.
+/// A folder that everybody may enter, as with system folders.
 std::unique_ptr<QTemporaryDir> openFolderIn(const QString &folder)
 {
     auto made = std::make_unique<QTemporaryDir>(folder + QStringLiteral("/sandbox-test-XXXXXX"));
@@ -94,8 +95,8 @@ constexpr const char *connecting = "import socket\n"
 
 } // namespace
 
-/// Programs that try to leave the sandbox, by the ways of which we know; and, where there is no
-/// danger in it, that they do get out by these where there is none.
+/// Programs that try to leave the sandbox, in every way we know; and, where it is harmless, that
+/// the same ways work without a sandbox.
 class TestSandbox : public QObject {
     Q_OBJECT
 
@@ -108,7 +109,7 @@ private slots:
 
     void noSocketOutsideIsReached_data()
     {
-        QTest::addColumn<QString>("place"); // a folder, @ for an abstract name, : for a port
+        QTest::addColumn<QString>("place"); // a folder; @ for an abstract name; : for a port
         QTest::newRow("in /tmp") << QDir::tempPath();
         QTest::newRow("in /run") << QStringLiteral("/run");
         QTest::newRow("in the home folder") << QDir::homePath();
@@ -142,7 +143,7 @@ private slots:
         QCOMPARE(nameOf(inside.end), QStringLiteral("failed"));
         QVERIFY(!isReached(listening));
         const StudentRun outside = runPython(script, Confinement::LimitsAlone, name);
-        if (outside.output != "connected\n") // its user may not look into root's folder
+        if (outside.output != "connected\n") // its user may not enter root's folder
             QSKIP("Nor is it reached without a sandbox.");
         QVERIFY(isReached(listening));
     }
@@ -172,7 +173,7 @@ private slots:
         QVERIFY(isReached(terminal));
     }
 
-    /// The machine has so many for all, and a program could take them.
+    /// The machine has a limited number of terminals for all, and a program could use them up.
     void noTerminalIsMade()
     {
         const QString script = QStringLiteral("import os\n"
@@ -219,14 +220,14 @@ private slots:
                 .arg(getpid()),
             Confinement::Sandbox, QString::number(witness.processId()));
 
-        // It may end the first process of its own namespace, and with that itself.
+        // The program may end the first process of its own namespace, and thereby itself.
         QVERIFY2(run.output == "not all\n" || run.end == ProgramEnd::Crashed, qPrintable(run.told));
         QCOMPARE(witness.state(), QProcess::Running);
         witness.kill();
         QVERIFY(witness.waitForFinished());
     }
 
-    /// Also the sandbox's own: who can trace one can make it work for itself.
+    /// Including the sandbox's own process: a program that can trace it can make it do its work.
     void everyProcessThatItCanReachHasItsLimits()
     {
         const StudentRun run = runPython(
@@ -254,7 +255,8 @@ private slots:
                 "import ctypes, os\n"
                 "libc = ctypes.CDLL(None, use_errno=True)\n"
                 "print(libc.memfd_create(b'x', 0), libc.shmget(0, 1 << 28, 0o1600),\n"
-                "      libc.msgget(0, 0o1600), libc.unshare(0x10000000))\n"
+                "      libc.msgget(0, 0o1600), libc.unshare(0x10000000),\n"
+                "      libc.setxattr(b'/tmp', b'user.a', b'b', 1, 0))\n"
                 "written = 0\n"
                 "for folder, _, _ in os.walk('/'):\n"
                 "    if folder.startswith('/proc'): continue\n"
@@ -267,7 +269,7 @@ private slots:
             Confinement::Sandbox, {}, limits);
 
         const QList<QByteArray> lines = run.output.split('\n');
-        QCOMPARE(lines.front(), QByteArray("-1 -1 -1 -1"));
+        QCOMPARE(lines.front(), QByteArray("-1 -1 -1 -1 -1"));
         const qint64 written = lines.value(1).toLongLong();
         QVERIFY2(written >= limits.files && written <= 2 * limits.files, run.output.constData());
     }
