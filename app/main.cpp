@@ -70,7 +70,7 @@ struct Options {
     }
 };
 
-/// Ends the program when something given cannot be meant.
+/// Ends the program because an argument cannot be valid.
 [[noreturn]] void refuse(const QString &what)
 {
     cli::sayLine(QStringLiteral("pixelplumb: ") + what);
@@ -99,7 +99,8 @@ std::size_t stepsOf(const QCommandLineParser &parser, const Options &options)
     return std::size_t(steps);
 }
 
-/// Lays the command line's settings over the scene's; they do not count as a change to be saved.
+/// Replaces the scene's settings by those of the command line; this does not count as a change to
+/// save.
 void overrideSettings(MainWindow &window, const QCommandLineParser &parser, const Options &options)
 {
     Scene scene = window.parts().document->scene();
@@ -144,8 +145,8 @@ void setOpeningPlace(MainWindow &window, const QCommandLineParser &parser, const
         window.setOpeningPlace(otherwise);
 }
 
-/// The first scene is there until another one is, and beside a class's grades: a large file takes
-/// its time, and may be at fault.
+/// Opens what was named. Until then, and beside a class's grades, the first scene is shown: a large
+/// file takes long, and may be faulty.
 void open(MainWindow &window, const QCommandLineParser &parser, const Options &options)
 {
     const auto take = [&window, &parser, &options](const OpeningPlace &place) {
@@ -195,7 +196,8 @@ void describe(QCommandLineParser &parser, const Options &options)
     parser.addOptions(options.all());
 }
 
-/// Help and the version are told without a display, where a QApplication would end the program.
+/// Whether only help or the version is wanted: both work without a display, where a QApplication
+/// would end the program.
 bool asksForWordsAlone(int argc, char *argv[])
 {
     constexpr std::array<std::string_view, 6> words
@@ -210,7 +212,7 @@ bool asksForWordsAlone(int argc, char *argv[])
 int main(int argc, char *argv[])
 {
 #if defined(__GLIBC__)
-    // The blocks of a recorded run (64 KiB each) go back to the system as soon as the run is
+    // The blocks of a recorded run (64 KiB each) return to the system as soon as the run is
     // dropped, instead of piling up in the workers' heaps.
     mallopt(M_MMAP_THRESHOLD, 1 << 16);
 #endif

@@ -8,8 +8,8 @@
 
 namespace pixelplumb::cli {
 
-/// The rows of a table, each of as many cells, as lines with their columns aligned, two blanks
-/// apart: columns of words to the left, those of numbers to the right. No line ends in blanks.
+/// Formats a table as lines with aligned columns, two blanks apart: words to the left, numbers to
+/// the right. All rows have equally many cells. No line ends in blanks.
 QStringList alignedRows(const std::vector<QStringList> &rows,
                         const std::function<bool(qsizetype column)> &holdsWords);
 

@@ -17,9 +17,9 @@ namespace {
 
 const QString allArithmeticsWord = QStringLiteral("all");
 
-/// Every method, arithmetic and rule that the options leave: all methods, all their rules. What
-/// they leave open is answered by what a method claims: its stable arithmetics, or exact arithmetic
-/// where a single method is asked for.
+/// Every method, arithmetic and rule that the options allow. Without --method, all methods; without
+/// a rule, all of the method's rules; without an arithmetic, the method's stable ones, or exact
+/// arithmetic for a single method.
 Result<std::vector<Contender>> contendersFor(const CommandLine &line)
 {
     const Result<const Method *> method = chosenMethod(line, methods().front().id);
@@ -94,7 +94,7 @@ QJsonObject jsonOf(const CaseReport &report)
             {QStringLiteral("verdicts"), verdicts}};
 }
 
-/// How many cases came to each end.
+/// How many cases had each outcome.
 struct Tally {
     int passed = 0;
     int fellShort = 0;
@@ -161,8 +161,9 @@ ExitCode check(const Command &command, const QStringList &arguments)
                               {QStringLiteral("skipped"), tally.skipped}};
         printJson(QJsonDocument(all));
     } else {
-        printLine(QStringLiteral("%1 cases: %2 passed, %3 fell short, %4 skipped")
-                      .arg(tally.total())
+        printLine(QStringLiteral("%1: %2 passed, %3 fell short, %4 skipped")
+                      .arg(tally.total() == 1 ? QStringLiteral("1 case")
+                                              : QStringLiteral("%1 cases").arg(tally.total()))
                       .arg(tally.passed)
                       .arg(tally.fellShort)
                       .arg(tally.skipped));

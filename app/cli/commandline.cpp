@@ -14,7 +14,7 @@ namespace {
 
 constexpr QChar minusSign(0x2212);
 
-/// QCommandLineParser takes "-3" for an option: it gets to see a minus sign (U+2212) instead.
+/// QCommandLineParser reads "-3" as an option, so it is given a minus sign (U+2212) instead.
 QStringList withProtectedNumbers(const QStringList &arguments)
 {
     static const QRegularExpression negativeNumber(QStringLiteral("^-(?=[0-9.])"));
@@ -31,7 +31,7 @@ QString asWritten(QString word)
 
 QString dashed(const QString &option) { return QString(option.size() == 1 ? 1 : 2, u'-') + option; }
 
-/// One letter alone is no abbreviation: --x.
+/// A list of names with their dashes; a single letter is no abbreviation: --x.
 QString dashedAmong(const QStringList &names, const QString &name)
 {
     return names.size() == 1 ? QStringLiteral("--") + name : dashed(name);
@@ -160,7 +160,7 @@ QString CommandLine::repeatedOption() const
         }
         if (written.size() < 2)
             continue;
-        // Of an option without a value there are none.
+        // Empty for an option without a value.
         const QStringList values = m_parser.values(names.front());
         for (qsizetype i = 0; i < values.size(); ++i)
             written[i] += u' ' + asWritten(values[i]);
@@ -204,8 +204,7 @@ void CommandLine::printHelp() const
     QStringList words = {QCoreApplication::applicationName(), m_name, QStringLiteral("[options]")};
     for (const Positional &positional : m_positionals)
         words.append(usageOf(positional));
-    // The parser begins its help with the path by which the program was called; ours says the
-    // command.
+    // The parser begins its help with the program's path; this usage line names the command.
     const QString help = m_parser.helpText();
     const QString usage = QStringLiteral("Usage: ") + words.join(u' ');
     printLines((usage + help.sliced(help.indexOf(u'\n'))).trimmed().split(u'\n'));

@@ -34,15 +34,15 @@ struct Positional {
     Presence presence = Presence::Required;
 };
 
-/// The words after a command: options, and the positional arguments that the command names.
-/// Whatever is wrong with them is said on stderr with the word in question.
+/// The words after a command: options, and the positional arguments that the command names. Every
+/// error is reported on stderr with the word in question.
 class CommandLine {
 public:
     CommandLine(const Command &command, std::vector<Positional> positionals);
 
-    void addOption(const QCommandLineOption &option); ///< that may stand once
-    void addRepeatedOption(const QCommandLineOption &option); ///< or more than once
-    /// Where the option is set these follow in place of the command's own.
+    void addOption(const QCommandLineOption &option); ///< may be given once
+    void addRepeatedOption(const QCommandLineOption &option); ///< may be repeated
+    /// Where the option is set, these positionals replace the command's own.
     void replacePositionals(const QString &option, std::vector<Positional> positionals);
     /// An exit code when there is nothing left to do: help was asked for, or the words are wrong.
     std::optional<ExitCode> parse(const QStringList &arguments);
@@ -50,23 +50,23 @@ public:
     bool isSet(const QString &option) const { return m_parser.isSet(option); }
     /// Negative numbers are values, not options.
     QString value(const QString &option) const;
-    /// Of a repeated option.
+    /// Every value of a repeated option.
     QStringList values(const QString &option) const { return m_parser.values(option); }
     /// The positional argument at a place, empty where an optional one is left out; negative
     /// numbers are arguments, not options.
     QString argument(qsizetype index) const;
     QStringList arguments() const;
 
-    /// Says what is wrong with the command line or its input.
+    /// Reports on stderr what is wrong with the command line or its input.
     ExitCode refuse(const QString &what) const;
     ExitCode refuse(const InputError &error) const { return refuse(error.message()); }
 
 private:
     void setPositionals(std::vector<Positional> positionals);
     QString unknownOption() const;
-    /// What is wrong where an option stands twice that may stand once; empty where none does.
+    /// The error where an option that may be given once is repeated; empty where there is none.
     QString repeatedOption() const;
-    /// What is wrong where an option's value is empty; empty where none is.
+    /// The error where an option's value is empty; empty where there is none.
     QString emptyOption() const;
     void printHelp() const;
 

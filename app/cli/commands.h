@@ -5,7 +5,7 @@
 
 namespace pixelplumb::cli {
 
-// One function a command; each has a file of its own.
+// One function per command, each in its own file.
 ExitCode render(const Command &command, const QStringList &arguments);
 ExitCode trace(const Command &command, const QStringList &arguments);
 ExitCode pixel(const Command &command, const QStringList &arguments);

@@ -27,11 +27,12 @@ ExitCode compare(const Command &command, const QStringList &arguments)
          QStringLiteral("list")});
     line.addOption({limitOption, QStringLiteral("List this many differing pixels; 20 if left out."),
                     QStringLiteral("count"), QStringLiteral("20")});
-    line.addOption({{QStringLiteral("o"), drawingOption},
-                    QStringLiteral("Write a picture, too: PNG, BMP or PPM by the name's end. The "
-                                   "first one's, faint, with the pixels that differ in the "
-                                   "colours of the manual."),
-                    QStringLiteral("file")});
+    line.addOption(
+        {{QStringLiteral("o"), drawingOption},
+         QStringLiteral(
+             "Write a picture, too: PNG, BMP or PPM by the name's extension. It is the first "
+             "method's, faint, with differing pixels in the colours that the manual lists."),
+         QStringLiteral("file")});
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
     addSettingOptions(line);
     if (const auto ended = line.parse(arguments))

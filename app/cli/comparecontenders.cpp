@@ -22,7 +22,7 @@ QStringList contenderNames()
     return names;
 }
 
-/// Puts one word after the method's name into the settings.
+/// Applies one word after the method's name to the settings.
 std::optional<InputError> apply(const QString &place, const QString &word, Contender &contender)
 {
     const std::string name = word.toStdString();

@@ -6,13 +6,13 @@
 
 namespace pixelplumb::cli {
 
-/// Reads "method[:arithmetic[:fill-rule[:variant…]]]" or "truth[:fill-rule]"; what is left out is
-/// the scene's, or the method's first where it does not have the scene's. The error names the place
-/// ("--methods") and the word that is wrong.
+/// Reads "method[:arithmetic[:fill-rule[:variant…]]]" or "truth[:fill-rule]". What is left out
+/// comes from the scene, or is the method's first choice where it lacks the scene's. The error
+/// names the place ("--methods") and the wrong word.
 Result<Contender> contenderNamed(const QString &place, const QString &entry,
                                  const ScanSettings &ofScene);
 
-/// Two to four of them, separated by commas, of the option --methods.
+/// Reads two to four contenders, separated by commas, from the option --methods.
 Result<std::vector<Contender>> contendersNamed(const QString &list, const ScanSettings &ofScene);
 
 } // namespace pixelplumb::cli

@@ -7,9 +7,9 @@
 
 namespace pixelplumb::cli {
 
-/// The first contender's picture, faint and without colour, with the pixels on which not all agree
-/// in the colour of the reason (Okabe and Ito's): orange a tie rule, grey an undrawn kind, yellow
-/// rounding, sky blue drift, vermilion precision, purple the method, black not recorded.
+/// The first contender's picture, faint and grey. Pixels on which not all agree have the colour of
+/// the reason (Okabe and Ito's palette): orange a tie rule, grey an undrawn kind, yellow rounding,
+/// sky blue drift, vermilion precision, purple the method, black not recorded.
 QImage pictureOf(const Contest &contest);
 
 } // namespace pixelplumb::cli

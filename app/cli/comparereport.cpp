@@ -35,20 +35,20 @@ std::vector<PixelComparison> differingPixels(const CompareReport &report)
 
 QString number(std::int64_t value) { return QString::number(value); }
 
-/// The first column to the left, the others to the right.
+/// Aligns the first column left, the others right.
 QStringList aligned(const std::vector<QStringList> &rows)
 {
     return alignedRows(rows, [](qsizetype column) { return column == 0; });
 }
 
-/// The kinds of primitives of the scene that a contender leaves out.
+/// The kinds of the scene's primitives that a contender leaves out.
 QStringList kindsUndrawnBy(const ContenderRun &run, const Contest &contest)
 {
     return run.contender.isTruth() ? QStringList()
                                    : kindsUndrawn(contest.primitives, *run.contender.method);
 }
 
-/// A line for each contender that leaves out kinds; then the table has a column for their pixels.
+/// A line for each contender that leaves out kinds; the table then has a column for their pixels.
 QStringList undrawnLines(const Contest &contest)
 {
     QStringList lines;
@@ -106,7 +106,7 @@ QStringList agreementTable(const AgreementMap &agreement)
     return aligned(rows);
 }
 
-/// What vertices carry beside colour, by the pairs of contenders that carry it too.
+/// Agreement on attributes other than colour, by the pairs of contenders that carry them.
 QStringList carriedLines(const Contest &contest)
 {
     QStringList lines;

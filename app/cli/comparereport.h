@@ -8,8 +8,7 @@
 
 namespace pixelplumb::cli {
 
-/// A contest to be told as text or as JSON, with the first `pixelLimit` differing pixels by
-/// columns.
+/// A contest to report as text or as JSON, with the first `pixelLimit` differing pixels by columns.
 struct CompareReport {
     const Contest &contest;
     std::size_t pixelLimit;

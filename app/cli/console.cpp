@@ -14,7 +14,7 @@ namespace {
 
 int printFault = 0; ///< errno of the first failure to print; 0: none
 
-/// Where a stream leads to an input it would harm it: even a refusal is kept back.
+/// Writes nothing, not even a refusal, where the stream leads to an input that this would harm.
 void writeBytes(std::FILE *stream, const QByteArray &bytes)
 {
     if (isInput(fileno(stream)))
@@ -58,9 +58,12 @@ std::optional<InputError> finishPrinting()
 
 void sayLine(const QString &line)
 {
-    constexpr qsizetype longestLine
-        = 4000; // characters; a word of a command line may have millions
-    writeBytes(stderr, shownLines({shortened(line, longestLine)}));
+    // A word of a command line may have millions of characters; why it is refused follows it.
+    constexpr qsizetype longestHalf = 2000;
+    const bool isWhole = line.size() <= 2 * longestHalf;
+    writeBytes(
+        stderr,
+        shownLines({isWhole ? line : shortened(line, longestHalf) + line.last(longestHalf)}));
 }
 
 } // namespace pixelplumb::cli

@@ -12,20 +12,20 @@ namespace pixelplumb::cli {
 
 /// How the program ended, for shells and graders.
 enum class ExitCode {
-    Done = 0, ///< done, or the same
+    Done = 0, ///< done, or no difference
     FallsShort = 1, ///< differs or falls short
     Usage = 2, ///< a wrong command line or unreadable input
     SizesDiffer = 3,
     Internal = 70,
 };
 
-/// Lines as they are printed: in UTF-8 whatever the locale, what cannot be shown as its code.
+/// The lines as they are printed: UTF-8 whatever the locale, unprintable characters as their codes.
 QByteArray shownLines(const QStringList &lines);
 /// A result: a line on stdout.
 void printLine(const QString &line);
 void printLines(const QStringList &lines);
 void printJson(const QJsonDocument &document);
-/// Writes what is still held back; an error where that, or anything before, could not be written: a
+/// Flushes what is still buffered. An error where that, or anything before, could not be written: a
 /// full disk shows only now.
 std::optional<InputError> finishPrinting();
 /// A message: a line on stderr, shortened where it is very long.

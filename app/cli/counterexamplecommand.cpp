@@ -22,7 +22,7 @@ namespace pixelplumb::cli {
 
 namespace {
 
-/// The place in the sources of the one that parts: not that which is right by proof.
+/// The index in the sources of the side that departs: not the one that is right by proof.
 std::size_t partingSide(const Sides &sides)
 {
     return sides.sources[1].isStable && !sides.sources[0].isStable ? 0 : 1;
@@ -137,7 +137,7 @@ QJsonObject jsonOf(const Sides &sides, const CounterSearch &search)
     return object;
 }
 
-/// Where the scene is written, which is asked before there is one: searching takes its time.
+/// Where the scene is to be written; checked before the search, which takes long.
 Result<QString> pathIn(const QString &output)
 {
     if (const auto refusal = refusalOfStandardOutput(output, QStringLiteral("a file")))

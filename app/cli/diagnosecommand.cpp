@@ -38,9 +38,9 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
                        QStringLiteral("what a program drew of each scene, in their order: PNG, "
                                       "PPM, BMP or a raster of # and ."),
                        Positional::Presence::Several}});
-    line.addRepeatedOption({sceneOption,
-                            QStringLiteral("A scene that was to be drawn; once a picture."),
-                            QStringLiteral("file")});
+    line.addRepeatedOption(
+        {sceneOption, QStringLiteral("A scene that was to be drawn; give one for each picture."),
+         QStringLiteral("file")});
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
     addToleranceOption(line);
     addSettingOptions(line);
@@ -52,8 +52,8 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
     const QStringList scenes = line.values(sceneOption);
     const QStringList pictures = line.arguments();
     if (scenes.size() != pictures.size())
-        return line.refuse(QStringLiteral("%1 scenes and %2 pictures; expected --scene FILE once "
-                                          "for each picture, in their order")
+        return line.refuse(QStringLiteral("--scene is given %1 times, PICTURE %2 times; expected "
+                                          "--scene FILE once for each picture, in their order")
                                .arg(scenes.size())
                                .arg(pictures.size()));
     std::vector<Submission> submissions;

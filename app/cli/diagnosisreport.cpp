@@ -17,8 +17,8 @@ struct PartingPlace {
     PartingStep step;
 };
 
-/// The first step of the first scene at which a candidate's run parts from the right one. Where the
-/// runs cannot be told apart for an error nobody is told where.
+/// The first step of the first scene at which a candidate's run departs from the right one; none
+/// where an error makes the runs impossible to compare.
 std::optional<PartingPlace> partingPlaceOf(std::span<const Submission> submissions,
                                            const DiagnosisCandidate &candidate)
 {
@@ -79,7 +79,7 @@ QStringList textOf(const Diagnosis &diagnosis, std::span<const Submission> submi
             const QString where = submissions.size() > 1
                 ? QStringLiteral("scene %1, ").arg(place->scene)
                 : QString();
-            lines += QStringLiteral("    parts at %1step %2, %3: %4")
+            lines += QStringLiteral("    departs from the right run at %1step %2, %3: %4")
                          .arg(where, QString::number(place->step.step + 1), place->step.heading,
                               place->step.text);
         }

@@ -10,7 +10,7 @@
 
 namespace pixelplumb::cli {
 
-/// The verdict and each set of defects, with the step at which its run parts from the right one.
+/// The verdict and each set of defects, with the step at which its run departs from the right one.
 QStringList textOf(const Diagnosis &diagnosis, std::span<const Submission> submissions);
 QJsonObject jsonOf(const Diagnosis &diagnosis, std::span<const Submission> submissions);
 

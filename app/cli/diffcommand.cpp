@@ -19,7 +19,7 @@ struct Side {
     std::optional<Scene> scene;
 };
 
-/// A scene is JSON: an object.
+/// Reads a side; an input that is a JSON object is a scene.
 Result<Side> readSide(const QString &path)
 {
     const Result<QByteArray> content = readInput(path, largestPictureFile);
@@ -45,7 +45,7 @@ Result<Side> readSide(const QString &path)
     return Side{pictureOf(scene), scene};
 }
 
-/// What a scene on either side leaves open at the other side's pixels.
+/// What the scene on either side leaves open at the other side's pixels.
 std::vector<std::uint8_t> undecidableOf(const Side &expected, const Side &found,
                                         Arithmetic tolerance)
 {
@@ -56,7 +56,7 @@ std::vector<std::uint8_t> undecidableOf(const Side &expected, const Side &found,
     return {};
 }
 
-/// The same of pixels that are drawn twice; 0 where neither side is a scene.
+/// The pixels drawn twice, of the side that is a scene; 0 where neither is.
 std::int64_t drawnTwiceIn(const Side &expected, const Side &found)
 {
     if (expected.scene)
@@ -64,7 +64,7 @@ std::int64_t drawnTwiceIn(const Side &expected, const Side &found)
     return found.scene ? drawnTwice(*found.scene, expected.picture) : 0;
 }
 
-/// A scene knows its background, a raster needs none.
+/// The background: the option's, else the scene's; a raster needs none.
 Result<Colour> backgroundFor(const CommandLine &line, const Side &expected, const Side &found)
 {
     const QString option = QStringLiteral("background");

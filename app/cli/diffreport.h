@@ -13,7 +13,7 @@ namespace pixelplumb::cli {
 QStringList textOf(const PictureDiff &diff);
 QJsonObject jsonOf(const PictureDiff &diff);
 
-/// What was expected, faint and without colour, with the pixels that differ marked (Okabe and Ito's
+/// The expected picture, faint and grey, with the differing pixels marked (Okabe and Ito's
 /// colours): vermilion missing, blue extra, purple another colour, yellow undecidable.
 QImage markedPicture(const PictureDiff &diff, const Picture &expected);
 

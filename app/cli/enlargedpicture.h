@@ -7,8 +7,8 @@
 
 namespace pixelplumb::cli {
 
-/// Every pixel a square of so many, as --scale asks; an error where that is larger than a frame may
-/// be.
+/// Makes every pixel a square of `scale` pixels a side, as --scale asks; an error where the result
+/// exceeds the largest frame.
 Result<QImage> enlarged(const QImage &picture, std::int64_t scale);
 
 } // namespace pixelplumb::cli

@@ -7,7 +7,7 @@
 
 namespace pixelplumb::cli {
 
-/// Between three quarters of white and white, so that every mark beside it stands out.
+/// A grey between three quarters white and white, against which every mark stands out.
 inline QRgb faint(const Colour &colour)
 {
     const int grey = 191 + qGray(colour.red(), colour.green(), colour.blue()) / 4;

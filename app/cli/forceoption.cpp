@@ -15,7 +15,7 @@ constexpr QLatin1String forceOption("force");
 /// "smooth-colour".
 QString wordOf(Effect effect) { return nameText(nameOf(effect)).replace(u' ', u'-'); }
 
-/// Of the effects that have a switch.
+/// The words of the effects that have a switch.
 QStringList effectWords()
 {
     QStringList words;

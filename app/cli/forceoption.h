@@ -6,10 +6,10 @@
 
 namespace pixelplumb::cli {
 
-/// --force EFFECT=on|off, which may stand several times.
+/// Adds --force EFFECT=on|off, which may be repeated.
 void addForceOption(CommandLine &line);
 
-/// What the options switch by hand, or what is wrong with one of them.
+/// What the options switch by hand, or the error in one of them.
 Result<EffectForcing> chosenForcing(const CommandLine &line);
 
 } // namespace pixelplumb::cli

@@ -37,8 +37,8 @@ void addOptions(CommandLine &line)
                     QStringLiteral("folder")});
     line.addOption(
         {jobsOption,
-         QStringLiteral("So many submissions at once; as many as there are processors if left "
-                        "out."),
+         QStringLiteral(
+             "Grade this many submissions at once; as many as there are processors if left out."),
          QStringLiteral("number")});
     line.addOption({shardOption,
                     QStringLiteral("The i-th of n parts alone: 3/8; which submissions it has "
@@ -69,7 +69,7 @@ Result<GradeShard> chosenShard(const CommandLine &line)
                       QStringLiteral("i/n with 1 ≤ i ≤ n ≤ %1, such as 3/8").arg(mostParts)};
 }
 
-/// Of a file, or of standard input for "-".
+/// Reads the assignment of a file, or of standard input for "-".
 Result<Assignment> readAssignmentAt(const QString &path)
 {
     const Result<QByteArray> text = readInput(path);
@@ -79,7 +79,7 @@ Result<Assignment> readAssignmentAt(const QString &path)
     return assignment ? assignment : Result<Assignment>(errorIn(path, assignment.error()));
 }
 
-/// "12  unsorted-colours" and what was done.
+/// A line per cluster, "12  unsorted-colours", and a summary.
 QStringList clusterLines(const GradeReport &report)
 {
     QStringList lines = {submissionsText(report.submissions.size())};
@@ -129,7 +129,7 @@ ExitCode print(const CommandLine &line, const GradeReport &report)
     return ungraded.isEmpty() ? ExitCode::Done : ExitCode::Usage;
 }
 
-/// Says which names in the folder of submissions are none.
+/// Reports names in the folder of submissions that are not graded because they begin with a dot.
 void sayHidden(const QString &folder)
 {
     QStringList names;

@@ -5,14 +5,13 @@
 
 namespace pixelplumb::cli {
 
-/// The content of a file, or of stdin for "-", of at most so many bytes. Every input that a command
-/// line names is read by it, and every command writes to standard output or may: a file that
-/// standard output would be added to (`trace s.json >> s.json`) is refused before anything is
-/// written.
+/// Reads a file, or stdin for "-", up to `most` bytes. Commands read all their input files with it.
+/// It refuses a file to which standard output is appended (`trace s.json >> s.json`), since every
+/// command may write there; nothing is written before that.
 Result<QByteArray> readInput(const QString &path, qint64 most = largestFile);
 
-/// Where the files that an input refers to are found: in its own folder; empty, the current one,
-/// for "-".
+/// The folder in which an input's relative references are looked up: its own; empty, the current
+/// one, for "-".
 QString folderOf(const QString &path);
 
 } // namespace pixelplumb::cli

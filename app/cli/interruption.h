@@ -3,8 +3,8 @@
 
 namespace pixelplumb::cli {
 
-/// While one is alive, the first Ctrl-C asks the command to end with what it has; a second one ends
-/// the program.
+/// While an instance is alive, the first Ctrl-C asks the command to end with what it has so far; a
+/// second one ends the program.
 class Interruption {
 public:
     Interruption();

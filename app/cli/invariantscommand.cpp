@@ -20,7 +20,7 @@ namespace pixelplumb::cli {
 
 namespace {
 
-/// What is broken, and what is so even where rounding is allowed for.
+/// Which invariants are broken, and which even with rounding allowed for.
 struct Findings {
     std::vector<BrokenInvariant> broken;
     std::vector<BrokenInvariant> brokenBeyondRounding;

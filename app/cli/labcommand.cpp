@@ -139,7 +139,8 @@ Result<StudySettings> settingsFrom(const CommandLine &line)
     return settings;
 }
 
-/// The scene, or else random triangles, or else the first family that was asked for.
+/// The family in which budgets are looked up: the scene, else random triangles, else the first
+/// family requested.
 QString familyOfBudget(const Study &study)
 {
     for (const QString &id : {ownSceneFamily, QStringLiteral("random-integer")}) {

@@ -14,7 +14,7 @@ namespace {
 
 using Line = QStringList;
 
-/// The first column is a word, the others are numbers, the last a remark.
+/// Aligns the first column and the last, a remark, as words, the others as numbers.
 QStringList aligned(const std::vector<Line> &lines)
 {
     return alignedRows(lines, [last = lines.front().size() - 1](qsizetype column) {
@@ -22,7 +22,7 @@ QStringList aligned(const std::vector<Line> &lines)
     });
 }
 
-/// Nothing where nothing was measured: 0.000 is a figure.
+/// Empty where nothing was measured, since 0.000 would be a number.
 QString number(const std::optional<double> &value, int digits)
 {
     return value ? QString::number(*value, 'f', digits) : QString();
@@ -133,7 +133,7 @@ QStringList fitText(const Study &study)
     + aligned(lines);
 }
 
-/// How even lines are in all directions.
+/// How even the brightness of lines is in all directions.
 QStringList brightnessText(const Study &study)
 {
     QStringList text;
@@ -150,7 +150,7 @@ QStringList brightnessText(const Study &study)
     return text;
 }
 
-/// What effects cost and what they mend.
+/// What effects cost and correct.
 QStringList effectsText(const Study &study)
 {
     if (study.effects.empty())

@@ -5,8 +5,8 @@
 
 namespace pixelplumb::cli {
 
-/// A study as people read it: warnings, a table a family, what set-up, columns and pixels take, and
-/// the command that does it again.
+/// A study as readable text: warnings, a table per family, the costs of set-up, columns and pixels,
+/// and the command that repeats it.
 QStringList textOf(const Study &study);
 
 } // namespace pixelplumb::cli

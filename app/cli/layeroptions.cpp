@@ -31,7 +31,7 @@ QStringList layerNames()
     return names;
 }
 
-/// "40,12 10,8 30,40"; coordinates that had to be snapped are reported on stderr.
+/// Reads "40,12 10,8 30,40"; snapped coordinates are reported on stderr.
 Result<Corners> cornersFrom(const QString &text)
 {
     const InputError refused{QStringLiteral("--") + imageOption, text,
@@ -61,7 +61,7 @@ Result<Corners> cornersFrom(const QString &text)
     return corners;
 }
 
-/// Where the layer of the affine map takes its triangle.
+/// Where the affine-map layer takes its triangle.
 std::optional<AffineImage> imageOf(const LayerRequest &request, const LayerView &view)
 {
     const std::optional<std::size_t> triangle
@@ -69,7 +69,7 @@ std::optional<AffineImage> imageOf(const LayerRequest &request, const LayerView 
     return triangle ? std::optional(AffineImage{*triangle, *request.affineImage}) : std::nullopt;
 }
 
-/// Why a number of the request is none of the run's.
+/// Why a number of the request is outside the run's.
 std::optional<InputError> objectionTo(const LayerRequest &request, const ScanTrace &trace)
 {
     if (request.position && std::size_t(*request.position) > trace.stepCount())

@@ -9,14 +9,14 @@
 
 namespace pixelplumb::cli {
 
-/// What of a run is drawn, and which layers over it.
+/// How much of a run is drawn, and which layers over it.
 struct LayerRequest {
     QStringList layers; ///< ids
-    std::optional<std::int64_t> position; ///< so many steps are done; none: all
-    std::optional<std::int64_t> primitive; ///< of which the layers tell; none: that in hand
+    std::optional<std::int64_t> position; ///< how many steps are done; none: all
+    std::optional<std::int64_t> primitive; ///< that the layers describe; none: the current one
     std::optional<Corners> affineImage; ///< of the layer affine-map; none: its first map
 
-    /// Whether the finished picture alone will not do.
+    /// Whether the finished picture alone is not enough.
     bool asksForRun() const { return position || !layers.isEmpty(); }
 };
 
@@ -24,8 +24,8 @@ struct LayerRequest {
 void addLayerOptions(CommandLine &line);
 Result<LayerRequest> layerRequestFrom(const CommandLine &line);
 
-/// The picture at the position with every pixel a square of `scale`, and the layers over it. What
-/// they have to say beside the picture, and why one has nothing to show, is said on stderr.
+/// The picture at the position, each pixel a square of `scale` pixels a side, with the layers over
+/// it. Texts that belong to the layers, and why one shows nothing, go to stderr.
 Result<QImage> pictureWithLayers(const Scene &scene, const LayerRequest &request,
                                  std::int64_t scale);
 

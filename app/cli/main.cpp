@@ -18,10 +18,11 @@ const std::vector<Command> &commands()
         {QStringLiteral("render"), QStringLiteral("Draw a scene to a picture or as text."), render},
         {QStringLiteral("trace"), QStringLiteral("Print the numbers that the drawing used."),
          trace},
-        {QStringLiteral("pixel"), QStringLiteral("Tell who wrote a pixel, or what refuses it."),
+        {QStringLiteral("pixel"), QStringLiteral("Tell what wrote a pixel, or what refuses it."),
          pixel},
         {QStringLiteral("methods"),
-         QStringLiteral("List the methods of scan conversion, or tell one whole."), listMethods},
+         QStringLiteral("List the methods of scan conversion, or describe one in full."),
+         listMethods},
         {QStringLiteral("plan"), QStringLiteral("Tell which effects a scene calls for, and why."),
          plan},
         {QStringLiteral("check"), QStringLiteral("Run a file of hard cases."), check},
@@ -37,10 +38,9 @@ const std::vector<Command> &commands()
         {QStringLiteral("probes"),
          QStringLiteral("Find the few scenes that tell the known defects apart."), probes},
         {QStringLiteral("counterexample"),
-         QStringLiteral("Find a small scene of which two draw different pictures."),
-         counterExample},
+         QStringLiteral("Find a small scene that two drawers draw differently."), counterExample},
         {QStringLiteral("invariants"),
-         QStringLiteral("Tell what holds of every right picture, and of these not."), invariants},
+         QStringLiteral("Check the properties that every right picture has."), invariants},
         {QStringLiteral("motion"), QStringLiteral("Count what flickers while a scene moves."),
          motion},
         {QStringLiteral("lab"), QStringLiteral("Measure what accuracy costs in time."), lab},
@@ -123,7 +123,7 @@ ExitCode help(const Command &command, const QStringList &arguments)
 {
     const QString option = QStringLiteral("--help");
     const QString word = arguments.value(0, option);
-    // Of `help help` there is no more to tell.
+    // `help help` adds nothing to the general help.
     if (word == command.name || word == option || word == QStringLiteral("-h")) {
         printLines(helpText().split(u'\n'));
         return ExitCode::Done;
@@ -147,11 +147,11 @@ int main(int argc, char *argv[])
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("pixelplumb-cli"));
     QCoreApplication::setApplicationVersion(QStringLiteral(PIXELPLUMB_VERSION));
-    // What is wrong with a picture is said with its name.
+    // Image errors are reported by the commands, with the picture's name.
     QLoggingCategory::setFilterRules(QStringLiteral("qt.gui.imageio*=false"));
     try {
         ExitCode code = pixelplumb::cli::run(QCoreApplication::arguments().sliced(1));
-        // Unless a command has told of it.
+        // Unless a command has reported it.
         const auto error = pixelplumb::cli::finishPrinting();
         if (error && code != ExitCode::Usage) {
             sayLine(QStringLiteral("pixelplumb-cli: ") + error->message());

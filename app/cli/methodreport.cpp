@@ -36,7 +36,7 @@ QJsonArray jsonOf(const std::vector<NumberDescription> &numbers)
     return list;
 }
 
-/// How much of the work of a small triangle is its set-up, beside that of the large one.
+/// The share of the set-up in the work for a small triangle, compared with the large one.
 void printShares(const Method &method, Arithmetic arithmetic,
                  const std::vector<StandardExample> &examples)
 {
@@ -141,7 +141,7 @@ void printDescription(const Method &method)
         printLine(QStringLiteral("  remarks      %1").arg(method.remarks.join(separator)));
 }
 
-/// "4", "16", "area": under which a line is there.
+/// The antialiasings for which a line is present: "4", "16", "area".
 QStringList antialiasingsOf(const PseudocodeLine &line)
 {
     QStringList names;
@@ -156,7 +156,7 @@ QString areaText(const PseudocodeLine &line)
                                       : QStringLiteral("triangles with area");
 }
 
-/// "   [blending; antialiasing none, 4, 16]": where a line is there.
+/// When a line is present: "   [blending; antialiasing none, 4, 16]".
 QString conditionText(const PseudocodeLine &line)
 {
     QStringList conditions;
@@ -191,7 +191,7 @@ QJsonArray jsonOf(const Pseudocode &code)
     return list;
 }
 
-/// A line each, indented, with what it is there for.
+/// Prints the lines indented, each with its condition.
 void printPseudocode(const QString &title, const Pseudocode &code)
 {
     if (code.empty())

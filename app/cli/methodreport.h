@@ -7,14 +7,14 @@
 
 namespace pixelplumb::cli {
 
-/// "triangle", …: what it draws.
+/// The kinds of primitive the method draws: "triangle", …
 QStringList kindsOf(const Method &method);
 
-/// What a list says of each method.
+/// The entry for a method in the list of methods.
 QJsonObject jsonOf(const Method &method);
 
-/// Everything, with its numbers and, for each arithmetic, the résumé of its operations on the
-/// standard example (core/lab/standardexamples.h).
+/// Prints all about a method, with its numbers and, for each arithmetic, the summary of its
+/// operations on the standard example (core/lab/standardexamples.h).
 void printWholeMethod(const Method &method);
 QJsonObject jsonOfWhole(const Method &method);
 

@@ -11,7 +11,7 @@ namespace pixelplumb::cli {
 
 namespace {
 
-/// A line each, aligned.
+/// Prints the methods, one per line, aligned.
 void printMethods()
 {
     qsizetype widest = 0;
@@ -40,7 +40,7 @@ ExitCode listMethods(const Command &command, const QStringList &arguments)
     CommandLine line(
         command,
         {{QStringLiteral("NAME"),
-          QStringLiteral("One method, whole: source, rules, effects, numbers, operations."),
+          QStringLiteral("the method to describe: source, rules, effects, numbers, operations"),
           Positional::Presence::Optional}});
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
     if (const auto ended = line.parse(arguments))

@@ -7,16 +7,16 @@
 
 namespace pixelplumb::cli {
 
-/// Where a result is written as it is made: standard output for "-", else a file that appears whole
-/// or not at all and is no input.
+/// Where a result is written while it is made: standard output for "-", else a file that is no
+/// input and appears whole or not at all.
 class Output {
 public:
     explicit Output(const QString &path);
 
-    /// An error when the place cannot be written to.
+    /// An error when the place cannot be written.
     std::optional<InputError> open();
     QIODevice &device();
-    /// Makes it permanent; without it a file is left as it was.
+    /// Makes the file permanent; without this call an existing file stays as it was.
     std::optional<InputError> finish();
 
     /// Why it cannot be written: what the device says, else `otherwise`.
@@ -27,8 +27,8 @@ private:
     std::optional<OutputFile> m_file; ///< none: standard output
 };
 
-/// Why "-" is no place for what a command writes beside the report that it prints; none where the
-/// path is another.
+/// Why "-" cannot take what a command writes in addition to its printed report; none where the path
+/// is not "-".
 std::optional<InputError> refusalOfStandardOutput(const QString &path, const QString &expected);
 
 } // namespace pixelplumb::cli

@@ -34,11 +34,12 @@ Result<QStringList> outputPaths(const QString &output, const QStringList &inputs
             = QDir(output).filePath(QFileInfo(input).completeBaseName() + u'.') + suffix;
         if (const qsizetype other = paths.indexOf(path); other >= 0)
             return InputError{input,
-                              QStringLiteral("and %1 would both be %2").arg(inputs[other], path),
+                              QStringLiteral("its picture would be %2, and so would that of %1")
+                                  .arg(inputs[other], path),
                               QStringLiteral("scenes of different names")};
         paths.append(path);
     }
-    // Last: a folder is not made for what is refused.
+    // Checked last: no folder is made for a refused path.
     if (const auto refusal = refusalOfFolder(output))
         return *refusal;
     return paths;

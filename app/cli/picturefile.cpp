@@ -64,7 +64,7 @@ std::optional<InputError> writePicture(const QImage &picture, Output &output, co
 {
     if (auto error = output.open())
         return error;
-    // libpng, if it wrote to the file, would say for itself that it cannot.
+    // libpng would print its own error if it wrote to the file directly.
     QBuffer encoded;
     QImageWriter writer(&encoded, format.toLatin1());
     if (!writer.write(picture))

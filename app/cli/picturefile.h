@@ -10,7 +10,8 @@
 
 namespace pixelplumb::cli {
 
-/// The picture of an input: a file, or stdin for "-". Nothing is covered yet where it has colours.
+/// Reads the picture of an input: a file, or stdin for "-". In a picture with colours no pixel is
+/// covered yet.
 Result<Picture> readPicture(const QString &path);
 
 /// An input by its name on the command line.
@@ -18,16 +19,18 @@ struct SizedInput {
     QString path;
     QSize size; ///< px
 };
-/// Says so and gives the exit code where two inputs that are to be compared differ in size.
+/// Reports two inputs whose sizes differ though they are to be compared, and returns the exit code;
+/// none where they match.
 std::optional<ExitCode> refusalOfSizes(const SizedInput &one, const SizedInput &other);
 
-/// Formats without loss, by their names' ends, so that each pixel can be read back: "png", …
+/// The lossless formats, from which each pixel can be read back, by their file endings: "png", …
 const QStringList &pictureFormats();
 
-/// The format that a path's end asks for. Standard output, devices and pipes, whose names do not
-/// say it, get the first of the formats. `option` is what the error names: "-o".
+/// The format that a path's ending asks for. Standard output, devices and pipes have no ending and
+/// get the first format. `option` is what the error names: "-o".
 Result<QString> pictureFormatOf(const QString &option, const QString &path);
-/// The same of an option of the command line, "output"; the first format where it is not set.
+/// The format for the path in a command-line option ("output"); the first format where it is not
+/// set.
 Result<QString> pictureFormatOf(const CommandLine &line, const QString &option);
 
 std::optional<InputError> writePicture(const QImage &picture, Output &output,

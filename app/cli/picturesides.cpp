@@ -34,7 +34,7 @@ QStringList methodIds()
     return ids;
 }
 
-/// The program that a word names, at its place on the command line.
+/// The program in a word of the command line; `place` is for errors.
 Result<StudentProgram> programNamed(const QString &place, const QString &word)
 {
     const QStringList command = QProcess::splitCommand(word.sliced(programPrefix.size()));
@@ -45,7 +45,7 @@ Result<StudentProgram> programNamed(const QString &place, const QString &word)
     return studentProgramOf(command);
 }
 
-/// "circles and ellipses".
+/// The kinds a method draws: "circles and ellipses".
 QString drawnText(const Method &method)
 {
     QStringList kinds;
@@ -54,7 +54,7 @@ QString drawnText(const Method &method)
     return kinds.join(QStringLiteral(" and "));
 }
 
-/// Of the primitives in random scenes.
+/// The kind of the primitives in random scenes.
 PrimitiveKind searchedKind(const Method &method)
 {
     return method.draws(PrimitiveKind::Triangle) ? PrimitiveKind::Triangle : PrimitiveKind::Line;
@@ -157,7 +157,7 @@ Result<Sides> sidesOf(const CommandLine &line, const QStringList &places)
             return contender.error();
         contenders[std::size_t(i)] = *contender;
     }
-    // A method that is named stands for the other side's, too, and draws the kinds in question.
+    // A named method also stands for the other side's, and must draw the kinds in question.
     Contender method = contenderFor(*methodNamed(QString::fromStdString(conventions->method)),
                                     conventions->settings);
     for (const auto &contender : contenders) {

@@ -8,12 +8,12 @@
 
 namespace pixelplumb::cli {
 
-/// The words of the command line that name who draws, and what they name.
+/// The command-line words that name the picture sources, and the sources they name.
 struct Sides {
     std::vector<PictureSource> sources;
     Scene conventions; ///< without primitives
 
-    bool hasProgram() const; ///< one that somebody else wrote
+    bool hasProgram() const; ///< whether a source is somebody else's program
 };
 
 /// The known defects that scenes of the conventions' method can have.
@@ -21,17 +21,17 @@ std::vector<Defect> defectsOfMethod(const Scene &conventions);
 
 /// The kinds, corners and colours of a scene's primitives, a line each.
 QStringList primitiveLines(const Scene &scene);
-/// What could not be drawn, by whom and why.
+/// What could not be drawn, by which source and why.
 QString undrawnText(const UndrawnScene &undrawn);
 QJsonObject undrawnJson(const UndrawnScene &undrawn);
 
 /// Why there are no random scenes for a method; none where there are.
 std::optional<InputError> refusalToSearch(const Method &method, const QString &place);
 
-/// What such a word may be.
+/// Help text: what a word that names a side may be.
 QString sideMeaning();
-/// The first arguments; `places` are their names, for errors. Programs run as the options of
-/// addProgramOptions() say.
+/// Reads the sides from the first arguments; `places` are their names, for errors. Programs run as
+/// the options of addProgramOptions() say.
 Result<Sides> sidesOf(const CommandLine &line, const QStringList &places);
 
 } // namespace pixelplumb::cli

@@ -30,7 +30,7 @@ Colour trueColourOfAll(const PixelReport &report)
     pixel.firstRow = int(report.y);
     const FrameBuffer frame(pixel);
     FrameView view = frame.view();
-    // The default point off the screen is that of the whole frame.
+    // The default off-screen point is that of the whole frame.
     view.offScreenPoint = traced.truth.view().offScreenPoint;
     drawTruly(traced.primitives, traced.scene.settings, view);
     return unpacked(*view.at(report.x, report.y));

@@ -4,14 +4,14 @@
 #include "app/cli/pixelreport.h"
 #include "core/runs/differencename.h"
 
-/// What a pixel's report tells as text and as JSON alike.
+/// What a pixel's report says in text and in JSON alike.
 namespace pixelplumb::cli {
 
 /// The pixel's colour in the finished picture.
 Colour finalColour(const PixelReport &report);
-/// Of what the method draws.
+/// The true colour from the primitives that the method draws.
 Colour trueColour(const PixelReport &report);
-/// Of all primitives of the scene.
+/// The true colour from all primitives of the scene.
 Colour trueColourOfAll(const PixelReport &report);
 /// The primitives at the pixel that the method does not draw.
 QStringList undrawnAt(const PixelReport &report);
@@ -22,7 +22,7 @@ struct SpanWords {
 };
 SpanWords wordsFor(SpanAxis axis);
 
-/// The window's words: "column 27, second half".
+/// The place in the window's words: "column 27, second half".
 QString spanPlaceText(const PixelAttempt &attempt);
 
 } // namespace pixelplumb::cli

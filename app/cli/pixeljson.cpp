@@ -17,7 +17,7 @@ QJsonValue jsonOf(double value)
     return std::isfinite(value) ? QJsonValue(value) : QJsonValue(realText(value));
 }
 
-/// As a number, and exactly: {"decimal": 5.129…, "fraction": "277/54"}.
+/// A quantity as a number and exactly: {"decimal": 5.129…, "fraction": "277/54"}.
 QJsonValue jsonOf(const Quantity &quantity)
 {
     if (quantity.isNone())

@@ -9,8 +9,8 @@ namespace pixelplumb::cli {
 
 namespace {
 
-/// Of the sample; of several a pixel, and of its area, the centre decides nothing and has a place
-/// alone.
+/// The edge's verdict on the sample. With several samples per pixel or area coverage, the centre
+/// decides nothing and only its place is given.
 QString placeText(const oracle::EdgeVerdict &edge, Antialiasing antialiasing)
 {
     if (antialiasing == Antialiasing::None)
@@ -47,8 +47,8 @@ QString spanText(const PixelAttempt &attempt, Antialiasing antialiasing)
     return text;
 }
 
-/// The level and the byte that was written. The exact level is that of a triangle; the truth of a
-/// shape is its pixels. A mean of samples has no level.
+/// The level and the byte written. The exact level is a triangle's; for a shape only the pixels are
+/// true. A mean of samples has no level.
 QString channelText(const PixelAttempt &attempt, std::size_t channel)
 {
     const Quantity &used = attempt.sample->colour[channel];
@@ -92,13 +92,13 @@ QStringList textOf(const PixelReport &report)
         heading += QStringLiteral(", as recorded; the truth is ") + colourText(trueColour(report));
     else
         heading += difference == Difference::None
-            ? QStringLiteral(", as %1").arg(truth)
+            ? QStringLiteral(", the same as %1").arg(truth)
             : QStringLiteral(", differs from %1, %2: %3")
                   .arg(truth, colourText(trueColour(report)), nameOf(difference));
     if (!undrawn.isEmpty())
         heading
-            += QStringLiteral("; the truth of the scene is %1, for %2 covers it too")
-                   .arg(colourText(trueColourOfAll(report)), undrawn.join(QStringLiteral(", ")));
+            += QStringLiteral("; the truth of the scene, with %1, is %2")
+                   .arg(undrawn.join(QStringLiteral(", ")), colourText(trueColourOfAll(report)));
     QStringList lines = {heading};
     if (report.attempts.empty())
         lines += QStringLiteral("the scene has nothing that the method draws");

@@ -8,7 +8,7 @@
 
 namespace pixelplumb::cli {
 
-/// The history of one pixel, to be told as text or as JSON.
+/// The history of one pixel, to report as text or as JSON.
 struct PixelReport {
     const TracedScene &traced;
     std::int64_t x = 0;

@@ -12,7 +12,7 @@ namespace pixelplumb::cli {
 
 namespace {
 
-/// What is run of an effect, where it is not what the verdict says.
+/// What runs of an effect, where that differs from its verdict.
 QString runText(const PlanReport &report, Effect effect)
 {
     if (!report.refusal.isEmpty())
@@ -26,13 +26,13 @@ QString runText(const PlanReport &report, Effect effect)
     return runs + (isInVain ? QStringLiteral(" (nothing to force)") : QStringLiteral(" (forced)"));
 }
 
-/// All columns to the left but those of numbers.
+/// Aligns all columns left except those of numbers.
 QStringList aligned(const std::vector<QStringList> &rows, const QList<qsizetype> &numbers)
 {
     return alignedRows(rows, [&numbers](qsizetype column) { return !numbers.contains(column); });
 }
 
-/// "4", "0 … 3, 1 of them not drawn": the first and the last triangle.
+/// The triangles of a batch, first to last: "4", "0 … 3, 1 of them not drawn".
 QString triangleRange(const EffectBatch &batch)
 {
     QString range = batch.count == 1
@@ -45,7 +45,7 @@ QString triangleRange(const EffectBatch &batch)
     return range;
 }
 
-/// Of triangles, lines or curves: where several run it, it is the same.
+/// The antialiasing of triangles, lines or curves; the same where several use it.
 Antialiasing antialiasingOf(const EffectPlan &plan)
 {
     return std::max(plan.antialiasing, plan.strokeAntialiasing);
@@ -66,7 +66,7 @@ QString samplesText(Antialiasing antialiasing)
     return {};
 }
 
-/// The first of them; nothing where there are none.
+/// The first batches, up to a limit; nothing where there are none.
 QStringList batchesText(const std::vector<EffectBatch> &batches)
 {
     if (batches.empty())
@@ -81,7 +81,7 @@ QStringList batchesText(const std::vector<EffectBatch> &batches)
     return lines;
 }
 
-/// What each effect costs where it does something, and changes.
+/// What each active effect costs and changes.
 QStringList textOf(const EffectTiming &timing)
 {
     std::vector<QStringList> rows

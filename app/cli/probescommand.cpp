@@ -20,7 +20,7 @@ namespace pixelplumb::cli {
 
 namespace {
 
-/// "(13 1/2, 6)" of each vertex, a primitive after the other.
+/// The vertices' coordinates, one after the other: "(13 1/2, 6)".
 QString placesOf(const std::vector<Vertex> &vertices)
 {
     QString text;
@@ -83,7 +83,7 @@ QJsonObject jsonOf(const std::vector<Scene> &scenes, const ProbeResult &result)
             {QStringLiteral("alike"), alike}};
 }
 
-/// The assignment's conventions: those of a scene, or of a scene as it is by default.
+/// The assignment's conventions: a scene's, or the default scene's.
 Result<Scene> conventionsFor(const CommandLine &line)
 {
     const QString path = line.argument(0);
@@ -106,8 +106,8 @@ Result<Scene> conventionsFor(const CommandLine &line)
     return scene;
 }
 
-/// Why a sheet cannot be written into a folder, which is made if need be: asked before the search,
-/// which takes its time and decides how many scenes there are.
+/// Why a sheet cannot be written into a folder, which is made if need be; checked before the
+/// search, which takes long and decides how many scenes there are.
 std::optional<InputError> refusalOfSheet(const QString &folder, const Scene &conventions)
 {
     if (auto refusal = refusalOfStandardOutput(folder, QStringLiteral("a folder")))
@@ -138,7 +138,7 @@ std::optional<InputError> writeSheet(const QString &folder, const std::vector<Sc
     return std::nullopt;
 }
 
-/// An id and what was done, a line each.
+/// Prints a line per defect: its id and what was done.
 void printDefects(const std::vector<Defect> &defects)
 {
     QStringList lines;
@@ -194,8 +194,8 @@ ExitCode probes(const Command &command, const QStringList &arguments)
     if (!conventions)
         return line.refuse(conventions.error());
     if (line.isSet(listOption) && (line.isSet(candidatesOption) || isSeedSet(line)))
-        return line.refuse(QStringLiteral("--list searches nothing, and no scenes are drawn by "
-                                          "lot; expected it without --seed and --candidates"));
+        return line.refuse(QStringLiteral("--list searches nothing and makes no random scenes; "
+                                          "expected it without --seed and --candidates"));
     if (line.isSet(listOption) && line.isSet(outputOption))
         return line.refuse(QStringLiteral("--list searches nothing, and there is nothing to write; "
                                           "expected it without -o"));

@@ -26,7 +26,7 @@ Result<ProgramInput> chosenInput(const CommandLine &line)
                        line.value(inputOption), names);
 }
 
-/// 0: no limit.
+/// The memory limit; 0: none.
 Result<std::int64_t> chosenMegabytes(const CommandLine &line)
 {
     const auto megabytes = wholeNumberOf(line, memoryOption, {0, mostMegabytes});
@@ -50,8 +50,8 @@ void addProgramOptions(CommandLine &line)
                     QStringLiteral("kind"), QStringLiteral("json")});
     line.addOption(
         {timeOption,
-         QStringLiteral("Seconds that it may compute for each scene; who waits four times "
-                        "as long is ended by the clock; 10 if left out."),
+         QStringLiteral("Seconds that it may compute for each scene; a program that waits four "
+                        "times as long is ended by the clock; 10 if left out."),
          QStringLiteral("seconds"), QStringLiteral("10")});
     line.addOption({memoryOption,
                     QStringLiteral("MiB of addresses for each process, %1 at least; 0: no limit; "

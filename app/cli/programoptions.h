@@ -10,13 +10,13 @@ namespace pixelplumb::cli {
 
 /// --input, --time and --memory: how a student's program is run.
 void addProgramOptions(CommandLine &line);
-/// What is wrong where one of them is given and nothing is a program; none where none is.
+/// The error where one of these options is given but no side is a program; none where that is fine.
 std::optional<InputError> refusalWithoutProgram(const CommandLine &line);
-/// What they say, with the tolerance that is taken if none is named.
+/// The terms from these options, with the default tolerance.
 Result<TrialTerms> chosenTerms(const CommandLine &line);
 
-/// To be printed, or to be added to a report, wherever a program was run: what it could do, if it
-/// ran in no sandbox. Nothing where there is one.
+/// What a program that ran without a sandbox could do, to be printed or added to a report wherever
+/// a program was run. Nothing where there is a sandbox.
 QStringList confinementLines();
 void addConfinement(QJsonObject &report);
 

@@ -8,8 +8,8 @@
 
 namespace pixelplumb::cli {
 
-/// Tells on stderr how far a long job is: only on a terminal, only after a second, and without a
-/// trace once the job is done.
+/// Shows on stderr how far a long job is: only on a terminal, only after a second; erased once the
+/// job is done.
 class Progress {
 public:
     Progress();
@@ -19,7 +19,7 @@ public:
     void show(const QString &state);
     /// Erases what is shown: to be called before anything is printed.
     void clear();
-    /// Shows what it hears; it must not outlive this.
+    /// Shows what it is told; it must not outlive this object.
     ProgressListener listener();
 
 private:
@@ -31,7 +31,7 @@ private:
     qint64 m_nextShow = 1000; ///< ms since the start
 };
 
-/// What a job comes to that is given a listener; what is shown of it is gone when it is done.
+/// Runs a job with a progress listener and returns its result; what was shown is erased at the end.
 template <class Job>
 auto withProgress(const Job &job)
 {

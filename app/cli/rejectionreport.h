@@ -5,8 +5,8 @@
 
 namespace pixelplumb::cli {
 
-/// Says on stderr what a method does not draw, so that nobody wonders at an empty picture: the
-/// first five a line each, the others by their number. `drawnBy` tells whose words they are:
+/// Reports on stderr what a method does not draw, so that an empty picture is explained: the first
+/// five a line each, the rest as a count. `drawnBy` says which scene and method are meant:
 /// "scene.json, polygon-fan".
 void reportRejections(const QString &drawnBy, const std::vector<RejectedPrimitive> &rejected);
 

@@ -31,9 +31,9 @@ QStringList accuracyNames()
     return {QStringLiteral("exact"), QStringLiteral("1-level"), QStringLiteral("10-ppm")};
 }
 
-/// How scenes are drawn and written.
+/// What is drawn from scenes and where it is written.
 struct RenderRequest {
-    QStringList pictures; ///< where each scene's goes
+    QStringList pictures; ///< one path per scene
     QString format; ///< of the pictures
     bool wantsPicture = false;
     bool wantsAscii = false;
@@ -60,7 +60,7 @@ std::optional<InputError> drawPicture(const Scene &scene, Output &output,
     return writeResult(enlarged(frame.image(), request.scale), output, request.format);
 }
 
-/// The scene drawn by the first of the published order of cost that meets the budget.
+/// The scene with the cheapest method, by the published order of cost, that meets the budget.
 Result<Scene> withinBudget(const Scene &scene, const QString &word)
 {
     const QString place = QStringLiteral("--accuracy");
@@ -89,7 +89,7 @@ Result<Scene> sceneToRender(const CommandLine &line, const QString &path)
     return scene ? withinBudget(*scene, line.value(accuracyOption)) : scene;
 }
 
-/// Whether a scene of few primitives, which are drawn once more to know, covers nothing.
+/// Whether a scene covers no pixel; only few primitives are drawn once more to find out.
 bool isLeftEmpty(const Scene &scene)
 {
     constexpr std::size_t few = 1000;

@@ -20,7 +20,7 @@ bool hasSpansAlong(const ScanTrace &trace, SpanAxis axis)
     return trace.spanCount() == 0;
 }
 
-/// Why the table has no such coordinate; empty where it has.
+/// The error for a coordinate that the table lacks.
 InputError objectionTo(const QString &option, const TracedScene &traced, TraceLevel level)
 {
     const QString place = QStringLiteral("--") + option;

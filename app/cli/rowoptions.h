@@ -13,7 +13,7 @@ void addRowOptions(CommandLine &line);
 /// What --triangle can name: a run's primitives, counted from 0.
 WholeRange primitivesOf(const ScanTrace &trace);
 
-/// An error where an option names what the run or the table does not have.
+/// The chosen rows, or an error where an option names what the run or the table lacks.
 Result<RowChoice> chosenRows(const CommandLine &line, const TracedScene &traced, TraceLevel level);
 
 } // namespace pixelplumb::cli

@@ -41,7 +41,7 @@ Result<Choice> chosen(const CommandLine &line, const QString &option,
     return choices[std::size_t(index)];
 }
 
-/// Several, separated by commas, together take the place of what the scene says.
+/// The variants chosen, separated by commas; together they replace the scene's.
 Result<VariantSet> chosenVariants(const CommandLine &line, VariantSet unset)
 {
     if (!line.isSet(variantOption))
@@ -84,7 +84,7 @@ std::optional<InputError> firstError(const Results &...results)
     return error;
 }
 
-/// The first snapped coordinates one by one, the others by their number.
+/// Reports the first snapped coordinates one by one, the others as a count.
 void reportSnaps(const QString &path, const SnapReports &snaps)
 {
     constexpr std::size_t mostReported = 5;
@@ -92,10 +92,9 @@ void reportSnaps(const QString &path, const SnapReports &snaps)
     for (std::size_t index = 0; index < reported; ++index)
         sayLine(path + QStringLiteral(": ") + snaps[index].message());
     if (snaps.size() > reported)
-        sayLine(
-            QStringLiteral("%1: %2 more coordinates are off the lattice of 1/256 px, or attributes "
-                           "finer than 2^-24, and are taken as the nearest")
-                .arg(path, QString::number(snaps.size() - reported)));
+        sayLine(QStringLiteral("%1: %2 more like these: coordinates are rounded to 1/256 px, "
+                               "attributes to 2^-24")
+                    .arg(path, QString::number(snaps.size() - reported)));
 }
 
 QString drawsNoneText(const Scene &scene)
@@ -136,7 +135,7 @@ void addSettingOptions(CommandLine &line)
                         + namesOf(allByteRoundings).join(QStringLiteral(", ")) + u'.',
                     name});
     line.addOption({frameOption,
-                    QStringLiteral("Of a scene that moves: at this frame, from 0; 0 if left out."),
+                    QStringLiteral("Which frame of a moving scene to use, from 0; 0 if left out."),
                     QStringLiteral("number")});
     line.addOption(
         {variantOption,
@@ -208,7 +207,7 @@ Result<Scene> underOptions(const CommandLine &line, SceneReading reading, const 
     const auto forced = chosenForcing(line);
     if (const auto error = firstError(arithmetic, fillRule, forced))
         return *error;
-    // Before the method is chosen, which has to draw what is forced on.
+    // Before the method is chosen, which must draw what is forced on.
     scene.appearance.forced = *forced;
     OpenSettings open = reading.open;
     open.arithmetic = open.arithmetic && !line.isSet(arithmeticOption);
@@ -255,8 +254,7 @@ Result<Scene> readScene(const CommandLine &line, const QString &path)
         return scene;
     if (const auto refusal = refusalOf(*scene, path))
         return *refusal;
-    // A scene may name a method for what is yet to be drawn; nobody should wonder at an empty
-    // picture.
+    // A scene may name a method for things yet to be drawn; this explains the empty picture.
     if (!drawsAnyOf(*scene))
         sayLine(QStringLiteral("%1: %2; see `pixelplumb-cli methods` for one that does")
                     .arg(path, drawsNoneText(*scene)));

@@ -5,7 +5,7 @@
 
 namespace pixelplumb::cli {
 
-/// --seed, 1 if it is left out; `what` is drawn by lot: "scenes".
+/// Adds --seed, 1 by default; `what` is drawn at random: "scenes".
 void addSeedOption(CommandLine &line, const QString &what);
 Result<std::uint64_t> chosenSeed(const CommandLine &line);
 bool isSeedSet(const CommandLine &line);

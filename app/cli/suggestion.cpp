@@ -8,8 +8,8 @@ namespace pixelplumb::cli {
 
 namespace {
 
-/// How many letters have to be inserted, deleted, replaced or swapped with their neighbour to turn
-/// one word into the other (Damerau 1964, restricted: no letter is touched twice).
+/// The number of letters to insert, delete, replace or swap with a neighbour to turn one word into
+/// the other (Damerau 1964, restricted: no letter is touched twice).
 int editDistance(const QString &a, const QString &b)
 {
     const auto width = std::size_t(b.size()) + 1;
@@ -31,13 +31,14 @@ int editDistance(const QString &a, const QString &b)
     return distance.back().back();
 }
 
-/// The candidates that are near, the nearest first.
+/// The near candidates, nearest first.
 QStringList nearestTo(const QString &word, const QStringList &candidates)
 {
     constexpr qsizetype longestWord = 60;
     if (word.size() > longestWord)
         return {};
-    const int largest = std::max(1, int(word.size()) / 3);
+    // One letter is one edit away from every other.
+    const int largest = word.size() < 3 ? 0 : std::max(1, int(word.size()) / 3);
     std::vector<std::pair<int, QString>> near;
     for (const QString &candidate : candidates) {
         const bool isBeginning = word.size() >= 3 && candidate.startsWith(word);

@@ -18,10 +18,11 @@ constexpr std::array tolerances = {Arithmetic::Float32, Arithmetic::Float64, Ari
 
 void addToleranceOption(CommandLine &line)
 {
-    line.addOption({toleranceOption,
-                    QStringLiteral("What a right program may compute in, whose rounding is allowed "
-                                   "for: float32, float64 or exact; float32 if left out."),
-                    QStringLiteral("name"), QStringLiteral("float32")});
+    line.addOption(
+        {toleranceOption,
+         QStringLiteral("The arithmetic that a right program may compute in; its rounding is "
+                        "allowed for: float32, float64 or exact; float32 if left out."),
+         QStringLiteral("name"), QStringLiteral("float32")});
 }
 
 Result<Arithmetic> chosenTolerance(const CommandLine &line)

@@ -6,7 +6,7 @@
 
 namespace pixelplumb::cli {
 
-/// --tolerance: what a right program may compute in.
+/// Adds --tolerance: the arithmetic in which a right program may compute.
 void addToleranceOption(CommandLine &line);
 /// Float32, float64 or exact.
 Result<Arithmetic> chosenTolerance(const CommandLine &line);

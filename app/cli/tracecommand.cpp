@@ -48,7 +48,7 @@ Result<Choice> chosen(const CommandLine &line, const QString &option, Choice uns
     return error;
 }
 
-/// Text for a person who looks on, CSV for whatever reads a pipe or a file.
+/// Text for a person at a terminal, CSV for a pipe or a file.
 TableFormat formatFor(const QString &output)
 {
     return output == QStringLiteral("-") && isatty(STDOUT_FILENO) != 0 ? TableFormat::Text
@@ -73,7 +73,7 @@ Result<QStringList> chosenColumns(const CommandLine &line, const TraceNumbers &n
         const QString name = traceColumnNamed(numbers, level, written);
         if (name.isEmpty())
             return unknownName(place, QStringLiteral("column"), written, names);
-        // A second one of the same name would be lost to whoever reads by name.
+        // A second column of the same name would be lost to readers that go by name.
         if (columns.contains(name))
             return InputError{place, QStringLiteral("“%1” is named twice").arg(written),
                               QStringLiteral("each column once")};
@@ -95,13 +95,13 @@ QString suffixOf(TableFormat format)
     return QStringLiteral("json");
 }
 
-/// What of each scene is written.
+/// What is written about each scene.
 struct TraceRequest {
     TraceLevel level = TraceLevel::Column;
     TableFormat format = TableFormat::Csv;
 };
 
-/// Of a scene that is drawn to its end.
+/// Traces a scene that is drawn to its end, and writes the table.
 ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const NamedScene &named,
                  const QString &outputPath)
 {
@@ -112,7 +112,7 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const Nam
         recording.progress = listener;
         return traceScene(*scene, recording);
     });
-    // Which there are is known when it is known what the scene calls for.
+    // The columns depend on the effects that the scene calls for, known only now.
     const Result<QStringList> columns
         = chosenColumns(line, traced->trace->numbers(), request.level);
     if (!columns)

@@ -22,7 +22,7 @@ const QString nothingToCompare
     = QStringLiteral("nothing was printed that could be compared: it names triangles, and none of "
                      "their lines has numbers");
 
-/// A scene's file, and what became of it.
+/// A scene's file and the result of the trial.
 struct SceneTrial {
     QString path;
     Scene scene;
@@ -115,7 +115,7 @@ void addTrialOptions(CommandLine &line)
     line.addOption({QStringLiteral("json"), QStringLiteral("Print JSON.")});
 }
 
-/// Of trials that are right; a word as diagnose has it.
+/// The verdict on trials without errors, in diagnose's words.
 QString verdictOf(const std::vector<SceneTrial> &tried)
 {
     std::int64_t open = 0;
@@ -128,7 +128,7 @@ QString verdictOf(const std::vector<SceneTrial> &tried)
         .arg(open == 1 ? QStringLiteral("pixel differs") : QStringLiteral("pixels differ"));
 }
 
-/// What all pictures together tell; none where there is none, or nothing to explain.
+/// The diagnosis of all pictures together; none without pictures, or if all are right.
 std::optional<Diagnosis> diagnosisOf(const std::vector<Submission> &submissions, bool isRight,
                                      Arithmetic tolerance)
 {

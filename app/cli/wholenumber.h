@@ -13,12 +13,12 @@ struct WholeRange {
     QString outside = QStringLiteral("out of range"); ///< "5 is out of range"
 };
 
-/// The word as a whole number in the range; the error names the place ("--limit", "X"), the word
-/// and the range.
+/// Reads the word as a whole number in the range; the error names the place ("--limit", "X"), the
+/// word and the range.
 Result<std::int64_t> wholeNumber(const QString &place, const QString &word,
                                  const WholeRange &range);
 
-/// An option's number; none where it is not set and has no default.
+/// Reads an option's number; none where it is not set and has no default.
 Result<std::optional<std::int64_t>> wholeNumberOf(const CommandLine &line, const QString &option,
                                                   const WholeRange &range);
 

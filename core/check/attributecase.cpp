@@ -33,7 +33,7 @@ bool isChannel(const QString &title)
     return false;
 }
 
-/// What a sample has in a channel: 0 in one that no triangle carries.
+/// A sample's value in a channel: 0 in a channel that no triangle carries.
 Quantity valueOf(const ScanTrace &trace, const SampleRecord &sample, const QString &title)
 {
     const auto &columns = trace.numbers().sample;
@@ -70,7 +70,8 @@ void compareValues(QStringList &shortfalls, const ExpectedPoint &point, const Sa
 
 void readAttributes(JsonReader &json, const JsonNode &node, HardCase &hardCase)
 {
-    constexpr std::int64_t largest = largestAttributeValue * unitsPerPixel; // 1/256, as in the file
+    constexpr std::int64_t largest = largestAttributeValue * unitsPerPixel; // units of 1/256, as in
+                                                                            // the file
     const auto value = [&json](const JsonNode &each) {
         return Attribute(json.integer(each, -largest, largest)) * (attributeOne / unitsPerPixel);
     };

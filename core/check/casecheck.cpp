@@ -20,7 +20,7 @@ bool draws(const Method &method, const HardCase &hardCase)
                                    : method.draws(hardCase.shapes.front());
 }
 
-/// "a triangle", "an outlined circle": what a method has to draw.
+/// "a triangle", "an outlined circle": what a method must be able to draw.
 QString subjectOf(const HardCase &hardCase)
 {
     if (hardCase.shapes.empty())
@@ -33,8 +33,7 @@ QString subjectOf(const HardCase &hardCase)
         + nameOf(shape.kind);
 }
 
-/// Why none of the contenders draws what the case has: there is no such method, or those that there
-/// are have not been chosen.
+/// Why none of the contenders draws the case: no method can, or those that can were not chosen.
 QString whyNoneDraws(const HardCase &hardCase)
 {
     QStringList able;
@@ -48,7 +47,7 @@ QString whyNoneDraws(const HardCase &hardCase)
         : none + QStringLiteral("; by name can be checked: ") + able.join(QStringLiteral(", "));
 }
 
-/// Why the contender refuses what the case draws; empty where it does not.
+/// Why the contender refuses to draw the case; empty where it does not.
 QString refusalOf(const Contender &contender, const HardCase &hardCase)
 {
     if (hardCase.kind == HardCaseKind::Polygon)
@@ -58,7 +57,7 @@ QString refusalOf(const Contender &contender, const HardCase &hardCase)
     return {};
 }
 
-/// Of the method's plain kernel, and of its fast ones where they do not paint the same.
+/// Shortfalls of the method's plain kernel, and of its fast ones where theirs differ.
 QStringList paintingShortfalls(const HardCase &hardCase, const Contender &contender)
 {
     const Method &method = *contender.method;

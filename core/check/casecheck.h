@@ -11,8 +11,8 @@ namespace pixelplumb {
 
 enum class CaseOutcome { Passed, FellShort, Skipped };
 
-/// What falls short of a case's facts, one sentence each; empty when all is right. The rule of
-/// `settings` must be one that the case has facts for.
+/// Where a drawing falls short of a case's facts, one sentence each; empty when all is right. The
+/// case must have facts for the rule of `settings`.
 QStringList shortfallsOf(const HardCase &hardCase, const ScanSettings &settings,
                          const Drawing &drawing);
 
@@ -26,18 +26,18 @@ struct ContenderVerdict {
 /// How all contenders did at a case.
 struct CaseReport {
     QString id;
-    /// Of the case itself: skipped where no contender draws its kind; passed or not for invalid
-    /// input, which is refused before any method sees it.
+    /// Of the case itself: skipped where no contender draws its kind; for invalid input, which is
+    /// refused before any method sees it, passed or not.
     CaseOutcome outcome = CaseOutcome::Passed;
     QStringList remarks;
     std::vector<ContenderVerdict> verdicts; ///< of the contenders that draw the case's kind
 
     std::int64_t count(CaseOutcome of) const;
-    /// The worst of the case's own outcome and its verdicts; skipped when nothing else was done.
+    /// The worst of the case's own outcome and its verdicts; skipped if every verdict was.
     CaseOutcome summary() const;
 };
 
-/// None of the contenders is the truth.
+/// The contenders must not include the truth.
 CaseReport checkCase(const HardCase &hardCase, const std::vector<Contender> &contenders);
 
 /// "pass", "FAIL" or "skip"

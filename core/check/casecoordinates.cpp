@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// An integer's digits, of which there may be more than 64 bits hold.
+/// The digits of an integer, which may need more than 64 bits.
 QString wholeText(const JsonNode &node)
 {
     constexpr qint64 none = std::numeric_limits<qint64>::min();

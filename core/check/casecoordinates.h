@@ -8,14 +8,14 @@
 
 namespace pixelplumb {
 
-/// The member of an object; missing where there is none.
+/// The member of an object; a missing node where there is none.
 JsonNode member(const JsonNode &node, const char *key);
 
 /// [x, y] in whole px.
 using CasePixel = std::array<std::int64_t, 2>;
 CasePixel pixel(JsonReader &json, const JsonNode &node);
 
-/// What a word stands for in a list of pairs; the first one's where it is none of them.
+/// The value paired with a word in a list; the first value, and an error, if the word is not in it.
 template <class Words>
 auto choice(JsonReader &json, const JsonNode &node, const Words &words)
 {
@@ -29,9 +29,8 @@ auto choice(JsonReader &json, const JsonNode &node, const Words &words)
     return words.front().second;
 }
 
-/// Reads a case's canvas and its coordinates, which are integers in units of 1/scale px; errors
-/// stay with the JsonReader. What does not lie on the lattice is noted among the case's
-/// displacements.
+/// Reads a case's canvas and its coordinates, which are integers in units of 1/scale px; the
+/// JsonReader keeps errors. Coordinates off the lattice are listed in the case's displacements.
 class CaseCoordinates {
 public:
     CaseCoordinates(JsonReader &json, HardCase &hardCase)
@@ -40,13 +39,13 @@ public:
     {
     }
 
-    /// "scale"; 1 where the case has none and need not have one.
+    /// Reads "scale"; the optional one is 1 where the case has none.
     void readScale(const JsonNode &node);
     void readOptionalScale(const JsonNode &node);
     /// "canvas" and "origin", px.
     void readCanvas(const JsonNode &node);
 
-    /// An integer in units of 1/scale px: any size, exactly.
+    /// An integer of any size in units of 1/scale px, exactly.
     Lattice coordinate(const JsonNode &node);
     LatticePoint position(const JsonNode &node);
 

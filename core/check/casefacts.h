@@ -13,13 +13,13 @@ namespace pixelplumb {
 /// "12 7 0"
 QString numbersText(std::span<const std::int64_t> values);
 
-/// Appends "pixel count 1003 instead of 1004" unless they are the same, or nothing is expected.
+/// Appends "pixel count 1003 instead of 1004" unless both are the same or nothing is expected.
 void compare(QStringList &shortfalls, const QString &what, const QString &found,
              const QString &expected);
 void compare(QStringList &shortfalls, const QString &what, std::int64_t found,
              std::optional<std::int64_t> expected);
 
-/// Count, hashes and channel sums of a picture, as far as the facts know them.
+/// Compares the picture's count, hashes and channel sums with those that the facts give.
 void comparePicture(QStringList &shortfalls, const ExpectedFacts &facts,
                     const CasePicture &picture);
 

@@ -12,16 +12,16 @@
 
 namespace pixelplumb {
 
-/// Something that draws primitives in sample coordinates: a method, or the truth.
+/// A function that draws primitives in sample coordinates: a method, or the truth.
 using Drawing = std::function<void(const Primitives &primitives, const ScanSettings &settings,
                                    FrameView frame)>;
 
-/// The oracle as a drawing, under any rule.
+/// Draws with the oracle, under any rule.
 void drawTruly(const Primitives &primitives, const ScanSettings &settings, FrameView frame);
 
-/// The canvas of a case, drawn on. Its pixels are those of the case's own coordinates: under the
-/// top-left rule these point down, the kernels' frame points up, so that the triangle is drawn
-/// mirrored and read back mirrored.
+/// The canvas of a case, with what was drawn on it. Its pixels have the case's own coordinates:
+/// under the top-left rule y points down in the case and up in the kernels' frame, so the triangle
+/// is drawn mirrored and read back mirrored.
 class CasePicture {
 public:
     CasePicture(const FrameSpec &canvas, FillRule rule);
@@ -43,8 +43,7 @@ public:
         return m_frame.colourAt(x, m_sign * y);
     }
 
-    /// Calls a function with the x and y of every written pixel, by columns, each from its lowest
-    /// y.
+    /// Calls a function with x and y of every written pixel, column by column from the lowest y.
     template <class Function>
     void forEachWritten(const Function &function) const
     {
@@ -61,9 +60,11 @@ public:
     /// The first 16 hexadecimal digits of the SHA-256 of "x lowest highest\n" for each column with
     /// pixels.
     QByteArray spanHash() const;
-    /// The same of "x y\n" for each pixel, by columns, each from its lowest y.
+    /// Like spanHash(), of "x y
+    /// " for each pixel, column by column from the lowest y.
     QByteArray pixelHash() const;
-    /// The same of "x y r g b\n", with the bytes of its colour.
+    /// Like pixelHash(), of "x y r g b
+    /// ", with the bytes of the pixel's colour.
     QByteArray colourHash() const;
 
 private:
@@ -72,7 +73,7 @@ private:
     WrittenFrame m_frame;
 };
 
-/// How a picture differs from another of the same canvas.
+/// How two pictures of the same canvas differ.
 struct PictureDifference {
     std::int64_t missing = 0;
     std::int64_t extra = 0;

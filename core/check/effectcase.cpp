@@ -11,7 +11,7 @@ namespace {
 
 constexpr Colour white = {{255, 255, 255}};
 
-/// The methods that draw effects, and in what they compute them.
+/// A method that draws effects, and whether it can do so in float64.
 struct EffectMethod {
     const char *id;
     bool knowsFloat64;
@@ -97,7 +97,7 @@ QStringList effectShortfalls(const HardCase &hardCase, const ScanSettings &setti
         if (shortfalls.isEmpty())
             return shortfalls;
     }
-    // Facts tell that something is wrong; only the truth tells how many pixels.
+    // Facts show that something is wrong; only the truth shows how many pixels.
     CasePicture truth(hardCase.canvas, settings.fillRule);
     truth.draw(primitives, settings, drawTruly);
     const PictureDifference difference = differenceBetween(picture, truth);

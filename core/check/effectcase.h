@@ -9,12 +9,12 @@ namespace pixelplumb {
 
 /// Reads the triangles of a hard case of the kind effects, each with "vertices", "colours",
 /// "alpha", "z", "w", "uv" and "material", and how they look: "materials", "depth", "depthBits",
-/// "antialiasing". What is not a vertex or a colour is spelled as in scenes. Errors stay with the
-/// JsonReader.
+/// "antialiasing". All but vertices and colours is spelled as in scenes. The JsonReader keeps
+/// errors.
 void readEffectCase(JsonReader &json, const JsonNode &node, CaseCoordinates &coordinates,
                     HardCase &hardCase);
 
-/// What falls short of the facts about the picture.
+/// Where the drawing falls short of the facts about the picture.
 QStringList effectShortfalls(const HardCase &hardCase, const ScanSettings &settings,
                              const Drawing &drawing);
 

@@ -16,13 +16,13 @@
 
 namespace pixelplumb {
 
-/// What a hard case asks for.
+/// What a hard case tests.
 enum class HardCaseKind {
     Triangle, ///< which pixels, which colours
     Mesh, ///< how often each pixel is covered by triangles that share edges
     Sequence, ///< how many pixels come and go while a triangle slides
-    Translation, ///< whether a move by whole pixels moves the picture and nothing else
-    Invalid, ///< that its coordinates are refused
+    Translation, ///< whether a move by whole pixels moves the picture and changes nothing else
+    Invalid, ///< that invalid coordinates are refused
     Line, ///< a line instead of a triangle
     Circle, ///< a circle, outlined or filled
     Polygon, ///< polygons of one or more contours: which pixels, and how often
@@ -30,59 +30,58 @@ enum class HardCaseKind {
     Effects, ///< triangles with depth, perspective, texture, alpha, antialiasing: which colours
 };
 
-/// What is known of a case under one fill rule; none where the case does not say.
+/// The expected results of a case under one fill rule; none where the case gives none.
 struct ExpectedFacts {
-    std::optional<std::int64_t> pixelCount; ///< of a triangle or of each translated picture
-    QByteArray spanHash; ///< 16 hexadecimal digits, see spanHashOf
-    std::optional<std::array<std::int64_t, 3>> channelSums; ///< of the bytes of all pixels
+    std::optional<std::int64_t> pixelCount; ///< of a triangle, or of each translated picture
+    QByteArray spanHash; ///< 16 hexadecimal digits, see CasePicture::spanHash
+    std::optional<std::array<std::int64_t, 3>> channelSums; ///< sums of the bytes of all pixels
     std::map<int, std::int64_t> histogram; ///< mesh, polygons: pixels by how often they are covered
     std::vector<std::int64_t> frameCounts; ///< sequence: pixels of each frame
     std::optional<std::int64_t> toggles; ///< sequence: pixels that change between frames
     std::optional<std::int64_t> distinctPictures; ///< translation
-    /// Line, circle, polygon: the first 16 hexadecimal digits of the SHA-256 of "x y\n" for each
-    /// pixel, along x (by columns); of a line along y where it is longer that way.
+    /// Line, circle, polygon: the first 16 hexadecimal digits of the SHA-256 of "x y
+    /// " for each pixel, ordered along x (by columns), or along y for a line that is longer that
+    /// way.
     QByteArray pixelHash;
-    QByteArray colourHash; ///< effects: the same of "x y r g b\n", by columns
-    std::vector<std::array<std::int64_t, 2>> pixels; ///< line: x and y of each, in this order
+    QByteArray colourHash; ///< effects: like pixelHash, of "x y r g b\n", by columns
+    std::vector<std::array<std::int64_t, 2>> pixels; ///< line: x and y of each pixel, in this order
 };
 
-/// What is known of one sample.
+/// The expected results at one sample.
 struct ExpectedPoint {
     std::int64_t x = 0;
     std::int64_t y = 0;
     std::map<FillRule, bool> covered;
-    std::array<QString, 3> exactColour; ///< "85/42", levels; inside and outside
-    std::array<std::int64_t, 3> roundedColour = {}; ///< of exactColour, not clamped
-    std::map<QString, Quantity> values; ///< attributes: exact, by the title of a sample's cell
+    std::array<QString, 3> exactColour; ///< "85/42", levels; given inside and outside the triangle
+    std::array<std::int64_t, 3> roundedColour = {}; ///< exactColour rounded, not clamped
+    std::map<QString, Quantity> values; ///< attributes: exact, by the title of the sample's cell
 };
 
 /// A case of a file of hard cases. Pixels are sampled at integers; the canvas begins at
-/// `canvas.firstColumn` and `firstRow`. Facts under the top-left rule take y as pointing down, all
-/// others as pointing up.
+/// `canvas.firstColumn` and `firstRow`. For facts under the top-left rule y points down, for all
+/// others up.
 struct HardCase {
     QString id;
     HardCaseKind kind = HardCaseKind::Triangle;
     QString stresses; ///< one sentence: what is hard about it
     FrameSpec canvas;
-    std::vector<Triangle> triangles; ///< one, those of the mesh, or one a frame of the sequence
+    std::vector<Triangle> triangles; ///< one, those of the mesh, or one per frame of the sequence
     std::vector<Shape> shapes; ///< the line, the circle, the polygons
-    std::vector<TriangleAttributes> attributes; ///< of the triangles, if their vertices carry any
+    std::vector<TriangleAttributes> attributes; ///< of the triangles, if their vertices have any
     Appearance appearance; ///< effects
     std::vector<std::array<std::int64_t, 2>> offsets; ///< translation, px
     std::map<FillRule, ExpectedFacts> facts;
     std::vector<ExpectedPoint> points;
     /// The coordinates that had to be snapped, each with its displacement. The facts then hold for
-    /// other vertices than the ones that are drawn, and the snapped triangle is compared with the
-    /// truth.
+    /// vertices other than the drawn ones, so the snapped triangle is compared with the truth.
     QStringList displacements;
-    /// Of an invalid case: why its coordinates were refused; empty when they were accepted.
+    /// For an invalid case: why its coordinates were refused; empty if they were accepted.
     QString refusal;
 };
 
 /// Reads a file of hard cases (JSON, format version 1).
 Result<std::vector<HardCase>> readHardCases(const QByteArray &text);
-/// Those that are part of the program, so that every machine has the same ones; none in a program
-/// without them.
+/// The cases compiled into the program, the same on every machine; empty in a program without them.
 Result<std::vector<HardCase>> builtInHardCases();
 
 } // namespace pixelplumb

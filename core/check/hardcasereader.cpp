@@ -34,11 +34,11 @@ constexpr std::array<std::pair<const char *, FillRule>, 4> ruleNames
         {"top_left", FillRule::TopLeft},
         {"open", FillRule::Open}}};
 
-/// The colours of a triangle whose case gives none.
+/// The colours of a triangle whose case specifies none.
 constexpr std::array<Colour, 3> defaultColours
     = {Colour{{255, 0, 0}}, Colour{{0, 255, 0}}, Colour{{0, 0, 255}}};
 
-/// Reads one case; errors stay with the JsonReader. Keys that no check needs are left alone.
+/// Reads one case; the JsonReader keeps errors. Keys that no check needs are ignored.
 class HardCaseReader {
 public:
     explicit HardCaseReader(JsonReader &json)
@@ -110,7 +110,7 @@ private:
         m_coordinates.readScale(node);
     }
 
-    /// With the colours of the case, if it has any.
+    /// Uses the colours of the case, if it has any.
     Triangle triangle(const JsonNode &vertices, const JsonNode &node)
     {
         Triangle triangle;
@@ -263,6 +263,8 @@ Result<std::vector<HardCase>> readHardCases(const QByteArray &text)
 {
     JsonReader json(text);
     std::vector<HardCase> cases;
+    if (!json.hasFailed() && !json.root().isObject())
+        json.fail(json.root(), describe(json.root()), QStringLiteral("an object"));
     if (!json.hasFailed())
         json.integer(member(json.root(), "version"), 1, 1);
     if (!json.hasFailed()) {

@@ -11,13 +11,13 @@ namespace pixelplumb {
 
 namespace {
 
-/// The one rule that the format knows.
+/// The only rule in the format.
 const char *const nearestRule = "major axis, floor(minor + 1/2)";
 
-/// Pixels around the line's end points in which a drawing that errs is still seen.
+/// Pixels around the line's end points, to show drawings that err.
 constexpr std::int64_t margin = 16;
-/// Rows (columns for a steep line) that are drawn at a time, so that a long line needs no large
-/// frame. The line's whole length is always in the frame: what drifts must have room to drift.
+/// Rows (columns for a steep line) drawn at a time, so that a long line needs no large frame. The
+/// line's whole length is always in the frame: drift must have room to show.
 constexpr std::int64_t bandBreadth = 256;
 
 CasePixel pixelOf(const Vertex &vertex)
@@ -33,7 +33,7 @@ std::size_t listedAxis(const Shape &line)
     return absolute(b.y - a.y) > absolute(b.x - a.x) ? 1 : 0;
 }
 
-/// What a drawing writes of a line, in the order of the facts.
+/// The pixels that a drawing writes of a line, in the order of the facts.
 std::vector<CasePixel> pixelsOf(const Shape &line, const FrameSpec &canvas,
                                 const ScanSettings &settings, const Drawing &drawing)
 {
@@ -74,7 +74,7 @@ std::int64_t countOutside(std::vector<CasePixel> pixels, std::vector<CasePixel> 
     return std::int64_t(outside.size());
 }
 
-/// How the pixels of one direction depart from the facts.
+/// How the pixels drawn in one direction differ from the facts.
 QStringList shortfalls(const std::vector<CasePixel> &drawn, const std::vector<CasePixel> &truth,
                        const ExpectedFacts &facts)
 {

@@ -8,11 +8,11 @@
 namespace pixelplumb {
 
 /// Reads "endpoints" (px, or in units of 1/scale px where the case has a "scale"), "rule" and
-/// "expected" of a hard case of the kind line; errors stay with the JsonReader.
+/// "expected" of a hard case of the kind line; the JsonReader keeps errors.
 void readLineCase(JsonReader &json, const JsonNode &node, HardCase &hardCase);
 
-/// What falls short of a line case's facts, drawn from either end: count, hash and list of pixels.
-/// The facts know no colours.
+/// Where a line, drawn from either end, falls short of the case's facts: count, hash and list of
+/// pixels. The facts have no colours.
 QStringList lineShortfalls(const HardCase &hardCase, const ScanSettings &settings,
                            const Drawing &drawing);
 

@@ -10,14 +10,14 @@ namespace pixelplumb {
 
 namespace {
 
-/// All shapes of the cases have it.
+/// The colour of all shapes of the cases.
 constexpr Colour shapeColour = {{200, 100, 50}};
 
 constexpr std::array<std::pair<const char *, ShapeFill>, 3> fillNames
     = {{{"even-odd", ShapeFill::EvenOdd},
         {"non-zero", ShapeFill::NonZero},
         {"outline", ShapeFill::Outline}}};
-/// A polygon has an inside.
+/// A polygon must be filled.
 constexpr std::span insideFillNames = std::span(fillNames).first<2>();
 
 void readPolygon(JsonReader &json, const JsonNode &node, CaseCoordinates &coordinates,
@@ -104,7 +104,7 @@ QStringList shapeShortfalls(const HardCase &hardCase, const ScanSettings &settin
         if (shortfalls.isEmpty())
             return shortfalls;
     }
-    // Facts tell that something is wrong; only the truth tells how many pixels.
+    // Facts show that something is wrong; only the truth shows how many pixels.
     const PictureDifference difference = differenceBetween(picture, drawnBy(drawTruly));
     if (!difference.isNone())
         shortfalls.prepend(difference.message());

@@ -7,22 +7,22 @@
 
 namespace pixelplumb {
 
-/// Reads "centre", "radius" and "fill" of a hard case of the kind circle; errors stay with the
-/// JsonReader. What is expected is not read here.
+/// Reads "centre", "radius" and "fill" of a hard case of the kind circle; the JsonReader keeps
+/// errors. "expected" is not read here.
 void readCircleCase(JsonReader &json, const JsonNode &node, CaseCoordinates &coordinates,
                     HardCase &hardCase);
 
-/// The same for "polygons" and "fill" of the kind polygon: a list of polygons, each a list of
-/// contours, each a list of three or more vertices.
+/// Reads "polygons" and "fill" of the kind polygon: a list of polygons, each a list of contours,
+/// each a list of three or more vertices. "expected" is not read here.
 void readPolygonCase(JsonReader &json, const JsonNode &node, CaseCoordinates &coordinates,
                      HardCase &hardCase);
 
-/// What falls short of the facts about circles and polygons: the picture of all shapes together,
-/// and how often each pixel is covered by them one by one.
+/// Where circles and polygons fall short of the facts: in the picture of all shapes together, and
+/// in how often each pixel is covered by the shapes one by one.
 QStringList shapeShortfalls(const HardCase &hardCase, const ScanSettings &settings,
                             const Drawing &drawing);
 
-/// Why the method refuses a shape of the case: not convex, crossing itself; empty where it draws
+/// Why the method refuses a shape of the case: not convex, or crossing itself; empty where it draws
 /// them all.
 QString shapeRefusal(const HardCase &hardCase, const ScanSettings &settings, const Method &method);
 

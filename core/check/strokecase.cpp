@@ -9,10 +9,11 @@ namespace pixelplumb {
 
 namespace {
 
-/// Pixels of a window, which stands around each place that is looked at.
+/// Side in pixels of the window around each examined place.
 constexpr std::int32_t windowSide = 48;
 
-/// The ends and the middle of a line; where a circle is highest, lowest, and so on.
+/// The ends and the middle of a line or curve; a circle's or ellipse's highest, lowest, leftmost
+/// and rightmost points.
 std::vector<LatticePoint> placesOf(const Shape &shape)
 {
     const LatticePoint &a = shape.vertices.front().position;

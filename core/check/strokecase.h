@@ -7,12 +7,12 @@
 
 namespace pixelplumb {
 
-/// Whether the case's shapes are lines or curves that the method draws one pixel wide: the facts
-/// are of the thinnest pictures, and only the truth can tell what such a method should draw.
+/// Whether the case's shapes are lines or curves that the method antialiases, one pixel wide: the
+/// facts describe the thinnest pictures, so only the truth can tell what such a method should draw.
 bool isStrokeCase(const HardCase &hardCase, const Method &method);
 
-/// What of the shapes' antialiased pictures, by area and by 4 and 16 samples, is not the truth,
-/// around their ends, middles and extremes.
+/// Where the shapes' antialiased pictures, by area and by 4 and 16 samples, differ from the truth,
+/// around the shapes' ends, middles and extremes.
 QStringList strokeShortfalls(const HardCase &hardCase, const ScanSettings &settings,
                              const Drawing &drawing);
 

@@ -39,7 +39,7 @@ void comparePoints(QStringList &shortfalls, const HardCase &hardCase, FillRule r
     }
 }
 
-/// How the picture departs from the case's facts.
+/// How the picture differs from the case's facts.
 QStringList factShortfalls(const HardCase &hardCase, FillRule rule, const CasePicture &picture)
 {
     const ExpectedFacts &facts = hardCase.facts.at(rule);
@@ -60,7 +60,7 @@ QStringList singleShortfalls(const HardCase &hardCase, const ScanSettings &setti
         if (shortfalls.isEmpty())
             return shortfalls;
     }
-    // Facts tell that something is wrong; only the truth tells how many pixels.
+    // Facts show that something is wrong; only the truth shows how many pixels.
     const PictureDifference difference
         = differenceBetween(picture, pictureOf(triangle, hardCase.canvas, settings, drawTruly));
     if (!difference.isNone())
@@ -78,7 +78,7 @@ std::map<int, std::int64_t> meshHistogram(const HardCase &hardCase, const ScanSe
     return histogramOf(times);
 }
 
-/// What the frames of a sequence paint.
+/// What the frames of a sequence draw.
 struct SequenceTally {
     std::vector<std::int64_t> counts; ///< pixels of each frame
     std::int64_t toggles = 0; ///< pixels that change between frames
@@ -107,8 +107,8 @@ SequenceTally tallyOfSequence(const HardCase &hardCase, const ScanSettings &sett
     return tally;
 }
 
-/// What is expected of the vertices that are drawn: the case's facts, or where these hold for
-/// vertices off the lattice, what the truth paints.
+/// The expected results for the drawn vertices: the case's facts or, where these hold for vertices
+/// off the lattice, what the truth draws.
 ExpectedFacts factsOf(const HardCase &hardCase, const ScanSettings &settings)
 {
     if (hardCase.displacements.isEmpty())
@@ -122,7 +122,7 @@ ExpectedFacts factsOf(const HardCase &hardCase, const ScanSettings &settings)
         facts.toggles = tally.toggles;
     }
     if (hardCase.kind == HardCaseKind::Translation) {
-        // A move by whole pixels moves the truth and nothing else.
+        // A move by whole pixels only moves the truth.
         facts.pixelCount
             = pictureOf(hardCase.triangles.front(), hardCase.canvas, settings, drawTruly)
                   .pixelCount();

@@ -6,9 +6,9 @@
 
 namespace pixelplumb {
 
-/// What falls short of the facts of a case that consists of triangles: of one, by its picture; of a
-/// mesh, by how often each pixel is covered; of a sequence of frames, by the pixels that come and
-/// go; of a triangle that is moved by whole pixels, by the pictures that differ.
+/// Where a drawing falls short of the facts of a case made of triangles: for one triangle, by its
+/// picture; for a mesh, by how often each pixel is covered; for a sequence of frames, by the pixels
+/// that come and go; for a triangle moved by whole pixels, by the pictures that differ.
 QStringList triangleShortfalls(const HardCase &hardCase, const ScanSettings &settings,
                                const Drawing &drawing);
 

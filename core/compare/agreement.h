@@ -10,16 +10,17 @@
 
 namespace pixelplumb {
 
-/// Why contenders do not agree on a pixel. Where several reasons meet, the later one of this list
-/// is told.
+/// Why contenders disagree on a pixel. Where several reasons apply, the latest in this list is
+/// reported.
 enum class Disagreement : std::uint8_t {
     None, ///< they agree
-    TieRule, ///< they keep different fill rules, and the sample lies exactly on an edge
+    TieRule, ///< they use different fill rules, and the sample lies exactly on an edge
     Undrawn, ///< a primitive of a kind that one of the methods does not draw covers the pixel
-    Rounding, ///< the same coverage; a byte is off by one, for a level close to a rounding limit
+    Rounding, ///< the coverage is the same; a byte is off by one, from a level close to a rounding
+              ///< limit
     Drift, ///< accumulated increments are off, although the start and the number type are good
-    Precision, ///< the number type cannot hold the number that decides
-    Method, ///< the method itself, in any arithmetic: the gaps of slope-intercept
+    Precision, ///< the number type cannot hold the deciding number
+    Method, ///< the method itself, in any arithmetic: the gaps of slope-intercept lines
     NotRecorded, ///< a recording ended at its limit before the pixel
 };
 
@@ -32,8 +33,8 @@ QString nameOf(Disagreement reason);
 /// One sentence.
 QString textOf(Disagreement reason);
 
-/// For each pixel, how many contenders agree: the size of the largest group whose pixels are the
-/// same, which is all of them where nobody draws.
+/// For each pixel, how many contenders agree: the size of the largest group with the same pixel,
+/// which is all of them where none draws.
 class AgreementMap {
 public:
     AgreementMap() = default;
@@ -62,10 +63,10 @@ public:
     /// (x, y) must lie inside the frame.
     void set(std::int64_t x, std::int64_t y, int agreeing, Disagreement reason);
 
-    /// Pixels on which as many contenders agree.
+    /// The number of pixels on which this many contenders agree.
     std::int64_t countAgreeing(int agreeing) const { return m_byAgreeing[std::size_t(agreeing)]; }
     std::int64_t count(Disagreement reason) const { return m_byReason[std::size_t(reason)]; }
-    /// Pixels on which not all agree.
+    /// The number of pixels on which not all agree.
     std::int64_t differing() const { return std::int64_t(m_pixels.size()) - m_byAgreeing.back(); }
 
 private:

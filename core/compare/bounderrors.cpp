@@ -12,7 +12,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Where the bounds of a triangle's columns or rows can be, px.
+/// The range in which the bounds of a triangle's columns or rows can lie, px.
 struct BoundRange {
     double lowest = std::numeric_limits<double>::infinity();
     double highest = -std::numeric_limits<double>::infinity();
@@ -40,7 +40,7 @@ std::int64_t firstPlace(const Triangle &triangle, SpanAxis axis)
     return ceilPixel(least);
 }
 
-/// The samples that a span covers by exact bounds: along the span, half-open.
+/// The samples that a span covers by exact bounds: half-open, along the span.
 std::pair<std::int64_t, std::int64_t> exactSamples(const ExactBounds &bounds, FillRule rule)
 {
     const auto floorOf = [](const Quantity &bound) {
@@ -54,7 +54,7 @@ std::pair<std::int64_t, std::int64_t> exactSamples(const ExactBounds &bounds, Fi
             ownsLast(interval) ? floorOf(bounds.upper) + 1 : ceilOf(bounds.upper)};
 }
 
-/// Beside the method's own spans in exact numbers where it has them, else the oracle's.
+/// Compares with the method's own exact span where there is one, else with the oracle's.
 void compareSamples(BoundError &error, const SpanRecord &span, const ExactBounds &bounds,
                     FillRule rule, const ScanTrace *exactRun)
 {

@@ -6,16 +6,16 @@
 
 namespace pixelplumb {
 
-/// How far the bounds of one span are from the exact edges, px; positive is too high or too far
+/// How far the bounds of one span are from the exact edges, px; positive means too high or too far
 /// right.
 struct BoundError {
     SpanPlace place;
     double lower = 0;
     double upper = 0;
-    /// What rounding may add up to until here (see errorLimit), px.
+    /// The most that rounding can have added up to here (see errorLimit), px.
     double limit = 0;
-    /// The span begins, or ends, at another sample than it does in exact numbers; where one of the
-    /// two covers none, both.
+    /// The span begins, or ends, at another sample than in exact numbers; both are set if one of
+    /// the two spans covers no sample.
     bool isLowerWrong = false, isUpperWrong = false;
 };
 
@@ -25,9 +25,9 @@ struct BoundErrors {
     std::vector<BoundError> spans;
 };
 
-/// Those of every rounding arithmetic that the scene's method has, for a triangle of the scene.
-/// Empty where the method's spans have no bounds. The listener hears of every span; none when it
-/// ended the job.
+/// The errors in every rounding arithmetic that the scene's method has, for a triangle of the
+/// scene. Empty where the method's spans have no bounds. The listener is called for every span;
+/// none if it ended the job.
 std::optional<std::vector<BoundErrors>> boundErrorsOf(const Scene &scene, std::size_t triangle,
                                                       const ProgressListener &listener = {});
 

@@ -15,10 +15,10 @@ namespace {
 /// Primitive, x and y of a sample.
 using SamplePlace = std::tuple<std::size_t, std::int64_t, std::int64_t>;
 
-/// What a run has computed.
+/// The carried values that a run has computed.
 struct CarriedSamples {
     std::vector<QString> titles;
-    std::map<SamplePlace, std::vector<Quantity>> values; ///< by titles
+    std::map<SamplePlace, std::vector<Quantity>> values; ///< in the order of `titles`
 };
 
 CarriedSamples samplesOf(const TracedScene *traced)

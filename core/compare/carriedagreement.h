@@ -7,19 +7,19 @@
 
 namespace pixelplumb {
 
-/// How far two runs of one scene agree on a number that its vertices carry beside colour: z, u, v
+/// How far two runs of one scene agree on a number that its vertices carry besides colour: z, u, v
 /// or N.
 struct CarriedAgreement {
-    std::size_t first = 0, second = 0; ///< their places among the runs
+    std::size_t first = 0, second = 0; ///< indices of the two runs
     QString title = {}; ///< "z", "N_x"
-    std::int64_t samples = 0; ///< that both have written
+    std::int64_t samples = 0; ///< samples that both have written
     std::int64_t differing = 0;
     double largest = 0; ///< the largest distance, in the number's unit
-    std::int64_t x = 0, y = 0; ///< where it is; meaningful where some differ
+    std::int64_t x = 0, y = 0; ///< its pixel; meaningful where some samples differ
 };
 
-/// Of every pair of runs and every number that both carry; a run may be null. Exact: two numbers
-/// agree when they are the same number, whatever their types.
+/// The agreement of every pair of runs on every number that both carry; a run may be null. The
+/// comparison is exact: numbers agree when they are equal, whatever their types.
 std::vector<CarriedAgreement> carriedAgreements(
     const std::vector<std::shared_ptr<const TracedScene>> &runs);
 

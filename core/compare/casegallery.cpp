@@ -17,7 +17,7 @@ struct Reason {
     const char *sentences;
 };
 
-/// By family. What the words rest on: resources/numerics.md, 1.1 to 3.4.
+/// Why each family goes wrong. Sources for the texts: resources/numerics.md, 1.1 to 3.4.
 constexpr std::array familyReasons = {
     Reason{"sliver",
            "The triangle is thinner than a pixel, so a bound that is off by a little less than its "
@@ -147,7 +147,7 @@ constexpr std::array familyReasons = {
            "What went wrong there is a rule that was not kept or a number that overflowed."},
 };
 
-/// Of single cases that have more to tell than their family.
+/// For single cases with more to explain than their family.
 constexpr std::array caseReasons = {
     Reason{"tie_tenths",
            "Every tenth column has a sample exactly on each edge, and there any error, however "

@@ -7,12 +7,12 @@
 
 namespace pixelplumb {
 
-/// A hard case with what a person is told of it.
+/// A hard case with the explanations shown to a person.
 struct GalleryCase {
     HardCase hardCase;
     QString family; ///< "tie"; where the file gives none, the kind's name
-    QStringList failsIn; ///< what gets it wrong, as the file says
-    QString note; ///< as the file says; may be empty
+    QStringList failsIn; ///< what gets it wrong, according to the file
+    QString note; ///< from the file; may be empty
     QString why; ///< two sentences: why methods go wrong here
 };
 
@@ -23,9 +23,9 @@ Result<std::vector<GalleryCase>> readGallery(const QByteArray &text);
 /// Two sentences on why cases of a family go wrong.
 QString whyOf(const QString &family);
 
-/// The case as a scene under a method's settings: its canvas and its triangles or its line. Of a
-/// sequence the first frame, of a translation the place where it stands. The method is the one
-/// asked for where it draws the case, else the first that does.
+/// The case as a scene under a method's settings: its canvas and its triangles or shapes. A
+/// sequence gives its first frame and a motion, a translation its unmoved triangle. The method is
+/// the given one if it draws the case, else the first that does.
 Scene sceneOf(const HardCase &hardCase, const Method &method, const ScanSettings &settings);
 
 } // namespace pixelplumb

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int64_t differencesBetweenProgress = 16;
 
-/// Thrown through the drawing when the listener says so.
+/// Thrown through the drawing when the listener cancels it.
 struct Cancelled { };
 
 class Comparer {
@@ -84,7 +84,7 @@ private:
                            [](std::int64_t count) { return count > 0; });
     }
 
-    /// Whether it interpolates what the scene's triangles are given beside colour.
+    /// Whether it interpolates values other than colour that the scene's triangles carry.
     bool carries(const Contender &contender) const
     {
         return !contender.isTruth() && contender.method->family == MethodFamily::Interpolation
@@ -114,7 +114,7 @@ private:
         method.draw(m_contest->primitives, exact, run.inExactArithmetic->view());
     }
 
-    /// By columns, each from its lowest row.
+    /// Column by column, each from its lowest row.
     template <class Function>
     void forEachPixel(const Function &function) const
     {
@@ -167,7 +167,8 @@ private:
         }
         if (reason != Disagreement::None)
             return reason;
-        // Each is right by its own rule: the rules differ, or what the methods draw at all.
+        // Each is right by its own rule, so either the rules differ or the kinds that the methods
+        // draw.
         const auto leavesOut = [x, y](const ContenderRun &run) { return run.isUndrawn(x, y); };
         if (std::ranges::any_of(m_contest->runs, leavesOut))
             return Disagreement::Undrawn;
@@ -226,7 +227,7 @@ PixelComparison comparePixel(const Contest &contest, std::int64_t x, std::int64_
         }
         if (opinion.deviation.reason == Disagreement::None && pixel.reason == Disagreement::TieRule)
             opinion.words
-                = QStringLiteral("as the truth under the rule %1: the sample lies on an edge")
+                = QStringLiteral("matches the truth under the rule %1: the sample lies on an edge")
                       .arg(nameText(nameOf(run.contender.settings.fillRule)));
         if (opinion.words.isEmpty() && run.isUndrawn(x, y)) {
             const BoundaryRule rule(run.contender.settings, run.truth.view());

@@ -14,9 +14,9 @@ inline constexpr std::size_t mostContenders = 4;
 /// How one contender did.
 struct ContenderTally {
     std::int64_t written = 0; ///< pixels
-    /// Against the truth under the contender's own rule, by Difference.
+    /// Differences from the truth under the contender's own rule, by Difference.
     std::array<std::int64_t, 4> againstTruth = {};
-    /// Pixels at which primitives of kinds that the method does not draw make another truth.
+    /// Pixels where primitives that the method cannot draw change the truth.
     std::int64_t undrawn = 0;
     std::vector<std::int64_t> differsFrom; ///< pixels, by contender
 };
@@ -30,7 +30,7 @@ struct ContenderRun {
     {
     }
 
-    /// Whether what the method does not draw makes a difference at the pixel.
+    /// Whether primitives that the method does not draw change the truth at the pixel.
     bool isUndrawn(std::int64_t x, std::int64_t y) const
     {
         return wholeTruth && *wholeTruth->view().at(x, y) != *truth.view().at(x, y);
@@ -39,17 +39,18 @@ struct ContenderRun {
     Contender contender;
     ContenderTally tally;
     WrittenFrame picture;
-    WrittenFrame truth; ///< under its own rule, of the primitives that the method draws
-    /// Of all primitives, where the method does not draw every kind.
+    WrittenFrame truth; ///< under its own rule, for the primitives that the method draws
+    /// The truth of all primitives, where the method does not draw every kind.
     std::optional<WrittenFrame> wholeTruth;
     std::optional<WrittenFrame> inExactArithmetic; ///< see JudgedRun
-    std::shared_ptr<const TracedScene> traced; ///< null for the truth, and where it was not asked
+    std::shared_ptr<const TracedScene> traced; ///< null for the truth, and where no recording was
+                                               ///< asked for
 };
 
-/// Which contenders are recorded, not only drawn.
+/// Which contenders are recorded, not just drawn.
 enum class Recorded {
-    /// Those that depart from the truth, so that the reasons can be told, and those that carry
-    /// more than colour, which no picture shows.
+    /// Those that differ from the truth, so that reasons can be given, and those that carry more
+    /// than colour, which no picture shows.
     WhereNeeded,
     All, ///< every method, to be stepped through
 };
@@ -59,14 +60,14 @@ struct ContestOptions {
     ProgressListener progress;
 };
 
-/// The same scene by several contenders, and where their pictures part. A value that views receive
-/// whole and never change.
+/// One scene drawn by several contenders, and where their pictures differ. A value that views
+/// receive whole and never change.
 struct Contest {
     Scene scene;
     Primitives primitives; ///< in sample coordinates
     std::vector<ContenderRun> runs;
     AgreementMap agreement; ///< of the pictures
-    std::vector<CarriedAgreement> carried; ///< of what is in no picture: z, u, v and N
+    std::vector<CarriedAgreement> carried; ///< on what no picture shows: z, u, v and N
 
     JudgedRun judged(std::size_t run) const;
 };
@@ -77,12 +78,12 @@ std::shared_ptr<const Contest> compareContenders(const Scene &scene,
                                                  const std::vector<Contender> &contenders,
                                                  const ContestOptions &options = {});
 
-/// What one contender has at a pixel, in words.
+/// One contender's result at a pixel, in words.
 struct PixelOpinion {
     bool written = false;
     Colour colour;
     Deviation deviation; ///< from the truth under its own rule
-    QString words; ///< empty where it is right
+    QString words; ///< empty where the contender is right
 };
 
 /// Everything about one pixel of a contest.

@@ -49,8 +49,8 @@ bool isWrittenBy(const JudgedRun &run, std::size_t primitive, std::int64_t x, st
     return visit && trace.changes()[*visit].isWritten();
 }
 
-/// The topmost primitive of which the run made something else than the truth does: one that it
-/// left out or drew beside its place, or else the one whose colour stands there.
+/// Finds the topmost primitive at the pixel, in the run or the truth: one that the run left out or
+/// drew outside its place, or else the one whose colour is visible.
 void findCulprit(Deviation &deviation, const JudgedRun &run, std::int64_t x, std::int64_t y)
 {
     for (std::size_t above = run.primitives->size(); above > 0; --above) {
@@ -74,7 +74,7 @@ std::optional<std::size_t> spanAt(const ScanTrace &trace, std::size_t primitive,
     return trace.spanNear(primitive, x, y);
 }
 
-/// Whether the arithmetic can hold the coordinates from which the increments start.
+/// Whether the arithmetic can represent the coordinates from which the increments start.
 bool holdsVertices(Arithmetic arithmetic, const Triangle &triangle)
 {
     return std::ranges::all_of(triangle.vertices, [arithmetic](const Vertex &vertex) {
@@ -86,7 +86,7 @@ bool holdsVertices(Arithmetic arithmetic, const Triangle &triangle)
     });
 }
 
-/// Whether a bound lets a sample in; along their spans all rules of row walks are rules of columns.
+/// Whether a bound includes a sample; along the span, row walks follow the same rules as columns.
 bool letsIn(DecidingBound side, const Quantity &bound, std::int64_t sample, FillRule rule)
 {
     const double above = errorOf(bound, Quantity::integer(sample)); // bound − sample
@@ -96,7 +96,7 @@ bool letsIn(DecidingBound side, const Quantity &bound, std::int64_t sample, Fill
     return above > 0 || (above == 0 && ownsLast(interval));
 }
 
-/// The bound that decided wrongly: used and exact disagree on the sample.
+/// Finds the bound that decided wrongly: used and exact disagree on the sample.
 void findBound(Deviation &deviation, const JudgedRun &run, std::int64_t x, std::int64_t y)
 {
     if (!deviation.span || !run.primitives->isTriangle(*deviation.primitive))
@@ -140,7 +140,7 @@ Disagreement reasonOf(const Deviation &deviation, const JudgedRun &run, std::int
         return Disagreement::Precision;
     if (deviation.bound == DecidingBound::None)
         return trace.isCut() && !deviation.span ? Disagreement::NotRecorded : Disagreement::Drift;
-    // Would the exact bound, rounded once to what the number type can hold, have decided rightly?
+    // Would the exact bound, rounded once to the number type, have decided correctly?
     const bool isColumn = trace.placeOf(*deviation.span).axis == SpanAxis::Column;
     const std::int64_t sample = isColumn ? y : x;
     const FillRule rule = run.traced->scene.settings.fillRule;

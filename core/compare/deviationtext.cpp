@@ -42,7 +42,7 @@ QString boundText(const Deviation &deviation, SpanAxis axis)
              error < 0 ? QStringLiteral("low") : QStringLiteral("high"));
 }
 
-/// "R 126.49 instead of 126 1/2", the channels whose bytes differ.
+/// "R 126.49 instead of 126 1/2", for the channels whose bytes differ.
 QString coloursText(const Deviation &deviation, const JudgedRun &run, std::int64_t x,
                     std::int64_t y)
 {
@@ -54,7 +54,7 @@ QString coloursText(const Deviation &deviation, const JudgedRun &run, std::int64
         const std::size_t span = trace.spanOf(*visit);
         used = trace.samples(span)[*visit - trace.firstSampleOf(span)].colour;
     }
-    // With effects the bytes are not those of the levels.
+    // With effects the bytes do not come from these levels.
     if (!run.traced->plan)
         exact = exactLevelsAt(*run.traced, *deviation.primitive, x, y);
     QStringList parts;
@@ -73,7 +73,7 @@ QString coloursText(const Deviation &deviation, const JudgedRun &run, std::int64
     return parts.join(QStringLiteral(", "));
 }
 
-/// Of triangles the number that decides is known; of shapes, that it was rounded on the way.
+/// For triangles the deciding number is known; for shapes only that it was rounded on the way.
 QString precisionText(const Deviation &deviation, const JudgedRun &run, const QString &arithmetic)
 {
     const ScanTrace &trace = *run.traced->trace;
@@ -97,14 +97,16 @@ QString causeText(const Deviation &deviation, const JudgedRun &run)
     case Disagreement::Drift:
         return deviation.bound == DecidingBound::None
             ? QStringLiteral("the increments in %1 added up to another number").arg(arithmetic)
-            : QStringLiteral("%1 could hold the exact bound, the increments added up to another")
+            : QStringLiteral(
+                  "%1 could hold the exact bound, but the increments added up to a different one")
                   .arg(arithmetic);
     case Disagreement::Precision:
         return precisionText(deviation, run, arithmetic);
     case Disagreement::Method:
         return run.traced->method->supports(Arithmetic::Exact)
             ? QStringLiteral("the method does so in exact arithmetic too")
-            : QStringLiteral("the method does so, or %1: it has no exact arithmetic to tell by")
+            : QStringLiteral("caused by the method or by %1: without exact arithmetic there is no "
+                             "telling which")
                   .arg(arithmetic);
     case Disagreement::NotRecorded:
         return QStringLiteral("the recording ended before this pixel");

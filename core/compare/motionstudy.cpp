@@ -11,7 +11,7 @@ namespace {
 constexpr Colour paint = {{255, 255, 255}};
 constexpr std::size_t mostNamed = 1'000'000;
 
-/// The same places, all of one colour on black and without effects: what is painted is what is not
+/// The scene's geometry in one colour on black, without effects: a pixel is painted if it is not
 /// black.
 Scene silhouetteOf(Scene scene)
 {
@@ -29,7 +29,7 @@ Scene silhouetteOf(Scene scene)
     return scene;
 }
 
-/// Counts what is painted and what is otherwise than in the picture before.
+/// Counts the painted pixels, and those that differ from the picture before.
 template <class CountToggle>
 std::pair<std::int64_t, std::int64_t> countIn(FrameView now, FrameView before,
                                               CountToggle countToggle)

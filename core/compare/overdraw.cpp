@@ -12,8 +12,8 @@ namespace pixelplumb {
 
 namespace {
 
-/// Half a turn around the origin: what the rules displace to the right and up is displaced to the
-/// left and down in the triangle as it was.
+/// Half a turn around the origin: a rule's displacement to the right and up becomes one to the left
+/// and down in the original triangle.
 Triangle turnedAround(Triangle triangle)
 {
     for (Vertex &vertex : triangle.vertices) {
@@ -25,7 +25,7 @@ Triangle turnedAround(Triangle triangle)
 
 void countWrites(OverdrawMap &map, const ScanTrace &trace)
 {
-    // A primitive that visits a pixel twice writes it once.
+    // A primitive that visits a pixel twice counts as one write.
     FrameMap<std::size_t> lastWriter(map.spec(), std::numeric_limits<std::size_t>::max());
     std::size_t span = 0;
     for (std::size_t sample = 0; sample < trace.sampleCount(); ++sample) {

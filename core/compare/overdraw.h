@@ -6,8 +6,8 @@
 
 namespace pixelplumb {
 
-/// How often each pixel is written by different primitives, and which samples inside the union of
-/// the triangles nobody writes. A mesh under a watertight rule has neither gap nor overdraw.
+/// How many primitives write each pixel, and which samples inside the union of the triangles are
+/// never written. A mesh under a watertight rule has neither gap nor overdraw.
 class OverdrawMap {
 public:
     OverdrawMap() = default;
@@ -22,7 +22,7 @@ public:
     {
         return m_pixels.contains(x, y) ? m_pixels.at(x, y).writes : 0;
     }
-    /// Nobody writes it, although a triangle owns it by the rule or the triangles surround it.
+    /// Never written, although a triangle owns it by the rule or the triangles surround it.
     bool isGapAt(std::int64_t x, std::int64_t y) const
     {
         return m_pixels.contains(x, y) && m_pixels.at(x, y).isGap;
@@ -50,13 +50,13 @@ private:
     int m_mostWrites = 0;
 };
 
-/// Of the finished run. Gaps are looked for among triangles, and only in runs that were recorded to
-/// their end.
+/// The overdraw of a finished run. Gaps are searched only among triangles, and only in runs that
+/// were recorded to their end.
 OverdrawMap overdrawOf(const TracedScene &traced);
 
 /// True when the triangles surround the sample: it is inside one of them, or on edges and vertices
-/// that have a triangle on every side. Decided by four opposite infinitely small displacements,
-/// each of which must stay within some triangle.
+/// with a triangle on every side. Decided by four infinitely small displacements in opposite
+/// directions, each of which must stay within some triangle.
 bool isSurrounded(const std::vector<Triangle> &triangles, std::int64_t x, std::int64_t y);
 
 } // namespace pixelplumb

@@ -16,7 +16,7 @@ bool endsInDecimals(Int128 denominator)
     return denominator <= largestDyadic && (denominator & (denominator - 1)) == 0;
 }
 
-/// All digits of a rational whose denominator is a power of two: long division ends.
+/// All digits of a rational whose denominator is a power of two: the long division ends.
 QString terminatingDecimal(Int128 numerator, Int128 denominator)
 {
     const Int128 magnitude = absolute(numerator);

@@ -12,7 +12,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// A field with a quote, a comma or a line's end stands in quotes, its quotes doubled (RFC 4180,
+/// A field with a quote, comma or line break is put in quotes, its own quotes doubled (RFC 4180,
 /// 2).
 QByteArray csvCell(const QString &text)
 {

@@ -18,32 +18,32 @@ enum class TableFormat {
     Json,
 };
 
-/// One column of a table that is written to a file.
+/// One column of a table.
 struct Field {
     enum class Kind {
         Text,
         Number, ///< as the kernel held it; in files a decimal, in JSON a number
-        Exact, ///< the exact number for which it stands; in files a fraction, "277/54", as text
+        Exact, ///< the exact counterpart; in files a fraction, "277/54", as text
         Error, ///< used − exact; a decimal
         Boolean,
     };
 
-    QString name; ///< "y_B_error": the only one of this name in its table
+    QString name; ///< "y_B_error"; unique in its table
     Kind kind = Kind::Text;
     QString title = {}; ///< in a text table's header: "⌈y_B⌉"; empty: the name
 };
 
-/// What stands in a row under a field: a quantity under Number, Exact and Error; an empty text or a
-/// quantity that is none is an empty cell.
+/// The content of a row under a field: a quantity under Number, Exact and Error. An empty text or a
+/// none quantity is an empty cell.
 using Cell = std::variant<QString, Quantity, bool>;
 
-/// Writes a table row by row, so that a table of millions of rows needs no memory. An empty cell is
-/// an empty CSV field and JSON's null.
+/// Writes a table row by row, so that millions of rows need no memory. An empty cell is an empty
+/// CSV field or JSON's null.
 class RowWriter {
 public:
     virtual ~RowWriter() = default;
 
-    /// No two of the fields have one name.
+    /// The fields' names are unique.
     virtual void begin(const std::vector<Field> &fields) = 0;
     /// As many cells as there are fields.
     virtual void writeRow(const std::vector<Cell> &cells) = 0;
@@ -64,18 +64,17 @@ private:
     bool m_ok = true;
 };
 
-/// CSV after RFC 4180, with a header line.
+/// CSV as in RFC 4180, with a header line.
 std::unique_ptr<RowWriter> makeCsvWriter(QIODevice &device);
 
-/// JSON as an object whose members are those of `preamble`, then "rows", an array with one object a
-/// row.
+/// JSON as an object with the members of `preamble`, then "rows", an array with one object per row.
 struct PreambleMember {
     QString name;
     QByteArray json; ///< its value
 };
 std::unique_ptr<RowWriter> makeJsonWriter(QIODevice &device, std::vector<PreambleMember> preamble);
 
-/// How a cell is spelled in files: see Field::Kind.
+/// How a cell is written in files: see Field::Kind.
 QString fileText(const Field &field, const Cell &cell);
 /// A string in JSON, with its quotes.
 QByteArray jsonString(const QString &text);

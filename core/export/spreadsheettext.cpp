@@ -5,7 +5,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The plain form of what looks like it: "=" for "＝".
+/// The plain form of a look-alike character: "=" for "＝".
 QChar plainForm(QChar character)
 {
     const QString plain = QString(character).normalized(QString::NormalizationForm_KC);
@@ -20,7 +20,7 @@ QString spreadsheetText(const QString &text)
     bool isAtStart = true;
     for (const QChar character : text) {
         const QChar plain = plainForm(character);
-        // One that stands there already is doubled, so that no two texts become the same.
+        // An apostrophe already here is doubled, so that no two texts become the same.
         if (isAtStart && QStringView(u"=+-@\t\r'").contains(plain))
             safe += u'\'';
         safe += character;

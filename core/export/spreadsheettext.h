@@ -5,11 +5,11 @@
 
 namespace pixelplumb {
 
-/// A text that somebody else gave, for a cell of a CSV file: no spreadsheet takes it, or a part of
-/// it, for a formula. An apostrophe stands before what would begin one, at the start and behind
-/// each character that separates cells in some language ("a;=1+1" is two cells in German); what
-/// looks like it in full width begins one, too. An apostrophe at such a place is doubled, so that
-/// no two texts become the same.
+/// A text of foreign origin made safe for a CSV cell: no spreadsheet reads it, or a part of it, as
+/// a formula. An apostrophe goes before whatever would begin a formula, at the start and after each
+/// character that separates cells in some language ("a;=1+1" is two cells in German); full-width
+/// look-alikes count too. An apostrophe already at such a place is doubled, so that no two texts
+/// become the same.
 QString spreadsheetText(const QString &text);
 
 } // namespace pixelplumb

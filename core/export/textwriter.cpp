@@ -10,11 +10,11 @@ namespace pixelplumb {
 namespace {
 
 constexpr std::size_t rowsOfABlock = 1000;
-constexpr int decimals = 6; ///< more where it takes them to part a number from a whole one
+constexpr int decimals = 6; ///< more where needed to tell a number from a whole one
 const QString gap = QStringLiteral("  ");
 
-/// A cell in two parts that meet at one place in all rows: the whole number, right-aligned, and
-/// what follows it.
+/// A cell in two parts that meet at the same place in all rows: the whole number, right-aligned,
+/// and what follows it.
 struct AlignedText {
     QString whole;
     QString rest;
@@ -22,7 +22,7 @@ struct AlignedText {
 
 AlignedText splitNumber(const QString &text)
 {
-    // A proper fraction stands with the fractions: "5 7/54" above "  7/54".
+    // A proper fraction is aligned with other fractions: "5 7/54" above "  7/54".
     if (text.contains(u'/') && !text.contains(u' '))
         return {{}, u' ' + text};
     const auto isPartOfWhole = [](QChar letter) { return letter.isDigit() || letter == u'−'; };
@@ -87,7 +87,7 @@ private:
         return splitNumber(withMinus(inDecimals ? cutText(*quantity) : toText(*quantity)));
     }
 
-    /// Numbers stand under the right end of their titles, texts under the left one.
+    /// Numbers are aligned to the right end of their titles, texts to the left.
     QString titleOf(const Field &field) const
     {
         return field.title.isEmpty() ? field.name : field.title;

@@ -5,14 +5,14 @@
 
 namespace pixelplumb {
 
-/// How a text table spells rationals.
+/// How a text table writes rationals.
 enum class TextNumbers {
     Mixed, ///< "5 7/54"
-    Decimal, ///< "5.129629…", as cutDecimal() has them of six places
+    Decimal, ///< "5.129629…", from cutDecimal() with six places
 };
 
-/// An aligned table for people: titles above, numbers with their whole parts below each other. Rows
-/// are gathered to blocks; a column grows where a later block needs it and never shrinks.
+/// An aligned table for people: titles on top, numbers aligned by their whole parts. Rows are
+/// collected into blocks; a column grows where a later block needs it and never shrinks.
 std::unique_ptr<RowWriter> makeTextWriter(QIODevice &device, TextNumbers numbers);
 
 } // namespace pixelplumb

@@ -46,7 +46,7 @@ std::vector<NumberDescription> descriptionsOf(const TracedScene &traced, TraceLe
     return traced.trace->numbers().sample;
 }
 
-/// By their descriptions: how the run computed them.
+/// How the run computed each described number.
 QStringList formulasOf(const TracedScene &traced, const TraceExportOptions &options)
 {
     switch (options.level) {
@@ -62,7 +62,7 @@ QStringList formulasOf(const TracedScene &traced, const TraceExportOptions &opti
     return sampleFormulas(traced, options.progress);
 }
 
-/// A kernel sees pixel (x, y) as the point (x, y), wherever the scene has its centre.
+/// A kernel sees pixel (x, y) as the point (x, y), wherever the scene puts the pixel's centre.
 QString coordinatesText(const TracedScene &traced)
 {
     return traced.scene.frame.pixelCentre == PixelCentre::Half
@@ -70,14 +70,13 @@ QString coordinatesText(const TracedScene &traced)
         : QStringLiteral("the scene's");
 }
 
-/// Whether a number is written, or its exact value or its error.
+/// Whether the number, its exact value or its error is written.
 bool isWritten(const NumberDescription &number, const QStringList &columns)
 {
     return columns.isEmpty() || columns.contains(number.id)
         || columns.contains(exactName(number.id)) || columns.contains(errorName(number.id));
 }
 
-/// What a reader has to know about the table: how it was drawn, and what the columns mean.
 QByteArray variantsJson(VariantSet variants)
 {
     QByteArray names;
@@ -86,6 +85,7 @@ QByteArray variantsJson(VariantSet variants)
     return '[' + names + ']';
 }
 
+/// What a reader must know about the table: how it was drawn, and what the columns mean.
 std::vector<PreambleMember> preambleOf(const TracedScene &traced, const TraceExportOptions &options)
 {
     const ScanSettings &settings = traced.trace->settings();
@@ -213,7 +213,7 @@ QString nameMeantBy(const QString &word, const TraceTable<Row> &table)
     return found != table.fields().end() ? found->name : QString();
 }
 
-/// What a function says of the table that traces have at a level.
+/// What `read` returns for the table of a trace at a level.
 template <class Read>
 auto ofTable(const TraceNumbers &numbers, TraceLevel level, const Read &read)
 {

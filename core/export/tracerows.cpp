@@ -15,8 +15,8 @@ namespace {
 
 using Kind = Field::Kind;
 
-/// A record has fewer cells than its method describes where nothing was computed: of a rejected
-/// primitive, of a sample of a triangle without an area.
+/// A record has fewer cells than its method describes where nothing was computed: for a rejected
+/// primitive, or a sample of a triangle without area.
 Quantity cellAt(const std::vector<Quantity> &cells, std::size_t index)
 {
     return index < cells.size() ? cells[index] : Quantity();
@@ -24,7 +24,7 @@ Quantity cellAt(const std::vector<Quantity> &cells, std::size_t index)
 
 Quantity integer(std::int64_t value) { return Quantity::integer(value); }
 
-/// As the window counts: 1 for the first step.
+/// Counted as in the window: 1 for the first step.
 Quantity stepNumber(std::size_t index) { return Quantity::integer(Int128(index) + 1); }
 
 Quantity errorCell(const Quantity &used, const Quantity &exact)
@@ -33,7 +33,7 @@ Quantity errorCell(const Quantity &used, const Quantity &exact)
     return isComparable ? Quantity::of(errorOf(used, exact)) : Quantity();
 }
 
-/// A number as it was used, with the exact one and the error.
+/// Adds a number as it was used, the exact number and the error.
 template <class Row>
 void addCompared(TraceTable<Row> &table, const QString &name, const QString &title,
                  const std::function<Quantity(const Row &)> &used,
@@ -45,13 +45,13 @@ void addCompared(TraceTable<Row> &table, const QString &name, const QString &tit
               [used, exact](const Row &row) { return errorCell(used(row), exact(row)); });
 }
 
-/// The numbers that a method describes. `exactCells` reads a row's exact numbers.
+/// Adds the numbers that a method describes. `exactCells` reads a row's exact numbers.
 template <class Row, class ExactCells>
 void addDescribed(TraceTable<Row> &table, const std::vector<NumberDescription> &numbers,
                   const ExactCells &exactCells)
 {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        // A number that stands there already is this one: R, G and B of a sample.
+        // A number already in the table is this one: R, G and B of a sample.
         if (table.contains(numbers[i].id))
             continue;
         const auto used = [i](const Row &row) { return cellAt(row.record.cells, i); };
@@ -64,8 +64,8 @@ void addDescribed(TraceTable<Row> &table, const std::vector<NumberDescription> &
     }
 }
 
-/// What a number of a stage is without rounding: roots and quotients as far as they are known, to
-/// 20 digits, with "…" after them.
+/// A stage's number without rounding: roots and quotients as far as they are known, to 20 digits
+/// followed by "…".
 QString unroundedText(const Quantity &exact)
 {
     constexpr qsizetype knownDigits = 20;
@@ -114,7 +114,7 @@ SetUpRow setUpRow(const TracedScene &traced, std::size_t primitive)
                  trace.setUp(primitive),
                  rejectionOf(traced, primitive),
                  {}};
-    // Where nothing was computed the cells are what the numbers began with.
+    // Where nothing was computed the cells hold only initial values.
     if (row.rejection)
         row.record.cells.clear();
     else

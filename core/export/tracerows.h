@@ -7,12 +7,12 @@
 
 namespace pixelplumb {
 
-/// The record of a primitive's set-up, beside the exact numbers.
+/// The record of a primitive's set-up, with the exact numbers.
 struct SetUpRow {
     std::size_t step = 0; ///< index
     PrimitiveKind kind = PrimitiveKind::Triangle;
     SetUpRecord record;
-    std::optional<Rejection> rejection; ///< decided, of the record's
+    std::optional<Rejection> rejection; ///< decided from the record's
     std::vector<Quantity> exact; ///< by TraceNumbers::setUp; may be shorter
 };
 TraceTable<SetUpRow> setUpTable(const std::vector<NumberDescription> &numbers);
@@ -28,7 +28,7 @@ struct SpanRow {
 TraceTable<SpanRow> spanTable(const std::vector<NumberDescription> &numbers);
 SpanRow spanRow(const TracedScene &traced, std::size_t span);
 
-/// A number on the way of a solid's triangle from space to the frame.
+/// A number of a stage between space and the frame, for a solid's triangle.
 struct StageRow {
     std::size_t step = 0; ///< index
     std::size_t primitive = 0;
@@ -36,7 +36,7 @@ struct StageRow {
     FormulaLine number;
 };
 TraceTable<StageRow> stageTable();
-/// None of a triangle that the scene gives in the frame.
+/// Empty for a triangle that the scene gives in the frame.
 std::vector<StageRow> stageRows(const TracedScene &traced, std::size_t primitive);
 
 /// The record of a sample, and what became of its pixel.

@@ -10,17 +10,17 @@
 
 namespace pixelplumb {
 
-/// The columns beside that of a number which has an exact one: that, and used − exact.
+/// The names of the columns for a number's exact value and for used − exact.
 inline QString exactName(const QString &number) { return number + QStringLiteral("_exact"); }
 inline QString errorName(const QString &number) { return number + QStringLiteral("_error"); }
 
-/// A table's columns, each with its name and how its cell is read from a row, in one place.
+/// A table's columns: each name, and how its cell is read from a row, in one place.
 template <class Row>
 class TraceTable {
 public:
     using Read = std::function<Cell(const Row &row)>;
 
-    /// A number that is there already under this name is not written a second time.
+    /// Ignores a field whose name is already in the table.
     void add(Field field, Read read)
     {
         if (contains(field.name))
@@ -40,7 +40,7 @@ public:
         return cells;
     }
 
-    /// The columns of these names, in their order; names that it does not have are left out.
+    /// The columns with these names, in the order of `names`; unknown names are left out.
     TraceTable only(const QStringList &names) const
     {
         TraceTable chosen;
@@ -62,7 +62,7 @@ public:
         return chosen;
     }
 
-    /// All of them behind one more.
+    /// One more column, followed by all of these.
     TraceTable behind(Field first, Read read) const
     {
         TraceTable all;

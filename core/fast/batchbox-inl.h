@@ -16,8 +16,8 @@ namespace pixelplumb::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The samples ⌈c⌉ … ⌊d⌋ of a lane's worth of triangles, or … ⌈d⌉ − 1 under the half-open rule,
-/// clipped to the window; put into the batch, and what the rest of the set-up needs of them.
+/// The samples ⌈c⌉ … ⌊d⌋ of a vector of triangles, or … ⌈d⌉ − 1 under the half-open rule, clipped
+/// to the window and stored in the batch, and what the rest of the set-up needs to know about them.
 template <FillRule Rule, class Reals>
 struct BatchBox {
     using Real = hn::Vec<Reals>;
@@ -25,13 +25,12 @@ struct BatchBox {
 
     Real column; ///< first sample, px
     Real row;
-    Real steps; ///< n + 1 = width + height − 1 at least
+    Real steps; ///< n + 1, or more: width + height
     Mask isEmpty; ///< no sample
-    Mask isSmall; ///< as far as the box tells
+    Mask isSmall; ///< as far as the box alone shows
     Mask isNarrow; ///< at most 8 columns
     Mask isBeyondStrip; ///< wider than 16 columns
-    /// At least four times as wide as high, unclipped: in a low window a triangle of any shape
-    /// would be that.
+    /// At least four times as wide as high, unclipped: a low window would make any triangle so.
     Mask isWide;
 
     HWY_INLINE BatchBox(TriangleBatch &batch, std::size_t i, std::int32_t windowWidth,

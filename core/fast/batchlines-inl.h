@@ -17,7 +17,7 @@ namespace pixelplumb::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Whether an edge owns the samples on it under the half-open rule: perRow > 0 or (perRow == 0 and
-/// perColumn > 0). One sum, since |perColumn| < 2^25 and perRow is an integer.
+/// perColumn > 0). One sum decides, since |perColumn| < 2^25 and perRow is an integer.
 template <class Reals>
 HWY_INLINE hn::Mask<Reals> ownsItsSamples(Reals reals, hn::Vec<Reals> perRow,
                                           hn::Vec<Reals> perColumn)
@@ -26,16 +26,16 @@ HWY_INLINE hn::Mask<Reals> ownsItsSamples(Reals reals, hn::Vec<Reals> perRow,
     return hn::Gt(side, hn::Zero(reals));
 }
 
-/// The lines of BoundingLines, of a lane's worth of triangles each over its own axis: an interval
-/// of rows in each column, as in the assignment, or an interval of columns in each row. Either way
-/// they are the same samples.
+/// Computes the lines of BoundingLines for a vector of triangles, each along its own axis: an
+/// interval of rows in each column, as in the assignment, or an interval of columns in each row.
+/// Both give the same samples.
 template <FillRule Rule, class Reals>
 class BatchLines {
     using Real = hn::Vec<Reals>;
     using Mask = hn::Mask<Reals>;
 
 public:
-    /// `sign`: that of the area. `spansRows`: where lines run over rows.
+    /// `sign`: the sign of the area. `spansRows`: where lines run over rows.
     BatchLines(TriangleBatch &batch, std::size_t i, Real sign, Mask spansRows)
         : m_batch(batch)
         , m_i(i)
@@ -49,8 +49,8 @@ public:
         const Line line0 = lineOf(0, 1);
         const Line line1 = lineOf(1, 2);
         const Line line2 = lineOf(2, 0);
-        // Two lower bounds and one upper, or the other way round, or one and one and an edge that
-        // is parallel to the spans: the first and the last of each kind are all there are.
+        // There are two lower bounds and one upper, or one and two, or one of each and an edge
+        // parallel to the spans, so the first and the last of each kind are all there are.
         store(hn::Gt(line0.lead, zero()), hn::Gt(line1.lead, zero()), hn::Gt(line2.lead, zero()), 0,
               line0, line1, line2);
         store(hn::Lt(line0.lead, zero()), hn::Lt(line1.lead, zero()), hn::Lt(line2.lead, zero()), 2,

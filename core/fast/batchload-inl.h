@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The corners of a batch out of the scene's array. Compiled once for each instruction set.
+// Loads the corners of a batch from the scene's array. Compiled once for each instruction set.
 #include "core/fast/pixelvectors-inl.h"
 #include "core/fast/trianglebatch.h"
 
@@ -16,8 +16,8 @@ namespace pixelplumb::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// A scene is an array of vertices of three 64-bit words: x, y, and the colour in the lowest three
-/// bytes of the third. Vectors of vertices are taken apart into x, y and colours, moved to the
-/// window, cut to 32 bits, and then taken apart into the three corners.
+/// bytes of the third. Vectors of vertices are split into x, y and colours, moved to the window,
+/// truncated to 32 bits, and then split into the three corners.
 class CornerLoad {
     using Words = hn::CappedTag<std::uint64_t, 8>;
     using Halves = hn::Rebind<std::uint32_t, Words>;
@@ -64,12 +64,12 @@ public:
 private:
     static constexpr Words words{};
     static constexpr Halves halves{};
-    /// c + 2^23 has no bits from here on where -2^23 <= c < 2^23.
+    /// c + 2^23 has no bits from this one on if -2^23 <= c < 2^23.
     static constexpr int beyondBits = 24;
     static constexpr std::uint64_t limit = std::uint64_t(1) << (beyondBits - 1);
 
-    /// Vertices from the scene to the places from `vertex` on; their coordinates above 2^23, if
-    /// any.
+    /// Copies vertices to the places from `vertex` on; the result has bits from beyondBits on if a
+    /// coordinate is beyond ±2^23.
     HWY_INLINE Word take(const std::byte *from, std::size_t vertex)
     {
         Word x;
@@ -86,7 +86,7 @@ private:
 #endif
         x = hn::Sub(x, hn::Set(words, m_firstX));
         y = hn::Sub(y, hn::Set(words, m_firstY));
-        // What lies behind the three channels is padding.
+        // The bytes after the three channels are padding.
         colour = hn::And(colour, hn::Set(words, 0xffffff));
         hn::StoreU(hn::TruncateTo(halves, x), halves, m_x.data() + vertex);
         hn::StoreU(hn::TruncateTo(halves, y), halves, m_y.data() + vertex);

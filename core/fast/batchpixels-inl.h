@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The set-up of a vector of small triangles on whole pixels. Compiled once for each instruction
-// set.
+// The set-up of a vector of small triangles with whole-pixel corners. Compiled once for each
+// instruction set.
 #include "core/fast/batchbox-inl.h"
 #include "core/fast/batchplanes-inl.h"
 #include "core/fast/colourplane.h"
@@ -17,13 +17,13 @@ namespace pixelplumb::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// What BatchSetUp computes in doubles of lattice units, in floats of pixels: the same numbers to
-/// the last bit, up to powers of two, because every one of them is an integer below 2^24. In a box
-/// of at most 63 px a side, corners and samples lie at most 63 from each other; the doubled area is
-/// at most 63² and so are edge functions, twice that; gradients, of levels of at most 255, are at
-/// most 255 · 2 · 63 = 32,130; and a colour at a sample of the box times the area is at most
-/// 255 · 63² + 2 · 32,130 · 63 < 2^23. 4 A' (n + 1) <= 4 · 63² · 126 < 2^21: 24-bit words are exact
-/// for all of them, and their quotients are taken in doubles as there.
+/// Computes in floats of pixels what BatchSetUp computes in doubles of lattice units: the same
+/// numbers to the last bit, up to powers of two, because each is an integer below 2^24. In a box of
+/// at most 63 px a side, corners and samples are at most 63 apart; the doubled area is at most 63²,
+/// edge functions at most twice that; gradients of levels up to 255 are at most 255 · 2 · 63 =
+/// 32,130; and a colour at a sample of the box times the area is at most 255 · 63² + 2 · 32,130 ·
+/// 63 < 2^23. 4 A' (n + 1) <= 4 · 63² · 126 < 2^21: 24-bit words are exact for all of them, and the
+/// quotients are taken in doubles as in BatchSetUp.
 template <FillRule Rule>
 class BatchPixels {
     using Floats = hn::CappedTag<float, TriangleBatch::capacity>;
@@ -42,8 +42,8 @@ public:
     {
     }
 
-    /// Sets up a vector of triangles. Returns false, and has changed nothing that a set-up in
-    /// doubles does not, where one of them is not such a triangle, nor empty.
+    /// Sets up a vector of triangles. Returns false if one of them is neither such a triangle nor
+    /// empty; then it has changed nothing that the set-up in doubles does not change too.
     HWY_INLINE bool setUpFrom(std::size_t i)
     {
         auto bits = hn::Zero(integers);
@@ -143,7 +143,7 @@ private:
     ByteRounding m_rounding;
     std::int32_t m_width;
     std::int32_t m_height;
-    // Numerators, to be promoted to doubles as they are read back.
+    // Numerators, promoted to doubles when read back.
     alignas(64) Numbers m_area;
     alignas(64) Numbers m_steps;
     alignas(64) std::array<Numbers, 3> m_start;

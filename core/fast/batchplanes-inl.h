@@ -18,8 +18,8 @@ namespace pixelplumb::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Where triangles lie from their first corners, mirrored where the area is negative: in lattice
-/// units or in pixels.
+/// Positions relative to each triangle's first corner, mirrored where the area is negative: in
+/// lattice units or in pixels.
 template <class Reals>
 struct BatchCorners {
     using Real = hn::Vec<Reals>;
@@ -51,8 +51,8 @@ HWY_INLINE void addTo(Reals reals, hn::Mask<Reals> mask, std::size_t i, Triangle
     set |= (TriangleBatch::Set(bits[0]) | TriangleBatch::Set(bits[1]) << 8) << i;
 }
 
-/// The three edge functions of each triangle and their changes per pixel, put into the batch.
-/// E = ΔX·(y − Ya) − ΔY·(x − Xa), positive inside, less 1 where the rule does not own the edge. The
+/// Stores the three edge functions of each triangle and their changes per pixel in the batch. E =
+/// ΔX·(y − Ya) − ΔY·(x − Xa), positive inside, less 1 where the rule does not own the edge. The
 /// three add up to the doubled area.
 template <FillRule Rule, int UnitsAPixel, class Reals>
 class BatchEdges {
@@ -95,7 +95,7 @@ private:
     HWY_INLINE void store(Real value, TriangleBatch::Array<std::int32_t> &to) const
     {
         if constexpr (sizeof(hn::TFromD<Reals>) == sizeof(std::int32_t)) {
-            // Within ±2^22: 1.5·2^23 more, and it stands in the lowest bits of the float.
+            // Within ±2^22: adding 1.5·2^23 puts the integer into the lowest bits of the float.
             const auto word = hn::BitCast(integers, hn::Add(value, hn::Set(reals, 0x1.8p23f)));
             hn::Store(hn::Sub(word, hn::Set(integers, 0x4b400000)), integers, to.data() + m_i);
         } else {
@@ -107,7 +107,7 @@ private:
     std::size_t m_i;
 };
 
-/// A colour channel of each triangle, times the doubled area: at the first sample of the box and
+/// A colour channel of each triangle, times the doubled area: at the first sample of the box, and
 /// its change per unit.
 template <class Reals>
 struct BatchChannel {
@@ -116,7 +116,7 @@ struct BatchChannel {
 
     Real start, perColumn, perRow;
 
-    /// `levels` as 0x00bbggrr, a word a corner.
+    /// `levels` as 0x00bbggrr, one word per corner.
     HWY_INLINE BatchChannel(const std::array<Integer, 3> &levels, std::size_t channel,
                             const BatchCorners<Reals> &c)
     {
@@ -135,7 +135,7 @@ struct BatchChannel {
     }
 };
 
-/// The corners' colours of a lane's worth of triangles, 0x00bbggrr.
+/// The corners' colours of a vector of triangles, 0x00bbggrr.
 template <class Integers>
 HWY_INLINE std::array<hn::Vec<Integers>, 3> levelsAt(Integers integers, const TriangleBatch &batch,
                                                      std::size_t i)
@@ -147,18 +147,18 @@ HWY_INLINE std::array<hn::Vec<Integers>, 3> levelsAt(Integers integers, const Tr
     return {at(0), at(1), at(2)};
 }
 
-/// Zero where the three corners have one colour.
+/// Zero where the three corners have the same colour.
 template <class Integer>
 HWY_INLINE Integer differences(const std::array<Integer, 3> &levels)
 {
     return hn::Or(hn::Xor(levels[0], levels[1]), hn::Xor(levels[0], levels[2]));
 }
 
-/// To be added to a double: the nearest integer then stands in the low 51 bits of the sum, which
-/// has no bits below 1.
+/// Added to a double: the nearest integer is then in the low 51 bits of the sum, which has no bits
+/// below 1.
 inline constexpr double toWord = 0x1.8p52;
 
-/// The low 32 bits of each sum.
+/// Stores the low 32 bits of each sum.
 template <class Reals>
 HWY_INLINE void storeNarrow(Reals, hn::Vec<Reals> sum, std::uint32_t *to)
 {

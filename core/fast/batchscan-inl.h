@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A batch of triangles, set up and drawn. Compiled once for each instruction set.
+// Sets up and draws a batch of triangles. Compiled once for each instruction set.
 #include "core/fast/batchload-inl.h"
 #include "core/fast/batchsetup-inl.h"
 #include "core/fast/blockscan-inl.h"
@@ -62,12 +62,12 @@ public:
     }
 
 private:
-    /// Two vectors of sixteen pixels; the colours of more and shorter ones do not stay in
+    /// Two vectors of sixteen pixels; the colours of more or shorter vectors do not stay in
     /// registers.
     static constexpr std::int32_t widestStrip = lanesOf<Pixels<16>> == 16 ? 32 : 16;
 
-    /// A small triangle stores to as many cache lines as it has rows, and each store waits for its
-    /// line.
+    /// A small triangle stores to one cache line per row, and each store waits for its line: blocks
+    /// are prefetched this far ahead.
     static constexpr std::size_t blocksAhead = 3;
     static constexpr int prefetchedRows = 4;
     HWY_INLINE void prefetchBlock(std::size_t i) const
@@ -143,7 +143,7 @@ private:
     HWY_NOINLINE void drawStrips(std::size_t i, ColourWord word)
     {
         using D = Pixels<HWY_MIN(Columns, 16)>;
-        // A vector of one lane would otherwise be unrolled to no use.
+        // Without the limit, one-lane vectors would be unrolled to no benefit.
         constexpr int vectors = HWY_MIN(Columns / lanesOf<D>, 4);
         constexpr Walk walk = Walk::UpRows;
         const BoundingLines lines(m_batch, i);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The set-up of a vector of triangles at once. Compiled once for each instruction set.
+// The set-up of a vector of triangles. Compiled once for each instruction set.
 #include "core/fast/batchbox-inl.h"
 #include "core/fast/batchlines-inl.h"
 #include "core/fast/batchpixels-inl.h"
@@ -20,9 +20,9 @@ namespace pixelplumb::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Triangles in the lanes of a vector of doubles, in which every product below is exact: corners
-/// within ±2^23, differences within ±2^24, areas and edge functions below 2^50, colour gradients
-/// below 255·2^25.
+/// Sets up triangles in the lanes of a vector of doubles, in which every product below is exact:
+/// corners within ±2^23, differences within ±2^24, areas and edge functions below 2^50, colour
+/// gradients below 255·2^25.
 template <FillRule Rule>
 class BatchSetUp {
     using Reals = hn::CappedTag<double, TriangleBatch::capacity>;
@@ -88,15 +88,16 @@ private:
         addTo(reals, box.isNarrow, i, m_batch.narrow);
         BatchEdges<Rule, unitsPerPixel, Reals>(m_batch, i, corners);
         if (!hn::AllTrue(reals, isSmall)) {
-            // Rows of one colour are long runs of stores; a strip of a wide box would be all masks.
+            // Rows of one colour are long runs of stores; strips of a wide box would be all masked
+            // stores.
             const auto spansRows = hn::And(box.isBeyondStrip, hn::Or(hasOneColour, box.isWide));
             addTo(reals, spansRows, i, m_batch.spansRows);
             BatchLines<Rule, Reals>(m_batch, i, corners.sign, spansRows).run();
         }
     }
 
-    /// Doubled area over the square of the lattice's common step: the least of the corners' lowest
-    /// set bits, at most one pixel.
+    /// Doubled area over the square of the lattice's common step: the lowest bit set in any
+    /// coordinate, at most one pixel.
     Real reducedArea(std::size_t i, Real area)
     {
         Integer bits = hn::Set(integers, 256);
@@ -108,7 +109,7 @@ private:
         return hn::Div(area, hn::Mul(step, step)); // exact: step is a power of two
     }
 
-    /// `steps`: n + 1. Returns where 24-bit words are exact.
+    /// `steps`: n + 1. Returns the lanes in which 24-bit words are exact.
     hn::Mask<Reals> setUpColours(std::size_t i, const std::array<Integer, 3> &levels,
                                  const BatchCorners<Reals> &corners, Real steps)
     {
@@ -146,12 +147,12 @@ private:
                 m_batch.narrowPerRow[channel].data());
         }
         hn::Store(magnitude, reals, m_batch.magnitude.data() + i);
-        // Not so where the area is 0: scale and magnitude are infinite or no numbers there.
+        // False where the area is 0: there scale and magnitude are infinite or NaN.
         return hn::And(isNarrow,
                        hn::And(hn::Lt(magnitude, real(magnitudeLimit)), hn::Gt(area, real(0))));
     }
 
-    /// Moves the level to the top byte.
+    /// Stores the word with the level moved to the top byte.
     template <class IsNarrow>
     static void storeWord(hn::Vec<Words> word, IsNarrow isNarrow, std::uint64_t *to)
     {

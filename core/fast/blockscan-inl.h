@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangles of a few columns and rows. Compiled once for each instruction set.
+// Draws triangles of a few columns and rows. Compiled once for each instruction set.
 #include "core/fast/pixelvectors-inl.h"
 #include "core/fast/trianglebatch.h"
 
@@ -17,7 +17,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 enum class Shading { Flat, Smooth };
 
-/// Which columns the lanes of a block stand for, and where they are stored.
+/// Which columns the lanes of a block represent, and where they are stored.
 template <class D>
 class BlockLanes {
     static constexpr D d{};
@@ -27,12 +27,12 @@ class BlockLanes {
     using Mask = hn::Mask<hn::RebindToSigned<D>>;
 
 public:
-    /// Where stores have masks, as wide as a cache line: lane k stands for the k-th pixel of a
-    /// line, of the one with `column` or of the next one. A store across two lines costs as much as
-    /// two, and fetches both even if all its pixels are in one.
+    /// True where stores have masks and vectors are as wide as a cache line: lane k is the k-th
+    /// pixel of a line, the one with `column` or the next. A store across two lines costs as much
+    /// as two, and fetches both even if all its pixels are in one.
     static constexpr bool areOfLines = hasMaskedStores && lanes == 16;
 
-    /// For `column` and those after it, or before it where the window ends.
+    /// Lanes for `column` and those after it, or from before it where the window ends.
     HWY_INLINE BlockLanes(const TriangleBatch &batch, std::size_t i, std::int32_t column,
                           const FrameView &window)
     {
@@ -77,9 +77,9 @@ private:
     bool m_reachesNextLine = false;
 };
 
-/// A triangle whose box has few columns, `Columns` at a time: the set-up's edge functions and
-/// colours in all columns of a row at once, one addition a row each. A sample is inside where none
-/// of the three edge functions is negative, that is, where their bitwise or is not.
+/// Draws a triangle whose box has few columns, `Columns` at a time: the set-up's edge functions and
+/// colours in all columns of a row at once, with one addition each per row. A sample is inside
+/// where none of the three edge functions is negative, that is, where their bitwise or is not.
 template <int Columns, Shading S>
 HWY_INLINE void drawBlock(const TriangleBatch &batch, std::size_t i, FrameView window)
 {
@@ -104,7 +104,8 @@ HWY_INLINE void drawBlock(const TriangleBatch &batch, std::size_t i, FrameView w
         auto edge1 = edgeAt(1);
         auto edge2 = edgeAt(2);
         if constexpr (BlockLanes<D>::areOfLines) {
-            // Behind the box, where a clipped triangle goes on: it stays negative for all rows.
+            // Right of the box, where a clipped triangle continues, edge 0 stays negative in every
+            // row.
             const auto count = hn::Set(di, batch.endColumn[i] - batch.firstColumn[i]);
             edge0 = hn::IfThenElse(hn::Lt(places, count), edge0, hn::Set(di, -(1 << 30)));
         }

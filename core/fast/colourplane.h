@@ -8,17 +8,17 @@
 
 namespace pixelplumb {
 
-/// The colour plane of a triangle in fixed point, exact by the half-quantum bias
+/// The colour plane of a triangle in fixed point, made exact by the half-quantum bias
 /// (resources/numerics.md, 3.3 b). Each number is a 64-bit word whose top byte is the level and
-/// whose other bits are its fraction; additions wrap, so that what lies outside the triangle may
-/// overflow unharmed.
+/// whose other bits are its fraction; additions wrap, so values outside the triangle may overflow
+/// harmlessly.
 ///
 /// Let t be the level, plus 1/2 where the byte is rounded to nearest: a multiple of 1/(2A'), A' the
 /// doubled area on the coarsest lattice of the corners. A word of F fraction bits holds t + β with
-/// an error of at most e; its top byte is ⌊t⌋ if e <= β and β + e < 1/(2A'), because a t that is no
-/// integer is at least 1/(2A') below the next one. Each gradient and the start are rounded with an
-/// error below 2^-F, so n = |dx| + |dy| steps from the start e < (n + 1)·2^-F, and with β = (n +
-/// 1)·2^-F the condition is
+/// an error of at most e; its top byte is ⌊t⌋ if e <= β and β + e < 1/(2A'), because a t that is
+/// not an integer is at least 1/(2A') below the next one. Each gradient and the start are rounded
+/// with an error below 2^-F, so n = |dx| + |dy| steps from the start e < (n + 1)·2^-F, and with β =
+/// (n + 1)·2^-F the condition is
 ///
 ///     4 A' (n + 1) < 2^F.
 ///
@@ -40,8 +40,8 @@ struct ColourPlane {
         }
     }
 
-    /// 56 fraction bits, by divisions of 128-bit integers: for triangles whose area is beyond the
-    /// batch's 40. Nothing where 56 do not suffice either.
+    /// A plane with 56 fraction bits, by divisions of 128-bit integers, for triangles whose area is
+    /// too large for the batch's 40. Nothing if 56 do not suffice either.
     static std::optional<ColourPlane> wide(const TriangleBatch &batch, std::size_t i,
                                            ByteRounding rounding);
 
@@ -56,22 +56,22 @@ private:
     ColourPlane() = default;
 };
 
-/// Fraction bits of the batch's words: the fewer where they suffice.
+/// Fraction bits of the words: the fewest that suffice are used.
 inline constexpr int narrowFractionBits = 24;
 inline constexpr int middleFractionBits = 40;
 inline constexpr int wideFractionBits = 56;
 
-/// The largest resolution 4 A' (n + 1) of each.
+/// The largest resolution 4 A' (n + 1) for this many bits.
 constexpr double resolutionLimit(int fractionBits)
 {
     return double(std::uint64_t(1) << fractionBits);
 }
 
-/// A double of this size still has a quarter as its last bit; rounding it to an integer through
-/// 1.5 · 2^52 and one rounded product before leave an error below 1.
+/// Below this, a double's last bit is still worth a quarter or less; rounding it to an integer
+/// through 1.5 · 2^52, after one rounded product, leaves an error below 1.
 inline constexpr double magnitudeLimit = double(std::int64_t(1) << 50);
 
-/// A' up to which a table of 24-bit words is exact.
+/// The largest A' for which a table of 24-bit words is exact.
 inline constexpr double largestTableArea = 3.7e6; // 2 · 2.25 · 3.7e6 < 2^24
 inline constexpr std::int64_t longestTableWalk = std::int64_t(1) << 13;
 /// β of a table, as a 64-bit word: (2 + 1/8)·2^-24 levels.

@@ -24,7 +24,7 @@ public:
     {
     }
 
-    /// Does those that nobody else has taken.
+    /// Runs the jobs that no other thread has taken.
     void work()
     {
         const auto count = std::int64_t(m_isTaken.size());
@@ -75,7 +75,7 @@ private:
             while (m_others.size() < wanted)
                 m_others.emplace_back([this] { workUntilDismissed(); });
         } catch (const std::system_error &) {
-            // Those that started, or the caller alone, do the work.
+            // The threads that started, or the caller alone, do the work.
         }
     }
 
@@ -90,7 +90,8 @@ private:
         }
     }
 
-    /// The last jobs end at about the same time: sooner than a thread is put to sleep and woken.
+    /// The last jobs end at about the same time: sooner than a thread could be put to sleep and
+    /// woken.
     void awaitHelper()
     {
         constexpr int tries = 2000; // some 20 µs
@@ -104,8 +105,8 @@ private:
     std::mutex m_mutex; ///< held while jobs are shared
     std::counting_semaphore<> m_begun{0};
     std::counting_semaphore<> m_finished{0};
-    JobList *m_jobs = nullptr; ///< handed over by m_begun; none: dismissed
-    std::vector<std::jthread> m_others; ///< last: joined before the rest goes
+    JobList *m_jobs = nullptr; ///< handed over by m_begun; null: dismissed
+    std::vector<std::jthread> m_others; ///< last member: joined before the others are destroyed
 };
 
 } // namespace

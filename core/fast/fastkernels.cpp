@@ -9,12 +9,12 @@
 #include <cstring>
 #include <limits>
 
-// Sets that no processor of today is best served by, and vectors without a size at compile time.
+// Disabled: sets that are best for no current processor, and vectors without a compile-time size.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 #define HWY_WANT_AVX3_DL
 
-// This file and those that it includes are compiled once for each target, which foreach_target.h
-// does: it has to come first.
+// foreach_target.h compiles this file and those that it includes once for each target: it has to
+// come first.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/fast/fastkernels.cpp"
 // clang-format off
@@ -61,7 +61,7 @@ std::vector<InstructionSet> detectedSets()
 
 const std::vector<InstructionSet> &supportedInstructionSets()
 {
-    // Asked for once: on a virtual machine each question to the processor takes microseconds.
+    // Queried once: on a virtual machine each query of the processor takes microseconds.
     static const std::vector<InstructionSet> sets = detectedSets();
     return sets;
 }
@@ -72,7 +72,7 @@ FastKernels fastKernelsFor(InstructionSet set)
         if (name.set == set)
             chosen.Update(name.target);
     }
-    // A table of one entry where the compiler has one target.
+    // The table has one entry where the compiler has one target.
     const std::size_t entries = std::size(HWY_DISPATCH_TABLE(drawBatch));
     const std::size_t index = entries == 1 ? 0 : chosen.GetIndex();
     return {HWY_DISPATCH_TABLE(drawBatch)[index], HWY_DISPATCH_TABLE(drawFloatStrip)[index]};

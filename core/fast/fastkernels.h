@@ -9,11 +9,11 @@
 
 namespace pixelplumb {
 
-/// What a batch is drawn into and how.
+/// What a batch is drawn into, and how.
 struct BatchTask {
     FrameView window; ///< at least 16 columns
     ByteRounding rounding = ByteRounding::Nearest;
-    /// Draws what no fast kernel does.
+    /// Draws what no fast kernel can.
     void (*drawPlain)(const Triangle &triangle, const BatchTask &task) = nullptr;
     FillRule rule = FillRule::Closed;
     RouteTally *tally = nullptr;
@@ -26,7 +26,7 @@ struct FastKernels {
     void (*drawFloatStrip)(const FloatStrip &strip, ByteRounding rounding, FrameView window);
 };
 
-/// Those of `set`, which the machine must support.
+/// The kernels for `set`, which the machine must support.
 FastKernels fastKernelsFor(InstructionSet set);
 
 } // namespace pixelplumb

@@ -8,11 +8,11 @@
 
 namespace pixelplumb {
 
-/// How a triangle was drawn by the fast path.
+/// Which kernel of the fast path drew a triangle.
 enum class FastKernel {
     None, ///< nothing to draw: culled before any work on columns
-    Block8, ///< at most 8 columns: each row one store, coverage by edge functions
-    Block16, ///< at most 32 columns, the same by 16
+    Block8, ///< at most 8 columns: one store per row, coverage by edge functions
+    Block16, ///< at most 32 columns, the same in blocks of 16
     Strip8, ///< a strip of 8 columns, where the box is no wider
     Strip16, ///< strips of 16 columns, one cache line wide
     Strip32, ///< strips of 32 columns
@@ -21,7 +21,7 @@ enum class FastKernel {
     Plain, ///< the plain kernel, column by column
 };
 
-/// Why it was drawn so. The order of the values is the order in which the reasons are looked for.
+/// Why that kernel was chosen. The reasons are checked in the order of the values.
 enum class FastReason {
     OutsideFrame, ///< no sample of the frame in its bounding box
     ZeroAreaPaintsNothing,
@@ -39,12 +39,12 @@ enum class FastReason {
     FloatIncrements,
 };
 
-/// What the colours of a triangle were kept in (colourplane.h).
+/// How the colours of a triangle were stored (colourplane.h).
 enum class ColourWord {
     Flat, ///< the three vertices have one colour
     Steps32, ///< 8.24, stepped from row to row
-    Table32, ///< 8.24, a sum of a column's and a row's part
-    Steps64, ///< 8.56, stepped
+    Table32, ///< 8.24, the sum of a column's and a row's part
+    Steps64, ///< 8.56, stepped from row to row
     Other, ///< the plain kernel's or the assignment's numbers
 };
 
@@ -54,10 +54,10 @@ inline constexpr std::size_t colourWordCount = 5;
 
 std::string_view nameOf(FastKernel kernel);
 std::string_view nameOf(ColourWord word);
-/// One sentence for the person who asks why.
+/// One sentence for a person who asks why.
 std::string_view textOf(FastReason reason);
 
-/// Counts triangles by the way they went. Plain counters: each thread has its own.
+/// Counts triangles by kernel, word and reason. Plain counters: each thread has its own.
 class RouteTally {
 public:
     void count(FastKernel kernel, ColourWord word, FastReason reason, std::uint64_t triangles = 1)

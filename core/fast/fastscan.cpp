@@ -16,20 +16,20 @@ namespace {
 
 constexpr std::int32_t narrowestWindow = 16; ///< the kernels' widest vector, in pixels
 
-/// Below this, bands and threads cost more than they bring. A start takes some 10 to 50 µs.
+/// Below this, bands and threads cost more than they gain. A start takes some 10 to 50 µs.
 constexpr double worthBands = 200'000; // ns
 
 /// A rough cost on one thread, in ns: enough to tell a microsecond from a millisecond.
 struct CostEstimate {
     double cost = 0;
-    double triangles = 0; ///< that are not outside the frame
+    double triangles = 0; ///< triangles inside the frame
 
     bool isWorthBands() const { return cost >= worthBands; }
-    /// To sort a triangle into bands costs some 20 ns; the caches save that over some 200 pixels.
+    /// Sorting a triangle into bands costs some 20 ns; the caches save that over some 200 pixels.
     bool isOfLargeTriangles() const { return cost >= 40 * triangles; }
 };
 
-/// Of every n-th triangle, n odd: scenes repeat themselves in twos and fours.
+/// Estimated from every n-th triangle, n odd: scenes repeat themselves in twos and fours.
 CostEstimate estimatedCost(std::span<const Triangle> triangles, FrameView frame)
 {
     constexpr double perTriangle = 15;
@@ -55,7 +55,7 @@ CostEstimate estimatedCost(std::span<const Triangle> triangles, FrameView frame)
     return estimate;
 }
 
-/// Draws one window's triangles, fed one after another, by one instruction set.
+/// Draws one window's triangles, given one after another, with one instruction set.
 class WindowDrawing {
 public:
     WindowDrawing(const FastKernels &kernels, const ScanSettings &settings, FrameView window,
@@ -72,7 +72,7 @@ public:
         m_task.tally = &tally;
     }
 
-    /// Draws triangles that stand in a row.
+    /// Draws consecutive triangles.
     void draw(std::span<const Triangle> triangles)
     {
         if (!isBatched()) {
@@ -86,7 +86,7 @@ public:
             triangles = triangles.subspan(count);
         }
     }
-    /// Draws those at some places of a scene.
+    /// Draws the triangles at these places of a scene.
     void draw(std::span<const Triangle> scene, std::span<const std::uint16_t> places)
     {
         if (!isBatched()) {
@@ -97,13 +97,14 @@ public:
         while (!places.empty()) {
             const std::size_t count = std::min(places.size(), TriangleBatch::capacity);
             const auto rest = places.subspan(count);
-            if (std::size_t(places[count - 1] - places[0]) == count - 1) { // as in a mesh
+            if (std::size_t(places[count - 1] - places[0]) == count - 1) { // consecutive, as in a
+                                                                           // mesh
                 drawBatch(scene.subspan(places[0], count));
                 places = rest;
                 continue;
             }
             for (std::size_t i = 0; i < count; ++i) {
-                if (i < rest.size()) // arrives while these are drawn
+                if (i < rest.size()) // loads while the current ones are drawn
                     prefetchTriangle(reinterpret_cast<std::uintptr_t>(&scene[rest[i]]));
                 m_gathered[i] = scene[places[i]];
             }
@@ -182,15 +183,15 @@ std::vector<FastRouteUse> usesOf(const RouteTally &tally)
     return uses;
 }
 
-/// Several bands a thread, so that none waits long for the last one.
+/// Several bands per thread, so that none waits long for the last one.
 constexpr int bandsPerThread = 3;
 
-/// A frame of more bytes does not stay in the caches while triangles all over it are drawn: it is
-/// drawn in bands that do, by a single thread too.
+/// A larger frame, in bytes, does not stay in the caches while triangles all over it are drawn: it
+/// is drawn in bands that do, even by a single thread.
 constexpr std::int64_t largestCachedFrame = std::int64_t(16) << 20;
 constexpr std::int64_t cachedBand = std::int64_t(4) << 20;
 
-/// How many bands are worth their cost: 1 is the frame as it is.
+/// How many bands are worth their cost: 1 means the whole frame.
 int bandCountFor(std::span<const Triangle> triangles, FrameView frame, int threads)
 {
     const std::int64_t bytes = std::abs(frame.stride) * std::int64_t(sizeof(QRgb)) * frame.height;
@@ -212,7 +213,8 @@ RouteTally drawInBands(std::span<const Triangle> triangles, const ScanSettings &
     std::vector<RouteTally> tallies(std::size_t(bands.count()));
     BandBins bins(bands);
     while (!triangles.empty()) {
-        // Binned and drawn before the next ones are: while still in a cache that the threads share.
+        // Each chunk is binned and drawn before the next, while it is in a cache shared by the
+        // threads.
         const auto chunk = triangles.first(std::min(triangles.size(), BandBins::mostTriangles));
         triangles = triangles.subspan(chunk.size());
         bins.begin(chunk);
@@ -239,7 +241,7 @@ FastReport drawFast(std::span<const Triangle> triangles, const ScanSettings &set
     report.instructionSet = options.instructionSet.value_or(supportedInstructionSets().back());
     const FastKernels kernels = fastKernelsFor(report.instructionSet);
     const int threads = options.threads > 0 ? options.threads : threadsOfMachine();
-    // Where numbers are rounded, a band of the frame would begin its increments anew.
+    // With rounded numbers, a band would restart its increments.
     const int bandCount
         = settings.arithmetic == Arithmetic::Exact ? bandCountFor(triangles, frame, threads) : 1;
     if (bandCount > 1) {

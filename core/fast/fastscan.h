@@ -15,19 +15,19 @@ namespace pixelplumb {
 
 /// How the fast path may use the machine. The picture does not depend on it.
 struct FastOptions {
-    /// Threads at most; 0: as many as the machine has. None is started for what takes less time
-    /// than its start.
+    /// The most threads; 0: as many as the machine has. None is started for work that takes less
+    /// time than starting it.
     int threads = 0;
-    /// Nothing: the best that the machine has.
+    /// None: the best that the machine has.
     std::optional<InstructionSet> instructionSet;
 };
 
-/// One way that triangles went.
+/// One route, and how many triangles took it.
 struct FastRouteUse {
     FastKernel kernel = FastKernel::None;
     ColourWord word = ColourWord::Other;
     FastReason reason = FastReason::OutsideFrame;
-    std::uint64_t triangles = 0; ///< in each band of the frame that they touch
+    std::uint64_t triangles = 0; ///< counted in each band of the frame that they touch
 
     friend bool operator==(const FastRouteUse &, const FastRouteUse &) = default;
 };
@@ -41,11 +41,11 @@ struct FastReport {
 };
 
 /// The column scan as fast as memory allows: draws triangles (sample coordinates) in order, bit for
-/// bit the plain kernel's picture under its fill rules (closed, half-open-column, open) and every
-/// arithmetic. Columns stand in the lanes of vectors, so that a row of sixteen columns is one
-/// store; set-up is done for many triangles at once; in exact arithmetic bands of rows are drawn by
-/// several threads, and of a frame that no cache holds by one. What no fast kernel covers, the
-/// plain one draws.
+/// bit like the plain kernel under its fill rules (closed, half-open-column, open) and in every
+/// arithmetic. The lanes of vectors hold columns, so a row of sixteen columns is one store; many
+/// triangles are set up at once; in exact arithmetic several threads draw bands of rows, and even
+/// one thread draws a frame in bands if no cache holds it. The plain kernel draws what no fast
+/// kernel covers.
 FastReport drawFast(std::span<const Triangle> triangles, const ScanSettings &settings,
                     FrameView frame, const FastOptions &options = {});
 

@@ -6,7 +6,7 @@
 
 namespace pixelplumb {
 
-/// Gathers the columns of a float32 scan into strips and has them coloured sixteen at a time.
+/// Gathers the columns of a float32 scan into strips, which are coloured sixteen columns at a time.
 class FloatColumns {
 public:
     FloatColumns(const FastKernels &kernels, FrameView window)
@@ -34,7 +34,7 @@ public:
         }
     }
 
-    /// Draws what has been gathered; to be called after the last column of a triangle.
+    /// Draws the gathered columns; to be called after the last column of a triangle.
     void flush()
     {
         if (!m_isEmpty)
@@ -43,7 +43,7 @@ public:
     }
 
 private:
-    /// A strip on a cache line of its own where the window allows it.
+    /// Aligns a strip to a cache line where the window allows it.
     std::int32_t stripAt(std::int32_t place) const
     {
         const auto address = reinterpret_cast<std::uintptr_t>(m_window.base + place);
@@ -65,17 +65,17 @@ private:
     bool m_isEmpty = true;
 };
 
-/// Hears nothing, but has fillColumn() give the column away.
+/// An observer that ignores all events; it makes fillColumn() hand the column over.
 struct FloatColumnTaker : NullObserver {
     FloatColumns *columns = nullptr;
 };
 
-/// It takes what the picture needs.
+/// It takes only what the picture needs.
 template <>
 inline constexpr bool readsNumbers<FloatColumnTaker> = false;
 
-/// Instead of the plain fillColumn(): ColumnScan picks it by its observer, so that everything up to
-/// the column's first colour is the plain kernel's own code and therefore its own roundings.
+/// Replaces the plain fillColumn(): ColumnScan selects it by its observer, so everything up to the
+/// column's first colour is the plain kernel's own code, with its roundings.
 inline void fillColumn(const ColumnState<RoundedArithmetic<float>> &column, ByteRounding rounding,
                        FrameView, FloatColumnTaker taker)
 {

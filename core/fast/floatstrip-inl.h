@@ -16,8 +16,8 @@ namespace pixelplumb::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// In each lane the very additions of the plain kernel in the same order, so the same roundings: a
-/// column's colour stands still until its first row and then gains its rate a row.
+/// Each lane performs the plain kernel's additions in the same order, so the roundings are the
+/// same: a column's colour does not change before its first row and then gains its rate every row.
 class FloatStripScan {
     using D = Pixels<FloatStrip::columns>;
     using Floats = hn::RebindToFloat<D>;
@@ -94,7 +94,7 @@ private:
     }
 
     /// ⌊colour + 1/2⌋ or ⌊colour⌋, clamped to 0 … 255. Plain form: `clamp(floor(sum), 0, 255)`,
-    /// where NaN counts as below; above 0 cutting the fraction off is the same as floor.
+    /// where NaN gives 0; above 0 truncating is the same as floor.
     HWY_INLINE hn::Vec<D> level(hn::Vec<Floats> colour) const
     {
         const auto sum = hn::Add(colour, hn::Set(floats, m_half));

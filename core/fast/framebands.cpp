@@ -28,7 +28,7 @@ FrameView FrameBands::band(int index) const
 FrameBands::Range FrameBands::touchedBy(const Triangle &triangle) const
 {
     const auto &v = triangle.vertices;
-    // Of a list of three, which is the least would be asked by jumps that nobody can foresee.
+    // Pairwise, because the minimum of a list of three would compile to unpredictable branches.
     const Lattice lower = std::min(v[0].position.y, v[1].position.y);
     const Lattice higher = std::max(v[0].position.y, v[1].position.y);
     const Lattice lowest = std::min(lower, v[2].position.y);

@@ -10,7 +10,7 @@
 
 namespace pixelplumb {
 
-/// The rows of a frame in bands that threads draw independently of each other.
+/// The rows of a frame, divided into bands that threads draw independently.
 class FrameBands {
 public:
     /// `count` bands at most.
@@ -19,7 +19,7 @@ public:
     int count() const { return m_count; }
     FrameView band(int index) const;
 
-    /// The first and the last band with a row within a triangle's bounding box; first > last where
+    /// The first and the last band with a row in a triangle's bounding box; first > last where
     /// there is none.
     struct Range {
         int first;
@@ -31,23 +31,23 @@ private:
     FrameView m_frame;
     std::int32_t m_rowsPerBand;
     int m_count;
-    std::vector<std::uint16_t> m_bandOfRow; ///< spares two divisions a triangle
+    std::vector<std::uint16_t> m_bandOfRow; ///< saves two divisions per triangle
 };
 
-/// Which triangles of a scene each band has, in their order. Gathered in pieces of the scene by the
-/// threads that draw, as they need them: nobody waits until all pieces are gathered, and the order
-/// is that of the scene whichever thread took which piece. Its memory serves one part of a scene
-/// after another: to get fresh memory from the system costs more than to fill it.
+/// Which triangles of a scene belong to each band, in scene order. The drawing threads gather them
+/// in pieces of the scene, as they need them: no thread waits until all pieces are gathered, and
+/// the order does not depend on which thread took which piece. The memory is reused for one part of
+/// a scene after another: getting fresh memory from the system costs more than filling it.
 class BandBins {
 public:
     explicit BandBins(const FrameBands &bands);
 
-    /// Of one part of a scene.
+    /// In one part of a scene.
     static constexpr std::size_t mostTriangles = 65'536;
-    /// Forgets what was gathered, and takes up another part. Nobody may be reading.
+    /// Discards what was gathered and begins another part. No thread may be reading.
     void begin(std::span<const Triangle> triangles);
-    /// Calls `draw` with each piece of the part, in order, and the places in it of a band's
-    /// triangles. Several threads may do so at once.
+    /// Calls `draw` with each piece of the part, in order, and the places in that piece of a band's
+    /// triangles. Several threads may call it at once.
     template <class Draw>
     void forEach(int band, const Draw &draw)
     {
@@ -68,15 +68,15 @@ private:
     };
 
     std::span<const Triangle> trianglesOf(std::size_t piece) const;
-    /// Gathers pieces that nobody has begun, until this one is gathered.
+    /// Gathers pieces that no thread has begun, until this one is gathered.
     void await(const Piece &piece);
     void gather(std::size_t piece);
 
     const FrameBands &m_bands;
     std::span<const Triangle> m_triangles;
     std::vector<Piece> m_pieces;
-    std::size_t m_pieceCount = 0; ///< of m_pieces, in use
-    std::atomic<std::size_t> m_nextPiece = 0; ///< that nobody has begun
+    std::size_t m_pieceCount = 0; ///< pieces of m_pieces in use
+    std::atomic<std::size_t> m_nextPiece = 0; ///< the first that no thread has begun
 };
 
 } // namespace pixelplumb

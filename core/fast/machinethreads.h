@@ -3,8 +3,8 @@
 
 namespace pixelplumb {
 
-/// How many threads the system lets this process run at once, 1 or more. It is asked once, which
-/// takes as long as a small picture.
+/// How many threads the system lets this process run at once, 1 or more. The system is asked only
+/// once, since that takes as long as a small picture.
 int threadsOfMachine();
 
 } // namespace pixelplumb

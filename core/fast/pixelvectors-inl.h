@@ -16,23 +16,23 @@ namespace pixelplumb::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// How many lanes a vector has; known at compile time.
+/// The number of lanes of a vector; known at compile time.
 template <class D>
 inline constexpr int lanesOf = int(hn::MaxLanes(D()));
 
-/// A vector that fits into `Columns` pixels.
+/// A vector of at most `Columns` pixels.
 template <int Columns>
 using Pixels = hn::CappedTag<std::uint32_t, Columns>;
 
-/// first, first + 1, … Highway's own Iota(d, first) stores the lanes one by one when it does not
-/// know `first`, and the load that follows waits for them all.
+/// first, first + 1, … When Highway's own Iota(d, first) does not know `first` at compile time, it
+/// stores the lanes one by one, and the load that follows waits for them all.
 template <class D>
 HWY_INLINE hn::Vec<D> countFrom(D d, hn::TFromD<D> first)
 {
     return hn::Add(hn::Iota(d, 0), hn::Set(d, first));
 }
 
-/// Integers as doubles or as floats, which hold them exactly up to 2^24.
+/// Integers as doubles, or as floats, which hold them exactly up to 2^24.
 template <class Reals, class Integer>
 HWY_INLINE hn::Vec<Reals> numbersOf(Reals reals, Integer integers)
 {
@@ -42,19 +42,19 @@ HWY_INLINE hn::Vec<Reals> numbersOf(Reals reals, Integer integers)
         return hn::PromoteTo(reals, integers);
 }
 
-/// Bits of `yes` where `mask` has ones, of `no` elsewhere.
+/// The bits of `yes` where `mask` has ones, of `no` elsewhere.
 template <class D>
 HWY_INLINE hn::Vec<D> selectedBits(D d, std::uint32_t mask, hn::Vec<D> yes, hn::Vec<D> no)
 {
 #if HWY_TARGET == HWY_SCALAR
-    // There IfVecThenElse takes all of a lane or nothing of it.
+    // On this target IfVecThenElse takes a whole lane or nothing of it.
     return hn::Or(hn::And(hn::Set(d, mask), yes), hn::AndNot(hn::Set(d, mask), no));
 #else
     return hn::IfVecThenElse(hn::Set(d, mask), yes, no);
 #endif
 }
 
-/// The 32-bit words 0xff'rr'gg'bb from words whose top bytes are the levels. Plain form, a lane:
+/// The 32-bit words 0xff'rr'gg'bb from words whose top bytes are the levels. Plain form, per lane:
 /// `0xff000000 | (red >> 24) << 16 | (green >> 24) << 8 | blue >> 24`.
 template <class D>
 HWY_INLINE hn::Vec<D> pixelsOf(D d, hn::Vec<D> red, hn::Vec<D> green, hn::Vec<D> blue)
@@ -75,25 +75,26 @@ HWY_INLINE hn::Vec<D> pixelsOf(D d, hn::Vec<D> red, hn::Vec<D> green, hn::Vec<D>
     return hn::Or(hn::ShiftRight<8>(all), opaque);
 }
 
-/// Asks for the cache line of an address that will be written, if it is one of the frame's.
+/// Prefetches the cache line of an address that will be written; an address outside the frame does
+/// no harm.
 HWY_INLINE void prefetchForStore(std::uintptr_t address)
 {
     __builtin_prefetch(reinterpret_cast<const void *>(address), 1);
 }
 
-/// Whether a store can leave lanes alone.
+/// Whether a store can skip lanes.
 inline constexpr bool hasMaskedStores = HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL;
 
-/// Writes the lanes whose mask is set. Without masked stores the others are read and written back,
-/// which needs them to lie in memory of this thread's own: callers keep every vector inside the
-/// window.
+/// Writes the lanes whose mask is set. Without masked stores the other lanes are read and written
+/// back, so they must lie in memory that belongs to this thread: callers keep every vector inside
+/// the window.
 template <class D, class Mask>
 HWY_INLINE void storeWhere(D d, Mask mask, hn::Vec<D> pixels, QRgb *to)
 {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
     hn::BlendedStore(pixels, mask, d, to);
 #else
-    // AVX2 has masked stores, but some processors take forty operations for one.
+    // AVX2 has masked stores, but on some processors each takes forty operations.
     hn::StoreU(hn::IfThenElse(mask, pixels, hn::LoadU(d, to)), d, to);
 #endif
 }

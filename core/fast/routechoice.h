@@ -15,14 +15,15 @@ struct Route {
     FastReason reason;
 };
 
-/// Whether the batch's own colour words are exact for this triangle; if not, 56 bits are computed.
+/// Whether the batch's own colour words are exact for this triangle; if not, words of 56 bits are
+/// computed.
 inline bool hasExactWords(const TriangleBatch &batch, std::size_t i)
 {
     return batch.resolution[i] < resolutionLimit(middleFractionBits)
         && batch.magnitude[i] < magnitudeLimit;
 }
 
-/// A triangle that is this wide and high has its colours in a table rather than in 64-bit words.
+/// A triangle at least this wide and high stores its colours in a table instead of 64-bit words.
 inline constexpr std::int32_t narrowestTableBox = 64;
 
 /// The narrowest colour word that is exact (colourplane.h).
@@ -37,7 +38,8 @@ inline ColourWord colourWordFor(const TriangleBatch &batch, std::size_t i)
         return ColourWord::Steps32;
     const std::int64_t walk = std::int64_t(batch.endColumn[i]) - batch.firstColumn[i]
         + batch.endRow[i] - batch.firstRow[i];
-    // A table costs a few additions a row: less than it saves only where rows are many pixels wide.
+    // A table costs a few additions per row: less than it saves only where rows are many pixels
+    // wide.
     const std::int32_t narrower
         = std::min(batch.endColumn[i] - batch.firstColumn[i], batch.endRow[i] - batch.firstRow[i]);
     if (narrower >= narrowestTableBox && batch.reducedArea[i] <= largestTableArea
@@ -46,8 +48,8 @@ inline ColourWord colourWordFor(const TriangleBatch &batch, std::size_t i)
     return ColourWord::Steps64;
 }
 
-/// The kernel by the bounding box: the one place that decides. A window has at least 16 columns;
-/// `widestStrip` is what fits into it and into the registers.
+/// Chooses the kernel by the bounding box; all routes are decided here. A window has at least 16
+/// columns; `widestStrip` is what fits into it and into the registers.
 inline Route routeFor(const TriangleBatch &batch, std::size_t i, FillRule rule,
                       std::int32_t widestStrip)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same samples by spans of rows. Compiled once for each instruction set.
+// Draws by spans of rows the same samples as strips. Compiled once for each instruction set.
 #include "core/fast/spans-inl.h"
 
 #if defined(PIXELPLUMB_ROWSPANS_INL) == defined(HWY_TARGET_TOGGLE)
@@ -14,8 +14,8 @@ namespace pixelplumb::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Wide flat boxes: a strip would be all masks, a row is one run of stores. The spans of 16 rows
-/// are computed at once.
+/// For wide flat boxes: a strip would be all masked stores, a row is one run of stores. The spans
+/// of 16 rows are computed at once.
 template <class Colour, class D>
 class RowSpanScan {
     static constexpr int lanes = lanesOf<D>;
@@ -24,7 +24,7 @@ class RowSpanScan {
     static constexpr hn::RebindToSigned<D> di{};
 
 public:
-    /// As StripScan's.
+    /// Parameters as for StripScan.
     RowSpanScan(const FrameView &window, const BoundingLines &lines, const SampleBox &box,
                 std::int32_t originColumn, std::int32_t originRow)
         : m_window(window)
@@ -81,7 +81,7 @@ private:
         }
     }
 
-    /// The pixels of one vector that lie in [first, end).
+    /// Stores the pixels of one vector that lie in [first, end).
     HWY_INLINE static void storeSpan(hn::Vec<D> pixels, QRgb *line, std::int32_t column,
                                      std::int32_t first, std::int32_t end)
     {

@@ -16,7 +16,7 @@ namespace pixelplumb::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A rectangle of samples counted from the window's first one.
+/// A rectangle of samples, counted from the window's first one.
 struct SampleBox {
     std::int32_t firstColumn;
     std::int32_t endColumn;
@@ -36,8 +36,9 @@ struct Spans {
         std::int32_t end;
     };
 
-    /// Columns origin … origin + Count − 1, of which those in `columns` have spans, clipped to
-    /// `limit`. In each lane: first = ⌈max of the lower lines⌉, end = ⌈min of the upper ones⌉.
+    /// Computes columns origin … origin + Count − 1, of which those in `columns` have spans,
+    /// clipped to `limit`. In each lane: first = ⌈max of the lower lines⌉, end = ⌈min of the upper
+    /// ones⌉.
     HWY_INLINE void compute(const BoundingLines &lines, std::int32_t origin, Range columns,
                             Range limit)
     {
@@ -67,13 +68,13 @@ struct Spans {
     }
 };
 
-/// The spans of the columns of one vector, under way: in each lane how far the row in hand is above
-/// the span's first, and how high the span is.
+/// The spans of one vector's columns during the walk: each lane has the distance of the current row
+/// above the span's first row, and the span's height.
 template <class D>
 class ColumnSpans {
     using Integers = hn::RebindToSigned<D>;
     using Integer = hn::Vec<Integers>;
-    /// Moves 0 to the least integer: a < b without a sign becomes a comparison with one.
+    /// Maps 0 to the least integer: an unsigned a < b becomes a signed comparison.
     static constexpr std::int32_t signBit = std::numeric_limits<std::int32_t>::min();
 
 public:
@@ -104,7 +105,7 @@ public:
     }
 
 private:
-    /// In each lane [first, end), empty as [n, n).
+    /// [first, end) in each lane, empty as [n, n).
     template <class Reals>
     struct Bounds {
         using Narrow = hn::Rebind<std::int32_t, Reals>;
@@ -134,9 +135,9 @@ private:
     Integer m_height;
 };
 
-/// The rows of neighbouring strips: partly covered in [first, firstFull) and [endFull, end),
-/// covered in every column, so that no mask is needed, in [firstFull, endFull). `first` and `end`
-/// may lie a little outside the triangle.
+/// The rows of neighbouring strips: partly covered in [first, firstFull) and [endFull, end); in
+/// [firstFull, endFull) every column is covered and no mask is needed. `first` and `end` may lie a
+/// little outside the triangle.
 struct StripRows {
     static constexpr int capacity = 8;
     alignas(64) std::array<std::int32_t, capacity> first;
@@ -144,8 +145,8 @@ struct StripRows {
     alignas(64) std::array<std::int32_t, capacity> endFull;
     alignas(64) std::array<std::int32_t, capacity> end;
 
-    /// Strips of `width` columns each, the first from `origin` on, none beginning after `last`.
-    /// Lines are at their least and greatest at a strip's ends, and rounding keeps that order.
+    /// Computes strips of `width` columns each, the first at `origin`, none beginning after `last`.
+    /// Lines have their least and greatest values at a strip's ends, and rounding keeps that order.
     HWY_INLINE void compute(const BoundingLines &lines, std::int32_t origin, std::int32_t width,
                             std::int32_t last, const SampleBox &box)
     {

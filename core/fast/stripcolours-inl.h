@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The colours of a vector of neighbouring pixels under way. Compiled once for each instruction set.
+// The colours of a vector of neighbouring pixels during a walk. Compiled once for each instruction
+// set.
 #include "core/fast/colourplane.h"
 #include "core/fast/pixelvectors-inl.h"
 
@@ -15,12 +16,12 @@ namespace pixelplumb::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Which way a walk goes: up the rows of a strip, or along a row by whole vectors.
+/// The direction of a walk: up the rows of a strip, or along a row by whole vectors.
 enum class Walk { UpRows, AlongRow };
 
 inline constexpr std::int32_t tableLength = 512; ///< rows (or columns) of one table
 
-/// A 64-bit word for each pixel of a vector of 32-bit lanes: two vectors, or one where vectors have
+/// A 64-bit word for each pixel of a vector of 32-bit lanes: two vectors, or one where a vector has
 /// one lane.
 template <class D>
 struct WideWords {
@@ -33,7 +34,7 @@ struct WideWords {
     /// 0, 1, 2 … times a word.
     static HWY_INLINE WideWords ramp(std::uint64_t perLane)
     {
-        // By the bits of the lane's number: sums of what stays in registers.
+        // Built from the bits of the lane's number: sums of values that stay in registers.
         constexpr D64 d{};
         const auto number = hn::Iota(d, 0);
         auto low = hn::Zero(d);
@@ -60,10 +61,10 @@ struct WideWords {
     }
 };
 
-// The colours of a walk. Each is a constant that makes a State at the walk's start and moves it on;
-// states are plain vectors by value, which compilers keep in registers.
+// The colours of a walk. Each class is a constant that makes a State at the walk's start and
+// advances it; states are plain vectors by value, which compilers keep in registers.
 
-/// One colour for all.
+/// One colour for all pixels.
 template <class D, Walk W>
 class FlatColour {
 public:
@@ -184,12 +185,12 @@ private:
     std::array<std::uint64_t, 3> m_step;
 };
 
-/// The rows' (or columns') part of the colours of a large triangle, each entry cut to 24 fraction
-/// bits alone, so that no error grows along the walk (colourplane.h).
+/// The rows' (or columns') part of the colours of a large triangle. Each entry is cut to 24
+/// fraction bits separately, so that no error grows along the walk (colourplane.h).
 template <Walk W>
 class ColourTable {
 public:
-    /// A row's first and last vectors may reach over the box.
+    /// A row's first and last vectors may extend beyond the box.
     static constexpr std::int32_t margin = W == Walk::UpRows ? 0 : 16;
     static constexpr std::int32_t length = tableLength + 2 * margin;
 
@@ -223,7 +224,7 @@ private:
     std::array<std::uint32_t, std::size_t(3) * length> m_words;
 };
 
-/// The other part's word, plus one out of the table. The walk must stay within the table.
+/// The other part's word, plus an entry of the table. The walk must stay within the table.
 template <class D, Walk W>
 class Table32Colour {
     using Vec = hn::Vec<D>;
@@ -231,10 +232,10 @@ class Table32Colour {
 
 public:
     struct State {
-        Vec red; ///< the other part
+        Vec red; ///< the part that is not in the table
         Vec green;
         Vec blue;
-        const std::uint32_t *next; ///< red's entry in the table; the others lie behind it
+        const std::uint32_t *next; ///< red's entry in the table; green's and blue's follow it
     };
 
     explicit Table32Colour(const ColourTable<W> &table)

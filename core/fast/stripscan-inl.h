@@ -14,8 +14,8 @@ namespace pixelplumb::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The colours and spans of the vectors that stand side by side in a strip, unrolled at compile
-/// time so that each stays in registers.
+/// The colours and spans of the vectors side by side in a strip, unrolled at compile time so that
+/// each stays in registers.
 template <class Colour, class D, int Vectors>
 struct StripRow {
     static constexpr int lanes = lanesOf<D>;
@@ -39,13 +39,13 @@ struct StripRow {
         colour.advance(state);
         rest.store(colour, to + lanes);
     }
-    /// To be called after so many calls of store().
+    /// To be called with the number of store() calls made.
     HWY_INLINE void climb(std::int32_t rows)
     {
         spans.climb(rows);
         rest.climb(rows);
     }
-    /// Stores those columns whose spans hold the row.
+    /// Stores the columns whose spans contain the row.
     HWY_INLINE void storeCovered(const Colour &colour, QRgb *to)
     {
         constexpr D d{};
@@ -67,20 +67,20 @@ struct StripRow<Colour, D, 0> {
     HWY_INLINE void storeCovered(const Colour &, QRgb *) { }
 };
 
-/// A strip of neighbouring columns, each with its own y_B, y_T and colour in a lane, walked row by
-/// row: a row is a few stores side by side, where the column walk touches a cache line a pixel.
+/// Draws a strip of neighbouring columns, each with its own y_B, y_T and colour in a lane, row by
+/// row: a row is a few adjacent stores, where the column walk touches one cache line per pixel.
 template <class Colour, class D, int Vectors>
 class StripScan {
     static constexpr int lanes = lanesOf<D>;
     static constexpr int columns = lanes * Vectors;
-    /// A loop of its own costs a mispredicted branch or two: as much as the masks of so many rows.
+    /// A separate loop costs a mispredicted branch or two: as much as the masks of this many rows.
     static constexpr std::int32_t fewestFullRows = 12;
-    /// How many rows ahead a tall strip asks for its lines: stores retire in order, so that each
-    /// would wait for its own.
+    /// How many rows ahead a tall strip prefetches its lines: stores retire in order, so each would
+    /// wait for its own line.
     static constexpr std::int32_t prefetchedRows = 24;
 
 public:
-    /// `box`: what is drawn. (originColumn, originRow): where the colour's plane starts.
+    /// `box`: what is drawn. (originColumn, originRow): the origin of the colour plane.
     StripScan(const FrameView &window, const BoundingLines &lines, const SampleBox &box,
               std::int32_t originColumn, std::int32_t originRow)
         : m_window(window)
@@ -91,9 +91,9 @@ public:
     {
     }
 
-    /// The columns of the box from left to right, in strips that begin on cache lines unless one
-    /// strip holds them all. A strip that would reach over the window's border is moved inside: the
-    /// columns that two strips share are drawn twice in the same colours.
+    /// Draws the columns of the box from left to right, in strips that begin on cache lines unless
+    /// one strip holds them all. A strip that would extend beyond the window's border is moved
+    /// inside: the columns that two strips share are drawn twice in the same colours.
     HWY_INLINE void run(const Colour &colour) const
     {
         const std::int32_t last = m_window.width - std::int32_t(columns);

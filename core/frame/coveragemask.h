@@ -7,8 +7,8 @@
 
 namespace pixelplumb {
 
-/// Which pixels of a frame were written at least once. Colours cannot tell: a triangle may have the
-/// colour of its background.
+/// Which pixels of a frame were written at least once. Colours cannot show this: a triangle may
+/// have the background's colour.
 class CoverageMask {
 public:
     explicit CoverageMask(const FrameSpec &spec)

@@ -11,8 +11,8 @@
 namespace pixelplumb {
 
 /// The frame's memory (Format_RGB32) and the QImage that shows it. Rows are padded so that a walk
-/// down a column does not fall on the same few cache sets (resources/numerics.md, 2.4: 1.8 instead
-/// of 10.6 ns a pixel); each begins on a cache line.
+/// down a column does not hit the same few cache sets (resources/numerics.md, 2.4: 1.8 instead of
+/// 10.6 ns per pixel); each begins on a cache line.
 class FrameBuffer {
 public:
     explicit FrameBuffer(const FrameSpec &spec);
@@ -20,9 +20,9 @@ public:
     const FrameSpec &spec() const { return m_spec; }
     FrameView view() const { return m_view; }
 
-    /// Shares this buffer's memory: it shows later drawing too, and must not outlive the buffer.
+    /// Shares this buffer's memory: it also shows later drawing, and must not outlive the buffer.
     QImage image() const;
-    /// A picture of its own, without padding.
+    /// An independent picture, without padding.
     QImage copy() const { return image().copy(); }
 
     void clear();

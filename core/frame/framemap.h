@@ -9,11 +9,11 @@
 
 namespace pixelplumb {
 
-/// A value for each pixel of a frame, by the coordinates that the frame shows.
+/// A value for each pixel of a frame, indexed by the frame's own coordinates.
 template <class Value>
 class FrameMap {
 public:
-    /// Of no frame: it contains no pixel.
+    /// A map of no frame: it contains no pixel.
     FrameMap() = default;
     explicit FrameMap(const FrameSpec &spec, const Value &value = {})
         : m_spec(spec)

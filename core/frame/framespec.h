@@ -19,31 +19,31 @@ enum class PixelCentre { Integer, Half };
 inline constexpr std::int32_t largestFrameSide = 32768;
 inline constexpr std::int64_t largestFrameArea = std::int64_t(1) << 28; // 1 GiB of pixels
 
-/// What a scene says of its frame.
+/// A scene's description of its frame.
 struct FrameSpec {
     std::int32_t width = 64; ///< columns, 1 … largestFrameSide
     std::int32_t height = 48; ///< rows, 1 … largestFrameSide; width * height <= largestFrameArea
     Colour background;
     FrameOrigin origin = FrameOrigin::BottomLeft;
     PixelCentre pixelCentre = PixelCentre::Integer;
-    /// The pixel with the smallest coordinates that the frame shows, |each| <= 2^30 px.
+    /// The pixel with the smallest coordinates in the frame, |each| <= 2^30 px.
     std::int32_t firstColumn = 0;
     std::int32_t firstRow = 0;
-    /// The point of the rule off-screen-point, in the scene's coordinates whatever the pixel
+    /// The point used by the rule off-screen-point, in the scene's coordinates whatever the pixel
     /// centre. None: 1 px before the first pixel along both axes, off the screen in every frame.
     std::optional<LatticePoint> offScreenPoint = {};
 
     friend bool operator==(const FrameSpec &, const FrameSpec &) = default;
 };
 
-/// What to add to a sample coordinate to get the scene's: 0, or 128 units (1/2 px) for half
-/// centres.
+/// What to add to a sample coordinate to get the scene coordinate: 0, or 128 units (1/2 px) for
+/// half centres.
 constexpr Lattice sampleOffset(const FrameSpec &spec)
 {
     return spec.pixelCentre == PixelCentre::Half ? halfPixel : 0;
 }
 
-/// The off-screen point that is in force, in sample coordinates.
+/// The off-screen point in use, in sample coordinates.
 constexpr LatticePoint offScreenSample(const FrameSpec &spec)
 {
     const LatticePoint point = spec.offScreenPoint.value_or(

@@ -19,8 +19,8 @@ struct FrameView {
     std::int32_t firstRow = 0;
     std::int32_t width = 0;
     std::int32_t height = 0;
-    // What fill rules look at.
-    FrameOrigin origin = FrameOrigin::BottomLeft; ///< which way y points as seen
+    // Used by fill rules.
+    FrameOrigin origin = FrameOrigin::BottomLeft; ///< which way y points on screen
     PixelCentre pixelCentre = PixelCentre::Integer; ///< where a text's rounded box has its samples
     LatticePoint offScreenPoint = latticePixel(-1, -1); ///< sample coordinates
 
@@ -37,7 +37,7 @@ struct FrameView {
     }
 };
 
-/// The window that a frame shows, without memory: for who asks where pixels are and writes none.
+/// The frame's window without memory: for code that needs pixel positions and writes no pixels.
 constexpr FrameView windowOf(const FrameSpec &spec)
 {
     FrameView window;

@@ -17,7 +17,7 @@ inline FrameView rowsOf(FrameView frame, std::int64_t first, std::int64_t end)
     return frame;
 }
 
-/// A copy of some rows of a frame, to put them back after drawing has gone over them.
+/// A copy of some rows of a frame, to restore them after they have been drawn over.
 class KeptRows {
 public:
     explicit KeptRows(FrameView rows)

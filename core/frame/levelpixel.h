@@ -9,14 +9,14 @@
 
 namespace pixelplumb {
 
-/// A level as a byte, 0 … 255.
+/// A level clamped to a byte, 0 … 255.
 constexpr int clampedByte(std::int64_t level)
 {
     return int(std::clamp<std::int64_t>(level, 0, 255));
 }
 
-/// The pixel of three levels R G B, each clamped. One test for all three, because nearly every
-/// level is a byte already. Inlined by order: a call would keep the kernel's innermost numbers in
+/// The pixel of three levels R G B, each clamped. One test covers all three, because nearly every
+/// level is already a byte. Force-inlined: a call would keep the kernel's innermost numbers in
 /// memory.
 [[gnu::always_inline]] inline constexpr QRgb pixelOfLevels(const std::array<std::int64_t, 3> &level)
 {

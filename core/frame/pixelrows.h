@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-/// Rows of a frame whose alpha tells what was written: they begin transparent, kernels write opaque
-/// pixels, even in the colour of the background. Loops without branches, which compilers turn into
-/// vectors.
+/// Rows of a frame whose alpha shows what was written: they begin transparent, and kernels write
+/// opaque pixels, even in the background's colour. The loops have no branches, so compilers
+/// vectorize them.
 namespace pixelplumb {
 
 inline constexpr QRgb opaque = 0xff000000;

@@ -3,7 +3,8 @@
 
 #include <cmath>
 
-/// The curve of sRGB (IEC 61966-2-1) between a channel's level and its light, both from 0 to 1.
+/// The sRGB transfer curve (IEC 61966-2-1) between a channel's level and its light, both from 0 to
+/// 1.
 namespace pixelplumb {
 
 inline double linearLight(double level)

@@ -8,8 +8,8 @@
 
 namespace pixelplumb {
 
-/// A frame that begins transparent. Kernels write opaque pixels, so what is opaque was written,
-/// even in the colour of the background.
+/// A frame that begins transparent. Kernels write opaque pixels, so an opaque pixel was written,
+/// even in the background's colour.
 class WrittenFrame {
 public:
     explicit WrittenFrame(const FrameSpec &spec)
@@ -20,7 +20,7 @@ public:
             std::fill_n(window.at(window.firstColumn, y), window.width, untouched);
     }
 
-    /// For drawing into it.
+    /// The view to draw into.
     FrameView view() const { return m_frame.view(); }
 
     // (x, y) must lie inside the frame.

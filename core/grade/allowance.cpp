@@ -11,7 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Bytes as rounding exchanges them.
+/// Whether bytes differ by at most 1, as by rounding.
 bool areNeighbours(const Colour &a, const Colour &b)
 {
     return std::ranges::equal(a.channels, b.channels, [](std::uint8_t one, std::uint8_t other) {
@@ -31,7 +31,7 @@ PictureSource allowingFor(Arithmetic arithmetic, const PictureSource &source)
         const auto undecidable = undecidablePixels(scene, truth, *picture, arithmetic);
         const auto ties = tiesOf(scene);
         for (std::size_t i = 0; i < undecidable.size(); ++i) {
-            // On an edge it is open who draws, not in which colour.
+            // On an edge it is open whether a sample is drawn, but not its colour.
             const bool isOtherColour = ties[i] != 0 && picture->covered[i] != 0
                 && truth.covered[i] != 0 && !areNeighbours(picture->colours[i], truth.colours[i]);
             if (undecidable[i] == 0 || isOtherColour)

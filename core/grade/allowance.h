@@ -5,9 +5,9 @@
 
 namespace pixelplumb {
 
-/// What the source draws, but the truth's pixel wherever a right program that computes in this
-/// arithmetic may have the source's (undecidablePixels): what rounding alone has done is undone. Of
-/// samples on an edge that both draw, only bytes that are neighbours are exchanged.
+/// The source with rounding undone: it draws the truth's pixel wherever a right program that
+/// computes in this arithmetic may have the source's (undecidablePixels). At samples on an edge
+/// that both draw, only neighbouring bytes are exchanged.
 PictureSource allowingFor(Arithmetic arithmetic, const PictureSource &source);
 
 } // namespace pixelplumb

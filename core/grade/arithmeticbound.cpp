@@ -17,14 +17,15 @@ constexpr double levels = 256;
 
 double pixels(Lattice coordinate) { return double(coordinate) / double(unitsPerPixel); }
 
-/// The height of the triangle along a column, px; 0 beside it.
+/// The height of the triangle along a column, px; 0 outside it.
 double heightAt(const Triangle &triangle, std::int64_t x)
 {
     const auto column = oracle::columnAt(triangle, FillRule::Closed, x);
     return column ? column->yTop.toDouble() - column->yBottom.toDouble() : 0;
 }
 
-/// How much of the vertices' values a pixel adds along one coordinate; `across`: their other one.
+/// The change of the vertices' values per pixel along one coordinate; `across`: the vertices' other
+/// coordinate.
 double slopeOf(const std::array<double, 3> &values, const std::array<double, 3> &across,
                double area)
 {
@@ -84,7 +85,7 @@ Containment ArithmeticBound::containmentAlong(const std::array<double, 3> &edgeF
         const LatticePoint &from = m_triangle.vertices[i].position;
         const LatticePoint &to = m_triangle.vertices[(i + 1) % 3].position;
         const double across = pixels(std::abs(byColumns ? to.x - from.x : to.y - from.y));
-        // Where the edge runs along the walk its line is a whole bound, compared without rounding.
+        // An edge along the walk is an integer bound, compared without rounding.
         const double limit = across * (byColumns ? m_columnError : m_rowError);
         if (edgeFunctions[i] < -limit)
             return Containment::Outside;
@@ -95,7 +96,7 @@ Containment ArithmeticBound::containmentAlong(const std::array<double, 3> &edgeF
 
 SampleBox ArithmeticBound::reachIn(const FrameSpec &frame) const
 {
-    // Errors reach over the box' border: those of edge functions by a sample.
+    // Errors extend beyond the box; those of edge functions by one sample.
     const SampleBox box = boundingBoxOf(m_triangle);
     const auto rows = std::int64_t(std::min(m_columnError, largestProved)) + 1;
     const auto columns = std::int64_t(std::min(m_rowError, largestProved)) + 1;
@@ -128,7 +129,7 @@ Containment ArithmeticBound::containmentOf(std::int64_t x, std::int64_t y) const
             = double(verdict.edges[i].edgeFunction) / double(unitsPerPixel * unitsPerPixel);
     const double least = *std::ranges::min_element(functions);
     const bool isAreaSure = m_area > 2 * m_functionError;
-    Containment found = Containment::Undecided; // of who asks edge functions
+    Containment found = Containment::Undecided; // by edge functions
     if (isAreaSure && least < -m_functionError)
         found = Containment::Outside;
     else if (isAreaSure && least > m_functionError)
@@ -141,7 +142,7 @@ Containment ArithmeticBound::containmentOf(std::int64_t x, std::int64_t y) const
 std::optional<double> ArithmeticBound::levelError(std::int64_t x, std::int64_t y,
                                                   std::size_t channel) const
 {
-    // Along a thin span the increment may be anything.
+    // On a thin span the increment may be anything.
     const bool isThin = !m_isProved || heightAt(m_triangle, x) <= 4 * m_columnError
         || heightAt(m_exchanged, y) <= 4 * m_rowError || m_area <= 2 * m_functionError;
     if (isThin)

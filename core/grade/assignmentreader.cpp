@@ -18,7 +18,7 @@ namespace {
 
 const QString formatKey = QStringLiteral("pixelplumbAssignment");
 
-/// Reads the parts of an assignment out of a JSON text; errors stay with the JsonReader.
+/// Reads the parts of an assignment from JSON; errors stay with the JsonReader.
 class AssignmentReader {
 public:
     AssignmentReader(JsonReader &json, const QString &folder)
@@ -72,7 +72,7 @@ private:
             choice = choices[std::size_t(place)];
     }
 
-    /// What is left out keeps its default.
+    /// Missing keys keep their defaults.
     void readPoints(const JsonNode &node, CheckPoints &points)
     {
         if (node.isMissing())
@@ -188,7 +188,7 @@ private:
 
     JsonReader &m_json;
     QString m_folder;
-    CheckPoints m_points = AssignedScene().points; ///< of scenes that have none of their own
+    CheckPoints m_points = AssignedScene().points; ///< for scenes without their own
 };
 
 } // namespace

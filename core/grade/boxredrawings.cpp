@@ -7,7 +7,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// In which x is a column, whatever the program visits.
+/// The bounding box of the right program, in which x is a column.
 SampleBox rightBoxOf(const TriangleRuns &triangle)
 {
     return boundingBoxOf(exchanged(triangle.triangle));

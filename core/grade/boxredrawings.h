@@ -3,11 +3,11 @@
 
 #include "core/grade/redrawing.h"
 
-/// What programs do wrong that test the samples of a bounding box, as changes of the right spans,
+/// Mistakes of programs that test the samples of a bounding box, as changes of the right spans,
 /// which are its rows.
 namespace pixelplumb {
 
-void fillBox(TriangleRuns &triangle); ///< all of it is drawn
+void fillBox(TriangleRuns &triangle); ///< draws all of it
 
 // Samples of the box that are left out.
 void omitFirstRowOfBox(TriangleRuns &triangle); ///< ⌈y_min⌉
@@ -15,10 +15,10 @@ void omitLastRowOfBox(TriangleRuns &triangle); ///< ⌊y_max⌋
 void omitFirstColumnOfBox(TriangleRuns &triangle);
 void omitLastColumnOfBox(TriangleRuns &triangle);
 void omitGreatestOfBox(TriangleRuns &triangle); ///< x_max and y_max, where they are whole
-/// Those beside the box of the edge from that vertex to the next.
+/// Leaves out samples outside the box of the edge from that vertex to the next.
 void omitBesideBoxOfEdge(TriangleRuns &triangle, std::size_t vertex);
 
-/// The samples exactly on the edge from that vertex to the next.
+/// Leaves out samples exactly on the edge from that vertex to the next.
 void omitOnEdge(TriangleRuns &triangle, std::size_t vertex);
 
 } // namespace pixelplumb

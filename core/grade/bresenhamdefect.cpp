@@ -97,7 +97,7 @@ Defect defectFrom(LineStart start, const LineRow &row)
         row.forStudent, QString::fromUtf8(row.forAssistant) + end);
 }
 
-/// Loops that go up along the line alone: what is done with the lines that are not sorted so.
+/// Loops that only go up along the line: what happens to lines that are not sorted so.
 void appendDescending(std::vector<Defect> &defects)
 {
     struct Sorting {
@@ -138,7 +138,7 @@ void appendDescending(std::vector<Defect> &defects)
                 {.start = sorting.start, .descending = fate.descending},
                 QString::fromLatin1(sorting.id) + QString::fromLatin1(fate.id), octantQuestion,
                 QString::fromUtf8(sorting.lines) + QString::fromUtf8(fate.words));
-            // Beside a scene's defect of such lines it would be another one of all lines.
+            // Combined with a scene's defect of such lines it would act on all lines.
             if (sorting.start != LineStart::FirstEnd)
                 defect.choice = QString::fromLatin1(lineEndsChoice);
             defects.push_back(std::move(defect));
@@ -168,13 +168,13 @@ std::vector<Defect> bresenhamDefects()
         QStringLiteral("The steps are those of the first octant: lines whose second end is "
                        "left of the first are not drawn, steep ones step across at each step, "
                        "falling ones stay in their first row.")));
-    // From a line's first end it is steep-lines-as-flat.
+    // From a line's first end this would be steep-lines-as-flat.
     defects.push_back(defectBy(
         {.start = LineStart::LeastAlong, .steep = SteepLine::OwnDifferences},
         QStringLiteral("sorted-steep-lines-by-own-differences"), octantQuestion,
         QStringLiteral("Of steep lines x and y are exchanged, Δx and Δy are not: from the end with "
                        "the lesser y they step across at each step, only Δx times.")));
-    // What these do from a line's first end is a scene's defect of all methods.
+    // From a line's first end these would be a scene's defect of all methods.
     defects.push_back(defectBy(
         {.start = LineStart::LeastAlong, .across = AcrossStep::NoneDownward},
         QStringLiteral("sorted-falling-lines-level"), octantQuestion,

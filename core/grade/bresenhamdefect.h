@@ -7,11 +7,11 @@
 
 namespace pixelplumb {
 
-/// The choice of what becomes of lines by where their ends are.
+/// The choice of how lines are treated according to where their ends are.
 inline constexpr const char *lineEndsChoice = "line ends";
 
-/// Mistakes of Bresenham's line, of lines between samples: what p begins with, what is added to it,
-/// where steps begin and lead, how many there are and how the colour is stepped.
+/// Mistakes in Bresenham's lines between samples: what p begins with, what is added to it, where
+/// steps begin and lead, how many there are and how the colour is stepped.
 std::vector<Defect> bresenhamDefects();
 
 } // namespace pixelplumb

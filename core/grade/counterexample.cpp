@@ -39,9 +39,9 @@ std::vector<Growth> growths()
     }
     return all;
 }
-constexpr int triesOfMethods = 60; // of each growth
+constexpr int triesOfMethods = 60; // for each growth
 constexpr int triesOfPrograms = 6;
-constexpr std::int64_t mostUndrawn = 100; // from the start on
+constexpr std::int64_t mostUndrawn = 100; // in a row from the start
 
 Scene grownScene(const Scene &conventions, const Growth &growth, SeededRandom &random)
 {
@@ -75,7 +75,7 @@ Scene grownScene(const Scene &conventions, const Growth &growth, SeededRandom &r
     return scene;
 }
 
-/// The smallest frame from (0, 0) on that holds all vertices and the samples around them.
+/// The smallest frame from (0, 0) that holds all vertices and the samples around them.
 void fitFrame(Scene &scene)
 {
     Lattice right = 0;
@@ -131,8 +131,8 @@ PictureSource sourceOf(const Contender &contender)
 
 namespace {
 
-/// A redrawing is the same defect in every scene of its conventions that can be redrawn: it is
-/// looked for once, since the list of all takes longer than to draw a small scene.
+/// A redrawing is the same defect in every scene of its conventions that can be redrawn. It is
+/// looked up once, since listing all defects takes longer than drawing a small scene.
 class FoundRedrawing {
 public:
     std::optional<Defect> in(const Scene &scene) const
@@ -184,7 +184,7 @@ PictureSource sourceOf(const QString &defect, const Contender &of)
 
 namespace {
 
-/// How it ended, and the last line that it wrote to stderr.
+/// How the run ended, and its last line on stderr.
 QString endText(const StudentRun &run)
 {
     const QString said = shownText(run.messages).trimmed();

@@ -10,26 +10,27 @@
 
 namespace pixelplumb {
 
-/// A scene, and what a program that draws it does wrong.
+/// A scene, and the mistakes of a program that draws it.
 struct DefectiveScene {
     Scene scene;
     std::vector<Defect> defects = {};
 };
 
-/// Something that draws pictures of scenes, to be held against another.
+/// Something that draws pictures of scenes, to be compared with another.
 struct PictureSource {
     QString name;
-    std::function<Result<Picture>(const Scene &scene)> draw; ///< or why it cannot
-    /// What its run is of; none where it is no run of a method.
+    std::function<Result<Picture>(const Scene &scene)> draw; ///< or says why it cannot
+    /// The scene and defects that its run traces; none where it is no run of a method.
     std::function<std::optional<DefectiveScene>(const Scene &scene)> runOf = {};
-    bool isStable = false; ///< every picture is the truth, by proof
-    bool isProgram = false; ///< each picture takes a start: fewer are asked for
+    bool isStable = false; ///< its pictures are proved true
+    bool isProgram = false; ///< each picture starts a process, so fewer are requested
 };
 
 PictureSource sourceOf(const Contender &contender);
-/// What `of` draws with the defect, by its id; a scene that cannot have it is drawn right.
+/// Draws as `of` does, with the defect of this id; a scene to which it does not apply is drawn
+/// right.
 PictureSource sourceOf(const QString &defect, const Contender &of);
-/// What a program prints of the scene, as the terms give it; their tolerance is not asked.
+/// Draws what a program prints of the scene under the terms; their tolerance is ignored.
 PictureSource sourceOf(const StudentProgram &student, const TrialTerms &terms = {});
 
 /// A small scene of which two sources draw different pictures.
@@ -47,30 +48,29 @@ struct UndrawnScene {
 
 struct CounterSearch {
     std::optional<CounterExample> found;
-    std::int64_t tried = 0; ///< scenes, without those of the shrinking
-    std::int64_t compared = 0; ///< of them, those that both drew
-    std::int64_t undrawn = 0; ///< those that a side could not
+    std::int64_t tried = 0; ///< scenes, without those tried while shrinking
+    std::int64_t compared = 0; ///< scenes of these that both drew
+    std::int64_t undrawn = 0; ///< scenes that a side could not draw
     std::optional<UndrawnScene> firstUndrawn;
     bool wasEnded = false; ///< by the listener
 };
 
-/// Looks through random scenes that grow, from 3 px to 64, from whole coordinates to 1/256 px, of
-/// one colour and then of several, with one primitive and then with two that share an edge; what
-/// is found is shrunk until no single step makes it simpler. It ends early where the first hundred
-/// that are asked for cannot be drawn. Primitives are lines where the conventions' method draws no
-/// triangles. The same seed finds the same. The listener hears how many of the scenes are tried,
-/// then, while it is shrunk, how many that are simpler, of a total that nobody knows; what it ends
-/// then is found all the same.
+/// Searches random scenes that grow from 3 px to 64, from whole coordinates to 1/256 px, from one
+/// colour to several, and from one primitive to two that share an edge; an example found is shrunk
+/// until no single step makes it simpler. The search ends early where the first hundred scenes
+/// cannot be drawn. Primitives are lines where the conventions' method draws no triangles. Equal
+/// seeds find the same. The listener hears how many scenes are tried, then, while shrinking, how
+/// many simpler ones, of an unknown total; ending the shrinking keeps what was found.
 CounterSearch findCounterExample(const PictureSource &one, const PictureSource &other,
                                  const Scene &conventions, std::uint64_t seed,
                                  const ProgressListener &listener = {});
 
-/// What two draw of one scene, its frame fitted to the primitives.
+/// What two sources draw of one scene, its frame fitted to the primitives.
 enum class SceneOutcome {
     Same,
     Different,
     Undrawn, ///< by one of them
-    Degenerate, ///< nothing has area or length: not asked
+    Degenerate, ///< not tried: nothing has area or length
 };
 struct SceneTrial {
     SceneOutcome outcome = SceneOutcome::Same;
@@ -79,8 +79,8 @@ struct SceneTrial {
 };
 SceneTrial tryScene(const PictureSource &one, const PictureSource &other, Scene scene);
 
-/// The simplest one to which steps lead: fewer primitives, a smaller frame, whole coordinates,
-/// smaller ones, simpler colours.
+/// Shrinks an example step by step: fewer primitives, a smaller frame, whole coordinates, smaller
+/// ones, simpler colours.
 CounterExample shrunk(CounterExample example, const PictureSource &one, const PictureSource &other,
                       const ProgressListener &listener = {});
 

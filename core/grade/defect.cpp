@@ -76,7 +76,7 @@ void appendSettings(std::vector<Defect> &defects, const Scene &scene)
              }});
 }
 
-/// Where to look, by the kind of what is done to a whole picture.
+/// Where to look, for each kind of change of a whole picture.
 QString questionOf(const QString &kind)
 {
     static const QHash<QString, QString> questions = {
@@ -99,7 +99,7 @@ QString questionOf(const QString &kind)
 
 void appendPictures(std::vector<Defect> &defects, const Scene &scene)
 {
-    // First of all: what it is drawn on can still be another background.
+    // Comes first: another background is still possible with it.
     defects.push_back({.id = QStringLiteral("nothing-drawn"),
                        .forStudent = QStringLiteral(
                            "Is the picture that is written the one that was drawn into?"),
@@ -132,7 +132,7 @@ void appendPictures(std::vector<Defect> &defects, const Scene &scene)
 
 QString undoingText()
 {
-    return QStringLiteral("the variants %1 and %2 cancel each other: divided is by Δ again")
+    return QStringLiteral("the variants %1 and %2 cancel each other: the divisor is Δ again")
         .arg(nameText(nameOf(Variant::DivisorMinusOne)), nameText(nameOf(Variant::DivisorPlusOne)));
 }
 

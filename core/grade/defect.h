@@ -14,46 +14,46 @@ namespace pixelplumb {
 
 struct Redrawing;
 
-/// When a defect does its work: of two the one that is earlier does it first.
+/// When a defect takes effect; of two the one with the earlier stage comes first.
 enum class DefectStage { Scene, Drawing, Picture };
 
-/// The choice of what is computed in, which is no mistake where it is allowed for.
+/// The choice of arithmetic, which is no mistake where the tolerance allows it.
 inline constexpr const char *arithmeticChoice = "arithmetic";
 /// The choice of which edges own the samples on them.
 inline constexpr const char *ruleChoice = "rule";
 /// The choice of how a level is rounded to a byte.
 inline constexpr const char *roundingChoice = "rounding";
 
-/// Whether two of the departures undo each other: divided is by Δ − 1 and one more, by Δ.
+/// Whether two of the departures cancel: a division by Δ − 1 and by Δ + 1 make one by Δ.
 constexpr bool undoEachOther(VariantSet departures)
 {
     return departures.contains(Variant::DivisorMinusOne)
         && departures.contains(Variant::DivisorPlusOne);
 }
-/// What is said of these two.
+/// The sentence about these two.
 QString undoingText();
 
-/// A mistake that programs make, as something done to the scene before it is drawn by the ordinary
-/// kernels (the variants and the choices of its settings among them), to how it is drawn, or to the
-/// finished picture.
+/// A mistake that programs make, as a change of the scene before the ordinary kernels draw it
+/// (including its settings and their variants), of how it is drawn, or of the finished picture.
 struct Defect {
     QString id; ///< "unsorted-colours"
-    QString forStudent; ///< where to look, without the answer
+    QString forStudent; ///< where to look, without giving the answer
     QString forAssistant; ///< what was done
-    /// False where it does not apply: the method cannot be drawn so, or nothing is changed.
+    /// False where it does not apply: the method cannot be drawn so, or nothing changes.
     std::function<bool(Scene &scene)> changeScene = {};
-    /// Where no kernel draws so: the scene drawn by a program of ours that does.
+    /// Set where no kernel draws so: our own program draws the scene with the mistake.
     std::function<Picture(const Scene &scene)> redraw = {};
-    /// Where it is neither's: done to the finished picture of a scene with that background.
+    /// Set for a mistake in the finished picture: changes the picture of a scene with that
+    /// background.
     std::function<Picture(const Picture &right, const Colour &background)> changePicture = {};
-    bool standsAlone = false; ///< is not looked for beside another
-    QString choice = {}; ///< of defects of one choice only one can be there; empty: of none
-    /// What is redrawn by programs that round otherwise; left out where nobody knows.
+    bool standsAlone = false; ///< never combined with another
+    QString choice = {}; ///< at most one defect of each choice is present; empty: of none
+    /// What programs with other rounding redraw; missing where unknown.
     std::function<PictureRange(const Scene &scene, Arithmetic arithmetic)> redrawRange = {};
-    /// Of triangles, as what is done to them one by one: two of these can be done together.
+    /// The change of each triangle; two defects that have one can be combined.
     std::shared_ptr<const Redrawing> redrawing = {};
-    bool leavesOut = false; ///< of a scene it draws less, and what it draws is right
-    bool isRightAlone = false; ///< is looked for beside another only: alone it is no mistake
+    bool leavesOut = false; ///< it only draws less of a scene; what it draws is right
+    bool isRightAlone = false; ///< alone it is no mistake, so it is tried only with another
 
     DefectStage stage() const
     {
@@ -66,15 +66,15 @@ struct Defect {
 /// A defect that is a redrawing of triangles.
 Defect redrawnBy(const Redrawing &redrawing, Defect words);
 
-/// Whether a program can have both: not two of one choice, nor two that decide the same otherwise.
+/// Whether a program can have both: not two of one choice, nor two that change the same decision.
 bool canBeTogether(const Defect &one, const Defect &other);
 
-/// Those that a scene's method can have, in the order in which they are tried.
+/// The defects that a scene's method can have, in the order in which they are tried.
 std::vector<Defect> defectsFor(const Scene &scene);
 
-/// The same defects as one scene has them: those of `known`, the list of that scene, with the ids
-/// of `defects`. What was found for other scenes, of other methods perhaps, may be none of this
-/// one's and leaves it as it is.
+/// The defects in the version of one scene: those of `known`, that scene's list, with the ids of
+/// `defects`. A defect found for other scenes, perhaps with other methods, may be missing there and
+/// leaves the scene unchanged.
 std::vector<Defect> ownDefects(std::span<const Defect> known, std::span<const Defect> defects);
 
 } // namespace pixelplumb

@@ -8,17 +8,17 @@
 
 namespace pixelplumb {
 
-/// The scene with those of the defects that are a scene's.
+/// The scene changed by those of the defects that change scenes.
 Scene withDefects(Scene scene, std::span<const Defect> defects);
 
-/// The one of the defects that is a redrawing, or two of them as one; none where kernels draw all.
+/// The defect that is a redrawing, or two of them combined; none where kernels draw all.
 std::optional<Defect> redrawingAmong(std::span<const Defect> defects);
 
-/// What a program with these defects draws, which can be together.
+/// What a program with these defects draws; they must be combinable.
 Picture pictureWith(const Scene &scene, std::span<const Defect> defects);
 
-/// What programs with these defects draw that compute in arithmetic up to this one; none where
-/// nobody knows what rounding does.
+/// What programs with these defects draw in arithmetic up to this one; none where the effect of
+/// rounding is unknown.
 std::optional<PictureRange> rangeWith(const Scene &scene, std::span<const Defect> defects,
                                       Arithmetic arithmetic);
 

@@ -47,7 +47,7 @@ DefectPictures::DefectPictures(std::vector<Scene> scenes)
             }
         }
     }
-    // What does its work earlier comes first in a pair.
+    // In a pair, the defect with the earlier stage comes first.
     std::ranges::stable_sort(m_defects, {}, &Defect::stage);
     QHash<QString, std::size_t> places;
     for (std::size_t place = 0; place < m_defects.size(); ++place)
@@ -87,8 +87,8 @@ std::vector<Defect> DefectPictures::ownDefectsIn(const DefectSet &set, std::size
     return defects;
 }
 
-/// The picture of the scene with those of the defects that are a scene's. The one that was drawn
-/// last is kept: sets that differ in defects of the picture alone follow one another.
+/// The picture of the scene with those of the defects that change scenes. The last one drawn is
+/// kept, since sets that differ only in defects of the picture follow one another.
 DefectPictures::SharedPicture DefectPictures::scenePicture(std::size_t scene, const Scene &drawn)
 {
     LastPicture &last = m_lastScenePicture[scene];
@@ -132,7 +132,7 @@ DefectPictures::SharedPicture DefectPictures::draw(std::size_t scene, const Defe
     return picture;
 }
 
-/// What its first defect draws, which many sets have, with the change that the second one is.
+/// The picture of the set's first defect, which many sets share, changed by the second.
 DefectPictures::SharedPicture DefectPictures::changed(std::size_t scene, const DefectSet &set)
 {
     const DefectSet first{set.first, {}, set.arithmetic, set.choice};

@@ -11,8 +11,8 @@
 
 namespace pixelplumb {
 
-/// At most two defects, by their places in a list of them, ascending, and beside them what is
-/// computed in and one that alone is no mistake.
+/// At most two defects, as ascending indices in a list of defects, and in addition the arithmetic
+/// and a defect that alone is no mistake.
 struct DefectSet {
     std::optional<std::size_t> first = {}, second = {};
     std::optional<Arithmetic> arithmetic = {}; ///< none: the scene's own
@@ -21,9 +21,9 @@ struct DefectSet {
     friend auto operator<=>(const DefectSet &, const DefectSet &) = default;
 };
 
-/// The pictures that programs with defects draw of some scenes, for as many submissions as ask:
-/// each is drawn when it is first asked for and kept as long as there is room for it, 256 MiB for
-/// all; of others the hash is kept, and they are drawn again. Several threads may ask at once.
+/// The pictures that programs with defects draw of some scenes, shared by all submissions. Each is
+/// drawn on first request and kept while there is room, 256 MiB for all; of others only the hash is
+/// kept, and they are drawn again. Thread-safe.
 class DefectPictures {
 public:
     using SharedPicture = std::shared_ptr<const Picture>;
@@ -32,25 +32,25 @@ public:
     explicit DefectPictures(std::vector<Scene> scenes);
 
     const std::vector<Scene> &scenes() const { return m_scenes; }
-    /// Those that some scene can have, what is done to a picture after all others: a defect that
-    /// leaves one scene as it is may change another. Arithmetics are none of them.
+    /// The defects that some scene can have, those of the picture last: a defect without effect on
+    /// one scene may change another. Arithmetics are not among them.
     const std::vector<Defect> &defects() const { return m_defects; }
-    /// What some scene can be computed in beside its own arithmetic, and that as a defect.
+    /// The arithmetics that some scene can use besides its own, each as a defect.
     const std::map<Arithmetic, Defect> &arithmetics() const { return m_arithmetics; }
-    /// Without the arithmetic.
+    /// The defects of a set without its arithmetic.
     std::vector<Defect> defectsIn(const DefectSet &set) const;
-    /// The same as one of the scenes has them; those that it cannot have are left out.
+    /// Like defectsIn(), in the version of one scene; those that it cannot have are left out.
     std::vector<Defect> ownDefectsIn(const DefectSet &set, std::size_t scene) const;
-    /// All that one of the scenes can have, arithmetics among them.
+    /// All defects that one scene can have, including arithmetics.
     const std::vector<Defect> &defectsOf(std::size_t scene) const { return m_ofScene[scene]; }
 
     /// None where the scene cannot be drawn so.
     SharedPicture picture(std::size_t scene, const DefectSet &set);
-    /// What programs draw that have these defects and compute in arithmetic up to this one; none
-    /// where nobody knows. The set's own is not asked.
+    /// What programs with these defects draw in arithmetic up to this one; none where unknown. The
+    /// set's own arithmetic is ignored.
     SharedRange range(std::size_t scene, const DefectSet &set, Arithmetic arithmetic);
-    /// Whether what was drawn before, and not kept, differs by its hash from what was found, or, if
-    /// it was not, does so at once (differsAtOnce).
+    /// Whether the picture is known to differ from the one found: by its hash if it was drawn
+    /// before and not kept, or, if it was never drawn, at once (differsAtOnce).
     bool isKnownToDiffer(std::size_t scene, const DefectSet &set, const Picture &found) const;
 
 private:
@@ -59,7 +59,7 @@ private:
         bool canBeDrawn = false;
         SharedPicture picture; ///< none where there is no room
 
-        bool isKnownToDiffer(const Picture &found) const; ///< by what was kept in its place
+        bool isKnownToDiffer(const Picture &found) const; ///< by the hashes kept in its place
     };
     using Key = std::pair<std::size_t, DefectSet>;
 
@@ -74,7 +74,7 @@ private:
     SharedPicture draw(std::size_t scene, const DefectSet &set);
     SharedPicture changed(std::size_t scene, const DefectSet &set);
 
-    /// As the scene has it; null where it cannot.
+    /// The defect in the scene's version; null where the scene cannot have it.
     const Defect *own(std::size_t scene, std::size_t defect) const;
 
     std::vector<Scene> m_scenes;
@@ -84,7 +84,7 @@ private:
     mutable std::mutex m_mutex;
     std::map<Arithmetic, Defect> m_arithmetics;
     std::map<Key, Drawn> m_drawn;
-    std::map<std::pair<Key, Arithmetic>, SharedRange> m_ranges; ///< those that there is room for
+    std::map<std::pair<Key, Arithmetic>, SharedRange> m_ranges; ///< as far as there is room
     std::vector<LastPicture> m_lastScenePicture; ///< by scene
     std::size_t m_kept = 0; ///< bytes of pictures
 };

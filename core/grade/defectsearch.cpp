@@ -8,8 +8,9 @@ namespace pixelplumb {
 namespace {
 
 constexpr std::size_t nearestListed = 5;
-constexpr std::size_t nearestTried = 64; // of sets, whether rounding may decide what they leave
-constexpr std::size_t nearestPaired = 64; // of defects alone, for what comes near with another one
+constexpr std::size_t nearestTried = 64; // sets that are tested for whether rounding explains the
+                                         // rest
+constexpr std::size_t nearestPaired = 64; // single defects that are paired with another one
 constexpr auto unknown = PictureMatcher::unknown;
 
 } // namespace
@@ -34,7 +35,7 @@ std::vector<DiagnosisCandidate> DefectSearch::candidates() const
     matches.insert(matches.end(), m_open.begin(), m_open.end());
     matches.insert(matches.end(), m_completed.begin(), m_completed.end());
     if (matches.empty() && !m_isExplained) {
-        // What leaves more than nine tenths is near to nothing.
+        // A set that leaves more than nine tenths does not count as near.
         for (const SetMatch &near : m_nearest) {
             const bool isNear = 10 * near.distance <= 9 * m_differing && needsSecond(near);
             if (isNear && !m_matcher.isDrawnAllTheSame(near.set))
@@ -51,8 +52,8 @@ std::vector<DiagnosisCandidate> DefectSearch::candidates() const
     return result;
 }
 
-/// Of two that come near, whether together they leave clearly less than the better one alone:
-/// nobody should look for a mistake that is not there.
+/// Whether two defects together leave clearly less than the better one alone, so that nobody looks
+/// for a mistake that is not there.
 bool DefectSearch::needsSecond(const SetMatch &near) const
 {
     if (!near.set.second)
@@ -61,7 +62,7 @@ bool DefectSearch::needsSecond(const SetMatch &near) const
     return near.distance <= alone - alone / 4;
 }
 
-/// Pixels: two that leave hardly fewer than one of them alone stand behind that one.
+/// In pixels: a pair that leaves hardly less than one of its defects alone ranks with that defect.
 std::int64_t DefectSearch::rankOf(const SetMatch &near) const
 {
     if (!near.set.second)
@@ -86,13 +87,13 @@ DiagnosisCandidate DefectSearch::candidateOf(const SetMatch &match) const
     return candidate;
 }
 
-/// Once a set explains the pictures, only others that equal them are of interest.
+/// Once a set explains the pictures, only sets that equal them matter.
 std::int64_t DefectSearch::distanceUpTo(const DefectSet &set, std::int64_t limit)
 {
     return m_matcher.distance(set, m_isExplained || !m_exact.empty() ? 1 : limit);
 }
 
-/// From here on a distance is of no interest.
+/// Distances from here on do not matter.
 std::int64_t DefectSearch::limit() const
 {
     return m_nearest.size() < nearestTried ? m_differing : m_nearest.back().distance;
@@ -108,7 +109,7 @@ void DefectSearch::addNear(const DefectSet &set, std::int64_t distance)
         m_nearest.pop_back();
 }
 
-/// A set that leaves nothing but what may be either way; false of another.
+/// Adds a set that leaves only open pixels; false if it leaves others.
 bool DefectSearch::addAllowed(const DefectSet &set)
 {
     const auto match = m_matcher.allowedMatch(set);
@@ -117,7 +118,7 @@ bool DefectSearch::addAllowed(const DefectSet &set)
     return match.has_value();
 }
 
-/// Of sets that come near, those that leave nothing but what may be either way.
+/// Adds those of the near sets that leave only open pixels.
 void DefectSearch::explainNearest(bool pairs)
 {
     for (const SetMatch &near : m_nearest) {
@@ -137,7 +138,7 @@ void DefectSearch::addEqual(DefectSet set)
     }
 }
 
-/// What is computed in, alone: nobody is told what is allowed for.
+/// Tries arithmetics alone; tolerated ones are not reported.
 void DefectSearch::tryArithmetics()
 {
     addEqual({});
@@ -147,8 +148,8 @@ void DefectSearch::tryArithmetics()
         });
 }
 
-/// Most of what is open may be so by a rule, while rounding decides the rest: of the rules that
-/// leave less than half of it the nearest ones.
+/// A rule may explain most of the open pixels while rounding explains the rest: takes the nearest
+/// of the rules that leave less than half.
 void DefectSearch::tryRules()
 {
     std::vector<SetMatch> rules;
@@ -202,13 +203,13 @@ bool DefectSearch::canBePair(std::size_t first, std::size_t second) const
     const Defect &one = m_defects[first];
     const Defect &other = m_defects[second];
     const bool isPlain = !one.standsAlone && !other.standsAlone && !hasPart(m_exact, first, second);
-    // What two redrawings do together often has a name of its own.
+    // Two redrawings together often do what a named defect does.
     const bool areRedrawings
         = one.stage() == DefectStage::Drawing && other.stage() == DefectStage::Drawing;
     return isPlain && !(areRedrawings && m_hasSingle) && canBeTogether(one, other);
 }
 
-/// Goes through the pairs that a program may have; false where the listener ended it.
+/// Visits the pairs that a program may have; false where the listener ended it.
 bool DefectSearch::forPairs(const std::function<void(const DefectSet &pair)> &examine)
 {
     for (std::size_t i = 0; i < m_defects.size(); ++i) {
@@ -223,14 +224,14 @@ bool DefectSearch::forPairs(const std::function<void(const DefectSet &pair)> &ex
     return true;
 }
 
-/// A pair is one where each of the two is needed.
+/// A pair counts only if it needs both defects.
 std::int64_t DefectSearch::leastAlone(const DefectSet &pair) const
 {
     return std::min(m_alone[*pair.first], m_alone[*pair.second]);
 }
 
-/// First those that equal the pictures, which is known of pairs that were drawn for others; then,
-/// where there is none, those that come near with one that does so alone.
+/// Tries pairs that equal the pictures first: whether they do is known for pairs already drawn for
+/// other submissions. If none does, it tries pairs with a defect that comes near alone.
 bool DefectSearch::tryPairs()
 {
     m_hasSingle = m_isExplained || !m_exact.empty();
@@ -247,7 +248,7 @@ bool DefectSearch::tryPairs()
         const std::int64_t least = leastAlone(pair);
         if (least > mostPaired)
             return;
-        // What leaves more is neither a matter of rounding nor needs both (needsSecond).
+        // A pair that leaves more is neither due to rounding nor needs both (needsSecond).
         const std::int64_t most = std::max(m_mostOpen, least - least / 4) + 1;
         const std::int64_t distance = m_matcher.distance(pair, std::min({most, least, limit()}));
         const bool mayBeRounding = distance <= m_mostOpen;
@@ -262,7 +263,7 @@ bool DefectSearch::tryPairs()
     return true;
 }
 
-/// Beside two defects that come near, what alone is no mistake.
+/// Adds to two near defects one that alone is no mistake.
 void DefectSearch::tryChoices()
 {
     const std::vector<SetMatch> pairs = m_nearest;

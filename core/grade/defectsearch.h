@@ -8,8 +8,8 @@ namespace pixelplumb {
 /// Tries sets of one and of two defects.
 class DefectSearch {
 public:
-    /// It explains pictures that differ in so many pixels from the right ones, which may do without
-    /// an explanation.
+    /// The diagnosis says how many pixels differ, and whether they need an explanation: undecidable
+    /// ones do not.
     DefectSearch(DefectPictures &pictures, PictureMatcher &matcher, const Diagnosis &diagnosis,
                  const ProgressListener &listener);
 
@@ -44,13 +44,13 @@ private:
     PictureMatcher &m_matcher;
     const ProgressListener &m_listener;
     std::int64_t m_differing;
-    bool m_isExplained; ///< by what is right, or by a set with pixels that are left open
+    bool m_isExplained; ///< by the right pictures up to open pixels, or by a set
     bool m_hasSingle = false; ///< one defect explains the pictures
-    std::int64_t m_mostOpen; ///< pixels: more are never a matter of rounding alone
+    std::int64_t m_mostOpen; ///< pixels: more are never due to rounding alone
     std::int64_t m_sets = 0, m_tried = 0;
     std::vector<std::int64_t> m_alone; ///< distances, by defect
     std::vector<SetMatch> m_exact, m_open;
-    std::vector<SetMatch> m_completed; ///< pairs that are exact, one of which leaves open pixels
+    std::vector<SetMatch> m_completed; ///< exact pairs; one defect alone leaves open pixels
     std::vector<SetMatch> m_nearest; ///< ascending
 };
 

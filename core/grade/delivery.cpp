@@ -27,7 +27,7 @@ const SubmittedFile *fileNamed(const SubmissionEntry &entry, const QByteArray &n
     return found != files.end() ? &*found : nullptr;
 }
 
-/// In the order of their ends: the first one is taken.
+/// In the order of their extensions; the first is used.
 std::vector<const SubmittedFile *> pictureFilesOf(const SubmissionEntry &entry,
                                                   const AssignedScene &scene)
 {
@@ -39,7 +39,7 @@ std::vector<const SubmittedFile *> pictureFilesOf(const SubmissionEntry &entry,
     return files;
 }
 
-/// "shallow.png was taken; shallow.ppm is there, too"; and what was refused beside the one taken.
+/// "shallow.png was taken; shallow.ppm is there, too"; or what was refused besides the file taken.
 std::optional<QString> noteOn(const std::vector<const SubmittedFile *> &files,
                               const QString &refusal)
 {
@@ -63,7 +63,8 @@ QString noteOnName(const SubmittedFile &file, const AssignedScene &scene)
         .arg(escapedName(file.name), scene.name);
 }
 
-/// Why there is no file that could have been it: what has such a name is none. Empty: nothing has.
+/// Why no file qualifies: an entry with a suitable name is no regular file. Empty: there is no such
+/// entry.
 template <class IsSuch>
 QString refusalIn(const SubmissionEntry &entry, const IsSuch &isSuch)
 {
@@ -93,7 +94,7 @@ bool isRun(const SubmittedFile &file)
     return (file.isExecutable || isScript(file)) && !hasPictureEnd(file.name);
 }
 
-/// Where the assignment leaves it open which file is run.
+/// The fault where the assignment does not name the file to run.
 QString missingProgram(const SubmissionEntry &entry)
 {
     QStringList names;
@@ -129,7 +130,7 @@ QString whyNothing(const SubmissionEntry &entry, const Assignment &assignment,
                               : QStringLiteral("there is no picture %1.png").arg(scene.name);
 }
 
-/// The only one for which it is true.
+/// The only file for which isSuch is true.
 template <class IsSuch>
 const SubmittedFile *onlyFile(const SubmissionEntry &entry, const IsSuch &isSuch)
 {
@@ -144,7 +145,7 @@ void refuse(Delivery &delivery, PictureLack lack, const QString &fault)
     delivery.fault = fault;
 }
 
-/// Of bytes in which no picture is found.
+/// Why content has no usable picture.
 PictureLack lackIn(const QByteArray &content, const FrameSpec &frame)
 {
     if (content.isEmpty())
@@ -152,7 +153,7 @@ PictureLack lackIn(const QByteArray &content, const FrameSpec &frame)
     return isOfOtherSize(content, frame) ? PictureLack::OtherSize : PictureLack::Unreadable;
 }
 
-/// A picture of the scene's size; lines of a trace make one, too.
+/// Takes a picture of the scene's size, or one made of a trace's lines.
 void take(const QByteArray &content, const Result<StudentOutput> &output, const FrameSpec &frame,
           Delivery &delivery)
 {
@@ -196,7 +197,7 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
         refuse(delivery, PictureLack::NotDrawn, QStringLiteral("the program's name is no UTF-8"));
         return delivery;
     }
-    // Beside a file that is a submission by itself lie those of others.
+    // Next to a submission that is a single file lie other submissions.
     const auto student = studentProgramOf(
         isScript(file) ? QStringList{QStringLiteral("python3"), *path} : QStringList{*path},
         entry.isFolder() ? ShownFiles::WithFolders : ShownFiles::Alone);
@@ -222,7 +223,7 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
     if (!trial->run.isSandboxed())
         delivery.run->sandboxLack = trial->run.sandboxLack;
     delivery.hasWaited = trial->run.isByClock;
-    delivery.hasMultiplied = trial->run.isInAll;
+    delivery.exceededTotalCpuTime = trial->run.isInAll;
     if (trial->trace)
         delivery.trace = shownText(trial->trace->text.toUtf8());
     delivery.note = beyondFrameText(trial->output);
@@ -239,24 +240,25 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
     return delivery;
 }
 
-/// Who waits for what never comes waits in each scene, and who starts one process after another
-/// does so in each: they are believed once.
+/// A program that waits in vain does so in each scene, and so does one that starts one process
+/// after another: the full limits apply only once.
 ProgramLimits limitsAfter(const std::vector<Delivery> &deliveries)
 {
     ProgramLimits limits;
-    const bool hasMultiplied = std::ranges::any_of(deliveries, &Delivery::hasMultiplied);
-    if (hasMultiplied)
+    const bool exceededTotalCpuTime
+        = std::ranges::any_of(deliveries, &Delivery::exceededTotalCpuTime);
+    if (exceededTotalCpuTime)
         limits.timesInAll = 1;
-    if (hasMultiplied || std::ranges::any_of(deliveries, &Delivery::hasWaited))
+    if (exceededTotalCpuTime || std::ranges::any_of(deliveries, &Delivery::hasWaited))
         limits.clockTimes = 1;
     return limits;
 }
 
-/// That it had less time than others, where it was late again.
+/// Notes that it had less time than others, if it was late again.
 void noteOnTime(const ProgramLimits &limits, Delivery &delivery)
 {
     const ProgramLimits whole;
-    if (delivery.hasMultiplied && limits.timesInAll < whole.timesInAll)
+    if (delivery.exceededTotalCpuTime && limits.timesInAll < whole.timesInAll)
         delivery.note = QStringLiteral("its processes were given less time together, for they had "
                                        "computed too long in a scene before");
     else if (delivery.hasWaited && limits.clockTimes < whole.clockTimes)

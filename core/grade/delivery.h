@@ -8,22 +8,22 @@
 
 namespace pixelplumb {
 
-/// What a submission has of a scene: a picture of the frame's size, or why there is none.
+/// What a submission offers for a scene: a picture of the frame's size, or why there is none.
 struct Delivery {
-    QString file; ///< the picture's in the submission, escaped
+    QString file; ///< the picture file in the submission, escaped
     QString fault; ///< empty: there is a picture
-    std::optional<PictureLack> lack; ///< the same as a kind
+    std::optional<PictureLack> lack; ///< the kind of fault
     std::optional<Picture> picture;
-    std::optional<GradedRun> run; ///< of the program that drew it
-    bool hasWaited = false; ///< it was ended by the clock
-    bool hasMultiplied = false; ///< … for what all its processes together had computed
-    QString trace; ///< GradedScene's
-    std::optional<QString> note; ///< GradedScene's
+    std::optional<GradedRun> run; ///< the run of the program that drew it
+    bool hasWaited = false; ///< the clock ended it
+    bool exceededTotalCpuTime = false; ///< … for the computing time of all its processes
+    QString trace; ///< see GradedScene
+    std::optional<QString> note; ///< see GradedScene
 };
 
-/// By scene of the assignment: of pictures SCENE.png, .ppm, .bmp, .txt the first; of one scene its
-/// one picture, whatever its name; or what the submission's program draws, where the assignment
-/// knows programs and there is one.
+/// For each scene of the assignment: the first of SCENE.png, .ppm, .bmp, .txt; with only one scene,
+/// the only picture, whatever its name; or what the submission's program draws, where the
+/// assignment allows programs and there is one.
 std::vector<Delivery> deliveriesOf(const SubmissionEntry &entry, const Assignment &assignment,
                                    const std::stop_token &stop = {});
 

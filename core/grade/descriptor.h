@@ -42,7 +42,7 @@ private:
     int m_number;
 };
 
-/// Not inherited by what is started; both ends are closed where there could be none.
+/// Not inherited by started programs; both ends are closed where it could not be made.
 struct Pipe {
     Pipe()
     {

@@ -13,7 +13,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Of what differs, how many pixels lie on ties or within the bound of the tolerance.
+/// How many of the differing pixels lie on ties or within the tolerance's bound.
 std::int64_t undecidableIn(DefectPictures &pictures, std::span<const FoundPicture> found,
                            Arithmetic tolerance)
 {
@@ -49,7 +49,7 @@ bool diagnoseOnItsBackground(DefectPictures &pictures, std::span<const FoundPict
     return true;
 }
 
-/// That of all pictures, if it is one.
+/// The other background, if all pictures share one.
 std::optional<Colour> otherBackgroundOf(DefectPictures &pictures,
                                         std::span<const FoundPicture> found)
 {
@@ -65,7 +65,7 @@ std::optional<Colour> otherBackgroundOf(DefectPictures &pictures,
     return other;
 }
 
-/// With the scenes' own background in place of the other, but where that is drawn by right.
+/// Replaces the other background by the scenes' own, except where its colour is rightly drawn.
 std::vector<FoundPicture> onRightBackground(DefectPictures &pictures,
                                             std::span<const FoundPicture> found,
                                             const Colour &other)
@@ -85,7 +85,7 @@ std::vector<FoundPicture> onRightBackground(DefectPictures &pictures,
     return changed;
 }
 
-/// "black or (64, 64, 64)", where scenes differ.
+/// "black or (64, 64, 64)", if scenes differ.
 QString backgroundsOf(const DefectPictures &pictures, std::span<const FoundPicture> found)
 {
     QStringList names;

@@ -10,7 +10,7 @@ struct LinePixel {
     Colour colour;
 };
 
-/// A line in sample coordinates and the pixels that its method writes, by x and then y.
+/// A line in sample coordinates and the pixels that its method writes, sorted by x, then y.
 struct DrawnLine {
     LatticePoint from, to;
     Colour fromColour, toColour;
@@ -19,13 +19,13 @@ struct DrawnLine {
     bool isSteep() const { return std::abs(to.y - from.y) >= std::abs(to.x - from.x); }
 };
 
-/// Whether a scene has lines alone, and needs colours alone.
+/// Whether a scene consists of lines only and needs only colours.
 bool isOfLines(const Scene &scene);
 
-/// The lines' pixels, changed, painted one line after another.
+/// Paints the lines' pixels, each line changed, one after another.
 Picture redrawnLines(const Scene &scene, const std::function<void(DrawnLine &line)> &change);
 
-/// The ends exchanged where x, of a steep line y, would fall.
+/// The line with its ends swapped if x, or y of a steep line, would decrease.
 DrawnLine ascending(DrawnLine line);
 
 } // namespace pixelplumb

@@ -5,9 +5,9 @@
 
 namespace pixelplumb {
 
-/// How many pixels a picture has as if they were painted once more than the scene's fill rule says:
-/// drawn twice, as edges are that two triangles share and both own. Blending alone lets a picture
-/// tell; 0 without it, and under the closed rule, which draws them twice itself.
+/// How many pixels look painted once more than the scene's fill rule says, as on edges that two
+/// triangles share and both own. Only blending shows this; 0 without it, and under the closed rule,
+/// which draws them twice itself.
 std::int64_t drawnTwice(const Scene &scene, const Picture &found);
 
 } // namespace pixelplumb

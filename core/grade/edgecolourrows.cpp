@@ -39,27 +39,27 @@ std::vector<WalkRow> edgeStepRows()
          walkquestions::division,
          "The steps of colour along the edges are rounded to the nearest whole numbers; their "
          "slopes are not.",
-         {.edgeColours = Kept::Nearest}},
+         {.edgeColours = Truncation::Nearest}},
         {"rounded-edge-levels",
          walkquestions::stored,
          "The colours of an edge are kept as whole numbers: at each %1 they are rounded to the "
          "nearest, not so the colours along a %1.",
-         {.edgeLevels = Kept::Nearest}},
+         {.edgeLevels = Truncation::Nearest}},
         {"rounded-levels",
          walkquestions::stored,
          "Colours are kept as whole numbers, along edges and along a %1: at each step they are "
          "rounded to the nearest.",
-         {.edgeLevels = Kept::Nearest, .levels = Kept::Nearest}},
+         {.edgeLevels = Truncation::Nearest, .levels = Truncation::Nearest}},
         {"edge-levels-cut-behind-steps",
          walkquestions::stored,
          "The fraction of an edge's colour is lost when its step is added, as by r = int(r + dr) "
          "in Python; that of its first %1 is not.",
-         {.edgeLevels = Kept::TowardZero, .edgeStoring = Storing::BehindSteps}},
+         {.edgeLevels = Truncation::TowardZero, .edgeStoring = Storing::BehindSteps}},
         {"edge-levels-rounded-behind-steps",
          walkquestions::stored,
          "An edge's colour is rounded to the nearest whole number when its step is added, as by r "
          "= round(r + dr) in Python; that of its first %1 is not.",
-         {.edgeLevels = Kept::Nearest, .edgeStoring = Storing::BehindSteps}},
+         {.edgeLevels = Truncation::Nearest, .edgeStoring = Storing::BehindSteps}},
         {"colours-not-begun-anew",
          anewQuestion,
          "Only the first %1 of a triangle begins with its lower bound's colour: all others go on "
@@ -73,7 +73,7 @@ std::vector<WalkRow> edgeStepRows()
     };
 }
 
-/// What is done with some of the channels alone.
+/// Mistakes in only some of the channels.
 std::vector<WalkRow> edgeChannelRows()
 {
     return {

@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::array<std::size_t, 3> vertexIndices = {0, 1, 2};
 
-constexpr const char *testQuestion = "Which sign has each edge function inside, and is it asked?";
+constexpr const char *testQuestion
+    = "What sign does each edge function have inside, and is it tested?";
 constexpr const char *functionQuestion
     = "Is each edge function 0 at its own two vertices, and twice the area at the third?";
 constexpr const char *ownerQuestion = "Which edges own the samples that lie on them?";
@@ -222,7 +223,7 @@ void appendTests(Defects &defects)
                 {.outside = OutsideSample::EndsRow});
 }
 
-/// Of edge functions that are stepped from sample to sample.
+/// Mistakes in edge functions that are stepped from sample to sample.
 void appendSteps(Defects &defects)
 {
     defects.add("functions-not-set-back", loopQuestion,

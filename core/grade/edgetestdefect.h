@@ -5,11 +5,12 @@
 
 namespace pixelplumb {
 
-/// Mistakes of a program that tests the three edges at the samples of the bounding box: in what is
-/// tested, in the edge functions and in the weights of the vertices.
+/// Mistakes of a program that tests the three edges at the samples of the bounding box: in the
+/// test, in the edge functions and in the vertices' weights.
 std::vector<Defect> edgeTestDefects();
 
-/// The same of which samples are tested, and which of those on an edge are left out.
+/// Mistakes of such a program in which samples it tests, and in which of those on an edge it leaves
+/// out.
 std::vector<Defect> boxDefects();
 
 } // namespace pixelplumb

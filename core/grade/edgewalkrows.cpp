@@ -6,16 +6,16 @@ namespace pixelplumb {
 namespace {
 
 constexpr const char *firstSpanQuestion
-    = "How far is it from a vertex to the first %1 behind it, and in which direction?";
+    = "How far is it from a vertex to the first %1 after it, and in which direction?";
 constexpr const char *steppedFirstQuestion
-    = "Which comes first, that a %1 is drawn or that its edges are stepped?";
+    = "Which comes first, drawing a %1 or stepping its edges?";
 constexpr const char *slopeQuestion = "What is a slope, and which of its parts has which sign?";
 constexpr const char *sortQuestion = "Which vertex is P₀? For every triangle?";
-constexpr const char *placesQuestion = "What type has an edge's %3 while it is stepped?";
+constexpr const char *placesQuestion = "What type does an edge's %3 have while it is stepped?";
 
 std::vector<WalkRow> numberRows()
 {
-    constexpr auto whole = Kept::TowardZero;
+    constexpr auto whole = Truncation::TowardZero;
     return {
         {"whole-slopes",
          walkquestions::division,
@@ -49,7 +49,7 @@ std::vector<WalkRow> numberRows()
          walkquestions::division,
          "The slopes of the edges are rounded to the nearest whole numbers; colours along them are "
          "not.",
-         {.slopes = Kept::Nearest}},
+         {.slopes = Truncation::Nearest}},
         {"whole-edge-levels",
          walkquestions::stored,
          "The colours of an edge are kept as whole numbers: at each %1 their fraction is lost, not "
@@ -64,7 +64,7 @@ std::vector<WalkRow> numberRows()
          placesQuestion,
          "An edge's %3 is kept as a whole number: at each %1 it is rounded to the nearest, its "
          "colours are not.",
-         {.edgePlaces = Kept::Nearest}},
+         {.edgePlaces = Truncation::Nearest}},
         {"places-cut-behind-steps",
          placesQuestion,
          "The fraction of an edge's %3 is lost when its slope is added, as by %3 = int(%3 + m) in "
@@ -74,7 +74,7 @@ std::vector<WalkRow> numberRows()
          placesQuestion,
          "An edge's %3 is rounded to the nearest whole number when its slope is added, as by %3 = "
          "round(%3 + m) in Python; that of its first %1 is not, nor are its colours.",
-         {.edgePlaces = Kept::Nearest, .edgeStoring = Storing::BehindSteps}},
+         {.edgePlaces = Truncation::Nearest, .edgeStoring = Storing::BehindSteps}},
     };
 }
 
@@ -82,12 +82,12 @@ std::vector<WalkRow> stepRows()
 {
     return {
         {"colours-without-edge-pre-step",
-         "Which colour has an edge where it meets its first %1? Not its vertex' own.",
+         "What colour does an edge have where it meets its first %1? Not its vertex's own.",
          "The colours of an edge begin with its vertex' own at its first %1; its ends have their "
          "pre-step.",
          {.edgeColourPreStep = PreStep::None}},
         {"place-without-edge-pre-step",
-         "Where does an edge meet its first %1? Not in its vertex.",
+         "Where does an edge meet its first %1? Not at its vertex.",
          "The %3 of an edge begins with its vertex' own at its first %1; its colours have their "
          "pre-step.",
          {.placePreStep = PreStep::None}},
@@ -107,7 +107,7 @@ std::vector<WalkRow> stepRows()
          {.spans = EndRounding::Down}},
         {"edges-stepped-first",
          steppedFirstQuestion,
-         "The edges are stepped before a %1 is drawn, not behind it: each %1 has the ends and the "
+         "The edges are stepped before a %1 is drawn, not after it: each %1 has the ends and the "
          "colours that belong to the next one.",
          {.placeStepping = Stepping::BeforeDrawing, .edgeColourStepping = Stepping::BeforeDrawing}},
         {"places-stepped-first",
@@ -218,7 +218,7 @@ std::vector<WalkRow> rateRows()
          walkquestions::edgeDivisor,
          "Δ%2 of an edge, by which its slope and its colours are divided, is the difference of two "
          "whole numbers, (int)%2 of its vertices; it begins where it should.",
-         {.runEnds = Kept::TowardZero}},
+         {.runEnds = Truncation::TowardZero}},
         {"slope-divisor-minus-one",
          walkquestions::edgeDivisor,
          "The slope of an edge is divided by Δ%2 − 1 in place of Δ%2; its colours are not.",

@@ -8,7 +8,7 @@
 
 namespace pixelplumb {
 
-/// Where an edge meets the span in hand, in fractions.
+/// Where an edge meets the current span, in fractions.
 class ExactEdge {
 public:
     ExactEdge(const WalkedEdge &edge, const ProgramWalk &walk, std::int64_t span)
@@ -34,7 +34,7 @@ public:
             for (ExactTrack &level : m_levels)
                 level.store(walk.edgeLevels);
         }
-        const std::array<ExactTrack, 3> own = m_levels; // of one denominator
+        const std::array<ExactTrack, 3> own = m_levels; // share one denominator
         for (std::size_t i = 0; i < 3; ++i) {
             m_levels[i].rate = own[walk.stepsAlongEdgesOf[i]].rate;
             if (walk.unsteppedAlongEdges.contains(i))
@@ -60,7 +60,7 @@ public:
     }
     void goOnWithPlacesOf(const ExactEdge &other) { m_places = other.m_places; }
     void goOnWithColoursOf(const ExactEdge &other) { m_levels = other.m_levels; }
-    /// Steps from here on as another one does that has the same denominators.
+    /// Steps from here on like another edge with the same denominators.
     void stepAsPlacesOf(const ExactEdge &other) { m_places.rate = other.m_places.rate; }
     void stepAsColoursOf(const ExactEdge &other)
     {
@@ -82,18 +82,18 @@ public:
     std::int64_t ceil() const { return std::int64_t(m_places.ceil()); }
     std::int64_t nearest() const
     {
-        return std::int64_t(leftOf<Int128>(m_places.at, m_places.denominator, Kept::Nearest));
+        return std::int64_t(leftOf<Int128>(m_places.at, m_places.denominator, Truncation::Nearest));
     }
 
 private:
-    /// What is stepped from a vertex on, in 1/256 px or of a level, and by how much it changes to
+    /// A value that is stepped from a vertex on, in 1/256 px or 1/256 level, and its change up to
     /// the other vertex.
     struct Change {
         Int128 from, by;
-        Kept kept; ///< of the quotient
+        Truncation kept; ///< of the quotient
     };
-    /// The widest grid, in lattice units, on which all stands: numbers that are divided by it at
-    /// once stay so small that they are divided further in a fraction of the time.
+    /// The widest grid, in lattice units, that holds all positions: dividing by it at once keeps
+    /// numbers small, which makes later divisions much faster.
     static Lattice gridOf(const WalkedEdge &edge)
     {
         const std::array<LatticePoint, 6> places
@@ -105,7 +105,8 @@ private:
         return Lattice(1) << std::countr_zero(bits);
     }
 
-    /// At so many lattice units from the vertex, all on the grid. One along the spans stays at it.
+    /// The track `way` lattice units from the vertex; all lengths are on the grid. An edge along
+    /// the spans stays at the vertex.
     static ExactTrack trackOf(Change change, Lattice width, Lattice way, Lattice grid)
     {
         if (width == 0)
@@ -118,7 +119,7 @@ private:
             divisor = -divisor;
             change.by = -change.by;
         }
-        if (change.kept != Kept::All)
+        if (change.kept != Truncation::All)
             change.by = leftOf<Int128>(change.by, divisor, change.kept) * divisor;
         const Lattice inPixel = unitsPerPixel / grid;
         return {change.from * divisor + way * change.by, change.by * inPixel, divisor * inPixel};

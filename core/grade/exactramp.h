@@ -9,21 +9,21 @@
 
 namespace pixelplumb {
 
-/// A level along a span in fractions: at its first sample, and what is added to it.
+/// A level along a span in fractions: its first sample's, and the step.
 template <class Integer>
 struct ExactRamp {
     Integer first, step;
     Integer denominator; ///< of both; > 0
 
-    /// With something of another denominator added to its first sample.
+    /// Adds a fraction, added / ofAdded, to the first sample.
     ExactRamp preSteppedBy(const Integer &added, const Integer &ofAdded) const
     {
         return {first * ofAdded + added * denominator, step * ofAdded, denominator * ofAdded};
     }
 
-    /// The whole levels at the samples. Quotients and remainders are stepped: nothing is divided
-    /// from sample to sample, and what half of the width holds is stepped in it, which takes a
-    /// fraction of the time.
+    /// Stores the whole levels at the samples. Quotient and remainder are stepped separately,
+    /// without division at each sample, and in half the width where that suffices, which is much
+    /// faster.
     void storeFloors(std::vector<WholeLevels> &levels, std::size_t channel) const
     {
         if constexpr (std::is_same_v<Integer, Int256>) {
@@ -32,8 +32,8 @@ struct ExactRamp {
                 return ExactRamp<Int128>{Int128(first), Int128(step), Int128(denominator)}
                     .storeFloors(levels, channel);
         }
-        const Integer level = leftOf<Integer>(first, denominator, Kept::Down);
-        const Integer levelStep = leftOf<Integer>(step, denominator, Kept::Down);
+        const Integer level = leftOf<Integer>(first, denominator, Truncation::Down);
+        const Integer levelStep = leftOf<Integer>(step, denominator, Truncation::Down);
         Integer rest = first - level * denominator;
         const Integer restStep = step - levelStep * denominator;
         auto whole = std::int64_t(level);

@@ -6,34 +6,34 @@
 
 namespace pixelplumb {
 
-/// What is left of a quotient; its denominator is positive.
+/// The part of a quotient that is kept; the denominator is positive.
 template <class Integer>
-Integer leftOf(const Integer &numerator, const Integer &denominator, Kept kept)
+Integer leftOf(const Integer &numerator, const Integer &denominator, Truncation kept)
 {
-    if (kept == Kept::Nearest)
+    if (kept == Truncation::Nearest)
         return floorDivide<Integer>(2 * numerator + denominator, 2 * denominator);
-    return kept == Kept::Down ? floorDivide<Integer>(numerator, denominator)
-                              : Integer(numerator / denominator);
+    return kept == Truncation::Down ? floorDivide<Integer>(numerator, denominator)
+                                    : Integer(numerator / denominator);
 }
 
-/// Something that is stepped along an edge.
+/// A value that is stepped along an edge.
 struct ExactTrack {
     Int128 at = 0, rate = 0;
     Int128 denominator = unitsPerPixel; ///< of both; > 0
 
     Int128 floor() const { return floorDivide<Int128>(at, denominator); }
     Int128 ceil() const { return ceilDivide<Int128>(at, denominator); }
-    void store(Kept kept)
+    void store(Truncation kept)
     {
-        if (kept != Kept::All)
+        if (kept != Truncation::All)
             at = leftOf<Int128>(at, denominator, kept) * denominator;
     }
-    void step(Kept kept)
+    void step(Truncation kept)
     {
         at += rate;
         store(kept);
     }
-    /// Goes on from where another one has come to.
+    /// Continues from where another track has come to.
     void carryOn(const ExactTrack &other)
     {
         at = other.at * denominator;

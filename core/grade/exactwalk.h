@@ -10,8 +10,8 @@
 
 namespace pixelplumb {
 
-/// A program's walk in fractions. Of coordinates up to 2^15 px an edge's denominator, ΔX·S, stays
-/// below 2^33 and, where it is carried on from another's end, below 2^66; numerators below 2^90.
+/// A program's walk in fractions. For coordinates up to 2^15 px an edge's denominator, ΔX·S, stays
+/// below 2^33, or below 2^66 where it continues another's end; numerators stay below 2^90.
 struct ExactWalk {
     static bool represents(const LatticePoint &point) { return isNarrow(point); }
 
@@ -19,12 +19,12 @@ struct ExactWalk {
     using Edge = ExactEdge;
     using Bounds = WalkedBounds<Edge>;
 
-    static const Edge &moved(const Edge &edge, double) { return edge; } // has no side
+    static const Edge &moved(const Edge &edge, double) { return edge; } // exact: no rounding side
 
-    /// What R G B have come to behind the last sample of a span, in 1/2^32.
+    /// R G B just after a span's last sample, in 1/2^32.
     using Carried = std::array<Int256, 3>;
 
-    /// What most frames need is computed in half of the width, which takes a fraction of the time.
+    /// Half of the width suffices for most frames and is much faster.
     static std::vector<WholeLevels> levelsOf(const Bounds &bounds, const WalkedSpan &span,
                                              const WalkedProgram &program,
                                              std::optional<Carried> &carried)
@@ -37,9 +37,10 @@ struct ExactWalk {
 private:
     static constexpr std::int64_t carriedUnit = std::int64_t(1) << 32;
 
-    /// Of a numerator below 2^n, a denominator below 2^d < 2^n and a place below 2^(n − d) a ramp's
-    /// first level comes to 2^(2n + 2d + 6) at most, and d bits more where its way is a fraction by
-    /// itself. A product below 2^58 has n + d < 60, one below 2^46 has d < 24.
+    /// Whether half of the width holds the ramps. With numerators below 2^n, denominators below 2^d
+    /// < 2^n and places below 2^(n − d), a ramp's first level is at most 2^(2n + 2d + 6), with d
+    /// bits more where its pre-step is a separate fraction. A product below 2^58 means n + d < 60,
+    /// one below 2^46 means d < 24.
     static bool isHeldByHalf(const Bounds &bounds, const WalkedSpan &span,
                              const WalkedProgram &program)
     {
@@ -65,7 +66,7 @@ private:
             return false;
         numerator = std::max(numerator, denominator * farthest);
         const bool isPlain
-            = program.spanPreStep() != PreStep::WithoutRate && walk.preSteps == Kept::All;
+            = program.spanPreStep() != PreStep::WithoutRate && walk.preSteps == Truncation::All;
         return numerator < half && numerator * denominator < Int128(1) << (isPlain ? 58 : 46);
     }
 
@@ -83,12 +84,12 @@ private:
         Carried behind;
         for (std::size_t i = 0; i < 3; ++i) {
             ExactRamp<Integer> ramp = ramps[i];
-            if (walk.stepsAlongSpansOf[i] != i) // channels have one denominator
+            if (walk.stepsAlongSpansOf[i] != i) // channels share a denominator
                 ramp.step = ramps[walk.stepsAlongSpansOf[i]].step;
             if (walk.spanStoring == Storing::FirstAlone) {
                 ramp.first
                     = leftOf<Integer>(ramp.first, ramp.denominator, walk.levels) * ramp.denominator;
-            } else if (walk.levels != Kept::All) {
+            } else if (walk.levels != Truncation::All) {
                 behind[i] = storeWhole(ramp, span, program, levels, i) * carriedUnit;
                 continue;
             }
@@ -96,14 +97,14 @@ private:
             if (walk.spanStart != SpanStart::AtBound)
                 behind[i] = leftOf<Int256>((Int256(ramp.first) + span.samples() * Int256(ramp.step))
                                                * carriedUnit,
-                                           Int256(ramp.denominator), Kept::Nearest);
+                                           Int256(ramp.denominator), Truncation::Nearest);
         }
         if (walk.spanStart != SpanStart::AtBound)
             carried = behind;
         return levels;
     }
 
-    /// y_T − y_B in fractions, or what is taken for it; its denominator is positive.
+    /// y_T − y_B in fractions, or what replaces it; the denominator is positive.
     static Int128 heightOf(const Track &lower, const Track &upper, const WalkedSpan &span,
                            SpanDivisor divisor)
     {
@@ -128,7 +129,7 @@ private:
         return height;
     }
 
-    /// The way to the first sample over the lower bound's denominator.
+    /// The distance to the first sample, over the lower bound's denominator.
     static Int128 preStepOf(const Track &lower, const WalkedSpan &span, PreStep preStep)
     {
         const Int128 toSample = span.first * lower.denominator - lower.at;
@@ -146,14 +147,14 @@ private:
         return 0;
     }
 
-    static Track levelAt(const Edge &edge, std::size_t channel, Kept kept)
+    static Track levelAt(const Edge &edge, std::size_t channel, Truncation kept)
     {
         Track level = edge.level(channel);
         level.store(kept);
         return level;
     }
 
-    /// With R of the bound at the first sample. All below 2^240.
+    /// The ramp with the bound's R at the first sample. All numbers stay below 2^240.
     template <class Integer>
     static ExactRamp<Integer> rampAtBound(const Bounds &bounds, const WalkedSpan &span,
                                           const WalkedProgram &program, std::size_t channel)
@@ -171,7 +172,7 @@ private:
         const Track &from = isFromUpper ? atUpper : atLower;
         const Track &other = isFromUpper ? atLower : atUpper;
         const Int128 height = heightOf(lower, upper, span, walk.divisor);
-        if (height == 0 || isFlat(walk.spanColours)) // nothing to share out
+        if (height == 0 || isFlat(walk.spanColours)) // nothing to distribute
             return {from.at, 0, from.denominator};
         const std::size_t source = walk.ratesAlongSpansOf[channel];
         const Integer unit = Integer(lower.denominator) * Integer(upper.denominator);
@@ -195,7 +196,7 @@ private:
         ramp = carried ? ExactRamp<Integer>{Integer((*carried)[channel]) * ramp.denominator,
                                             ramp.step * carriedUnit, ramp.denominator * carriedUnit}
                        : preStepped(ramp, bounds.lower.place(), span, program, channel);
-        if (walk.steps != Kept::All)
+        if (walk.steps != Truncation::All)
             ramp.step = leftOf<Integer>(ramp.step, ramp.denominator, walk.steps) * ramp.denominator;
         if (walk.unsteppedAlongSpans.contains(channel))
             ramp.step = 0;
@@ -216,10 +217,10 @@ private:
         const Integer denominator = lower.denominator;
         if (preStep == PreStep::WithoutRate)
             return ramp.preSteppedBy(way, denominator);
-        if (walk.preSteps != Kept::All)
+        if (walk.preSteps != Truncation::All)
             return ramp.preSteppedBy(
                 leftOf<Integer>(ramp.step, ramp.denominator, walk.preSteps) * way, denominator);
-        ramp.first += way * (ramp.step / denominator); // a multiple of it
+        ramp.first += way * (ramp.step / denominator); // step is a multiple of it
         return ramp;
     }
     template <class Integer>
@@ -235,25 +236,26 @@ private:
             : ExactRamp<Integer>{first, ramp.step, ramp.denominator};
         stored.storeFloors(levels, channel);
     }
-    /// A channel whose level is a whole number at each sample, or at all but the first; gives what
-    /// it has come to behind the last one.
+    /// Stores a channel whose level is a whole number at each sample, or at all but the first;
+    /// returns the level just after the last one.
     template <class Integer>
     static std::int64_t storeWhole(const ExactRamp<Integer> &ramp, const WalkedSpan &span,
                                    const WalkedProgram &program, std::vector<WholeLevels> &levels,
                                    std::size_t channel)
     {
-        const Kept kept = program.walk().levels;
+        const Truncation kept = program.walk().levels;
         auto level = std::int64_t(leftOf<Integer>(ramp.first, ramp.denominator, kept));
         std::optional<std::int64_t> second;
         if (program.walk().spanStoring == Storing::BehindSteps) {
             const bool isNearest = program.rounding() == ByteRounding::Nearest;
-            level = std::int64_t(leftOf<Integer>(ramp.first, ramp.denominator,
-                                                 isNearest ? Kept::Nearest : Kept::Down));
+            level = std::int64_t(leftOf<Integer>(
+                ramp.first, ramp.denominator, isNearest ? Truncation::Nearest : Truncation::Down));
             second = std::int64_t(leftOf<Integer>(ramp.first + ramp.step, ramp.denominator, kept));
         }
-        const auto down = std::int64_t(leftOf<Integer>(ramp.step, ramp.denominator, Kept::Down));
+        const auto down
+            = std::int64_t(leftOf<Integer>(ramp.step, ramp.denominator, Truncation::Down));
         const auto nearest
-            = std::int64_t(leftOf<Integer>(ramp.step, ramp.denominator, Kept::Nearest));
+            = std::int64_t(leftOf<Integer>(ramp.step, ramp.denominator, Truncation::Nearest));
         const bool isWhole = ramp.step % ramp.denominator == 0;
         for (std::int64_t place = span.first; place < span.end; ++place) {
             if (place >= span.firstDrawn && place < span.endDrawn)
@@ -262,9 +264,9 @@ private:
                 level = *second;
                 continue;
             }
-            // A whole number and a step between two: below 0 it is cut upward.
-            const bool isCutUpward = kept == Kept::TowardZero && level + down < 0 && !isWhole;
-            level += kept == Kept::Nearest ? nearest : down + (isCutUpward ? 1 : 0);
+            // A fractional step is added to a whole number: below 0 truncation goes upward.
+            const bool isCutUpward = kept == Truncation::TowardZero && level + down < 0 && !isWhole;
+            level += kept == Truncation::Nearest ? nearest : down + (isCutUpward ? 1 : 0);
         }
         return level;
     }

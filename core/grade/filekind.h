@@ -7,7 +7,7 @@
 
 namespace pixelplumb {
 
-/// What is no ordinary file: "a link".
+/// The name of what is no regular file: "a link".
 inline QString fileKindOf(mode_t mode)
 {
     switch (mode & S_IFMT) {

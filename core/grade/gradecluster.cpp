@@ -10,13 +10,13 @@ namespace pixelplumb {
 
 namespace {
 
-/// By what is a mistake: what is none alone names no cause.
+/// Names only mistakes: a defect that alone is none names no cause.
 QString setText(const GradedCandidate &candidate)
 {
     return candidate.mistakes().join(QStringLiteral(" and "));
 }
 
-/// All that explain the submission.
+/// All sets that explain the submission.
 QStringList setsOf(const GradedSubmission &submission)
 {
     QStringList sets;
@@ -26,8 +26,8 @@ QStringList setsOf(const GradedSubmission &submission)
     return sets;
 }
 
-/// "crashed", "timed out", "empty": why a scene has no picture; empty where there is one, or the
-/// grade is of a time when nobody said.
+/// "crashed", "timed out", "empty": why a scene has no picture; empty where there is one, or where
+/// the grade predates these reasons.
 QString lackText(const GradedScene &scene)
 {
     if (!scene.lack)
@@ -36,7 +36,7 @@ QString lackText(const GradedScene &scene)
     return *scene.lack == PictureLack::NotDrawn && hasEnded ? scene.run->end : nameOf(*scene.lack);
 }
 
-/// Of a submission that has a picture too few: why, each reason once; empty of others.
+/// The title of a submission that lacks a picture: why, each reason once; empty for others.
 QString faultTitle(const GradedSubmission &submission)
 {
     QStringList lacks;
@@ -56,7 +56,7 @@ QString faultTitle(const GradedSubmission &submission)
     return lacks.isEmpty() ? what : what + QStringLiteral(": ") + lacks.join(QStringLiteral(", "));
 }
 
-/// What is known of a class before its submissions are put together.
+/// What is known about a class before its submissions are grouped.
 class ClusterTitles {
 public:
     explicit ClusterTitles(const GradeReport &report)
@@ -93,8 +93,8 @@ public:
     }
 
 private:
-    /// Nothing is wrong with it, whatever explains it: it is not among those with which something
-    /// is.
+    /// Nothing is wrong with it, whatever explains it, so it is kept apart from submissions with
+    /// mistakes.
     static QString openTitle(const GradedSubmission &submission, const QString &sets)
     {
         const QString title = submission.lacksColours()
@@ -103,8 +103,8 @@ private:
         return sets.isEmpty() ? title : QStringLiteral("%1, as with %2").arg(title, sets);
     }
 
-    /// Of submissions that the same set explains first, the sets that explain them all: rounding
-    /// may let one of them have more than another.
+    /// Among submissions with the same first set, keeps the sets that explain them all: rounding
+    /// may give one of them more sets than another.
     void takeSets(const GradedSubmission &submission)
     {
         const QStringList sets = setsOf(submission);
@@ -127,8 +127,8 @@ private:
                       : QString();
     }
 
-    QMap<QString, QStringList> m_sets; ///< by the first one
-    QMap<QString, QStringList> m_alike; ///< names, by pictures
+    QMap<QString, QStringList> m_sets; ///< by the first set
+    QMap<QString, QStringList> m_alike; ///< names, by set of pictures
 };
 
 } // namespace

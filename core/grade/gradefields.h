@@ -6,7 +6,7 @@
 
 namespace pixelplumb {
 
-// What the parts of a submission's grade are called in files.
+// The names in files of the fields of a submission's grade.
 
 template <PartOf<GradedCheck> Self, class Visit>
 void eachField(Self &self, const Visit &visit)
@@ -61,7 +61,7 @@ void eachField(Self &self, const Visit &visit)
     visit("submissions", self.submissions);
 }
 
-template <PartOf<GradedParting> Self, class Visit>
+template <PartOf<FirstDivergence> Self, class Visit>
 void eachField(Self &self, const Visit &visit)
 {
     visit("scene", self.scene);

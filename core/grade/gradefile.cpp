@@ -24,7 +24,7 @@ const QString gradesKey = QStringLiteral("pixelplumbGrades");
 const QString reviewsKey = QStringLiteral("reviews");
 const QString whatGradingWrote = QStringLiteral("what grading wrote; grade the submissions again");
 
-/// Whether it is a file of ours; its version is looked at before its keys.
+/// Whether it is one of our files; its version is checked before its keys.
 bool expectFormat(JsonReader &json)
 {
     if (!json.hasFailed())
@@ -32,7 +32,7 @@ bool expectFormat(JsonReader &json)
     return !json.hasFailed();
 }
 
-/// What a file of ours says, edited or not.
+/// Reads one of our files, edited or not.
 template <class Part>
 Result<Part> readOurs(const QByteArray &text)
 {
@@ -43,7 +43,7 @@ Result<Part> readOurs(const QByteArray &text)
     return json.hasFailed() ? Result<Part>(json.error()) : Result<Part>(std::move(part));
 }
 
-/// The same, unless its seal is broken.
+/// Like readOurs(), but fails if the seal is broken.
 template <class Part>
 Result<Part> readSealed(const QByteArray &text, const QByteArray &about)
 {
@@ -64,7 +64,7 @@ QByteArray writeSealed(const Part &part, const QByteArray &about)
     return sealed(std::move(object), about);
 }
 
-/// What a reader found, or its error with the file's name.
+/// What `read` returns, or its error with the file's name.
 template <class Value, class Read>
 Result<Value> readAt(const ResultsFolder &results, const QString &file, const Read &read)
 {
@@ -75,7 +75,7 @@ Result<Value> readAt(const ResultsFolder &results, const QString &file, const Re
     return value ? value : Result<Value>(errorIn(results.pathOf(file), value.error()));
 }
 
-/// What is written into a folder of results beside the folders in it.
+/// The files that are written into a folder of results, outside its folders.
 QStringList resultFiles()
 {
     return {assignmentFile,
@@ -118,8 +118,8 @@ Result<Reviews> readReviews(const QByteArray &text)
     return reviews;
 }
 
-/// Whether the names in a result's file are those that grading gives: a program without a sandbox
-/// may have written it, and nothing outside of the results is to be read or written for it.
+/// Whether the names in a result's file are those that grading gives. A program without a sandbox
+/// may have written the file, and must not make us read or write outside the results.
 bool hasOwnNames(const GradedSubmission &submission, const QString &file)
 {
     return file == submission.id + QStringLiteral(".json")
@@ -200,7 +200,7 @@ Result<Descriptor> beginResults(const QString &results, const GradedPart &part)
     auto taken = folder.take();
     if (!taken)
         return taken;
-    // One that was edited is replaced as a whole.
+    // An edited file is replaced as a whole.
     if (const auto known = readAt<GradedPart>(folder, partFile, readOurs<GradedPart>); !known) {
         if (folder.has(partFile))
             return InputError{known.error().place,
@@ -257,7 +257,7 @@ Result<GradeReport> readGrades(const QString &results)
         const auto part = readGradedPart(results);
         if (!part)
             return part.error();
-        // Parts lack what the others have; they are asked when they are merged.
+        // One of several parts lacks the others' submissions; merging checks them.
         if (part->of == 1)
             report.missing = missingIn(report, part->submissions);
     }
@@ -279,7 +279,7 @@ Result<GradeReport> readGrades(const QString &results)
 std::optional<InputError> writeReviews(const QString &results, const GradeReport &report)
 {
     QJsonObject reviews;
-    // Those of submissions that are not there now, but may come back, stay.
+    // Reviews of submissions that are missing now, but may come back, are kept.
     const ResultsFolder folder(results);
     if (folder.has(reviewsFile)) {
         const auto written = readAt<Reviews>(folder, reviewsFile, readReviews);

@@ -8,32 +8,32 @@ namespace pixelplumb {
 
 class ResultsFolder;
 
-/// Of the JSON of results, and the newest that is read.
+/// The format of the results' JSON, and the newest that is read.
 inline constexpr int gradesFormat = 1;
 
-/// A submission's own file, which grading writes and seals (seal.h); without the review. The
-/// assignment is what writeAssignment() writes. A text of another one, or that somebody has edited,
-/// is an error.
+/// A submission's own file, written and sealed by grading (seal.h), without the review.
+/// `assignment` is the text of writeAssignment(). A file of another assignment, or one that was
+/// edited, is an error.
 QByteArray writeGradedSubmission(const GradedSubmission &submission, const QByteArray &assignment);
 Result<GradedSubmission> readGradedSubmission(const QByteArray &text, const QByteArray &assignment);
 
-/// Which submissions a folder of results is of: what was there when they were graded, and the share
-/// of them that this run had.
+/// Which submissions a folder of results covers: all that existed when they were graded, and this
+/// run's share of them.
 inline constexpr int mostParts = 10'000;
 struct GradedPart {
     int number = 1; ///< 1 … of
     int of = 1;
-    QStringList submissions; ///< the names of all, those of the other parts among them
+    QStringList submissions; ///< all names, including those of other parts
 
     friend bool operator==(const GradedPart &, const GradedPart &) = default;
 };
 QByteArray writeGradedPart(const GradedPart &part); ///< with its seal
-/// That of a folder of results; an error where there is none, or an edited one.
+/// Reads the part of a folder of results; an error where there is none, or an edited one.
 Result<GradedPart> readGradedPart(const QString &results);
 
-/// Of a picture's bytes, as GradedScene has it.
+/// The digest of a picture's bytes, for GradedScene.
 QString pictureDigestOf(const QByteArray &picture);
-/// The first of a submission's pictures that is not what grading wrote, or no longer there.
+/// The first of a submission's pictures that is missing or differs from what grading wrote.
 std::optional<InputError> changedPictureOf(const GradedSubmission &submission,
                                            const ResultsFolder &results);
 
@@ -41,15 +41,15 @@ std::optional<InputError> changedPictureOf(const GradedSubmission &submission,
 QString assignmentFileOf(const QString &results);
 QString submissionFileOf(const QString &results, const QString &id);
 
-/// Makes a folder of results, or takes up one that is there, and says which part it is. An error
-/// where what stands under the names of results was not written by grading. Other runs are refused
-/// as long as the descriptor is open.
+/// Makes a folder of results, or resumes an existing one, and records which part it is. An error
+/// where grading did not write the files that have the names of results. Other runs are refused
+/// while the descriptor is open.
 Result<Descriptor> beginResults(const QString &results, const GradedPart &part);
 
-/// A folder of results, whole or as far as its grading came, with the reviews.
+/// Reads a folder of results, complete or as far as its grading came, with the reviews.
 Result<GradeReport> readGrades(const QString &results);
 
-/// What the assistant said of submissions, atomically.
+/// Writes the assistant's reviews of submissions, atomically.
 std::optional<InputError> writeReviews(const QString &results, const GradeReport &report);
 
 } // namespace pixelplumb

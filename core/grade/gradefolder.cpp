@@ -42,7 +42,7 @@ QByteArray rasterOf(const Picture &picture)
     return raster;
 }
 
-/// Writes what was graded: the pictures first, for the grade names them.
+/// Writes a graded submission: the pictures first, since the grade names them.
 std::optional<InputError> write(const ResultsFolder &results, GradedWork &work,
                                 const QByteArray &assignment)
 {
@@ -71,18 +71,18 @@ bool isOfShard(const QByteArray &name, const GradeShard &shard)
     return (uchar(hash[0]) * 256 + uchar(hash[1])) % shard.of == shard.number - 1;
 }
 
-/// What a grade depends on beside the submission.
+/// What a grade depends on besides the submission.
 QByteArray circumstances(const Grader &grader, const QByteArray &assignment, const QString &version)
 {
     QCryptographicHash hash(QCryptographicHash::Sha256);
     hash.addData(version.toUtf8() + '\n' + assignment);
-    // What a scene refers to, such as a texture, may have changed.
+    // Things that a scene refers to, such as a texture, may have changed.
     for (std::size_t i = 0; i < grader.assignment().scenes.size(); ++i)
         hash.addData(pngOf(grader.expected(i)));
     return hash.result();
 }
 
-/// A grade that was given already; none where it is not there, edited or of something else.
+/// The existing grade; none where it is missing, edited or of something else.
 std::optional<GradedSubmission> knownGrade(const ResultsFolder &results, const QByteArray &name,
                                            const QString &digest, const QByteArray &assignment)
 {
@@ -96,7 +96,7 @@ std::optional<GradedSubmission> knownGrade(const ResultsFolder &results, const Q
     return changedPictureOf(*known, results) ? std::nullopt : std::optional(*known);
 }
 
-/// Grades the submissions by their places in a list, several at once.
+/// Grades the listed submissions, several at once.
 class FolderGrading {
 public:
     FolderGrading(const GradingOrder &order, const Assignment &assignment,
@@ -121,7 +121,7 @@ public:
             threads.emplace_back([this] { work(); });
         work();
         threads.clear();
-        for (const std::size_t place : m_failed) { // those beside it may have had the memory
+        for (const std::size_t place : m_failed) { // the memory may have been taken by others
             if (!m_stop.stop_requested())
                 gradeAlone(m_names[place]);
         }
@@ -149,7 +149,7 @@ private:
         m_failed.push_back(place);
     }
 
-    /// What it ends in is the submission's own, and the others' grades are none the worse for it.
+    /// An error in grading belongs to this submission and does not affect the others' grades.
     void gradeAlone(const QByteArray &name)
     {
         if (const auto failure = failureOf([&] { endWith(gradeOne(name)); })) {
@@ -159,7 +159,7 @@ private:
         }
     }
 
-    /// With an error, if there is one.
+    /// Stops with the error, if there is one.
     void endWith(const std::optional<InputError> &error)
     {
         if (!error)
@@ -198,7 +198,7 @@ private:
     const GradingOrder &m_order;
     Grader m_grader;
     ResultsFolder m_results;
-    QByteArray m_assignment; ///< as it is written
+    QByteArray m_assignment; ///< as written
     QByteArray m_circumstances;
     std::vector<QByteArray> m_names;
     const ProgressListener &m_listener;
@@ -206,11 +206,11 @@ private:
     std::atomic<std::size_t> m_next = 0;
     std::mutex m_mutex;
     std::int64_t m_done = 0;
-    std::vector<std::size_t> m_failed; ///< places of those that failed beside others
+    std::vector<std::size_t> m_failed; ///< indices of those that failed while others were graded
     std::optional<InputError> m_error;
 };
 
-/// What is of submissions that are no longer there.
+/// Removes the results of submissions that no longer exist.
 void removeOthers(const ResultsFolder &results, const Assignment &assignment,
                   const std::vector<QByteArray> &names)
 {
@@ -231,7 +231,7 @@ void removeOthers(const ResultsFolder &results, const Assignment &assignment,
     }
 }
 
-/// Results among the submissions, or the other way round, would be taken for each other.
+/// Results inside the submissions, or the reverse, would be mixed up.
 std::optional<InputError> refusalOf(const GradingOrder &order)
 {
     if (!lieInEachOther(order.results, order.submissions))
@@ -265,7 +265,7 @@ Result<std::optional<GradeReport>> gradeFolder(const GradingOrder &order,
         return taken.error();
     if (auto error = results.write(assignmentFile, writeAssignment(assignment)))
         return *error;
-    { // What it knows of pictures makes room for the reports.
+    { // Frees what it knows of pictures before the reports.
         FolderGrading grading(order, assignment, *names, listener);
         const bool isDone = grading.run();
         if (grading.error())

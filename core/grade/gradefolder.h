@@ -6,7 +6,8 @@
 
 namespace pixelplumb {
 
-/// The part of the submissions that one of several machines grades: a stable share, by name.
+/// The share of the submissions that one of several machines grades: chosen by name, so it is
+/// stable.
 struct GradeShard {
     int number = 1; ///< 1 … of
     int of = 1;
@@ -15,28 +16,27 @@ struct GradeShard {
 struct GradingOrder {
     QString submissions; ///< a folder
     QString results; ///< a folder, made if need be
-    QString version; ///< of this program: another one grades anew
+    QString version; ///< of this program: a new version grades anew
     int jobs = 1; ///< threads
     GradeShard shard = {};
 };
 
-/// Grades each submission of the folder whose grade is not in the results yet, or was given by
-/// another version, for another assignment or other bytes: a run that was ended is taken up where
-/// it stopped. Each grade is written as soon as it is given, the reports at the end. None where the
-/// listener, who hears how many submissions are done, ended it. What could not be
-/// graded, beside others and alone, says so and is graded again the next time. The same
-/// submissions, the same bytes.
+/// Grades each submission of the folder unless the results already hold its grade from the same
+/// version, assignment and bytes: an interrupted run resumes where it stopped. Each grade is
+/// written at once, the reports at the end. None where the listener, who hears how many submissions
+/// are done, ended it. A submission that cannot be graded, neither alongside others nor alone, says
+/// so and is graded again next time. Equal submissions give equal bytes.
 Result<std::optional<GradeReport>> gradeFolder(const GradingOrder &order,
                                                const Assignment &assignment,
                                                const ProgressListener &listener = {});
 
-/// What parts that are merged are to be together.
+/// How complete the merged parts must be.
 enum class MergeExtent {
     Whole, ///< an error says which parts or submissions are missing
-    Partial, ///< the report says it
+    Partial, ///< the report says what is missing
 };
 
-/// Joins the results of shards, with their reviews, into a folder of their own.
+/// Joins the results of shards, with their reviews, into a new folder.
 Result<GradeReport> mergeGrades(const QStringList &parts, const QString &results,
                                 MergeExtent extent = MergeExtent::Whole);
 

@@ -50,8 +50,8 @@ QString figure(const QImage &image, const QString &caption)
         .arg(html(caption), QString::fromLatin1(png.toBase64()));
 }
 
-// Those of a marked picture by diff (Okabe and Ito's): missing vermilion, extra blue, another
-// colour purple, undecidable yellow.
+// The colours of marked pictures (Okabe and Ito's), as in `diff`: missing vermilion, extra blue,
+// another colour purple, undecidable yellow.
 QRgb inkOf(PixelVerdict verdict)
 {
     switch (verdict) {
@@ -141,7 +141,7 @@ private:
         m_page += QStringLiteral("</section>\n");
     }
 
-    /// `open` is an attribute of what is unfolded at first.
+    /// `open` is the attribute of details that are unfolded initially.
     void writeSubmission(const GradedSubmission &submission, const QString &open)
     {
         const Assignment &assignment = m_report.assignment;

@@ -12,11 +12,11 @@ namespace pixelplumb {
 
 namespace {
 
-/// Of the pixels that are to be covered, without those that are left open.
+/// Counts pixels that should be covered, without those left open.
 struct CoveredTally {
     std::int64_t asked = 0;
-    std::int64_t there = 0; ///< of these the covered ones
-    std::int64_t right = 0; ///< of these those with the right bytes
+    std::int64_t there = 0; ///< the covered ones of these
+    std::int64_t right = 0; ///< those of these with the right bytes
 };
 
 CoveredTally tallyOf(const Picture &expected, const PictureDiff &diff)
@@ -47,9 +47,9 @@ bool isPassed(Check check, const Picture &expected, const Picture &found, const 
         && diff.count(PixelVerdict::Colour) == 0;
 }
 
-/// Of the points of a check that is not passed, in hundredths, rounded down. Of coverage: the
-/// pixels covered as they are to be, of those that are or are to be. Of colours: those with the
-/// right bytes, of those that are covered, but at least of half of those to be.
+/// The points for a failed check, rounded down to hundredths. Coverage: the pixels rightly covered,
+/// as a share of those that are or should be covered. Colours: those with the right bytes, as a
+/// share of the covered ones, but at least of half of those that should be covered.
 double pointsInPart(const GradedCheck &check, const Picture &expected, const Picture &found,
                     const PictureDiff &diff)
 {
@@ -60,7 +60,7 @@ double pointsInPart(const GradedCheck &check, const Picture &expected, const Pic
     const std::int64_t doubledOf = isCoverage ? 2 * (tally.asked + diff.count(PixelVerdict::Extra))
                                               : std::max(2 * tally.there, tally.asked);
     const std::int64_t reached = isCoverage ? tally.there : tally.right;
-    constexpr double ofRounding = 1e-9; // of points that are no binary fraction
+    constexpr double ofRounding = 1e-9; // for points that are no binary fractions
     return doubledOf > 0
         ? std::floor(check.of * 200 * double(reached) / double(doubledOf) + ofRounding) / 100
         : 0;
@@ -69,7 +69,7 @@ double pointsInPart(const GradedCheck &check, const Picture &expected, const Pic
 std::optional<FramePixel> firstDifferenceIn(const PictureDiff &diff, const FrameSpec &frame)
 {
     const auto isOther = [](PixelVerdict verdict) { return verdict != PixelVerdict::Same; };
-    // One that is left open comes first only where there is no other.
+    // An open pixel is returned only where there is no other.
     auto found = std::ranges::find_if(diff.verdicts, [&](PixelVerdict verdict) {
         return isOther(verdict) && verdict != PixelVerdict::Undecidable;
     });

@@ -14,14 +14,14 @@ namespace pixelplumb {
 
 struct Delivery;
 
-/// A submission's grade, and what was judged.
+/// A submission's grade, and the pictures that were judged.
 struct GradedWork {
     GradedSubmission submission;
     std::vector<std::optional<Picture>> pictures; ///< by scene of the assignment
 };
 
-/// Grades submissions of one assignment; may be asked by several threads at once. Submissions that
-/// have the same pictures are diagnosed once.
+/// Grades submissions of one assignment; thread-safe. Submissions with the same pictures are
+/// diagnosed once.
 class Grader {
 public:
     explicit Grader(Assignment assignment);
@@ -29,43 +29,43 @@ public:
     const Assignment &assignment() const { return m_assignment; }
     /// What the scene's method draws.
     const Picture &expected(std::size_t scene) const { return m_expected[scene]; }
-    /// A 1 for each pixel of what was found that may be so; empty: none.
+    /// A 1 for each pixel of the found picture that is left open; empty: none.
     std::vector<std::uint8_t> leftOpen(std::size_t scene, const Picture &found) const;
 
-    /// The digest is left empty. None where the stop was asked for.
+    /// Leaves the digest empty. None where the stop was requested.
     std::optional<GradedWork> grade(const SubmissionEntry &entry, const std::stop_token &stop = {});
 
-    /// What is known of a submission whose grading ended in an error: no points.
+    /// The grade of a submission whose grading ended in an error: no points.
     GradedWork ungraded(const SubmissionEntry &entry, const QString &error) const;
 
 private:
     GradedScene judge(std::size_t scene, const Delivery &delivery) const;
-    /// What is known of pictures, whoever drew them.
+    /// What is known about a set of pictures, whoever drew them.
     struct Named {
-        QString pictures; ///< one word for them
+        QString pictures; ///< one word that names the set
         std::vector<GradedCandidate> candidates;
-        std::map<std::size_t, QStringList> explanations; ///< by scene, where none explains all
-        std::optional<QString> error = {}; ///< in which it ended that this was to become known
+        std::map<std::size_t, QStringList> explanations; ///< by scene, if none explains all
+        std::optional<QString> error = {}; ///< the error that ended the search for causes
     };
 
     std::optional<Named> named(const std::vector<FoundPicture> &found, const std::stop_token &stop);
-    /// Adds the causes; false where the stop was asked for.
+    /// Adds the causes; false where the stop was requested.
     bool search(const std::vector<FoundPicture> &found, const std::stop_token &stop, Named &named);
     std::optional<Diagnosis> diagnosisOf(std::span<const FoundPicture> found,
                                          const std::stop_token &stop);
     GradedCandidate gradedOf(const DiagnosisCandidate &candidate,
                              const std::vector<FoundPicture> &found) const;
-    std::optional<GradedParting> partingOf(const DiagnosisCandidate &candidate,
-                                           const std::vector<FoundPicture> &found) const;
+    std::optional<FirstDivergence> partingOf(const DiagnosisCandidate &candidate,
+                                             const std::vector<FoundPicture> &found) const;
 
     Assignment m_assignment;
     std::vector<Picture> m_expected;
     DefectPictures m_pictures;
     std::mutex m_mutex;
-    std::map<QByteArray, Named> m_known; ///< by hash of pictures
+    std::map<QByteArray, Named> m_known; ///< by hash of the pictures
 };
 
-/// As a file has it, line by line.
+/// Line by line, the top line first, as in a file.
 QImage imageOf(const Picture &picture);
 
 } // namespace pixelplumb

@@ -10,7 +10,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Of the bytes of the pictures and of the scenes that they are of.
+/// A hash of the pictures' bytes and of the scenes they belong to.
 QByteArray keyOf(const std::vector<FoundPicture> &found)
 {
     QCryptographicHash hash(QCryptographicHash::Sha256);
@@ -44,14 +44,14 @@ GradedWork Grader::ungraded(const SubmissionEntry &entry, const QString &error) 
     return work;
 }
 
-std::optional<GradedParting> Grader::partingOf(const DiagnosisCandidate &candidate,
-                                               const std::vector<FoundPicture> &found) const
+std::optional<FirstDivergence> Grader::partingOf(const DiagnosisCandidate &candidate,
+                                                 const std::vector<FoundPicture> &found) const
 {
     for (const FoundPicture &each : found) {
         const AssignedScene &asked = m_assignment.scenes[each.scene];
         const auto own = ownDefects(m_pictures.defectsOf(each.scene), candidate.defects);
         if (const auto step = partingStepOf(asked.scene, own))
-            return GradedParting{asked.name, std::int64_t(step->step), step->heading, step->text};
+            return FirstDivergence{asked.name, std::int64_t(step->step), step->heading, step->text};
     }
     return std::nullopt;
 }
@@ -100,7 +100,7 @@ std::optional<Grader::Named> Grader::named(const std::vector<FoundPicture> &foun
     if (!isDone)
         return std::nullopt;
     if (named.error)
-        return Named{named.pictures, {}, {}, named.error}; // nor is it kept: the next one may do
+        return Named{named.pictures, {}, {}, named.error}; // not kept: the next attempt may succeed
     const std::lock_guard lock(m_mutex);
     m_known.emplace(key, named);
     return named;

@@ -70,7 +70,7 @@ void appendFull(const GradedSubmission &submission, QStringList &lines)
         lines += QStringLiteral("the search for defects ended in an error: %1")
                      .arg(*submission.searchError);
     for (const GradedCandidate &candidate : submission.candidates) {
-        // A name that explains next to nothing is none.
+        // A set that explains next to nothing is not named.
         if (!isRelevant(candidate.distance, submission.differing))
             continue;
         const QString ids = candidate.defects.join(QStringLiteral(" and "));

@@ -9,24 +9,24 @@
 
 namespace pixelplumb {
 
-/// What became of a submission as a whole.
+/// The result for a whole submission.
 enum class GradeVerdict {
     Right,
-    Undecidable, ///< what differs may be either way
+    Undecidable, ///< all differences are left open
     Wrong,
-    Nothing, ///< there is no picture that could be judged
+    Nothing, ///< no picture could be judged
 };
 inline constexpr std::array allGradeVerdicts
     = {GradeVerdict::Right, GradeVerdict::Undecidable, GradeVerdict::Wrong, GradeVerdict::Nothing};
 QString nameOf(GradeVerdict verdict); ///< "right", "undecidable", "wrong", "nothing"
 
-/// Why there is no picture of a scene to judge.
+/// Why a scene has no picture to judge.
 enum class PictureLack {
     NotThere, ///< neither a file nor a program
-    NotDrawn, ///< the program could not be run, or did not end well: GradedRun::end
+    NotDrawn, ///< the program could not be run, or did not end well: see GradedRun::end
     Empty,
     OtherSize,
-    TraceAlone, ///< lines of a trace, none of them a pixel's
+    TraceAlone, ///< lines of a trace, but none of pixels
     Unreadable,
 };
 inline constexpr std::array allPictureLacks
@@ -38,23 +38,23 @@ QString nameOf(PictureLack lack); ///< "not there", "not drawn", "empty", "of an
 struct GradedCheck {
     Check check = Check::Picture;
     bool isPassed = false;
-    double points = 0; ///< all, none or, where the assignment says so, the share that is right
+    double points = 0; ///< all, none or, if the assignment says so, the share that is right
     double of = 0;
 
     friend bool operator==(const GradedCheck &, const GradedCheck &) = default;
 };
 
-/// How a program ended that was run on a scene.
+/// How a program's run on a scene ended.
 struct GradedRun {
     QString end; ///< "finished", "crashed", "timed out" …
-    QString told; ///< a sentence: what happened
+    QString told; ///< a sentence on what happened
     QString messages; ///< the beginning of its stderr, without control characters
-    std::optional<QString> sandboxLack = {}; ///< why it ran in no sandbox; none: in one
+    std::optional<QString> sandboxLack = {}; ///< why it ran without a sandbox; none: it ran in one
 
     friend bool operator==(const GradedRun &, const GradedRun &) = default;
 };
 
-/// In frame coordinates, as everywhere beside a scene.
+/// In frame coordinates, as everywhere outside a scene.
 struct FramePixel {
     int x = 0;
     int y = 0;
@@ -62,84 +62,83 @@ struct FramePixel {
     friend bool operator==(const FramePixel &, const FramePixel &) = default;
 };
 
-/// What became of one scene.
+/// The result for one scene.
 struct GradedScene {
     QString scene; ///< its name in the assignment
-    QString file; ///< the picture's in the submission, escaped; empty: none, or a program drew it
+    QString file; ///< the picture file in the submission, escaped; empty: none, or a program's
     QString fault; ///< why there is no picture to judge: "no file shallow.png"; empty: there is one
     std::optional<PictureLack> lack
-        = {}; ///< the same as a kind; none: there is one, or nobody said
-    QString picture; ///< a copy of what was judged, as seen from the results' folder; or empty
+        = {}; ///< the kind of fault; none: there is a picture, or no kind was recorded
+    QString picture; ///< a copy of what was judged, relative to the results' folder; or empty
     QString pictureDigest = {}; ///< of the copy's bytes, SHA-256 in hexadecimal digits; or empty
     std::array<std::int64_t, allPixelVerdicts.size()> counts = {}; ///< pixels, by PixelVerdict
-    int largestError = 0; ///< of a byte, where the colour is wrong
-    QStringList causes; ///< what, done to the whole picture, leaves at most half of the differences
-    std::optional<FramePixel> firstDifference; ///< as one reads, from the top line on
+    int largestError = 0; ///< of a byte, in pixels with the verdict Colour
+    QStringList causes; ///< changes of the whole picture that leave at most half of the differences
+    std::optional<FramePixel> firstDifference; ///< in reading order, from the top line on
     std::optional<GradedRun> run;
     QString trace; ///< the first quantity in which the program's trace differs; empty: none
-    std::optional<QString> note; ///< what else is to be known: which of two pictures was taken
-    std::vector<GradedCheck> checks; ///< those that are asked
-    /// Of a submission that no set explains whole: the sets that explain this picture alone,
+    std::optional<QString> note; ///< a further remark: which of two pictures was taken
+    std::vector<GradedCheck> checks; ///< those that are made
+    /// For a submission that no set explains as a whole: the sets that explain this picture alone,
     /// "flat-first and upside-down".
     std::optional<QStringList> explanations = {};
 
     friend bool operator==(const GradedScene &, const GradedScene &) = default;
 };
 
-/// The first step at which the run with the defects parts from the right one.
-struct GradedParting {
+/// The first step at which the run with the defects differs from the right one.
+struct FirstDivergence {
     QString scene;
-    std::int64_t step = 0; ///< of the trace with the defects, from 0
+    std::int64_t step = 0; ///< in the trace with the defects, from 0
     QString heading; ///< "Column 12, first half"
     QString text; ///< "y_T is 41 1/2, should be 41 4/7"
 
-    friend bool operator==(const GradedParting &, const GradedParting &) = default;
+    friend bool operator==(const FirstDivergence &, const FirstDivergence &) = default;
 };
 
-/// Defects that together explain the pictures, or come nearest.
+/// Defects that together explain the pictures, or come nearest to them.
 struct GradedCandidate {
-    QStringList defects; ///< their ids, as DiagnosisCandidate has them
-    QStringList forStudent; ///< sentences, on what is a mistake
+    QStringList defects; ///< their ids, as in DiagnosisCandidate
+    QStringList forStudent; ///< sentences about mistakes
     QStringList forAssistant;
-    std::int64_t distance = 0; ///< pixels that are not explained, of all pictures
+    std::int64_t distance = 0; ///< unexplained pixels in all pictures
     std::optional<std::int64_t> undecidable = {}; ///< pixels that may be either way; none: 0
-    std::optional<QString> arithmetic = {}; ///< not the scene's, in which pictures are equal
-    std::optional<GradedParting> parts = {};
-    std::optional<QStringList> rightAlone = {}; ///< of the ids those that alone are no mistake
+    std::optional<QString> arithmetic = {}; ///< not the scene's, but pictures are equal in it
+    std::optional<FirstDivergence> parts = {};
+    std::optional<QStringList> rightAlone = {}; ///< the ids of those that alone are no mistake
 
-    QStringList mistakes() const; ///< the other ids; where there are none, these
+    QStringList mistakes() const; ///< the other ids; all ids where there are none
     friend bool operator==(const GradedCandidate &, const GradedCandidate &) = default;
 };
 
-/// What the assistant said; kept apart, so that grading anew loses none of it.
+/// The assistant's review; stored separately, so that grading again keeps it.
 struct GradeReview {
-    QString comment; ///< goes to the student
+    QString comment; ///< shown to the student
     bool isAccepted = false;
 
     bool isEmpty() const { return comment.isEmpty() && !isAccepted; }
     friend bool operator==(const GradeReview &, const GradeReview &) = default;
 };
 
-/// What became of a submission.
+/// The result for a submission.
 struct GradedSubmission {
-    QString name; ///< as the folder has it; what is no plain character is escaped: "a\x0ab"
-    QString id; ///< unlike all others, and fit for a file's name
+    QString name; ///< as in the folder; characters that are not plain are escaped: "a\x0ab"
+    QString id; ///< unique, and fit for a file name
     QString digest; ///< of its bytes, the assignment and the version of the program
     GradeVerdict verdict = GradeVerdict::Nothing;
-    std::int64_t differing = 0; ///< pixels of all pictures that were judged; undecidable ones, too
+    std::int64_t differing = 0; ///< pixels in all judged pictures, including undecidable ones
     std::vector<GradedScene> scenes; ///< those of the assignment, in its order
-    std::vector<GradedCandidate> candidates; ///< as Diagnosis has them
+    std::vector<GradedCandidate> candidates; ///< as in Diagnosis
     std::optional<QString> pictures
         = {}; ///< one word for each set of pictures; none: all are right
-    std::optional<QString> searchError
-        = {}; ///< in which the search for defects ended; none: in none
-    /// In which its grading ended, "it does not fit into memory"; none: in none.
+    std::optional<QString> searchError = {}; ///< that ended the search for defects; none: no error
+    /// That ended its grading, "it does not fit into memory"; none: no error.
     std::optional<QString> gradingError = {};
     GradeReview review = {}; ///< not in the submission's own file
 
     double points() const;
-    /// Whether nothing is wrong that was handed in, but colours were asked for and are not there: a
-    /// raster of characters has none.
+    /// Whether nothing handed in is wrong, but required colours are missing: a raster of characters
+    /// has none.
     bool lacksColours() const;
     /// Whether the candidates explain the submission's pictures.
     bool isExplained() const { return !candidates.empty() && candidates.front().distance == 0; }
@@ -151,47 +150,48 @@ struct GradedSubmission {
 struct GradeReport {
     Assignment assignment;
     std::vector<GradedSubmission> submissions; ///< by name
-    QStringList missing = {}; ///< names of submissions that are known and have no grade here
+    QStringList missing = {}; ///< names of known submissions without a grade here
 
     friend bool operator==(const GradeReport &, const GradeReport &) = default;
 };
 
-/// Why programs ran in no sandbox, each reason once; empty where all did that were run.
+/// Why programs ran without a sandbox, each reason once; empty where all programs ran in one.
 QStringList sandboxLacks(const GradeReport &report);
-/// What those programs could do, and how many submissions' they were; empty: none.
+/// What those programs could do, and in how many submissions; empty: none.
 QString unsandboxedText(const GradeReport &report);
-/// The same of one submission, of which it is told who.
+/// Like unsandboxedText() above, for one submission.
 QString unsandboxedText(const GradedSubmission &submission);
-/// Whether its programs ran in the sandbox; none: none was run.
+/// Whether its programs ran in the sandbox; none: no program was run.
 std::optional<bool> isSandboxed(const GradedSubmission &submission);
 
 /// "1 submission", "3 submissions".
 QString submissionsText(std::size_t submissions);
 /// "cannot be graded: it does not fit into memory".
 QString ungradedText(const QString &error);
-/// Those that could not be graded, for a message: "ada, bob: cannot be graded: …", a line for each
-/// error.
+/// The submissions that could not be graded, for a message: "ada, bob: cannot be graded: …", one
+/// line for each error.
 QStringList ungradedLines(const GradeReport &report);
-/// The verdict as it is shown: its name; where colours are lacking, "right in coverage"; "cannot be
+/// The verdict as shown: its name; "right in coverage" where colours are missing; or "cannot be
 /// graded".
 QString verdictText(const GradedSubmission &submission);
-/// Of a submission that lacks colours, what its verdict holds of.
+/// For a submission without colours: what its verdict applies to.
 QString rasterText(const GradedSubmission &submission);
 
-/// Submissions that have one cause: the same set of defects explains them. Of those that none
-/// explains, the ones that have the same pictures, or else to which the same set comes nearest. Of
-/// those that have no picture, the ones that lack it for the same reason.
+/// Submissions with one cause: the same set of defects explains them. Unexplained ones are grouped
+/// by equal pictures, or else by the nearest set. Those without a picture are grouped by the reason
+/// why it is missing.
 struct GradeCluster {
     QString title; ///< "unsorted-colours", "right", "no known defect, near to flat-first"
     QStringList forStudent; ///< of its first set
     QStringList forAssistant;
-    std::vector<std::size_t> submissions; ///< places in the report, ascending
+    std::vector<std::size_t> submissions; ///< indices in the report, ascending
 };
 
-/// The largest first; those that are right come last.
+/// Largest first; right submissions come last.
 std::vector<GradeCluster> clustersOf(const GradeReport &report);
 
-/// What the student is told, a line each, at the assignment's hint level; ends with the comment.
+/// What the student is told at the assignment's hint level, one sentence per line, then the
+/// comment.
 QStringList sentencesFor(const GradedSubmission &submission, HintLevel level);
 
 } // namespace pixelplumb

@@ -5,17 +5,17 @@
 
 namespace pixelplumb {
 
-/// Gradescope's format: of one submission, and of all, by name.
+/// Gradescope's format, for one submission or for all, by name.
 QByteArray gradescopeOf(const GradedSubmission &submission, const Assignment &assignment);
 QByteArray gradescopeOf(const GradeReport &report);
-/// A test suite a submission, a test case a check.
+/// JUnit: a test suite for each submission, a test case for each check.
 QByteArray junitOf(const GradeReport &report);
-/// A line a submission.
+/// One line for each submission.
 QByteArray csvOf(const GradeReport &report);
-/// One page with pictures, read from the folder of results, and without script.
+/// One page without scripts, with the pictures from the folder of results.
 QByteArray pageOf(const GradeReport &report, const QString &results);
 
-/// All of them, into the folder of results: results.json, gradescope/ID.json, junit.xml,
+/// Writes all reports into the folder of results: results.json, gradescope/ID.json, junit.xml,
 /// grades.csv, index.html.
 std::optional<InputError> writeReports(const QString &results, const GradeReport &report);
 

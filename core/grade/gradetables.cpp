@@ -25,7 +25,7 @@ QString defectsText(const GradedSubmission &submission)
     return sets.join(QStringLiteral(" | "));
 }
 
-/// Nobody knows in how many pixels a picture differs that could not be judged.
+/// Empty if some picture could not be judged: then the count is unknown.
 QString differingText(const GradedSubmission &submission)
 {
     const bool isJudged = std::ranges::all_of(
@@ -33,14 +33,14 @@ QString differingText(const GradedSubmission &submission)
     return isJudged ? QString::number(submission.differing) : QString();
 }
 
-/// Whether its programs ran in one; empty where none was run.
+/// Whether its programs ran in a sandbox; empty where none was run.
 QString sandboxText(const GradedSubmission &submission)
 {
     const auto isIn = isSandboxed(submission);
     return isIn ? (*isIn ? QStringLiteral("yes") : QStringLiteral("no")) : QString();
 }
 
-/// XML has no control characters at all.
+/// XML allows no control characters.
 QString xmlText(const QStringList &lines) { return shownText(lines.join(u'\n').toUtf8(), 100'000); }
 
 struct TestCounts {
@@ -95,7 +95,7 @@ void writeSubmission(QXmlStreamWriter &xml, const GradedSubmission &submission, 
     xml.writeEndElement();
 }
 
-/// Of a submission that has no grade here nothing is known, and nothing failed.
+/// A submission without a grade here: nothing is known, and nothing failed.
 void writeUngraded(QXmlStreamWriter &xml, const QString &submission)
 {
     const QString name = xmlText({submission});

@@ -14,7 +14,7 @@ namespace {
 constexpr int viewSide = SampleView::side;
 constexpr int shift = 3; // px
 
-/// Samples of both lie on the shared edge, which under a watertight rule none does.
+/// Samples in both triangles lie on the shared edge; under a watertight rule there are none.
 bool areOnce(const SampleView &one, const SampleView &other, const Triangle &triangle,
              FillRule rule)
 {
@@ -90,7 +90,8 @@ private:
         scene.triangles = triangles;
         return scene;
     }
-    /// Two triangles on both sides of their edge whose diagonals cross.
+    /// Whether the triangles lie on both sides of their edge and form a convex quadrilateral: its
+    /// diagonals cross.
     static bool isConvex(const Triangle &one, const Triangle &other)
     {
         const auto at = [](const Vertex &vertex) { return vertex.position; };
@@ -114,7 +115,7 @@ private:
             vertex.position.y += shift * unitsPerPixel;
         }
         Scene movedScene = sceneOf({moved});
-        // The rule looks at the point: what moves is all that it sees.
+        // The rule depends on the off-screen point, which moves along.
         const LatticePoint point = offScreenSample(scene.frame);
         const Lattice by = shift * unitsPerPixel + sampleOffset(scene.frame);
         movedScene.frame.offScreenPoint = LatticePoint{point.x + by, point.y + by};
@@ -142,7 +143,7 @@ private:
     const PictureSource &m_source;
     Scene m_conventions;
     InvariantReport m_report;
-    bool m_drewAll = true; ///< of the pair in hand
+    bool m_drewAll = true; ///< for the current pair
 };
 
 } // namespace
@@ -186,7 +187,7 @@ InvariantReport checkInvariants(const PictureSource &source, const Scene &conven
         };
         const Vertex a = vertex();
         Vertex b = vertex();
-        if (i % 4 == 2) // an edge along a row or a column
+        if (i % 4 == 2) // makes an edge along a row or a column
             (i % 8 == 2 ? b.position.x : b.position.y) = i % 8 == 2 ? a.position.x : a.position.y;
         const Triangle one{{a, b, vertex()}};
         Triangle other{{b, a, vertex()}};

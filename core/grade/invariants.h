@@ -5,16 +5,16 @@
 
 namespace pixelplumb {
 
-/// What holds of every right picture of triangles, so that none has to be at hand.
+/// What holds for every right picture of triangles, so that no right picture is needed.
 enum class Invariant {
-    Runs, ///< rows and columns of a triangle, and of two that make a convex whole, have no gaps
-    Bounds, ///< nothing is drawn outside the triangle's box
+    Runs, ///< rows and columns of a triangle, and of two with a convex union, have no gaps
+    Bounds, ///< nothing is drawn outside the triangle's bounding box
     Range, ///< levels lie between those of the vertices
-    Corners, ///< a vertex on a sample that is drawn has its colour there
-    Count, ///< a triangle of whole vertices covers as many samples as Pick's theorem says
-    Order, ///< in whichever order the vertices are given
-    Translation, ///< moved by whole pixels, the picture moves
-    Once, ///< two triangles share no sample but on their edge, and there as the rule says
+    Corners, ///< a vertex on a drawn sample has its colour there
+    Count, ///< a triangle with whole vertices covers as many samples as Pick's theorem says
+    Order, ///< the order of the vertices does not matter
+    Translation, ///< moving by whole pixels moves the picture
+    Once, ///< two triangles share only samples on their edge, and those as the rule says
 };
 inline constexpr std::array allInvariants
     = {Invariant::Runs,  Invariant::Bounds, Invariant::Range,       Invariant::Corners,
@@ -25,18 +25,17 @@ QString sentenceOf(Invariant invariant); ///< what should hold
 
 struct BrokenInvariant {
     Invariant invariant = Invariant::Runs;
-    Scene scene; ///< the first on which it does not hold
+    Scene scene; ///< the first that breaks it
 };
 
 struct InvariantReport {
     std::vector<BrokenInvariant> broken; ///< each invariant once
     int checked = 0; ///< pairs of triangles
-    int undrawn = 0; ///< pairs of which the source could not draw all
+    int undrawn = 0; ///< pairs that the source could not fully draw
     std::optional<UndrawnScene> firstUndrawn;
 };
 
-/// Asks for so many random pairs of triangles that share an edge. The fill rule is that of the
-/// conventions.
+/// Checks `pairs` random pairs of triangles that share an edge, under the conventions' fill rule.
 InvariantReport checkInvariants(const PictureSource &source, const Scene &conventions,
                                 std::uint64_t seed, int pairs);
 

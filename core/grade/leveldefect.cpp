@@ -68,13 +68,13 @@ std::vector<Defect> levelDefectsFor(const Scene &scene)
     for (const LevelDefect &row : rows) {
         const bool needsFullLevel = row.overflow == wraps || row.bytes.most < 255;
         if (needsFullLevel && !hasFullLevel(scene))
-            continue; // it draws what another does, or what is right
+            continue; // it would draw what another defect does, or the right picture
         const auto unchanged = [](TriangleRuns &) {};
         defects.push_back(redrawnDefect(QString::fromLatin1(row.id), QString::fromUtf8(question),
                                         QString::fromUtf8(row.forAssistant),
                                         {unchanged, row.overflow, Repainting::Over, row.bytes},
                                         axis));
-        // What is cut is not rounded otherwise, too.
+        // Truncated levels are not also rounded in another way.
         if (row.bytes.rounding != LevelRounding::OfScene)
             defects.back().choice = QString::fromLatin1(roundingChoice);
     }

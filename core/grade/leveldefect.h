@@ -5,7 +5,7 @@
 
 namespace pixelplumb {
 
-/// Mistakes in how a level of 0 … 1 becomes a byte: another factor than 255. None where the scene
+/// Mistakes in how a level of 0 … 1 becomes a byte: a factor other than 255. None where the scene
 /// cannot be redrawn.
 std::vector<Defect> levelDefectsFor(const Scene &scene);
 

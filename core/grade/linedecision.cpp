@@ -8,7 +8,7 @@ namespace {
 constexpr const char *beginQuestion = "How much has the line risen half-way to the next column?";
 constexpr const char *stepQuestion
     = "By how much does p change where the line stays in its row, and where it steps out of it?";
-constexpr const char *orderQuestion = "When is p asked, changed and set anew?";
+constexpr const char *orderQuestion = "When is p tested, changed and reset?";
 
 constexpr std::int64_t twiceRise(std::int64_t, std::int64_t dy) { return 2 * dy; }
 constexpr std::int64_t twiceDifference(std::int64_t dx, std::int64_t dy) { return 2 * dy - 2 * dx; }

@@ -7,7 +7,7 @@
 
 namespace pixelplumb {
 
-/// A defect wherever steps begin, at a line's first end or at its left one.
+/// A mistake of lines, whether steps begin at a line's first end or at its left one.
 struct LineRow {
     const char *id;
     const char *forStudent;

@@ -37,7 +37,7 @@ void omitGreatest(DrawnLine &line)
     omitLast(line);
 }
 
-/// One pixel a column even where more are called for.
+/// Keeps one pixel per column, even where steep lines need more.
 void omitBetweenColumns(DrawnLine &line)
 {
     const Lattice dx = line.to.x - line.from.x;
@@ -54,7 +54,7 @@ void omitBetweenColumns(DrawnLine &line)
     });
 }
 
-/// ⌊y⌋ in place of the nearest one; of a steep line ⌊x⌋.
+/// ⌊y⌋ in place of the nearest row; for a steep line ⌊x⌋.
 void truncateAcross(DrawnLine &line)
 {
     const bool isSteep = line.isSteep();
@@ -100,7 +100,7 @@ void append(std::vector<Defect> &defects, const char *id, const char *forStudent
                        QStringLiteral("lines")});
 }
 
-/// Of each line of the scene.
+/// Changes a line of the scene.
 using ChangeLine = bool (*)(Vertex &from, Vertex &to);
 
 void appendOfScene(std::vector<Defect> &defects, const char *id, const char *forStudent,
@@ -136,7 +136,7 @@ std::vector<Defect> lineDefectsFor(const Scene &scene)
            omitLast);
     append(defects, "least-pixel-missing", ends,
            "The pixel of the end with the lesser x, of steep lines y, is left out.", omitLeast);
-    if (!method.supports(Variant::OneStepShort)) // it leaves out the same
+    if (!method.supports(Variant::OneStepShort)) // otherwise that variant leaves out the same pixel
         append(defects, "greatest-pixel-missing", ends,
                "The pixel of the end with the greater x, of steep lines y, is left out.",
                omitGreatest);

@@ -32,7 +32,7 @@ std::optional<InputError> copySubmission(const ResultsFolder &part, const Result
     return std::nullopt;
 }
 
-/// A folder that is merged.
+/// A folder to be merged.
 struct MergedPart {
     QString folder;
     GradeReport report;
@@ -58,7 +58,7 @@ Result<std::vector<MergedPart>> readParts(const QStringList &folders, const QStr
     return parts;
 }
 
-/// The first submission that is in two of the parts.
+/// An error for the first submission that is in two of the parts.
 std::optional<InputError> doubledIn(const std::vector<MergedPart> &parts)
 {
     QSet<QString> ids;
@@ -74,7 +74,7 @@ std::optional<InputError> doubledIn(const std::vector<MergedPart> &parts)
     return std::nullopt;
 }
 
-/// The numbers of the parts that are not there of those that share the first one's submissions.
+/// The numbers of the missing parts, among those that share the first one's submissions.
 QStringList missingNumbers(const GradedPart &like, const std::vector<MergedPart> &parts)
 {
     QSet<int> there;
@@ -90,7 +90,8 @@ QStringList missingNumbers(const GradedPart &like, const std::vector<MergedPart>
     return missing;
 }
 
-/// Why the parts are no whole; none where they are. What is missing of the submissions they know.
+/// Why the parts are not complete; none where they are. `missing`: known submissions without a
+/// grade.
 std::optional<InputError> incompleteness(const std::vector<MergedPart> &parts,
                                          const QStringList &missing)
 {

@@ -14,7 +14,7 @@ std::vector<WalkRow> shortEdgeRows()
     constexpr auto carriedOn = ShortEdgeBehind::CarriedOn;
     return {
         {"no-pre-step-behind-middle",
-         "Where does the second of the two short edges begin? And which colour has it there?",
+         "Where does the second of the two short edges begin? And what colour does it have there?",
          "The edge from the middle vertex to the last has no pre-step: at its first %1 it has the "
          "vertex' own place and colour. The others have theirs.",
          {.departures = withoutPreStep, .departing = WalkedEdges::Second}},
@@ -142,10 +142,10 @@ std::vector<WalkRow> longEdgeRows()
     };
 }
 
-/// What is wrong on one of the three edges alone.
+/// Mistakes on only one of the three edges.
 std::vector<WalkRow> singleEdgeRows()
 {
-    constexpr auto whole = Kept::TowardZero;
+    constexpr auto whole = Truncation::TowardZero;
     constexpr auto negated = SlopeForm::Negated;
     return {
         {"whole-slope-of-first-edge",

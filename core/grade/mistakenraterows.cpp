@@ -137,7 +137,7 @@ std::vector<WalkRow> longRateRows()
     };
 }
 
-/// Of an edge along a span, the slope that another one has of it is 0.
+/// An edge along a span lends another edge the slope 0.
 std::vector<WalkRow> exchangedRows()
 {
     constexpr auto first = WalkedEdges::First;

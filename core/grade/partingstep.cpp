@@ -10,14 +10,14 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr double leastPlain = 1e-3; // a smaller error is not seen in the two numbers
+constexpr double leastPlain = 1e-3; // smaller errors are invisible in the two numbers
 
 struct StepNumbers {
     std::vector<NumberDescription> descriptions;
     std::vector<Quantity> cells;
 };
 
-/// Reads a trace forward; the samples of a span are kept while they are asked for.
+/// Reads a trace forward; keeps the samples of a span while they are needed.
 class StepReader {
 public:
     explicit StepReader(const ScanTrace &trace)
@@ -54,7 +54,7 @@ QString partingText(const StepNumbers &right, const StepNumbers &defective)
         if (is == should || right.descriptions[i].id != defective.descriptions[i].id)
             continue;
         if (!is.isNone() && !should.isNone() && errorOf(is, should) == 0)
-            continue; // one number in two arithmetics
+            continue; // the same number in two arithmetics
         const auto text = [](const Quantity &quantity) {
             return quantity.isNone() ? QStringLiteral("not there") : term(quantity);
         };

@@ -45,7 +45,7 @@ void takeCoverage(const CoverageMask &coverage, Picture &picture)
     }
 }
 
-/// Whether transparency is written in it anywhere.
+/// Whether any pixel is transparent.
 bool hasTransparentPixel(const QImage &image)
 {
     if (!image.hasAlphaChannel())

@@ -15,14 +15,14 @@ class QSize;
 
 namespace pixelplumb {
 
-/// A picture to be judged, whoever drew it: line by line, the top line first, as files have it.
+/// A picture to be judged, whoever drew it; line by line, the top line first, as in files.
 struct Picture {
     int width = 0;
     int height = 0;
     std::vector<Colour> colours;
     std::vector<std::uint8_t> covered; ///< 1 where something was drawn
-    bool hasColours = true; ///< a raster of characters has none
-    bool isTransparent = false; ///< a pixel's file has it so; its colour counts as if it were not
+    bool hasColours = true; ///< false for a raster of characters
+    bool isTransparent = false; ///< some pixel of the file is; its colour counts as if opaque
 
     std::size_t size() const { return colours.size(); }
     std::size_t placeOf(int x, int line) const
@@ -37,45 +37,45 @@ struct Picture {
     friend bool operator==(const Picture &, const Picture &) = default;
 };
 
-/// Without a scene nobody knows the background: it is what most of the corners have. Then what has
-/// another colour is covered.
+/// The background of a picture without a scene: the colour that most corners have. Pixels of other
+/// colours then count as covered.
 Colour backgroundOf(const Picture &picture);
 void coverAllBut(const Colour &background, Picture &picture);
 
-/// All background: nothing is drawn on it.
+/// All background, nothing covered.
 Picture emptyPicture(const FrameSpec &frame);
-/// What the scene's method draws; covered is what it writes.
+/// What the scene's method draws; the pixels it writes are covered.
 Picture pictureOf(const Scene &scene);
 
 /// Nothing is covered yet.
 Picture pictureIn(QImage image);
-/// The oracle's; covered is what has another colour than the background.
+/// The oracle's picture; pixels of another colour than the background are covered.
 Picture truePictureOf(const Scene &scene);
 
-/// Of a picture's file that is read, bytes: the largest picture that is drawn has less as PPM, BMP
-/// and raster.
+/// The largest picture file that is read, bytes; the largest picture that can be drawn is smaller
+/// as PPM, BMP and raster.
 inline constexpr std::int64_t largestPictureFile = (largestFrameArea << 2) + (1 << 20);
 
-/// The same of a picture of the frame: as text with a word a level, too; of a small one more, for
-/// whoever enlarged it is to be told.
+/// The largest picture file for a frame, bytes; enough for text with a word for each level. Small
+/// frames get more, so that an enlarged picture can be reported as such.
 std::int64_t largestPictureFileOf(const FrameSpec &frame);
 
-/// "png", "ppm" …: the formats that are read, by their names in Qt.
+/// Whether the format is read; by its name in Qt: "png", "ppm" …
 bool isPictureFormat(const QByteArray &format);
 
-/// "PNG, PPM, …": what parsePicture reads.
+/// "PNG, PPM, …": the formats that parsePicture() reads.
 QString pictureFormatsText();
 
-/// A picture file of at most 2^28 pixels, or a raster of `#` and `.` (asciiRaster). Nothing is
-/// covered yet of a file with colours. The error of what is of another kind expects the formats.
+/// Parses a picture file of at most 2^28 pixels, or a raster of `#` and `.` (asciiRaster). A file
+/// with colours covers nothing yet. For other content the error lists `formats`.
 Result<Picture> parsePicture(const QByteArray &content, const QString &name,
                              const QString &formats = pictureFormatsText());
 
-/// Words to be added to a picture's size where it is a multiple of the expected one, which it may
-/// be enlarged, or has its width as height and its height as width. Otherwise none.
+/// A remark on a picture's size if it is a multiple of the expected one, and may be enlarged, or if
+/// width and height are swapped. Otherwise empty.
 QString sizeHint(const QSize &size, const QSize &expected);
 
-/// What is said of a picture that is transparent somewhere, behind its name.
+/// The remark, after its name, on a picture that is transparent somewhere.
 QString transparencyText();
 
 } // namespace pixelplumb

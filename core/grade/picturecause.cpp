@@ -48,10 +48,10 @@ Colour mapped(const Colour &colour, Curve curve)
     return result;
 }
 
-/// What a level that was kept in fewer than eight bits has in its low ones.
+/// The low bits of a level that was kept in fewer than eight.
 enum class Widening { ByZeros, ByOwnBits };
 
-/// Kept in 16 bits: five of R, six of G, five of B.
+/// The colour after it was kept in 16 bits: five of R, six of G, five of B.
 Colour inHighColour(const Colour &colour, Widening widening)
 {
     constexpr std::array<unsigned, 3> bits = {5, 6, 5};
@@ -125,7 +125,7 @@ PictureChange ofBackground(const QString &name, const Colour &colour)
 constexpr Colour blackFrame{{0, 0, 0}};
 constexpr Colour whiteFrame{{255, 255, 255}};
 
-/// A frame that was filled with another colour than the scene's before anything was drawn.
+/// Changes for a frame filled with another colour than the scene's before anything was drawn.
 void appendBackgrounds(const Colour &background, std::vector<PictureChange> &changes)
 {
     for (const Colour &colour : {blackFrame, whiteFrame}) {
@@ -134,7 +134,7 @@ void appendBackgrounds(const Colour &background, std::vector<PictureChange> &cha
     }
 }
 
-/// What is drawn is a mask.
+/// The change that draws only a mask.
 void appendMask(std::vector<PictureChange> &changes)
 {
     changes.push_back({QStringLiteral("drawn in white alone"),

@@ -25,7 +25,7 @@ int errorBetween(const Colour &a, const Colour &b)
 
 PixelVerdict verdictAt(const Picture &expected, const Picture &found, std::size_t place)
 {
-    // What is drawn in the background's colour is not seen: where there are bytes, they decide.
+    // Drawing in the background's colour is invisible: where there are bytes, they decide.
     const bool haveColours = expected.hasColours && found.hasColours;
     if (haveColours && expected.colours[place] == found.colours[place])
         return PixelVerdict::Same;
@@ -51,7 +51,7 @@ void findCauses(const Picture &expected, const Picture &found, PictureDiff &diff
     std::ranges::stable_sort(diff.causes, {}, &PictureCause::left);
 }
 
-/// Block by block, most of which are the same: thousands of pictures are compared with one.
+/// Compares in blocks, most of which are equal: thousands of pictures are compared with one.
 template <class Entry>
 std::int64_t differingEntries(const std::vector<Entry> &expected, const std::vector<Entry> &found,
                               std::int64_t limit)

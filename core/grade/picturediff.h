@@ -11,13 +11,13 @@
 
 namespace pixelplumb {
 
-/// How a pixel of a picture stands to that of the expected one.
+/// How a pixel of a picture compares with the expected one.
 enum class PixelVerdict : std::uint8_t {
     Same,
-    Missing, ///< expected to be covered
-    Extra, ///< expected not to be
+    Missing, ///< should be covered
+    Extra, ///< should not be covered
     Colour, ///< covered in both, with other bytes
-    Undecidable, ///< other, where the scene leaves it open: a sample on an edge
+    Undecidable, ///< different, but left open by the scene: a sample on an edge
 };
 inline constexpr std::array allPixelVerdicts
     = {PixelVerdict::Same, PixelVerdict::Missing, PixelVerdict::Extra, PixelVerdict::Colour,
@@ -26,15 +26,15 @@ inline constexpr std::array allPixelVerdicts
 /// "same", "missing", …
 QString nameOf(PixelVerdict verdict);
 
-/// One thing that, done to the whole of what was expected, leaves fewer differences.
+/// A change of the whole expected picture that leaves fewer differences.
 struct PictureCause {
     QString name; ///< "shifted by (1, 0)", "rows counted from the other side", "R and B swapped"
-    std::int64_t left = 0; ///< pixels that differ still
+    std::int64_t left = 0; ///< pixels that still differ
 
     friend bool operator==(const PictureCause &, const PictureCause &) = default;
 };
 
-/// Two pictures of one size, pixel by pixel.
+/// Compares two pictures of the same size, pixel by pixel.
 struct PictureDiff {
     int width = 0;
     int height = 0;
@@ -44,7 +44,7 @@ struct PictureDiff {
     std::vector<PictureCause> causes; ///< those that leave at most half; the best first
 
     std::int64_t count(PixelVerdict verdict) const { return counts[std::size_t(verdict)]; }
-    /// Pixels that are wrong; those that are undecidable are not.
+    /// Wrong pixels; undecidable ones are not counted.
     std::int64_t differing() const
     {
         return count(PixelVerdict::Missing) + count(PixelVerdict::Extra)
@@ -52,22 +52,22 @@ struct PictureDiff {
     }
 };
 
-/// Pixels that differ, up to a limit at which nobody cares: by colours alone where both have them,
-/// for what is done to a background makes it no drawing. Both have one size.
+/// Counts differing pixels, stopping at a limit: by colour alone where both pictures have colours,
+/// since a changed background counts as no drawing. Both have the same size.
 std::int64_t differingPixels(const Picture &expected, const Picture &found,
                              std::int64_t limit = std::numeric_limits<std::int64_t>::max());
 
-/// Both have one size. `undecidable` holds a 1 for each pixel that the scene leaves open; empty:
-/// none. Colours are compared where both pictures have them.
+/// Both have the same size. `undecidable` holds a 1 for each pixel that the scene leaves open;
+/// empty: none. Colours are compared where both pictures have them.
 PictureDiff differenceOf(const Picture &expected, const Picture &found,
                          std::span<const std::uint8_t> undecidable = {});
 
 /// A 1 for each pixel whose sample lies exactly on an edge of one of the scene's triangles, where
-/// the rules differ: line by line, the top line first.
+/// the rules differ; line by line, the top line first.
 std::vector<std::uint8_t> tiesOf(const Scene &scene);
 
-/// `#` where both are covered, `?` missing, `!` extra, `c` another colour, `=` undecidable, `.`
-/// else; every line ends with a line feed.
+/// `#` covered in both, `?` missing, `!` extra, `c` another colour, `=` undecidable, `.` otherwise;
+/// every line ends with a line feed.
 QString rasterOf(const PictureDiff &diff, const Picture &expected);
 
 } // namespace pixelplumb

@@ -34,7 +34,7 @@ PictureMatcher::PictureMatcher(DefectPictures &pictures, std::span<const FoundPi
 
 bool PictureMatcher::isTolerated(Arithmetic arithmetic) const
 {
-    // What float32 may do, float64 may.
+    // What float32 may do, float64 may do too.
     return m_tolerance == arithmetic
         || (m_tolerance == Arithmetic::Float32 && arithmetic == Arithmetic::Float64);
 }
@@ -66,7 +66,7 @@ std::int64_t PictureMatcher::coveredPixels()
     return covered;
 }
 
-/// Pixels of one picture that differ; none where the set does not explain one of them.
+/// Differing pixels of one picture; none where the set fails to explain one of them.
 std::optional<std::int64_t> PictureMatcher::openPixels(const DefectSet &set,
                                                        const FoundPicture &each)
 {
@@ -97,8 +97,8 @@ std::optional<std::int64_t> PictureMatcher::openPixels(const DefectSet &set,
     return open;
 }
 
-/// Whether a defect covers other samples, with the whole set too, and none of these is found so:
-/// then it is not there, though rounding may decide every one of them.
+/// Whether a defect changes the coverage of samples, also within the whole set, and none of these
+/// samples is found so: then the defect is absent, even if rounding could explain each of them.
 bool PictureMatcher::isUnseen(const DefectSet &part, const DefectSet &set)
 {
     bool isClaimed = false;
@@ -124,7 +124,7 @@ bool PictureMatcher::hasUnseenPart(const DefectSet &set)
 {
     const std::vector<Defect> &defects = m_pictures.defects();
     const std::array places = {set.first, set.second, set.choice};
-    // What is done to a background is no drawing.
+    // A change of the background is no drawing.
     const bool isOfPicture = std::ranges::any_of(places, [&](const auto &place) {
         return place && defects[*place].stage() == DefectStage::Picture;
     });

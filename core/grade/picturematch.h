@@ -10,20 +10,19 @@ namespace pixelplumb {
 
 /// A picture of one of several scenes.
 struct FoundPicture {
-    std::size_t scene = 0; ///< its place among them
+    std::size_t scene = 0; ///< its index among the scenes
     Picture picture;
 };
 
-/// How the pictures of programs with a set of defects stand to those that were found.
+/// How the pictures of programs with a set of defects compare with those found.
 struct SetMatch {
-    DefectSet set; ///< with the arithmetic in which the pictures are equal, if they are in one
+    DefectSet set; ///< with the arithmetic in which the pictures are equal, if any
     std::int64_t distance = 0; ///< pixels that the set does not explain
-    /// Pixels that differ and that a program with this set may have all the same, by rounding or on
-    /// an edge.
+    /// Pixels that differ, but may do so in a program with this set, by rounding or on an edge.
     std::int64_t undecidable = 0;
 };
 
-/// Holds sets of defects against what was found of some scenes. A program may compute in arithmetic
+/// Compares sets of defects with pictures found of some scenes. A program may compute in arithmetic
 /// up to the tolerance; exact: samples on an edge are open; none: nothing is.
 class PictureMatcher {
 public:
@@ -32,19 +31,20 @@ public:
     PictureMatcher(DefectPictures &pictures, std::span<const FoundPicture> found,
                    std::optional<Arithmetic> tolerance);
 
-    /// Pixels of all found pictures that differ, up to a limit; unknown where a scene cannot be
-    /// drawn so. Of those at a limit of 1 nobody asks but whether they are the same.
+    /// Differing pixels in all found pictures, up to a limit; unknown where a scene cannot be drawn
+    /// so. A limit of 1 only tests equality.
     std::int64_t distance(const DefectSet &set, std::int64_t limit = unknown);
-    /// Pixels to be covered in all.
+    /// All pixels that should be covered.
     std::int64_t coveredPixels();
-    /// Whether what was found is what a program with this set may draw that computes in what is
-    /// allowed for: if it can, in one in which its pictures are equal.
+    /// The match if a program with this set, in a tolerated arithmetic, may draw what was found; if
+    /// possible with an arithmetic in which its pictures are equal.
     std::optional<SetMatch> allowedMatch(const DefectSet &set);
-    /// The arithmetics, beside the scenes' own, in which a program with this set draws just that.
+    /// The arithmetics other than the scenes' own in which a program with this set draws exactly
+    /// what was found.
     std::vector<Arithmetic> equalIn(const DefectSet &set);
 
-    /// Whether one of the set says that some of the scene is not drawn (Defect::leavesOut) where
-    /// something is that the set does not draw.
+    /// Whether the set has a defect that leaves samples out (Defect::leavesOut), and the found
+    /// picture differs from the set's at one of these.
     bool isDrawnAllTheSame(const DefectSet &set);
 
     bool isTolerated(Arithmetic arithmetic) const;

@@ -7,16 +7,16 @@
 
 namespace pixelplumb {
 
-/// A side of what rounding may do to a picture.
+/// One extreme of what rounding may do to a picture.
 struct RoundingSide {
-    /// What errs most of all that programs may compute in; exact: samples on an edge alone are
+    /// The least exact arithmetic that programs may compute in; exact: only samples on an edge are
     /// open.
     Arithmetic arithmetic = Arithmetic::Float32;
-    bool isOutward = false; ///< draws what lies at a bound, nearer than a program errs
-    bool isUpward = false; ///< has the greatest levels that a program may have, not the least
+    bool isOutward = false; ///< draws samples closer to a bound than a program errs
+    bool isUpward = false; ///< has the greatest levels that a program may have, otherwise the least
 };
 
-/// The four in the order of PictureRange.
+/// The four sides in the order of PictureRange.
 constexpr std::array<RoundingSide, 4> roundingSides(Arithmetic arithmetic)
 {
     return {{{arithmetic, false, false},
@@ -25,13 +25,13 @@ constexpr std::array<RoundingSide, 4> roundingSides(Arithmetic arithmetic)
              {arithmetic, true, true}}};
 }
 
-/// What is drawn by programs that do the same thing, right or wrong, and round otherwise: the
-/// pictures of the four sides (roundingSides), between which all of theirs lie.
+/// What programs draw that do the same thing, right or wrong, with different rounding: all their
+/// pictures lie between those of the four sides (roundingSides).
 struct PictureRange {
     std::array<Picture, 4> sides;
 
-    /// Whether one of them may have what is found there: any colour where it is open whether the
-    /// pixel is drawn.
+    /// Whether one of these programs may have the pixel found there; any colour is possible where
+    /// it is open whether the pixel is drawn.
     bool contains(const Picture &found, std::size_t place) const;
 };
 

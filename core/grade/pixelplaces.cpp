@@ -80,8 +80,8 @@ void appendFlips(std::vector<PictureChange> &changes)
     add(QStringLiteral("turned by half a turn"), [=](const Picture &of, int x, int line) {
         return std::pair(right(of) - x, bottom(of) - line);
     });
-    // Rows are counted from the bottom: x and y exchanged are lines and columns, mirrored. What
-    // that puts out of a frame that is not square is lost.
+    // Rows are counted from the bottom: exchanging x and y exchanges lines and columns, mirrored.
+    // What leaves a frame that is not square is lost.
     add(QStringLiteral("x and y exchanged"), [=](const Picture &of, int x, int line) {
         return std::pair(bottom(of) - line, bottom(of) - x);
     });
@@ -89,20 +89,20 @@ void appendFlips(std::vector<PictureChange> &changes)
         [](const Picture &, int x, int line) { return std::pair(line, x); });
 }
 
-/// Where the rows of a program begin to be counted.
+/// Where a program starts counting rows.
 enum class RowOrigin { Top, Bottom };
 
-/// From a line to a row as the program counts it, and back.
+/// Converts a line to a row as the program counts it, and back.
 int countedFrom(RowOrigin origin, const Picture &of, int line)
 {
     return origin == RowOrigin::Bottom ? of.height - 1 - line : line;
 }
 
-/// As many pixels from one row of a picture to the next one's, as it is written.
+/// The distance in pixels between the starts of adjacent rows, as written.
 using Stride = std::function<int(const Picture &of)>;
 
-/// Pixel (x, row) is written at row·stride + x and read where row·width + x is. Where rows overlap
-/// it is what was drawn that stays; of two such pixels that of the greater x, as columns are drawn.
+/// Pixel (x, row) is written at row·stride + x and read at row·width + x. Where rows overlap, drawn
+/// pixels win; of two drawn ones that with the greater x, as if drawn by columns.
 PlaceMap storedWith(const Stride &strideOf, RowOrigin origin)
 {
     return [=](const Picture &of, int x, int line) {
@@ -123,7 +123,7 @@ PlaceMap storedWith(const Stride &strideOf, RowOrigin origin)
     };
 }
 
-/// Pixel (x, row) is written at x·height + row and read where row·width + x is.
+/// Pixel (x, row) is written at x·height + row and read at row·width + x.
 PlaceMap storedByColumns(RowOrigin origin)
 {
     return [=](const Picture &of, int x, int line) {
@@ -133,7 +133,7 @@ PlaceMap storedByColumns(RowOrigin origin)
     };
 }
 
-/// Rows that are stored more or fewer pixels apart than they are read: the picture leans.
+/// Rows are stored at another distance than they are read: the picture leans.
 void appendStrides(const Picture &expected, std::vector<PictureChange> &changes)
 {
     const auto add = [&](const QString &what, const char *address, const auto &stored) {

@@ -5,8 +5,8 @@
 
 namespace pixelplumb {
 
-/// Pixels that are in other places than expected: flips, x and y exchanged, rows stored too far
-/// apart or too near, columns stored in place of rows, shifts.
+/// Changes that put pixels in other places: flips, x and y exchanged, rows stored too far apart or
+/// too close, columns stored in place of rows, shifts.
 std::vector<PictureChange> placeChangesFor(const Picture &expected);
 
 } // namespace pixelplumb

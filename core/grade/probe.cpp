@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Pictures of all scenes, and who draws them.
+/// Pictures of all scenes, and the defects that draw them.
 struct PictureGroup {
     std::vector<Picture> pictures;
     AlikeDefects alike;

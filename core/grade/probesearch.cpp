@@ -13,7 +13,7 @@ namespace {
 
 constexpr int frameSide = 48; // px
 
-/// A place inside the frame, to a fraction of a pixel.
+/// A random point inside the frame, in fractions of a pixel.
 LatticePoint randomPlace(SeededRandom &random, int denominator, int width, int height)
 {
     const Lattice unit = unitsPerPixel / denominator;
@@ -35,7 +35,7 @@ void add(Scene &scene, const Vertex &a, const Vertex &b, const Vertex &c)
     scene.triangles.push_back({{{a, b, c}}});
 }
 
-/// A rectangle of two triangles: edges along rows, columns and a diagonal.
+/// Adds a rectangle of two triangles: edges along rows, columns and a diagonal.
 void addRectangle(Scene &scene, SeededRandom &random)
 {
     const std::vector<Vertex> corners = randomVertices(random, 2, 1);
@@ -45,7 +45,7 @@ void addRectangle(Scene &scene, SeededRandom &random)
     add(scene, corners[1], corners[0], last);
 }
 
-/// A long edge whose slope has a small odd divisor, so that samples lie on it.
+/// Adds a long edge whose slope has a small odd denominator, so that samples lie on it.
 void addTies(Scene &scene, SeededRandom &random)
 {
     scene.frame.width = 2 * frameSide;
@@ -59,7 +59,7 @@ void addTies(Scene &scene, SeededRandom &random)
         {randomPlace(random, 1, 2 * frameSide, frameSide), random.colour()});
 }
 
-/// Whole coordinates become those of samples, whatever the pixel centre.
+/// Moves whole coordinates onto samples, whatever the pixel centre.
 void placeOnSamples(Scene &scene)
 {
     const Lattice offset = sampleOffset(scene.frame);
@@ -90,7 +90,7 @@ void addTriangles(Scene &scene, SeededRandom &random)
 
 void addLines(Scene &scene, SeededRandom &random)
 {
-    Shape ordinary; // such as the slides have: to the right and upward, and not steep
+    Shape ordinary; // as on the slides: to the right, upward, not steep
     const std::int64_t length = random.between(9, frameSide - 12);
     const std::int64_t rise = random.between(2, length - 2);
     ordinary.vertices = {{latticePixel(2, 3), random.colour()},
@@ -121,7 +121,7 @@ Scene randomScene(const Scene &conventions, SeededRandom &random)
     return scene;
 }
 
-/// FNV-1a of the colours.
+/// An FNV-1a hash of the colours.
 std::uint64_t digestOf(const Picture &picture)
 {
     std::uint64_t digest = 14695981039346656037U;
@@ -132,9 +132,9 @@ std::uint64_t digestOf(const Picture &picture)
     return digest;
 }
 
-using Classes = std::map<QString, std::size_t>; ///< by defect; "" is right
+using Classes = std::map<QString, std::size_t>; ///< by defect; "" is the right picture
 
-/// Splits the classes by what the scene shows; gives how many there are then.
+/// Splits the classes by what the scene shows; returns their new number.
 std::size_t split(const Classes &before, const std::map<QString, std::uint64_t> &digests,
                   Classes &after)
 {
@@ -159,8 +159,8 @@ Classes classesBy(const std::vector<std::size_t> &scenes, const Digests &digests
     return classes;
 }
 
-/// Two of the scenes are exchanged for one that tells as many apart with the others, if there is
-/// one.
+/// Replaces two of the scenes by one that tells as many classes apart together with the others, if
+/// there is one.
 bool exchangeTwo(std::vector<std::size_t> &chosen, const Digests &digests, const Classes &all,
                  std::size_t apart)
 {
@@ -226,7 +226,7 @@ std::optional<std::vector<Scene>> searchProbes(const Scene &conventions, std::ui
         chosen.push_back(*best);
         classes = std::move(bestClasses);
     }
-    constexpr std::size_t few = 4; // scenes, which is what a person draws
+    constexpr std::size_t few = 4; // scenes, as many as a person draws
     while (chosen.size() > few && exchangeTwo(chosen, digests, all, apart)) { }
     std::vector<Scene> sheet;
     for (const std::size_t scene : chosen)

@@ -10,10 +10,10 @@
 
 namespace pixelplumb {
 
-/// The few scenes that tell the known defects of an assignment's method apart. What the assignment
-/// lays down is a scene's: its method, which draws triangles or lines, its settings, its frame's
-/// origin and pixel centre. Greedily of so many random scenes, each time the one that tells most
-/// apart, until none tells more. None where the listener, who hears how many are drawn, ended it.
+/// Finds a few scenes that tell the known defects of an assignment's method apart. `conventions`
+/// gives the method, which draws triangles or lines, the settings, the frame's origin and pixel
+/// centre. From `candidates` random scenes it greedily takes the one that tells most apart, until
+/// none tells more. None where the listener, who hears how many are drawn, ended it.
 std::optional<std::vector<Scene>> searchProbes(const Scene &conventions, std::uint64_t seed,
                                                std::int64_t candidates,
                                                const ProgressListener &listener = {});
@@ -21,16 +21,16 @@ std::optional<std::vector<Scene>> searchProbes(const Scene &conventions, std::ui
 /// Defects that draw the same pictures of all scenes.
 struct AlikeDefects {
     std::vector<Defect> defects;
-    bool equalRight = false; ///< and the right ones, too
+    bool equalRight = false; ///< and equal the right ones
 };
 
-/// What scenes leave together: groups of two or more, or one that equals the right pictures. All
-/// scenes have one method and the same settings.
+/// What the scenes cannot tell apart: groups of two or more defects, or one that equals the right
+/// pictures. All scenes have one method and the same settings.
 struct ProbeResult {
     std::size_t defects = 0; ///< in all
     std::vector<AlikeDefects> alike;
 
-    /// Pictures that are told apart, the right ones among them.
+    /// Distinct sets of pictures, including the right one.
     std::size_t distinct() const;
 };
 

@@ -14,10 +14,11 @@ namespace {
 
 QString folderOf(pid_t process) { return QStringLiteral("/proc/%1").arg(process); }
 
-/// Its own and that of the children that it waited for, in ticks.
+/// Its own time and that of the children it waited for, in ticks.
 std::int64_t ticksOf(pid_t process)
 {
-    // Behind the name, which may hold anything: the state, and 14 … 17 of proc(5).
+    // After the name, which may contain anything, come the state and, in proc(5)'s counting, fields
+    // 14 … 17.
     const QByteArray stat = procText(folderOf(process) + QStringLiteral("/stat"));
     const QList<QByteArray> fields = stat.mid(stat.lastIndexOf(')') + 2).split(' ');
     constexpr qsizetype firstTime = 14 - 3;

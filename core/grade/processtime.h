@@ -10,11 +10,11 @@
 
 namespace pixelplumb {
 
-/// How long a process and all that came of it have computed, those among them that have ended and
-/// were waited for; as /proc tells, in ticks of its clock (10 ms). 0 where it tells nothing.
+/// How long a process and its descendants have computed, including those that have ended and were
+/// waited for; from /proc, in ticks of its clock (10 ms). 0 where it reports nothing.
 std::chrono::milliseconds computedBy(pid_t ancestor);
 
-/// The text of a file of /proc; empty where it cannot be read.
+/// The content of a file in /proc; empty where it cannot be read.
 QByteArray procText(const QString &path);
 
 } // namespace pixelplumb

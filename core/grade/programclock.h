@@ -7,16 +7,15 @@
 
 namespace pixelplumb {
 
-/// Why a program is ended that the kernel does not end.
+/// Why a program that the kernel does not end is ended.
 struct LateEnd {
     bool isByClock = false;
     QString told; ///< a sentence
 };
 
-/// Looks at a program from time to time, each wall time of its limits. Who computes is ended by the
-/// kernel, by its own processor time alone, however many others the machine serves; the clock ends
-/// who waits. For those that the kernel does not end, who start one process after another, there
-/// are two ends far off.
+/// Looks at a program after each wall time of its limits. The kernel ends programs that compute, by
+/// their own processor time, however busy the machine is; the clock ends programs that wait. Two
+/// distant limits end those that escape the kernel by starting one process after another.
 class ProgramClock {
 public:
     using Clock = std::chrono::steady_clock;
@@ -24,8 +23,8 @@ public:
     ProgramClock(const ProgramLimits &limits, Clock::time_point start);
 
     Clock::time_point nextLook() const { return m_nextLook; }
-    /// What it and all that came of it have computed by now is looked at: it may go on, until the
-    /// next look, or is ended.
+    /// Given how long the program and its descendants have computed by now: the program may go on
+    /// until the next look, or is ended.
     std::optional<LateEnd> look(std::chrono::milliseconds computed, Clock::time_point now);
 
 private:
@@ -34,14 +33,14 @@ private:
     std::chrono::milliseconds m_computedBefore{0}; ///< at the last look
 };
 
-/// The signal that ended a program, by its status as of waitpid: what started it says so by an exit
-/// code from 129 on, as shells do. 0: none did.
+/// The signal that ended a program, from its waitpid() status; a program that started it reports it
+/// by an exit code from 129 on, as shells do. 0: none.
 int signalIn(int status);
 
-/// Whether it ended as the kernel ends who computes too long, or as a shell does that ran such a
-/// one. Who does not heed SIGXCPU gets SIGKILL. The kernel ends it by a count in ticks of its
-/// clock, which on a busy machine is far from what it tells afterwards, `computed`: half of the
-/// limit tells it from whoever sends itself such a signal.
+/// Whether it ended as the kernel ends a program that computes too long, or as a shell that ran
+/// one. A program that ignores SIGXCPU gets SIGKILL. The kernel's limit counts clock ticks, which
+/// on a busy machine differ widely from the time it reports later, `computed`; half of the limit is
+/// enough to exclude programs that send themselves such a signal.
 bool hasComputedTooLong(int status, std::chrono::milliseconds computed,
                         const ProgramLimits &limits);
 

@@ -21,7 +21,7 @@ namespace {
 
 constexpr rlim_t openFiles = 256;
 
-/// All processes and threads that there are: those of one user are no more.
+/// The number of all existing processes and threads: no user has more.
 rlim_t presentProcesses()
 {
     QFile load(QStringLiteral("/proc/loadavg"));
@@ -30,7 +30,7 @@ rlim_t presentProcesses()
     return rlim_t(load.readAll().split(' ').value(3).split('/').value(1).toULongLong());
 }
 
-/// "--cpu=10:11": nobody gets more than is allowed here.
+/// "--cpu=10:11": neither limit exceeds our own hard limit.
 QString limitWord(const char *name, __rlimit_resource resource, rlim_t soft, rlim_t hard)
 {
     rlimit present = {RLIM_INFINITY, RLIM_INFINITY};
@@ -42,7 +42,7 @@ QString limitWord(const char *name, __rlimit_resource resource, rlim_t soft, rli
     return QStringLiteral("--%1=%2:%3").arg(QLatin1String(name), text(soft), text(hard));
 }
 
-/// Of each process. `processes`, which are counted by user: none where they are not limited.
+/// Limits of each process. `processes` are counted by user; none: not limited.
 QStringList limitWords(const ProgramLimits &limits, std::optional<rlim_t> processes)
 {
     const auto word = [](const char *name, __rlimit_resource resource, rlim_t limit) {
@@ -51,7 +51,8 @@ QStringList limitWords(const ProgramLimits &limits, std::optional<rlim_t> proces
     const auto seconds = rlim_t(limits.wholeSeconds());
     QStringList words = {
         QStringLiteral("/usr/bin/prlimit"),
-        // Of each process. It is told first, so that its end can be told from others.
+        // For each process. SIGXCPU comes first, at the soft limit, so that this end can be told
+        // from others.
         limitWord("cpu", RLIMIT_CPU, seconds, seconds + 1),
         word("as", RLIMIT_AS, limits.memory > 0 ? rlim_t(limits.memory) : RLIM_INFINITY),
         word("fsize", RLIMIT_FSIZE, rlim_t(limits.files)), word("nofile", RLIMIT_NOFILE, openFiles),
@@ -61,8 +62,8 @@ QStringList limitWords(const ProgramLimits &limits, std::optional<rlim_t> proces
     return words + QStringList(QStringLiteral("--"));
 }
 
-/// Starts what follows once the sandbox's first process, too, may not have more processes. Of
-/// another user it does not need that: nobody of the program's can trace it.
+/// Starts what follows after limiting the processes of the sandbox's first process, too. With a
+/// user of its own this is not needed: no process of the program's can trace that one.
 QStringList firstProcessWords(const ProgramLimits &limits, const ProgramUser &user)
 {
     if (user.isOwn)
@@ -79,8 +80,8 @@ QStringList wordsOf(const StudentProgram &student)
     return QStringList{student.path} + student.arguments;
 }
 
-/// What programs need to run, and nothing of a person's: of /etc where the loader, alternatives
-/// and runtimes are told what lies where.
+/// What programs need to run, and nothing of the user's: in /etc only what tells the loader,
+/// alternatives and runtimes where things are.
 QStringList systemFolders()
 {
     QStringList folders;
@@ -95,7 +96,7 @@ QStringList systemFolders()
     return folders;
 }
 
-/// Our own programs: who runs them inside would hand in what they draw.
+/// Our own programs: a student's program that ran them would hand in their pictures.
 QStringList hiddenFiles()
 {
     const QString own = QFile::symLinkTarget(QStringLiteral("/proc/self/exe"));
@@ -117,8 +118,8 @@ bool isInOneOf(const QStringList &folders, const QString &path)
     });
 }
 
-/// What is seen in the sandbox: the system and the program's own files, to be read only, and
-/// folders in memory, of which each holds so many bytes at most.
+/// What the sandbox shows: the system and the program's own files, read-only, and folders in memory
+/// with at most `bytes` each.
 QStringList viewWords(const QStringList &shown, std::int64_t bytes)
 {
     QStringList words;
@@ -130,7 +131,7 @@ QStringList viewWords(const QStringList &shown, std::int64_t bytes)
     for (const char *folder : {"/dev/shm", "/tmp"})
         words += {QStringLiteral("--perms"), QStringLiteral("1777"),    QStringLiteral("--size"),
                   QString::number(bytes),    QStringLiteral("--tmpfs"), QLatin1String(folder)};
-    // No terminals, of which the machine has so many and no more: /dev/ptmx leads nowhere.
+    // No terminals, which the machine has only a limited number of: /dev/ptmx leads nowhere.
     words
         += {QStringLiteral("--size"),   QStringLiteral("4096"),         QStringLiteral("--tmpfs"),
             QStringLiteral("/dev/pts"), QStringLiteral("--remount-ro"), QStringLiteral("/dev/pts")};
@@ -150,7 +151,7 @@ QStringList viewWords(const QStringList &shown, std::int64_t bytes)
                                QStringLiteral("--chdir"),      sandboxFolder()};
 }
 
-/// What is separated, and what is left of root's powers until the user is changed.
+/// What is separated, and which of root's capabilities stay until the user changes.
 QStringList separationWords(const ProgramUser &user)
 {
     QStringList words;
@@ -170,7 +171,7 @@ QStringList separationWords(const ProgramUser &user)
 QStringList limitedCommand(const StudentProgram &student, const ProgramLimits &limits,
                            const ProgramUser &user)
 {
-    // Where others run as the same user they are counted, too.
+    // Other processes of the same user count too.
     const rlim_t others = user.isOwn ? 0 : presentProcesses();
     return limitWords(limits, rlim_t(limits.processes) + others) + user.command()
         + wordsOf(student);
@@ -179,7 +180,7 @@ QStringList limitedCommand(const StudentProgram &student, const ProgramLimits &l
 QStringList sandboxedCommand(const StudentProgram &student, const ProgramLimits &limits,
                              const ProgramUser &user, int filter)
 {
-    // The sandbox's first process can be traced by the program, and made to work for it.
+    // The program could trace the sandbox's first process and make it work for it.
     return limitWords(limits, std::nullopt) + QStringList{bubblewrapPath()} + separationWords(user)
         + viewWords(student.shown, limits.files)
         + QStringList{QStringLiteral("--seccomp"), QString::number(filter), QStringLiteral("--")}
@@ -189,7 +190,7 @@ QStringList sandboxedCommand(const StudentProgram &student, const ProgramLimits 
 
 QString bubblewrapPath()
 {
-    // A relative entry of PATH could name a folder of the program that is to be kept in.
+    // A relative entry of PATH could name a folder of the program to be confined.
     QStringList folders = qEnvironmentVariable("PATH").split(u':', Qt::SkipEmptyParts);
     folders.removeIf([](const QString &folder) { return QDir::isRelativePath(folder); });
     return folders.isEmpty() ? QString()
@@ -204,7 +205,7 @@ QString faultOfStart(int exitCode, const QByteArray &messages)
     constexpr std::array ofExecution = {126, 127};
     const bool isOfTools
         = exitCode == ofTools || exitCode == ofExecution[0] || exitCode == ofExecution[1];
-    // By their paths where they cannot be loaded.
+    // By path, for when they cannot be loaded.
     const std::array tools = {QByteArray("bwrap"),
                               QByteArray("setpriv"),
                               QByteArray("prlimit"),

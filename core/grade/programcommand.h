@@ -7,22 +7,22 @@ namespace pixelplumb {
 
 struct ProgramUser;
 
-/// The words that start a student's program within its limits, as that user, wherever it stands:
-/// those of prlimit and setpriv.
+/// The words that start a student's program within its limits, as that user, in any folder: those
+/// of prlimit and setpriv.
 QStringList limitedCommand(const StudentProgram &student, const ProgramLimits &limits,
                            const ProgramUser &user);
-/// The same in the sandbox: those of bubblewrap before them. `filter` is a descriptor, open at the
-/// start, of a file that holds syscallFilter().
+/// Like limitedCommand(), in the sandbox: preceded by bubblewrap's words. `filter` is a descriptor,
+/// open at the start, of a file that holds syscallFilter().
 QStringList sandboxedCommand(const StudentProgram &student, const ProgramLimits &limits,
                              const ProgramUser &user, int filter);
 
-/// Where bubblewrap is; empty: it is not installed.
+/// The path of bubblewrap; empty: not installed.
 QString bubblewrapPath();
 
-/// The only folder in the sandbox that can be written to, empty at first.
+/// The only writable folder in the sandbox, initially empty.
 QString sandboxFolder();
 
-/// What one of these tools said before it gave up, by the exit code and what stands on stderr;
+/// The error that one of these tools printed before it gave up, judged by the exit code and stderr;
 /// empty where they started the program.
 QString faultOfStart(int exitCode, const QByteArray &messages);
 

@@ -22,7 +22,7 @@ std::array<bool, 3> ownersByRule(const Triangle &triangle, const BoundaryRule &r
     return setUp.ownsTie;
 }
 
-/// One triangle as such a program draws it.
+/// One triangle as this program draws it.
 class TestedTriangle {
 public:
     TestedTriangle(const ProgramEdgeTest &program, const TriangleRuns &runs)
@@ -78,7 +78,7 @@ private:
         }
         finish();
     }
-    /// From which vertex and to which one.
+    /// The edge's start and end.
     std::pair<LatticePoint, LatticePoint> edgeOf(std::size_t edge) const
     {
         return {m_triangle.vertices[edge].position, m_triangle.vertices[(edge + 1) % 3].position};
@@ -136,7 +136,7 @@ private:
             return squarePixel;
         case EdgeSlack::OfHalf:
             return squarePixel / 2;
-        case EdgeSlack::OfTenth: // is none of its whole units
+        case EdgeSlack::OfTenth: // not an integer in its units
             return squarePixel / 10;
         case EdgeSlack::OfDistance:
             break;
@@ -150,7 +150,7 @@ private:
     {
         const auto [from, to] = edgeOf(edge);
         const int sign = m_area < 0 ? -1 : 1;
-        const Lattice perX = (from.y - to.y) * sign; // of the function, which grows inward
+        const Lattice perX = (from.y - to.y) * sign; // of the function, which increases inward
         const Lattice perY = (to.x - from.x) * sign;
         switch (m_program.owner) {
         case EdgeOwner::OfRule:
@@ -195,7 +195,7 @@ private:
         const bool isNearest = m_runs.settings.rounding == ByteRounding::Nearest;
         return std::int64_t(isNearest ? sum.nearest() : sum.floor());
     }
-    /// By what a program errs that computes weights in the side's arithmetic.
+    /// The level with the error of a program that computes weights in the side's arithmetic.
     std::int64_t levelOnSide(const VertexWeights &weights, std::size_t channel) const
     {
         const auto denominator = double(weights.denominator);
@@ -216,11 +216,11 @@ private:
 
     const ProgramEdgeTest &m_program;
     const TriangleRuns &m_runs;
-    const Triangle m_triangle; ///< as it was given: x is a column
+    const Triangle m_triangle; ///< as given: x is a column
     const Int128 m_area;
     const std::array<bool, 3> m_ownsByRule;
     double m_functionError = 0; ///< of an edge function, square lattice units
-    double m_weightError = 0; ///< of a weight, beside what the functions err
+    double m_weightError = 0; ///< of a weight, besides the functions' errors
 };
 
 } // namespace
@@ -229,7 +229,7 @@ Redrawing redrawingByTests(const ProgramEdgeTest &program, LevelOverflow overflo
 {
     const auto shared = std::make_shared<const ProgramEdgeTest>(program);
     const auto change = [shared](TriangleRuns &triangle) {
-        if (doubledArea(triangle.triangle) != 0) // else it has no weights
+        if (doubledArea(triangle.triangle) != 0) // without area there are no weights
             triangle.runs = TestedTriangle(*shared, triangle).runs();
     };
     Redrawing redrawing{change, overflow};

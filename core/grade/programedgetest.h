@@ -5,25 +5,25 @@
 
 namespace pixelplumb {
 
-/// Of edge functions, in square lattice units: px².
+/// The unit of edge functions, 1 px², in square lattice units.
 inline constexpr Int128 squarePixel = Int128(unitsPerPixel) * unitsPerPixel;
 
 /// The edge functions of a triangle at a sample, square lattice units, positive inside.
 struct EdgeFunctions {
-    std::array<Int128, 3> values = {}; ///< of the edges from vertex 0 to 1, 1 to 2, 2 to 0
-    Int128 area = 0; ///< doubled: what the weights are divided by, positive
+    std::array<Int128, 3> values = {}; ///< for the edges from vertex 0 to 1, 1 to 2, 2 to 0
+    Int128 area = 0; ///< doubled, positive; the divisor of the weights
 };
 
-/// By how much each vertex' colour counts, over one denominator.
+/// The weight of each vertex's colour, over one denominator.
 struct VertexWeights {
     std::array<Int128, 3> numerators = {};
     Int128 denominator = 1; ///< > 0
 };
 
-/// What is asked of an edge function.
+/// What the program tests of an edge function.
 enum class EdgeQuestion { IsInside, IsOutside, Nothing };
 
-/// How far outside an edge a sample may be that is drawn.
+/// How far outside an edge a drawn sample may be.
 enum class EdgeSlack {
     None,
     OfFunction, ///< E ≥ −1 px²
@@ -36,32 +36,32 @@ enum class EdgeSlack {
 /// Which edges own the samples on them: the scene's rule, or sides of the triangle.
 enum class EdgeOwner { OfRule, BottomRight, BottomLeft, TopRight };
 
-/// Where a program is when the first sample of a row is outside.
+/// What happens in a row at a sample outside.
 enum class OutsideSample { GoesOn, EndsRow };
 
-/// What becomes of a weight times a level before the three are added.
+/// What happens to each product of weight and level before the three are added.
 enum class WeightedProduct { AsItIs, Cut, Rounded };
 
-/// A program that goes through the samples of the bounding box and tests three edges; a right one
-/// as it stands. What it leaves as it is, colours among them, is what the method draws.
+/// A program that tests three edges at the samples of the bounding box; right by default. What it
+/// does not change, colours included, is drawn as by the method.
 struct ProgramEdgeTest {
-    /// Where the functions are computed, lattice units, of a sample in the box; none: at the
-    /// sample.
+    /// The position, in lattice units, where the functions are evaluated for a sample in the box;
+    /// none: the sample itself.
     std::function<LatticePoint(const Triangle &triangle, const SampleBox &box,
                                const LatticePoint &sample)>
         place = {};
-    /// The edge function from one vertex to another at a place; none: that of the texts.
+    /// The edge function from one vertex to another at a point; none: the usual one.
     std::function<Int128(const LatticePoint &from, const LatticePoint &to, const LatticePoint &at)>
         function = {};
-    std::function<void(EdgeFunctions &functions)> change = {}; ///< for the test and the weights
+    std::function<void(EdgeFunctions &functions)> change = {}; ///< for test and weights
     std::array<EdgeQuestion, 3> questions = {};
     EdgeSlack slack = EdgeSlack::None;
     EdgeOwner owner = EdgeOwner::OfRule;
     OutsideSample outside = OutsideSample::GoesOn;
-    std::function<void(VertexWeights &weights)> weigh = {}; ///< for the colours alone
+    std::function<void(VertexWeights &weights)> weigh = {}; ///< changes only the colours
     WeightedProduct product = WeightedProduct::AsItIs;
 
-    /// Whether its colours are not those of the triangle's plane.
+    /// Whether its colours differ from those of the triangle's plane.
     bool changesColours() const
     {
         return place || function || change || weigh || product != WeightedProduct::AsItIs;

@@ -10,13 +10,13 @@ namespace pixelplumb {
 
 namespace {
 
-/// A line's coordinates by where it steps, px.
+/// A line's coordinates along and across its steps, px.
 struct LineEnds {
     std::int64_t fromAlong = 0, fromAcross = 0, toAlong = 0, toAcross = 0;
     bool isSteep = false; ///< x and y are exchanged
 };
 
-/// One line after the other, each by its steps.
+/// Draws lines one after another, each by its steps.
 class LineSteps {
 public:
     LineSteps(const ProgramLine &program, const Scene &scene)
@@ -107,7 +107,7 @@ private:
         const bool isPast = m_program.last == LastStep::OnePast;
         return length + (isPast ? 1 : 0) - (isShort ? 1 : 0);
     }
-    /// How far the line has gone across after each step, px.
+    /// The line's offset across after each step, px.
     std::vector<std::int64_t> stepsAcross(const LineEnds &ends, std::int64_t last)
     {
         const LineDecision &by = m_program.decision;
@@ -176,7 +176,7 @@ private:
         }
         return colour;
     }
-    /// What is added to the level of the start.
+    /// What is added to the start's level.
     CommonFraction risen(int difference, std::int64_t step, std::int64_t length) const
     {
         if (length == 0)
@@ -204,7 +204,7 @@ private:
 
     const ProgramLine &m_program;
     const ScanSettings &m_settings;
-    std::optional<std::int64_t> m_decision; ///< of the line before
+    std::optional<std::int64_t> m_decision; ///< the last line's
 };
 
 } // namespace

@@ -7,24 +7,23 @@
 
 namespace pixelplumb {
 
-/// A number made of Δx ≥ Δy ≥ 0, along the line and across it, px.
+/// A number computed from Δx ≥ Δy ≥ 0, along the line and across it, px.
 using DecisionTerm = std::int64_t (*)(std::int64_t dx, std::int64_t dy);
 
 enum class StepsAcross { WherePositive, WhereNegative };
 
-/// How p goes on from one pixel to the next.
+/// How p is updated from pixel to pixel.
 enum class DecisionUpdate {
-    AfterTest, ///< by what belongs to the pixel that was chosen
-    AddsAlways, ///< where the line steps across both are added
-    BeforeTest, ///< what is added where the line stays is added before p is asked
-    SetBack, ///< where the line steps across p begins anew
+    AfterTest, ///< by the term of the pixel that was chosen
+    AddsAlways, ///< a step across adds both terms
+    BeforeTest, ///< the term for staying is added before p is tested
+    SetBack, ///< p starts anew after a step across
 };
 
-/// What a line's first p is; that of the line before is carried on where it is not set anew.
+/// A line's first p: set anew, or carried over from the line before.
 enum class DecisionStart { Anew, OfLineBefore };
 
-/// What p begins with, what is added where the line stays and where it steps across; Bresenham's as
-/// it stands.
+/// The first p, and what is added when the line stays or steps across; Bresenham's by default.
 struct LineDecision {
     DecisionTerm first = [](std::int64_t dx, std::int64_t dy) { return 2 * dy - dx; };
     DecisionTerm stay = [](std::int64_t, std::int64_t dy) { return 2 * dy; };
@@ -34,16 +33,17 @@ struct LineDecision {
     DecisionStart start = DecisionStart::Anew;
 };
 
-/// At which end steps begin.
+/// The end where steps begin.
 enum class LineStart {
     FirstEnd, ///< as given
-    LeastAlong, ///< the lesser x, of steep lines y
-    LeastX, ///< the lesser x, of steep lines, too: sorted before x and y are exchanged
-    LeastXOfFlat, ///< the lesser x; steep lines as given
-    LeastYOfSteep, ///< the lesser y; flat lines as given
+    LeastAlong, ///< the lesser x, or y for steep lines
+    LeastX, ///< the lesser x, also for steep lines: sorted before x and y are exchanged
+    LeastXOfFlat, ///< the lesser x; steep lines start as given
+    LeastYOfSteep, ///< the lesser y; flat lines start as given
 };
 
-/// What becomes of a line whose steps would go down along it: to the left, of steep lines downward.
+/// What happens to a line whose steps would descend along it: to the left, or downward for steep
+/// lines.
 enum class DescendingLine { Drawn, Lost, FirstPixelAlone, Ascends };
 
 /// Where a step across goes.
@@ -52,27 +52,27 @@ enum class AcrossStep { TowardsEnd, Upward, Downward, AwayFromEnd, NoneDownward 
 /// For which lines x and y are exchanged.
 enum class SteepLine {
     Exchanged,
-    AsFlat, ///< for none
-    Inverted, ///< for those that are flat
-    OwnDifferences, ///< but Δx and Δy are not
-    BySignedDifferences, ///< where Δy > Δx, signs and all
+    AsFlat, ///< for no line
+    Inverted, ///< for flat lines
+    OwnDifferences, ///< for steep lines, but Δx and Δy are not exchanged
+    BySignedDifferences, ///< where Δy > Δx with their signs
 };
 
-/// How far the loop goes.
+/// Where the loop ends.
 enum class LastStep { AtEnd, OnePast };
 
 enum class LineColours {
     Right,
     DividedByOneMore, ///< Δ + 1
     DividedByOneLess,
-    WholeIncrements, ///< (C₁ − C₀)/Δ cut toward 0
-    FlooredIncrements, ///< … cut downward
+    WholeIncrements, ///< (C₁ − C₀)/Δ truncated toward 0
+    FlooredIncrements, ///< … rounded down
     OneAhead, ///< stepped before the first pixel is drawn
-    OfStart, ///< that end's alone
-    AsGiven, ///< ends are sorted without them
+    OfStart, ///< the start's colour only
+    AsGiven, ///< not sorted along with the ends
 };
 
-/// A program that draws lines between samples by Bresenham's steps; a right one as it stands.
+/// A program that draws lines between samples by Bresenham's steps; right by default.
 struct ProgramLine {
     LineDecision decision = {};
     LineStart start = LineStart::FirstEnd;
@@ -83,13 +83,13 @@ struct ProgramLine {
     LineColours colours = LineColours::Right;
 };
 
-/// Whether it is a scene of lines whose method asks p, and p = 0 can go either way.
+/// Whether the scene has only lines, drawn by a method that tests p, and p = 0 can go either way.
 bool hasDecisions(const Scene &scene);
 
-/// The same scene, p = 0 going the other way than it has it: across or not.
+/// The scene with the other choice at p = 0: across or not.
 Scene withOtherTies(Scene scene);
 
-/// The scene of lines as such a program draws it; lines between samples stay as they are.
+/// The scene of lines as drawn by this program; lines not between samples are unchanged.
 Picture drawnBy(const ProgramLine &program, const Scene &scene);
 
 } // namespace pixelplumb

@@ -51,7 +51,7 @@ QString sentenceOf(const StudentRun &run, const ProgramLimits &limits)
     return QStringLiteral("it was cancelled");
 }
 
-/// One program, from its start to the end of all that came of it.
+/// One program, from its start to the end of all its descendants.
 class RunningProgram {
 public:
     RunningProgram(const ProgramLimits &limits, std::stop_token stop, Confinement confinement)
@@ -88,7 +88,7 @@ private:
         return std::move(m_run);
     }
 
-    /// The error, or 0.
+    /// Returns the error, or 0.
     int start(SupervisedStart plan)
     {
         plan.output = m_output.write.number();
@@ -110,7 +110,7 @@ private:
         return error;
     }
 
-    /// Reads what it writes until its supervisor is gone.
+    /// Reads what the program writes until its supervisor is gone.
     void follow()
     {
         while (m_report.read.isOpen()) {
@@ -135,7 +135,7 @@ private:
                     endBecause(ProgramEnd::TimedOut);
             }
         }
-        readAll(); // what was on its way
+        readAll(); // the last bytes in the pipes
         int status = 0;
         while (waitpid(m_supervisor, &status, 0) < 0 && errno == EINTR) { }
         m_isUnwatched = WIFSIGNALED(status);
@@ -143,7 +143,7 @@ private:
             m_folder->endProcesses();
     }
 
-    /// Milliseconds.
+    /// In milliseconds.
     int waitingTime() const
     {
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(m_deadline - Clock::now());
@@ -170,7 +170,7 @@ private:
         readFrom(m_messages.read, m_run.messages, longestMessages);
     }
 
-    /// Keeps so many bytes; the others are counted. A turn is bounded, for others wait.
+    /// Keeps at most `most` bytes and counts the others. A turn is bounded, since other pipes wait.
     void readFrom(Descriptor &pipe, QByteArray &kept, qsizetype most)
     {
         std::array<char, 65536> buffer;
@@ -244,11 +244,11 @@ private:
     pid_t m_supervisor = -1;
     std::optional<ProgramClock> m_clock;
     std::optional<LateEnd> m_lateEnd;
-    Clock::time_point m_deadline; ///< of the program's next look, then of the supervisor
+    Clock::time_point m_deadline; ///< of the program's next look, later of the supervisor
     std::int64_t m_read = 0; ///< bytes of stdout and stderr
-    bool m_isEnding = false; ///< it is waited for the supervisor alone
-    bool m_isUnwatched = false; ///< it was killed
-    std::optional<ProgramEnd> m_end; ///< where it is we who end it
+    bool m_isEnding = false; ///< only the supervisor is awaited
+    bool m_isUnwatched = false; ///< the supervisor was killed
+    std::optional<ProgramEnd> m_end; ///< why we ended it; none: we did not
     std::chrono::milliseconds m_computed{0};
     std::optional<int> m_status, m_startError;
 };

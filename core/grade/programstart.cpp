@@ -16,7 +16,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// A file in memory: it need not be fed, whoever reads it or does not.
+/// A file in memory: unlike a pipe it needs no feeding, whether it is read or not.
 Descriptor fileOf(const QByteArray &content)
 {
     Descriptor file(memfd_create("input", MFD_CLOEXEC | MFD_ALLOW_SEALING));
@@ -33,8 +33,8 @@ Descriptor fileOf(const QByteArray &content)
     return file;
 }
 
-/// The tools that start it would take another file for a shell's script. What cannot be read is not
-/// asked.
+/// Whether it is a program or a script with #!: the tools that start it would run any other file as
+/// a shell script. Unreadable files are not checked.
 bool canBeStarted(const QString &program)
 {
     QFile file(program);

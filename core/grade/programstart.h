@@ -11,20 +11,21 @@ namespace pixelplumb {
 
 class WorkingFolder;
 
-/// Holds what a supervisor's start points to: words, paths and files as system calls want them.
+/// Owns what a supervisor's start points to: words, paths and files in the form that system calls
+/// need.
 class ProgramStart {
 public:
-    /// In the sandbox, or where there is a folder in that.
+    /// In the sandbox, or, with a folder, in that folder.
     ProgramStart(const StudentProgram &student, const QByteArray &input,
                  const ProgramLimits &limits, const WorkingFolder *folder);
     Q_DISABLE_COPY_MOVE(ProgramStart)
 
-    bool isReady() const { return m_isReady; } ///< else errno says why
-    /// Without pipes. It points into this.
+    bool isReady() const { return m_isReady; } ///< otherwise errno says why not
+    /// Without pipes. Points into this object.
     const SupervisedStart &plan() const { return m_plan; }
 
 private:
-    /// Ends with a null pointer; no words, a null pointer alone.
+    /// Ends with a null pointer; without words it is a null pointer.
     class WordList {
     public:
         WordList() = default;

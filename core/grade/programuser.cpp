@@ -14,7 +14,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Whether this process has the power, by its number.
+/// Whether this process has the capability.
 bool hasCapability(int capability)
 {
     const QByteArray status = procText(QStringLiteral("/proc/self/status"));
@@ -23,7 +23,7 @@ bool hasCapability(int capability)
     return (mask.toULongLong(nullptr, 16) >> capability & 1U) != 0;
 }
 
-/// Not in a container that knows but some of the system's users: its root is none of them.
+/// False in a container that maps only some of the system's users: its root is not the system's.
 bool canChangeUser()
 {
     constexpr std::array needed = {CAP_SETUID, CAP_SETGID, CAP_SETPCAP, CAP_CHOWN};
@@ -36,8 +36,8 @@ bool canChangeUser()
 ProgramUser ProgramUser::ofNextRun()
 {
     static std::atomic<uid_t> runs = 0;
-    constexpr uid_t first = 1'000'000'000; // far from those that systems give
-    constexpr uid_t each = 1000; // of a process that runs programs
+    constexpr uid_t first = 1'000'000'000; // far from those that systems assign
+    constexpr uid_t each = 1000; // for one process that runs programs
     constexpr pid_t processes = 1'000'000;
     if (!canChangeUser())
         return {geteuid(), false};

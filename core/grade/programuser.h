@@ -7,20 +7,20 @@
 
 namespace pixelplumb {
 
-/// Whom a program of others runs as: who started it or, where that is root with its powers, a user
-/// of its own for each run, who owns nothing, whose processes are counted by themselves and cannot
-/// send signals to root's.
+/// The user that someone else's program runs as: the one who started it or, if that is root with
+/// its capabilities, a separate user for each run, who owns nothing, whose processes are counted
+/// separately and cannot signal root's.
 struct ProgramUser {
     uid_t id = 0;
     bool isOwn = false;
 
     static ProgramUser ofNextRun();
 
-    /// The words right before a program by which root becomes that user; empty where it stays who
-    /// it is. What may be started is asked with root's power, and then that is taken away but for
-    /// one, to read on: the program could not read itself in a folder of root's.
+    /// The words in front of a program by which root becomes that user; empty without a change.
+    /// Root's capabilities decide what may be started; they are then dropped except one for
+    /// reading, since the program could not read itself in a folder of root's.
     QStringList command() const;
-    /// The names of the powers that this takes.
+    /// The names of the capabilities that this needs.
     static QStringList capabilities();
 };
 

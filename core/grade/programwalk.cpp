@@ -11,7 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The triangle as a program sees it that goes through spans in ascending order.
+/// The triangle as seen by a program that visits spans in ascending order.
 TriangleRuns seenFrom(const TriangleRuns &triangle, SpanOrder order)
 {
     TriangleRuns seen = triangle;
@@ -26,7 +26,7 @@ TriangleRuns seenFrom(const TriangleRuns &triangle, SpanOrder order)
     return seen;
 }
 
-/// Who goes from the other end has no departures along edges from the method's own.
+/// From the other end, a program does not share the method's departures along edges.
 VariantSet departuresOf(const TriangleRuns &triangle, SpanOrder order)
 {
     VariantSet departures = triangle.settings.variants;
@@ -58,8 +58,8 @@ bool walkIn(TriangleRuns &triangle, const ProgramWalk &walk)
     return true;
 }
 
-/// The places that are compared, and exchanged where the second one's x is less; one after the
-/// other.
+/// The positions that are compared, one pair after another, and swapped where the second's x is
+/// less.
 std::vector<std::array<std::size_t, 2>> comparisonsOf(VertexOrder vertices)
 {
     switch (vertices) {

@@ -13,7 +13,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// By the bound that holds whatever the method.
+/// By the bound that holds for every method.
 Picture boundedPicture(const Scene &alone, const RoundingSide &side)
 {
     const FrameSpec &frame = alone.frame;
@@ -42,7 +42,7 @@ Picture boundedPicture(const Scene &alone, const RoundingSide &side)
     return picture;
 }
 
-/// What is right of one triangle, on a side.
+/// The right picture of one triangle, on a side of rounding.
 Picture rightPicture(const Scene &alone, const RoundingSide &side)
 {
     const Method &method = *methodNamed(QString::fromStdString(alone.method));
@@ -124,7 +124,7 @@ PictureRange redrawnRange(const Scene &scene, const Redrawing &redrawing, Arithm
 
 bool canBeRedrawn(const Scene &scene)
 {
-    constexpr std::size_t mostRedrawn = 64; // triangles: each is drawn by itself
+    constexpr std::size_t mostRedrawn = 64; // triangles: each is drawn separately
     const Method &method = *methodNamed(QString::fromStdString(scene.method));
     return method.draws(PrimitiveKind::Triangle) && scene.shapes.empty() && !scene.triangles.empty()
         && scene.triangles.size() <= mostRedrawn && !mayCallForEffects(scene);

@@ -13,8 +13,7 @@
 
 namespace pixelplumb {
 
-/// From which end the spans of a triangle are gone through: a right program draws the same from
-/// either.
+/// The end from which a triangle's spans are visited; a right program draws the same either way.
 enum class SpanOrder { Ascending, Descending };
 
 /// An interval seen from its other end.
@@ -25,61 +24,61 @@ constexpr Interval reversed(Interval interval)
     return interval == Interval::OpenClosed ? Interval::ClosedOpen : interval;
 }
 
-/// R G B of a sample, rounded, before it is clamped.
+/// R G B of a sample, rounded but not clamped.
 using WholeLevels = std::array<std::int64_t, 3>;
 
-/// The samples of one column or, where a program goes by rows, row.
+/// The samples of one column, or one row for a program that goes by rows.
 struct SampleRun {
     std::int64_t span = 0; ///< x of a column, y of a row
-    std::int64_t first = 0, end = 0; ///< of the other coordinate
-    /// Of its samples one by one, which all lie in the frame then; empty: the method's own, and
-    /// beyond what it draws those of the plane.
+    std::int64_t first = 0, end = 0; ///< in the other coordinate
+    /// The levels of its samples, which then all lie in the frame; empty: the method's own, and
+    /// those of the plane where the method draws nothing.
     std::vector<WholeLevels> levels = {};
-    std::int64_t firstLevelled = 0; ///< the sample that has the first of these
+    std::int64_t firstLevelled = 0; ///< the sample that the first of these belongs to
 };
 
-/// One triangle as it is gone through: `triangle` has x and y exchanged where that is by rows.
+/// One triangle as it is walked; `triangle` has x and y exchanged when the walk goes by rows.
 struct TriangleRuns {
     Triangle triangle;
     SpanOrder order = SpanOrder::Ascending; ///< the method's
     ScanIntervals intervals; ///< of its spans, ascending, and of its samples
     ScanSettings settings;
     BoundaryRule rule = FillRule::Closed;
-    SampleBox visited; ///< the bounding box as the program has it rounded; x is a column
-    std::int64_t firstSpan = 0, endSpan = 0; ///< that the frame has
-    std::int64_t firstSample = 0, endSample = 0; ///< that the frame has of a span
-    std::vector<SampleRun> runs; ///< in the order in which they are painted
-    std::optional<RoundingSide> side = {}; ///< on which of these a walk is to draw; none: its own
-    /// Whether a run that nothing is painted over may be so; none: any may. A walk ends at one that
-    /// may not.
+    SampleBox visited; ///< the bounding box as the program rounds it; x is a column
+    std::int64_t firstSpan = 0, endSpan = 0; ///< in the frame
+    std::int64_t firstSample = 0, endSample = 0; ///< in the frame, of a span
+    std::vector<SampleRun> runs; ///< in painting order
+    std::optional<RoundingSide> side = {}; ///< the walk's side of rounding; none: its own numbers
+    /// Whether a run that nothing paints over later is acceptable; none: all are. A walk ends at
+    /// the first that is not.
     std::function<bool(const SampleRun &run)> mayBe = {};
-    bool isRefused = false; ///< it has ended so
+    bool isRefused = false; ///< the walk ended there
 };
 
 /// A triangle with x and y exchanged.
 Triangle exchanged(Triangle triangle);
 
-/// What becomes of a level outside 0 … 255.
+/// How a level outside 0 … 255 is treated.
 enum class LevelOverflow { Clamps, Wraps };
-/// What becomes of a pixel that is painted twice: the later one stands, or none.
+/// What a pixel painted twice shows: the later colour, or nothing.
 enum class Repainting { Over, Toggles };
 
-/// To which whole number a level is taken: as the scene says, ⌊ ⌋, the nearest or ⌈ ⌉.
+/// How a level becomes a whole number: as in the scene, ⌊ ⌋, to nearest or ⌈ ⌉.
 enum class LevelRounding { OfScene, Down, Nearest, Up };
-/// How levels, 0 … 255 here, become bytes; where this is not as it should be, of all samples, those
-/// of the triangle's plane.
+/// How levels, here 0 … 255, become bytes; if not as usual, this applies to all samples, with the
+/// levels of the triangle's plane.
 struct LevelBytes {
-    int full = 255; ///< what a level of `of` is taken to
+    int full = 255; ///< what a level of `of` becomes
     LevelRounding rounding = LevelRounding::OfScene;
-    int most = 255; ///< to which is clamped
+    int most = 255; ///< the upper limit of clamping
     int of = 255;
 
     bool isRight() const { return *this == LevelBytes(); }
     friend bool operator==(const LevelBytes &, const LevelBytes &) = default;
 };
 
-/// Which samples are asked whether they are inside: those of the scene's bounding box, or those
-/// from ⌊x_min⌋ to ⌈x_max⌉ and from ⌊y_min⌋ to ⌈y_max⌉.
+/// Which samples are tested: those of the scene's bounding box, or those from ⌊x_min⌋ to ⌈x_max⌉
+/// and from ⌊y_min⌋ to ⌈y_max⌉.
 enum class VisitedBox { OfScene, Outward };
 
 struct ProgramWalk;
@@ -90,28 +89,28 @@ struct Redrawing {
     LevelOverflow overflow = LevelOverflow::Clamps;
     Repainting repainting = Repainting::Over;
     LevelBytes bytes = {};
-    std::shared_ptr<const ProgramWalk> walk = {}; ///< where the change is to go through it so alone
-    std::shared_ptr<const ProgramEdgeTest> edgeTest = {}; ///< where it is to test samples so
+    std::shared_ptr<const ProgramWalk> walk = {}; ///< set if the change is only this walk
+    std::shared_ptr<const ProgramEdgeTest> edgeTest = {}; ///< set if the change is only this test
     VisitedBox box = VisitedBox::OfScene;
 };
 
-/// What a program does that does both; none where they decide the same thing. One that goes through
-/// the triangle, or tests its samples, does so first, then the other leaves samples out.
+/// The redrawing of a program that has both mistakes; none where they change the same decision. The
+/// one that walks the triangle or tests samples comes first, then the other leaves samples out.
 std::optional<Redrawing> together(const Redrawing &one, const Redrawing &other);
 
-/// The scene of triangles, each drawn by the scene's method and changed.
+/// The scene's triangles, each drawn by the scene's method and then changed.
 Picture redrawn(const Scene &scene, const Redrawing &redrawing);
 
-/// Whether the picture of a scene that is redrawn so cannot be the one that was found, as far as is
-/// seen before it is drawn: by the last triangle of a walk, over which nothing is painted.
+/// Whether the redrawn picture certainly differs from the one found, as far as that shows before
+/// drawing: in the last triangle of a walk, which nothing paints over.
 bool differsAtOnce(const Scene &scene, const Redrawing &redrawing, const Picture &found);
 
-/// What programs draw that do the same in arithmetic up to this one. The scene's own is not asked.
+/// What programs with this redrawing draw in arithmetic up to this one. The scene's own is ignored.
 PictureRange redrawnRange(const Scene &scene, const Redrawing &redrawing, Arithmetic arithmetic);
-/// Whether a scene can be redrawn: it has triangles alone, not too many, and needs colours alone.
+/// Whether a scene can be redrawn: it has only triangles, not too many, and needs only colours.
 bool canBeRedrawn(const Scene &scene);
 
-/// The scene with one of its triangles or shapes alone.
+/// The scene with only one of its triangles or shapes.
 Scene triangleAlone(const Scene &scene, std::size_t triangle);
 Scene shapeAlone(const Scene &scene, std::size_t shape);
 

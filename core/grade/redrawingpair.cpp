@@ -7,15 +7,14 @@ namespace pixelplumb {
 
 namespace {
 
-/// Two walks, member by member: what one of them has otherwise than a right one the other leaves
-/// as it is.
+/// Merges two walks member by member: only one of them may differ from the right walk in a member.
 class WalkMerger {
 public:
     WalkMerger(const ProgramWalk &one, const ProgramWalk &other)
         : m_one(one)
         , m_other(other)
     {
-        // All members by name: one more does not compile before it has its line here.
+        // All members by name: a new one does not compile until it is listed here.
         const auto &[order, vertices, departures, divided, departing, slopeForm, slopes,
                      edgeColours, preSteps, steps, runEnds, edgePlaces, edgeLevels, bounds, levels,
                      placePreStep, edgeColourPreStep, spanPreStep, edgeStoring, spanStoring,
@@ -29,7 +28,7 @@ public:
                      first, last, extraBefore, extraBehind, divisor, lowerColours, spanColours,
                      spanStart]
             = m_right;
-        // What departs on one edge alone departs on all with what departs on all.
+        // Merged, a departure on one edge would spread to the other walk's edges.
         m_isContradiction = one.departing != other.departing && departsAlongEdges(one)
             && departsAlongEdges(other);
         if (one.edgeStoring != other.edgeStoring && storesAlongEdges(one)
@@ -108,7 +107,7 @@ private:
 
     static bool storesAlongEdges(const ProgramWalk &walk)
     {
-        return walk.edgePlaces != Kept::All || walk.edgeLevels != Kept::All;
+        return walk.edgePlaces != Truncation::All || walk.edgeLevels != Truncation::All;
     }
 
     template <class Member>
@@ -120,7 +119,7 @@ private:
         m_both.*member = isDone ? m_one.*member : m_other.*member;
     }
 
-    /// Several can be there, but not the same in both, nor those that undo each other.
+    /// Departures add up, except for the same one in both and those that undo each other.
     void takeDepartures(VariantSet ProgramWalk::*member, const VariantSet &right)
     {
         const VariantSet one = m_one.*member;
@@ -147,11 +146,11 @@ private:
     bool m_isContradiction = false;
 };
 
-/// Whether it matters from which end its spans are gone through.
+/// Whether the order of its spans matters.
 bool hasOrder(ProgramWalk walk)
 {
     const ProgramWalk right;
-    // Those of a span alone.
+    // Mistakes within a span do not depend on it.
     walk.preSteps = right.preSteps;
     walk.steps = right.steps;
     walk.bounds = right.bounds;
@@ -170,14 +169,14 @@ bool hasOrder(ProgramWalk walk)
     walk.divisor = right.divisor;
     walk.lowerColours = right.lowerColours;
     walk.spanColours = right.spanColours;
-    if (walk.upperEdge != UpperEdge::LongBySlopes) // an edge along the spans is the first one
+    if (walk.upperEdge != UpperEdge::LongBySlopes) // an edge along the spans comes first
         walk.upperEdge = right.upperEdge;
-    // Those of an end that is told by its coordinate.
+    // Ends identified by their coordinate do not depend on it.
     for (SpanEnd *end : {&walk.leastSpan, &walk.greatestSpan}) {
         if (*end != SpanEnd::OneMore)
             *end = SpanEnd::ByRule;
     }
-    // What is no mistake from either end.
+    // No mistakes from either end.
     walk.flatEnd = right.flatEnd;
     if (walk.vertices == VertexOrder::ByXThenAsGiven || walk.vertices == VertexOrder::ByXThenDown)
         walk.vertices = right.vertices;
@@ -204,14 +203,14 @@ std::optional<Redrawing> together(const Redrawing &one, const Redrawing &other)
         = [](const Redrawing &each) { return each.walk != nullptr || each.edgeTest != nullptr; };
     if (findsSamples(other) && !findsSamples(one))
         return together(other, one);
-    // A program finds its samples in one way; only walks can be merged to one.
+    // A program finds its samples in one way; only two walks can be merged.
     const bool areTwoWays = findsSamples(one) && findsSamples(other) && !(one.walk && other.walk);
     if (areTwoWays)
         return std::nullopt;
     const bool isWrapping
         = one.overflow == LevelOverflow::Wraps || other.overflow == LevelOverflow::Wraps;
     const auto overflow = isWrapping ? LevelOverflow::Wraps : LevelOverflow::Clamps;
-    // A walk rounds the levels that it carries by itself, as who weighs colours otherwise does.
+    // A walk rounds its own levels, as does a program with other weights of colours.
     const bool roundsItself = one.walk || (one.edgeTest && one.edgeTest->changesColours());
     const bool areTwoRoundings = (roundsItself || !one.bytes.isRight()) && !other.bytes.isRight();
     if (areTwoRoundings)

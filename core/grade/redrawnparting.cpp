@@ -11,7 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The scene up to one of its primitives.
+/// The scene's first primitives.
 Scene beginningOf(Scene scene, std::size_t primitives)
 {
     const std::size_t triangles = std::min(primitives, scene.triangles.size());
@@ -30,7 +30,7 @@ public:
     {
     }
 
-    /// "(12, 5) is left out"; empty where they do not differ.
+    /// "(12, 5) is left out"; empty where the pictures agree.
     QString differenceAt(std::int64_t x, std::int64_t y) const
     {
         const std::size_t place = placeOf(x, y);
@@ -40,7 +40,7 @@ public:
             return {};
         const QString where = QStringLiteral("(%1, %2) ").arg(x).arg(y);
         if (isExtra(place))
-            return where + QStringLiteral("is drawn, which should not be");
+            return where + QStringLiteral("is drawn but should not be");
         if (m_redrawn.covered[place] == 0)
             return where + QStringLiteral("is left out");
         return where
@@ -48,7 +48,7 @@ public:
                   .arg(colourText(m_redrawn.colours[place]), colourText(m_right.colours[place]));
     }
     QString firstInFrame() const { return firstIn(firstCorner(), lastCorner(), Which::All); }
-    /// Of samples that are drawn and should not be, in the column or row of a span.
+    /// The first sample in the span's column or row that is drawn but should not be.
     QString firstExtraOn(const SpanPlace &span) const
     {
         LatticePoint first = firstCorner();
@@ -71,7 +71,7 @@ private:
     {
         return m_right.covered[place] == 0 && m_redrawn.covered[place] != 0;
     }
-    /// Of all samples from one corner to the other, px.
+    /// The first difference from one corner to the other, px.
     QString firstIn(LatticePoint first, LatticePoint last, Which which) const
     {
         for (std::int64_t x = first.x; x <= last.x; ++x) {
@@ -94,7 +94,7 @@ private:
     Picture m_right, m_redrawn;
 };
 
-/// In the steps of one primitive of the run.
+/// The first differing step of one primitive of the run.
 PartingStep partingIn(const TracedScene &run, std::size_t primitive, const PicturePair &pictures)
 {
     const ScanTrace &trace = *run.trace;
@@ -115,7 +115,7 @@ PartingStep partingIn(const TracedScene &run, std::size_t primitive, const Pictu
         if (!text.isEmpty())
             return parting(index, text);
     }
-    // What differs is where the right run never comes.
+    // The difference lies where the right run never comes.
     return parting(end - 1, pictures.firstInFrame());
 }
 

@@ -13,7 +13,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The samples that edges are asked of.
+/// The samples at which the edges are tested.
 SampleBox boxOf(const Triangle &triangle, const Scene &scene, VisitedBox box)
 {
     if (box == VisitedBox::Outward) {
@@ -79,7 +79,7 @@ void RedrawnTriangle::see(const Scene &alone, VisitedBox box)
     }
 }
 
-/// Of a raster of characters whether its samples are covered.
+/// For a raster of characters, only checks that its samples are covered.
 bool RedrawnTriangle::isIn(const Picture &found, const SampleRun &run) const
 {
     const std::int64_t end = std::min(run.end, m_runs.endSample);
@@ -167,7 +167,7 @@ Colour RedrawnTriangle::colourAt(const SampleRun &run, std::int64_t place, std::
     return colour;
 }
 
-/// Of a byte that was right: what is nearest to the level is all that is known of it.
+/// The levels of a right byte, of which only the nearest level is known.
 WholeLevels RedrawnTriangle::levelsOf(const Colour &colour) const
 {
     WholeLevels levels;

@@ -6,17 +6,16 @@
 
 namespace pixelplumb {
 
-/// The one triangle of a scene as it is redrawn: its samples, in the order in which they are
-/// painted.
+/// A scene's only triangle, redrawn: its samples in painting order.
 class RedrawnTriangle {
 public:
-    /// Of what is right, on a side of what rounding may do, if it is on one. A walk draws all anew:
-    /// for it what is right is not drawn.
+    /// Changes the right picture, on a side of rounding if one is given. A walk draws everything
+    /// itself and needs no right picture.
     RedrawnTriangle(const Scene &alone, const Redrawing &redrawing,
                     std::function<Picture()> drawRight,
                     const std::optional<RoundingSide> &side = {});
 
-    /// For as long as it is what was found: a walk ends at the first run that is not.
+    /// Draws only while it matches the picture found: a walk ends at the first run that does not.
     RedrawnTriangle(const Scene &alone, const Redrawing &redrawing, const Picture &found);
     bool isRefused() const { return m_runs.isRefused; }
 
@@ -39,7 +38,7 @@ private:
     LevelBytes m_bytes;
     bool m_goesByRows = false;
     std::function<Picture()> m_drawRight;
-    mutable std::optional<Picture> m_right; ///< once it has been asked for
+    mutable std::optional<Picture> m_right; ///< drawn on first use
     TriangleRuns m_runs;
 };
 

@@ -10,7 +10,7 @@
 
 namespace pixelplumb {
 
-/// What stands in a folder of results.
+/// The files in a folder of results.
 inline const QString assignmentFile = QStringLiteral("assignment.json");
 inline const QString partFile = QStringLiteral("part.json");
 inline const QString reviewsFile = QStringLiteral("reviews.json");
@@ -20,10 +20,9 @@ inline QString submissionFile(const QString &id)
     return QStringLiteral("grades/%1.json").arg(id);
 }
 
-/// A folder of results, in which what is read and written is ours: files by their names,
-/// "part.json" or "grades/ID.json". No link in it is followed, and nothing but an ordinary file is
-/// read, waited for or replaced. What is read from it is no input: grading takes its own results up
-/// again.
+/// A folder of results, whose files are named "part.json" or "grades/ID.json". Links in it are not
+/// followed, and only regular files are read or replaced. What is read from it does not count as
+/// input: grading resumes from its own results.
 class ResultsFolder {
 public:
     explicit ResultsFolder(QString path)
@@ -31,20 +30,20 @@ public:
     {
     }
 
-    QString pathOf(const QString &file) const; ///< for who is told of it
+    QString pathOf(const QString &file) const; ///< for messages
 
-    /// Makes it, if need be, for one run alone: another one is refused as long as the descriptor is
-    /// open.
+    /// Makes the folder, if need be, and locks it for one run: others are refused while the
+    /// descriptor is open.
     Result<Descriptor> take() const;
-    /// Makes the folders in it, if need be.
+    /// Makes the folders inside it, if need be.
     std::optional<InputError> makeFolders() const;
-    /// Whether anything has the name, whatever it is.
+    /// Whether anything of any kind has the name.
     bool has(const QString &file) const;
     Result<QByteArray> read(const QString &file) const;
-    /// Replaces a file in one step: after an error the old content stands.
+    /// Replaces a file in one step: after an error the old content remains.
     std::optional<InputError> write(const QString &file, const QByteArray &content) const;
     void remove(const QString &file) const; ///< no input
-    /// Of the ordinary files in one of its folders, sorted.
+    /// The names of the regular files in one of its folders, sorted.
     QStringList filesIn(const QString &folder) const;
 
     /// "grades", "pictures", "gradescope".

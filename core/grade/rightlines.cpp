@@ -13,7 +13,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// What rounding may do to the numbers of a primitive: nothing in exact arithmetic.
+/// The error that rounding allows in a primitive's numbers: none in exact arithmetic.
 class Drift {
 public:
     Drift(const TracedScene &run, std::size_t primitive, Arithmetic tolerance)
@@ -24,7 +24,7 @@ public:
 
     double ofEnds(SpanAxis axis) const { return m_bound ? m_bound->endError(axis) : 0; }
 
-    /// Of all three levels.
+    /// The largest of the three levels' errors.
     double ofLevels(std::int64_t x, std::int64_t y) const
     {
         double largest = 0;
@@ -33,13 +33,13 @@ public:
         return largest;
     }
 
-    /// False where it may be drawn or not.
+    /// False where drawing is optional.
     bool isDecided(std::int64_t x, std::int64_t y) const
     {
         return !m_bound || m_bound->containmentOf(x, y) != Containment::Undecided;
     }
 
-    /// The samples of the frame that may be drawn although the exact run does not.
+    /// The frame's samples that may be drawn although the exact run does not draw them.
     SampleBox reachIn(const FrameSpec &frame) const
     {
         return m_bound ? m_bound->reachIn(frame) : SampleBox{};
@@ -51,7 +51,7 @@ private:
     std::optional<ArithmeticBound> m_bound;
 };
 
-/// False where a right program may draw none of its samples, and then may leave out its line.
+/// False where a right program may draw none of the span's samples, and so may leave out its line.
 bool isSureToDraw(const ScanTrace &trace, std::size_t index, const Drift &drift)
 {
     return std::ranges::any_of(trace.samples(index), [&drift](const SampleRecord &record) {
@@ -59,7 +59,7 @@ bool isSureToDraw(const ScanTrace &trace, std::size_t index, const Drift &drift)
     });
 }
 
-/// The pixels that a span writes.
+/// Appends the pixels that a span writes.
 void appendPixels(const ScanTrace &trace, std::size_t index, const Drift &drift,
                   std::vector<RightLine> &lines)
 {
@@ -78,8 +78,8 @@ void appendPixels(const ScanTrace &trace, std::size_t index, const Drift &drift,
     }
 }
 
-/// The columns or rows of a triangle within the frame that the run passed over, for they hold no
-/// pixel; `own`: where its lines begin.
+/// Appends the columns or rows of a triangle in the frame that the run skipped because they hold no
+/// pixel; `own`: the first of its lines.
 void appendPassedOver(const TracedScene &run, std::size_t primitive, SpanAxis axis,
                       const Drift &drift, std::size_t own, std::vector<RightLine> &lines)
 {
@@ -112,8 +112,8 @@ void appendPassedOver(const TracedScene &run, std::size_t primitive, SpanAxis ax
     }
 }
 
-/// The pixels beside those of a primitive that rounding may add, with whatever levels; `own`: where
-/// its lines begin.
+/// Appends the pixels that rounding may add to a primitive, with any levels; `own`: the first of
+/// its lines.
 void appendUndecided(const TracedScene &run, std::size_t primitive, const Drift &drift,
                      std::size_t own, std::vector<RightLine> &lines)
 {

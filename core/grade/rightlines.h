@@ -10,25 +10,25 @@
 
 namespace pixelplumb {
 
-/// Of which kind a line is (none: a pixel), and its x and y.
+/// The kind of a line (none: a pixel), and its x and y.
 using Place = std::tuple<std::optional<SpanAxis>, std::int64_t, std::int64_t>;
 
-/// What a program should print of a step of ours.
+/// The line that a program should print for a step of ours.
 struct RightLine {
     Place place;
     std::size_t primitive = 0;
     std::size_t step = 0;
     std::vector<Quantity> numbers;
-    double drift = 0; ///< that is allowed of them; infinite where they may be anything
-    bool isAskedFor = true; ///< false: it may be there or not
+    double drift = 0; ///< allowed error of the numbers; infinite where they may be anything
+    bool isAskedFor = true; ///< false: optional
 };
 
-/// The scene as a run that is right and has numbers of these kinds: its own method where that has
-/// them. Null where no method has.
+/// The scene's right run with numbers of these kinds, by its own method where that has them. Null
+/// where no method has.
 std::shared_ptr<const TracedScene> rightRunOf(Scene scene, const LineKinds &kinds);
 
-/// What a program should print of that run, in its order, and after a primitive's lines those that
-/// it may have beside them; `tolerance`: see traceDifferenceOf().
+/// The lines that a program should print of that run, in its order, and after each primitive's
+/// lines those that are optional; `tolerance`: see traceDifferenceOf().
 std::vector<RightLine> rightLinesOf(const TracedScene &run, const LineKinds &kinds,
                                     Arithmetic tolerance);
 

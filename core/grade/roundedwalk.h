@@ -10,7 +10,7 @@
 
 namespace pixelplumb {
 
-/// A program's walk in a number that rounds, by the steps of the scan in it.
+/// A program's walk in a rounded number type, using the steps of the scan in that type.
 template <class Value>
 struct RoundedWalk {
     using A = RoundedArithmetic<Value>;
@@ -23,13 +23,13 @@ struct RoundedWalk {
         return Traits::fromInteger(quotient < Traits::fromInteger(0) ? A::ceil(quotient)
                                                                      : A::floor(quotient));
     }
-    static Value leftOf(const Value &value, Kept kept)
+    static Value leftOf(const Value &value, Truncation kept)
     {
-        if (kept == Kept::Down)
+        if (kept == Truncation::Down)
             return Traits::fromInteger(A::floor(value));
-        if (kept == Kept::Nearest)
+        if (kept == Truncation::Nearest)
             return Traits::fromInteger(A::level(value, ByteRounding::Nearest));
-        return kept == Kept::TowardZero ? cast(value) : value;
+        return kept == Truncation::TowardZero ? cast(value) : value;
     }
 
     class Edge {
@@ -106,7 +106,7 @@ struct RoundedWalk {
     };
     using Bounds = WalkedBounds<Edge>;
 
-    /// On a side of what rounding may do, which is walked in float64.
+    /// Shifts an edge to a side of rounding, which is walked in float64.
     static Edge moved(Edge edge, double along)
     {
         if constexpr (std::is_same_v<Value, double>)
@@ -126,8 +126,7 @@ struct RoundedWalk {
         return Traits::fromInteger(0);
     }
 
-    /// What R G B have come to behind the last sample of a span, and by how much what rounding does
-    /// to it may have grown.
+    /// R G B just after a span's last sample, and how far rounding may have moved them.
     struct Carried {
         std::array<Value, 3> levels, errors;
     };
@@ -138,9 +137,9 @@ struct RoundedWalk {
     {
         const ProgramWalk &walk = program.walk();
         const bool goesOn = walk.spanStart != SpanStart::AtBound;
-        // One rate for both: the first sample that the frame has is reached at once, as in the
-        // scan.
-        const bool isReachedAtOnce = walk.preSteps == walk.steps && walk.levels == Kept::All
+        // Pre-step and steps use one rate: the first sample in the frame is reached at once, as in
+        // the scan.
+        const bool isReachedAtOnce = walk.preSteps == walk.steps && walk.levels == Truncation::All
             && program.spanPreStep() == PreStep::ToSample && walk.unsteppedAlongSpans.isEmpty()
             && walk.withoutSpanPreStep.isEmpty() && walk.stepsAlongSpansOf == ownChannels
             && !isFlat(walk.spanColours) && !goesOn;
@@ -170,12 +169,12 @@ struct RoundedWalk {
     }
 
 private:
-    /// A level along a span: at a sample of it, what is added to it, and how far off it may be.
+    /// A level along a span: at one sample, its step, and its possible error.
     struct Ramp {
         Value level, step, error;
     };
 
-    static Value levelAt(const Edge &edge, std::size_t channel, Kept kept)
+    static Value levelAt(const Edge &edge, std::size_t channel, Truncation kept)
     {
         return leftOf(edge.m_levels[channel], kept);
     }
@@ -216,7 +215,7 @@ private:
         return {from + preStepped, step, none};
     }
 
-    /// R at the bound, or what is taken for it.
+    /// R at the bound, or what replaces it.
     static Value startOf(const Bounds &bounds, const ProgramWalk &walk, std::size_t channel)
     {
         const Value atLower = levelAt(bounds.lowerColours, channel, walk.bounds);
@@ -228,18 +227,19 @@ private:
         return isFromUpper ? atUpper : atLower;
     }
 
-    /// Gives what the level has come to: behind the last sample, or, where nobody asks for it,
-    /// behind the last one that is drawn.
+    /// Returns the level just after the last sample or, where that is not needed, after the last
+    /// one drawn.
     static Value stored(const Ramp &ramp, std::int64_t reached, const WalkedSpan &span,
                         const WalkedProgram &program, std::vector<WholeLevels> &levels,
                         std::size_t channel)
     {
         const ProgramWalk &walk = program.walk();
         const bool goesOn = walk.spanStart != SpanStart::AtBound;
-        const Kept kept = walk.spanStoring == Storing::FirstAlone ? Kept::All : walk.levels;
+        const Truncation kept
+            = walk.spanStoring == Storing::FirstAlone ? Truncation::All : walk.levels;
         Value level = ramp.level;
         std::int64_t place = reached;
-        if (kept == Kept::All && !goesOn) {
+        if (kept == Truncation::All && !goesOn) {
             level = level + Traits::fromInteger(span.firstDrawn - reached) * ramp.step;
             place = span.firstDrawn;
         }

@@ -7,13 +7,13 @@
 
 namespace pixelplumb {
 
-/// A picture of `side` × `side` px by sample coordinates from (0, 0) on, and what holds of it where
+/// A picture of `side` × `side` px in sample coordinates from (0, 0) on, and tests that hold where
 /// one triangle was drawn right.
 class SampleView {
 public:
     static constexpr int side = 32; // px
 
-    /// Both outlive the view.
+    /// Both must outlive the view.
     SampleView(const Scene &scene, const Picture &picture)
         : m_frame(scene.frame)
         , m_picture(picture)
@@ -25,16 +25,16 @@ public:
     }
     const Colour &colourAt(int x, int y) const { return m_picture.colours[placeOf(x, y)]; }
 
-    bool hasRuns() const; ///< each row and column is covered in one run at most
+    bool hasRuns() const; ///< each row and column has at most one covered run
     bool isWithinBoxOf(const Triangle &triangle) const;
     bool isWithinLevelsOf(const Triangle &triangle) const;
-    /// A vertex on a sample that is covered has its colour there.
+    /// A vertex on a covered sample has its colour there.
     bool hasCornersOf(const Triangle &triangle) const;
-    /// Of whole vertices, by Pick's theorem: I + B samples under the closed rule, I under the open
+    /// For whole vertices, by Pick's theorem: I + B samples under the closed rule, I under the open
     /// one, between them under the others.
     bool hasCountOf(const Triangle &triangle, FillRule rule) const;
 
-    /// Whether question(x, y) is true of every sample.
+    /// Whether question(x, y) holds for every sample.
     template <class Question>
     static bool holdsEverywhere(const Question &question)
     {

@@ -5,18 +5,18 @@
 
 namespace pixelplumb {
 
-/// How a program of others is held: its limits, and where that can be had bubblewrap's sandbox
-/// (namespaces of its own, an empty folder, nobody else's files).
+/// How someone else's program is confined: by its limits and, where available, by bubblewrap's
+/// sandbox (its own namespaces, an empty folder, no one else's files).
 enum class Confinement { Sandbox, LimitsAlone };
 
-/// Why programs of others run in no sandbox here: "bubblewrap (bwrap) is not installed"; empty
-/// where they run in one. It is tried once, by a program that does nothing.
+/// Why there is no sandbox here: "bubblewrap (bwrap) is not installed"; empty where there is one.
+/// Tested once, with a program that does nothing.
 const QString &sandboxLack();
 
-/// The sandbox where there is one.
+/// The sandbox if available.
 Confinement bestConfinement();
 
-/// A sentence for every output, with why there is none: what a program without a sandbox could do.
+/// A sentence on what a program could do without a sandbox, and why there is none.
 QString unsandboxedText(const QString &lack);
 
 } // namespace pixelplumb

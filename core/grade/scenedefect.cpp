@@ -70,7 +70,7 @@ void appendPlaces(std::vector<Defect> &defects, const Scene &scene)
         [](LatticePoint &point) { point.y += half; });
 }
 
-/// All vertices have the mean of their colours.
+/// Gives all vertices the mean of their colours.
 void takeMean(Triangle &triangle, ByteRounding rounding)
 {
     Colour mean;
@@ -128,7 +128,7 @@ void appendColours(std::vector<Defect> &defects, const Scene &scene)
         QStringLiteral("Every triangle has one colour, the mean of its vertices'."), takeMean);
 }
 
-/// What a program keeps that sets its vertices' colours once.
+/// The mistake of setting the vertices' colours only once.
 void appendColoursOfFirst(std::vector<Defect> &defects, const Scene &scene)
 {
     appendWhereItApplies(defects, scene, QStringLiteral("colours"),
@@ -148,7 +148,8 @@ void appendColoursOfFirst(std::vector<Defect> &defects, const Scene &scene)
 
 enum class PrimitiveEnd { First, Last };
 
-/// Of the triangles and, drawn after them, the shapes; false where there is no other.
+/// Keeps the first or last primitive, where shapes are drawn after triangles; false where there is
+/// no other.
 bool keepOnly(PrimitiveEnd end, Scene &scene)
 {
     if (scene.triangles.size() + scene.shapes.size() < 2)
@@ -169,7 +170,7 @@ bool keepOnly(PrimitiveEnd end, Scene &scene)
     return true;
 }
 
-/// Channels of the vertices, with which all is computed: another one's, or none.
+/// Mistakes in the vertices' channels before anything is computed: one is another's, or 0.
 void appendChannels(std::vector<Defect> &defects, const Scene &scene)
 {
     constexpr std::array<const char *, 3> names = {"red", "green", "blue"};
@@ -200,7 +201,7 @@ void appendChannels(std::vector<Defect> &defects, const Scene &scene)
             QStringLiteral("%1 is not set: it is 0 in all that is drawn.").arg(title),
             [to](Colour &colour) { colour.channels[to] = 0; });
     }
-    // Of a program that was written for red and not gone on with.
+    // In a program that was written for red and never extended.
     add(QStringLiteral("red-alone"),
         QStringLiteral("Only red is computed: green and blue are 0 in all that is drawn."),
         [](Colour &colour) { colour.channels[1] = colour.channels[2] = 0; });

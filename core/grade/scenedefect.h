@@ -5,11 +5,11 @@
 
 namespace pixelplumb {
 
-/// Mistakes in what is drawn, by kernels that are right: where vertices and samples are, which
-/// colour a vertex has, which primitives are drawn and in which order.
+/// Mistakes in what is drawn, while the kernels are right: positions of vertices and samples,
+/// colours of vertices, which primitives are drawn and in which order.
 std::vector<Defect> sceneDefectsFor(const Scene &scene);
 
-/// Adds a defect of the scene, one of a choice, where the scene can have it.
+/// Adds a defect of the scene, which belongs to a choice, if the scene can have it.
 void appendWhereItApplies(std::vector<Defect> &defects, const Scene &scene, const QString &choice,
                           Defect defect);
 

@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// A 256th has eight digits at most.
+/// A 256th has at most eight decimals.
 QString decimalOf(Lattice coordinate)
 {
     return QString::number(double(coordinate) / unitsPerPixel, 'g', 17);

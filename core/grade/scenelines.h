@@ -8,10 +8,10 @@
 
 namespace pixelplumb {
 
-/// A scene for programs that read no JSON (resources/student-program.md): a line for the frame,
-/// its origin, its background and the fill rule, then one a triangle, in the order of drawing.
-/// Coordinates are exact decimals, and pixel (x, y) is the sample at (x, y). An error where it
-/// holds more than triangles.
+/// A scene as text for programs that read no JSON (resources/student-program.md): a line for the
+/// frame, its origin, its background and the fill rule, then one for each triangle, in drawing
+/// order. Coordinates are exact decimals, and pixel (x, y) is the sample at (x, y). An error where
+/// the scene has more than triangles.
 Result<QByteArray> sceneLines(const Scene &scene);
 
 } // namespace pixelplumb

@@ -12,14 +12,14 @@ namespace {
 
 constexpr qsizetype sealLength = 64; // hexadecimal digits of SHA-256
 
-/// What stands where the seal comes, while it is worked out.
+/// Stands in for the seal while it is computed.
 const QByteArray &blank()
 {
     static const QByteArray zeros(sealLength, '0');
     return zeros;
 }
 
-/// Where the digits of the first seal begin; -1: there is none.
+/// The offset of the first seal's digits; -1: there is none.
 qsizetype placeOfSeal(const QByteArray &text)
 {
     const QByteArray key = '"' + sealKey.toLatin1() + "\": \"";

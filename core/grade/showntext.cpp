@@ -39,7 +39,7 @@ bool canBeShown(char32_t character)
 QString escapedControls(const QString &text)
 {
     const auto isPlain = [](QChar character) { return character >= u' ' && character <= u'~'; };
-    if (std::ranges::all_of(text, isPlain)) // nearly always, and of whole rasters
+    if (std::ranges::all_of(text, isPlain)) // nearly always, also for whole rasters
         return text;
     QString escaped;
     for (const char32_t character : text.toUcs4())

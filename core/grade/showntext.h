@@ -6,24 +6,23 @@
 
 namespace pixelplumb {
 
-/// Whether a character of a text from outside is shown as it is: not where it steers a terminal,
-/// turns the direction of writing, cannot be seen, or is none.
+/// Whether a character of foreign text is shown as it is: not if it controls a terminal, changes
+/// the direction of writing, is invisible, or is no character.
 bool canBeShown(char32_t character);
 
-/// What a program wrote, as it may be shown: valid text in which each control character, and with
-/// them each escape sequence, has become U+FFFD (line feeds and tabs stay), cut after so many
-/// characters.
+/// A program's output made safe to show: valid text in which each control character, and so each
+/// escape sequence, has become U+FFFD (line feeds and tabs stay), cut after `longest` characters.
 QString shownText(const QByteArray &bytes, qsizetype longest = 2000);
 
-/// Each character that cannot be shown as its code, "\x1b", "\u202e", "\U000e0001", line feeds and
-/// tabs too: what is quoted of a file or a command line neither colours a terminal nor makes a
-/// second line.
+/// The text with each character that cannot be shown replaced by its code, "\x1b", "\u202e",
+/// "\U000e0001", including line feeds and tabs: what is quoted from a file or a command line
+/// neither colours a terminal nor makes a second line.
 QString escapedControls(const QString &text);
 
-/// The same of a text whose line feeds stay.
+/// Like escapedControls(), but line feeds stay.
 QString escapedLines(const QString &text);
 
-/// The same of JSON, which means the same then; its layout stays.
+/// JSON escaped in this way, with the same meaning; its layout stays.
 QByteArray escapedJson(const QByteArray &json);
 
 /// The first few of many names: "a, b, c, d, e …".

@@ -16,7 +16,7 @@ void forEachVertex(Scene &scene, const std::function<void(Vertex &vertex)> &chan
         std::ranges::for_each(shape.vertices, change);
 }
 
-/// How far from simple a scene is; what stands first counts most.
+/// How complicated a scene is; earlier entries count more.
 using Burden = std::array<std::int64_t, 5>;
 
 Burden burdenOf(const Scene &scene)
@@ -36,7 +36,7 @@ Burden burdenOf(const Scene &scene)
     return burden;
 }
 
-/// Scenes that may be simpler than this one, at most a step away.
+/// Scenes one step away that may be simpler.
 std::vector<Scene> simplerOnes(const Scene &scene)
 {
     std::vector<Scene> simpler;
@@ -54,7 +54,7 @@ std::vector<Scene> simplerOnes(const Scene &scene)
     change([](Vertex &vertex) { vertex.position.x -= unitsPerPixel; });
     change([](Vertex &vertex) { vertex.position.y -= unitsPerPixel; });
     change([](Vertex &vertex) { vertex.colour = {{255, 255, 255}}; });
-    // Vertices that stand together are moved together: shared edges stay shared.
+    // Vertices at one position move together, so that shared edges stay shared.
     std::vector<Vertex> places;
     Scene read = scene;
     forEachVertex(read, [&places](const Vertex &vertex) { places.push_back(vertex); });

@@ -6,7 +6,7 @@ namespace pixelplumb {
 namespace {
 
 constexpr const char *divisorQuestion
-    = "By what is a difference of colours divided to have a step of colour?";
+    = "What must a difference of colours be divided by to give a step of colour?";
 constexpr const char *firstSampleQuestion
     = "How far is it from a bound to the first sample, and in which direction?";
 constexpr const char *alongSpanQuestion
@@ -18,46 +18,46 @@ std::vector<WalkRow> colourRows()
         {"whole-colour-steps",
          walkquestions::division,
          "The step of colour along a %1 is a whole number; its first sample is right.",
-         {.steps = Kept::TowardZero}},
+         {.steps = Truncation::TowardZero}},
         {"whole-colour-rates",
          walkquestions::division,
          "The step of colour along a %1 is a whole number, in the pre-step to its first sample, "
          "too.",
-         {.preSteps = Kept::TowardZero, .steps = Kept::TowardZero}},
+         {.preSteps = Truncation::TowardZero, .steps = Truncation::TowardZero}},
         {"whole-bound-colours",
          walkquestions::stored,
          "The colours of a %1's bounds are cast to whole numbers before it is filled; those of the "
          "edges keep their fractions, and so do those along the %1.",
-         {.bounds = Kept::TowardZero}},
+         {.bounds = Truncation::TowardZero}},
         {"rounded-bound-colours",
          walkquestions::stored,
          "The colours of a %1's bounds are rounded to whole numbers before it is filled; those of "
          "the edges keep their fractions, and so do those along the %1.",
-         {.bounds = Kept::Nearest}},
+         {.bounds = Truncation::Nearest}},
         {"whole-span-levels",
          walkquestions::stored,
          "The colour along a %1 is kept as a whole number: at each sample its fraction is lost.",
-         {.levels = Kept::TowardZero}},
+         {.levels = Truncation::TowardZero}},
         {"rounded-colour-rates",
          walkquestions::division,
          "The step of colour along a %1 is rounded to the nearest whole number, in the pre-step to "
          "its first sample, too.",
-         {.preSteps = Kept::Nearest, .steps = Kept::Nearest}},
+         {.preSteps = Truncation::Nearest, .steps = Truncation::Nearest}},
         {"rounded-span-levels",
          walkquestions::stored,
          "The colour along a %1 is kept as a whole number: at each sample it is rounded to the "
          "nearest.",
-         {.levels = Kept::Nearest}},
+         {.levels = Truncation::Nearest}},
         {"span-levels-cut-behind-steps",
          walkquestions::stored,
          "Along a %1 the fraction of a colour is lost when its step is added, as by r = int(r + "
          "dr) in Python; that of the first sample is not.",
-         {.levels = Kept::TowardZero, .spanStoring = Storing::BehindSteps}},
+         {.levels = Truncation::TowardZero, .spanStoring = Storing::BehindSteps}},
         {"span-levels-rounded-behind-steps",
          walkquestions::stored,
          "Along a %1 a colour is rounded to the nearest whole number when its step is added, as by "
          "r = round(r + dr) in Python; that of the first sample is not.",
-         {.levels = Kept::Nearest, .spanStoring = Storing::BehindSteps}},
+         {.levels = Truncation::Nearest, .spanStoring = Storing::BehindSteps}},
         {"colour-divisor-minus-one",
          divisorQuestion,
          "The step of colour along a %1 is divided by its length less one, not by its length: "
@@ -79,7 +79,7 @@ std::vector<WalkRow> colourRows()
          walkquestions::stored,
          "The colour of a %1's first sample is cast to a whole number; those behind it go on from "
          "there by steps that are not.",
-         {.levels = Kept::TowardZero, .spanStoring = Storing::FirstAlone}},
+         {.levels = Truncation::TowardZero, .spanStoring = Storing::FirstAlone}},
         {"short-spans-not-stepped",
          divisorQuestion,
          "The step of colour along a %1 is 0 where it is shorter than one: it is divided by its "
@@ -126,7 +126,7 @@ std::vector<WalkRow> colourRows()
          {.spanPreStep = PreStep::WithoutRate}},
         {"colours-stepped-first",
          "Which comes first, that a sample is drawn or that its colour is stepped?",
-         "The colour along a %1 is stepped before a sample is drawn, not behind it: each has the "
+         "The colour along a %1 is stepped before a sample is drawn, not after it: each has the "
          "colour of the next one.",
          {.spanStepping = Stepping::BeforeDrawing}},
         {"colours-of-short-edge-below",
@@ -142,7 +142,7 @@ std::vector<WalkRow> colourRows()
     };
 }
 
-/// What is done with some of the channels alone.
+/// Mistakes in only some of the channels.
 std::vector<WalkRow> channelRows()
 {
     return {

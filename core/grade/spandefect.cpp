@@ -116,7 +116,7 @@ const std::vector<SpanDefect> &omissions()
     return rows;
 }
 
-/// What goes by rows may begin at either end.
+/// A walk by rows may begin at either end.
 const SpanDefect &omissionAtLeastRow()
 {
     static const SpanDefect row = {
@@ -128,7 +128,7 @@ const SpanDefect &omissionAtLeastRow()
     return row;
 }
 
-/// Downward ⌈y₁⌉ is what ⌊x₁⌋ is from left to right.
+/// Going down, ⌈y₁⌉ corresponds to ⌊x₁⌋ from left to right.
 const SpanDefect &omissionFromAbove()
 {
     static const SpanDefect row = {
@@ -140,7 +140,8 @@ const SpanDefect &omissionFromAbove()
     return row;
 }
 
-/// What is done with samples on a bound itself that the rule in force does otherwise.
+/// Mistakes in samples exactly on a bound: they are owned where the rule in force does not own
+/// them, or the reverse.
 void appendSamplesOnBounds(std::vector<Defect> &defects, const Scene &scene, SpanAxis axis)
 {
     const BoundaryRule rule = boundaryRuleOf(scene);
@@ -165,7 +166,7 @@ void appendSamplesOnBounds(std::vector<Defect> &defects, const Scene &scene, Spa
             {.first = otherwise, .last = otherwise}, ownsFirst(samples));
 }
 
-/// Whether two vertices of a triangle share their span: programs may sort them otherwise.
+/// Whether two vertices of a triangle share a span: programs may sort them in different ways.
 bool hasEdgeAlong(const Scene &scene, SpanAxis axis)
 {
     const auto spanOf = [axis](const Vertex &vertex) {

@@ -5,14 +5,14 @@
 
 namespace pixelplumb {
 
-/// Mistakes in which samples of a triangle a program goes through, and how it steps between them:
-/// ends of spans, halves of the triangle, its box; and those of a walk along edges
-/// (walkDefectsFor). Where samples are only left out or added, those of the triangle keep the
-/// kernel's own bytes and those beyond it have the exact colour plane's. None where the scene has
-/// more than triangles without effects.
+/// Mistakes in which samples of a triangle a program visits, and in how it steps between them: ends
+/// of spans, halves of the triangle, its box; and those of a walk along edges (walkDefectsFor).
+/// Where samples are only left out or added, the triangle's samples keep the kernel's bytes and
+/// added ones have the exact colour plane's. None where the scene has more than triangles without
+/// effects.
 std::vector<Defect> spanDefectsFor(const Scene &scene);
 
-/// The same of a scene of lines: ends, octants, ties.
+/// Mistakes in the lines of a scene: ends, octants, ties.
 std::vector<Defect> lineDefectsFor(const Scene &scene);
 
 } // namespace pixelplumb

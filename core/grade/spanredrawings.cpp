@@ -13,7 +13,7 @@ const LatticePoint &sortedVertex(const Triangle &triangle, std::size_t place)
     return triangle.vertices[std::size_t(order[place])].position;
 }
 
-/// x of a vertex, lattice units, by its place in the order of x.
+/// x of a vertex, lattice units, by its rank in x.
 Lattice spanOfVertex(const TriangleRuns &triangle, std::size_t place)
 {
     return sortedVertex(triangle.triangle, place).x;
@@ -24,7 +24,7 @@ void omitSpan(TriangleRuns &triangle, std::int64_t span)
     std::erase_if(triangle.runs, [span](const SampleRun &run) { return run.span == span; });
 }
 
-/// Those that are beside the vertex are not its own.
+/// Only if the vertex lies exactly on the span: spans next to it are not its own.
 void omitSpanOfVertex(TriangleRuns &triangle, std::size_t place)
 {
     const Lattice ofVertex = spanOfVertex(triangle, place);

@@ -63,8 +63,8 @@ std::vector<WalkRow> endRows()
     };
 }
 
-/// Where a triangle begins and ends: a %1 that its vertex does not reach is between its edges,
-/// drawn out beyond it.
+/// Where a triangle begins and ends: a %1 that its vertex does not reach lies between its edges,
+/// extended beyond the vertex.
 std::vector<WalkRow> spanEndRows()
 {
     return {

@@ -38,7 +38,7 @@ InputError noPicture(const QString &name, const QByteArray &output)
         QStringLiteral("PNG, PPM, BMP, a raster of # and ., or lines such as column 12 5 41.5")};
 }
 
-/// Why a picture is not to be decoded; none where it may be.
+/// Why a picture must not be decoded; none where it may be.
 std::optional<InputError> objectionToHeader(const QString &name, const QByteArray &output,
                                             const FrameSpec &frame)
 {
@@ -63,7 +63,7 @@ std::optional<InputError> objectionToHeader(const QString &name, const QByteArra
     return std::nullopt;
 }
 
-/// The last colour of each pixel counts; what has no line is the background.
+/// The last colour of each pixel counts; pixels without a line have the background.
 Picture pictureFrom(const ProgramTrace &trace, const FrameSpec &frame)
 {
     Picture picture{frame.width, frame.height, {}, {}};

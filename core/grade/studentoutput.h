@@ -9,23 +9,23 @@
 namespace pixelplumb {
 
 /// What a student's program printed of a scene: a picture, or lines of a trace; lines of pixels
-/// make a picture, too.
+/// also make a picture.
 struct StudentOutput {
-    std::optional<Picture> picture; ///< of the frame's size; what is covered is filled in
-    std::optional<ProgramTrace> trace; ///< there where it prints lines, or names triangles
+    std::optional<Picture> picture; ///< of the frame's size, with its covered pixels set
+    std::optional<ProgramTrace> trace; ///< present where it prints lines, or names triangles
 
     bool hasLines() const { return trace && trace->kinds.hasAny(); }
 };
 
-/// Whether it begins as lines of a trace do.
+/// Whether the output begins like lines of a trace.
 bool looksLikeTrace(const QByteArray &output);
 
-/// Whether it is a picture that is refused for its size alone.
+/// Whether it is a picture that is refused only for its size.
 bool isOfOtherSize(const QByteArray &output, const FrameSpec &frame);
 
-/// Output that nobody trusts, or a file that was handed in, by its name: PNG, PPM, PGM, PBM, BMP, a
-/// raster of # and ., or lines. A picture of another size than the frame's is refused by its
-/// header, before there is room made for it.
+/// Reads untrusted output, or a file handed in, which `name` names: PNG, PPM, PGM, PBM, BMP, a
+/// raster of # and ., or lines. A picture whose size is not the frame's is refused by its header,
+/// before memory is allocated for it.
 Result<StudentOutput> readStudentOutput(const QByteArray &output, const Scene &scene,
                                         const QString &name = QStringLiteral("the output"));
 

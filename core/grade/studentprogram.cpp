@@ -13,8 +13,8 @@ namespace pixelplumb {
 
 namespace {
 
-/// Whether more than one program's files lie in a folder: a person's own, those of the system, and
-/// what these lie in.
+/// Whether a folder holds files of more than one program: the user's own folder, those of the
+/// system, and their parents.
 bool isShared(const QString &folder)
 {
     const QDir home = QDir::home();
@@ -40,15 +40,15 @@ bool isShared(const QString &folder)
     });
 }
 
-/// Without links and .. in its folder; its own name stays, which programs look at.
+/// Resolves links and .. in its folder; its own name stays, since programs look at it.
 QString wholePath(const QFileInfo &file)
 {
     return file.isDir() ? file.canonicalFilePath()
                         : QDir(file.path()).canonicalPath() + u'/' + file.fileName();
 }
 
-/// Whether it is the folder of programs of what is installed by itself: pyenv and its like call it
-/// shims. What such programs need lies beside it.
+/// Whether it is the folder of executables in an installation of its own; pyenv and similar tools
+/// call it shims. What such programs need is next to it.
 bool isOfInstallation(const QString &folder)
 {
     const QString name = QFileInfo(folder).fileName();
@@ -98,7 +98,7 @@ Result<StudentProgram> studentProgramOf(const QStringList &words, ShownFiles sho
     }
     for (const QString &each : files) {
         show(each, shown, student.shown);
-        show(QFileInfo(each).canonicalFilePath(), shown, student.shown); // where it is a link
+        show(QFileInfo(each).canonicalFilePath(), shown, student.shown); // if it is a link
     }
     student.shown.removeDuplicates();
     for (const QString &each : student.shown) {

@@ -7,23 +7,23 @@
 
 namespace pixelplumb {
 
-/// A program that somebody else wrote, as a command: with the whole paths of the files that it
-/// names, for it runs in a folder of its own.
+/// Someone else's program as a command, with absolute paths for the files that it names, since it
+/// runs in its own folder.
 struct StudentProgram {
     QString path;
     QStringList arguments;
-    QStringList shown; ///< files and folders of its own that it is to read, beside the system's
+    QStringList shown; ///< its own files and folders that it may read, besides the system's
 };
 
-/// What of the files that its command names a program is shown.
+/// Which files named by its command a program may see.
 enum class ShownFiles {
-    WithFolders, ///< and all that lies in their folders: modules, tables
+    WithFolders, ///< also everything in their folders: modules, tables
     Alone,
 };
 
-/// The program that the first word names (a file, or what PATH holds), with the other words. Where
-/// a folder is the person's own, or holds others' too, only the file itself is shown. What is shown
-/// is an input from then on.
+/// The program named by the first word (a file, or found in PATH), with the other words as
+/// arguments. In the user's own folder, or one shared with others' files, only the file itself is
+/// shown. What is shown becomes an input.
 Result<StudentProgram> studentProgramOf(const QStringList &words,
                                         ShownFiles shown = ShownFiles::WithFolders);
 

@@ -19,7 +19,7 @@ constexpr std::size_t mostDigested = 10'000; // files
 
 using Path = std::filesystem::path;
 
-/// The path and all below it, sorted; links are not followed.
+/// The path and everything below it, sorted; links are not followed.
 std::optional<std::vector<Path>> pathsFrom(const Path &top)
 {
     std::error_code error;
@@ -39,13 +39,13 @@ std::optional<std::vector<Path>> pathsFrom(const Path &top)
     return paths;
 }
 
-/// Adds a file's size and content; false where there is more of it than `left`.
+/// Adds a file's size and content; false where it is larger than `left`.
 bool addContent(const Path &path, std::int64_t &left, QCryptographicHash &hash)
 {
     const Descriptor file(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
     struct stat status = {};
     if (!file.isOpen() || fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode))
-        return true; // a link, a pipe, a folder: its name is all that counts
+        return true; // for a link, pipe or folder only the name counts
     left -= status.st_size;
     QFile device;
     if (left < 0 || !device.open(file.number(), QIODevice::ReadOnly | QIODevice::Unbuffered))

@@ -18,15 +18,15 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr std::size_t mostFiles = 10'000; ///< of one submission; beyond, nobody looks
+constexpr std::size_t mostFiles = 10'000; ///< of one submission; any more are ignored
 constexpr std::size_t mostSubmissions = std::size_t(1) << 20;
-constexpr qsizetype longestId = 40; ///< plain characters of a name in an id
+constexpr qsizetype longestId = 40; ///< plain characters of a name that an id keeps
 
 struct CloseFolder {
     void operator()(DIR *folder) const { closedir(folder); }
 };
 
-/// None of what is no folder; links are not followed.
+/// Not open where it is no folder; links are not followed.
 Descriptor openFolder(const Descriptor &parent, const QByteArray &name)
 {
     return Descriptor(
@@ -40,7 +40,7 @@ Descriptor openFolder(const QByteArray &path)
 
 enum class NameKind { Plain, Hidden };
 
-/// In the order of their bytes, at most so many; hidden ones but for . and .. themselves.
+/// At most `most` names, sorted by their bytes; hidden ones without . and .. themselves.
 std::vector<QByteArray> namesIn(const Descriptor &folder, std::size_t most,
                                 NameKind kind = NameKind::Plain)
 {
@@ -58,7 +58,7 @@ std::vector<QByteArray> namesIn(const Descriptor &folder, std::size_t most,
     return names;
 }
 
-/// Adds the file, or why it is none.
+/// Adds the file, or the kind of entry that it is instead.
 void add(const Descriptor &folder, const QByteArray &name, std::vector<SubmittedFile> &files,
          std::vector<RefusedFile> &refused)
 {
@@ -77,7 +77,7 @@ bool isPlain(char character)
         || (character >= 'a' && character <= 'z') || character == '-' || character == '_';
 }
 
-/// A backslash begins an escape.
+/// A backslash is not: it begins an escape.
 bool isShown(char32_t character)
 {
     return canBeShown(character) && character != U'\\' && character != QChar::ReplacementCharacter;
@@ -89,7 +89,8 @@ QString escapedName(const QByteArray &name)
 {
     QString text;
     for (qsizetype place = 0; place < name.size();) {
-        // The shortest piece that is one character; what is no UTF-8 decodes to the replacement.
+        // The shortest piece that is one character; invalid UTF-8 decodes to the replacement
+        // character.
         qsizetype length = 1;
         QString character;
         for (; length <= 4 && place + length <= name.size(); ++length) {
@@ -114,7 +115,7 @@ QByteArray nameShownAs(const QString &escaped)
 {
     QByteArray name;
     const QByteArray text = escaped.toUtf8();
-    constexpr qsizetype length = 4; // of \xHH
+    constexpr qsizetype length = 4; // that of \xHH
     for (qsizetype place = 0; place < text.size();) {
         const bool isEscape = text.sliced(place).startsWith("\\x");
         name += isEscape ? QByteArray::fromHex(text.mid(place + 2, 2)) : text.mid(place, 1);
@@ -127,7 +128,7 @@ QString idOf(const QByteArray &name)
 {
     QString id;
     for (const char character : name.left(longestId)) {
-        // A file's name that begins with - is taken for an option.
+        // A file name that begins with - would be taken for an option.
         const bool isTaken = isPlain(character) && !(id.isEmpty() && character == '-');
         id += QLatin1Char(isTaken ? character : '_');
     }

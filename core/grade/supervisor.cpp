@@ -21,8 +21,8 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int lookedAfter = 50; // ms between two looks for orphans
-constexpr int killingRounds = 5000; // of a millisecond
+constexpr int lookedAfter = 50; // ms between two checks for orphans
+constexpr int killingRounds = 5000; // of one millisecond each
 
 void tell(const SupervisedStart &start, SupervisorNews news, int value)
 {
@@ -36,7 +36,7 @@ long millisecondsOf(const rusage &used)
     return inAll(used.ru_utime) + inAll(used.ru_stime);
 }
 
-/// Pipes of other runs must not be held open here.
+/// Closes the pipes of other runs, which must not stay open here.
 void closeAllBut(std::array<int, 6> kept)
 {
     std::sort(kept.begin(), kept.end());
@@ -63,7 +63,7 @@ void closeAllBut(std::array<int, 6> kept)
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (start.passedOn >= 0)
         fcntl(start.passedOn, F_SETFD, 0);
-    else // bubblewrap does so by itself
+    else // bubblewrap does so itself
         prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
     const bool isReady = chdir(start.folder) == 0 && dup2(start.input, STDIN_FILENO) >= 0
         && dup2(start.output, STDOUT_FILENO) >= 0 && dup2(start.messages, STDERR_FILENO) >= 0
@@ -74,7 +74,7 @@ void closeAllBut(std::array<int, 6> kept)
     _exit(127);
 }
 
-/// Takes leave of who has ended.
+/// Waits for processes that have ended.
 class Reaper {
 public:
     explicit Reaper(pid_t program)
@@ -82,7 +82,7 @@ public:
     {
     }
 
-    /// True when nobody is left.
+    /// True when no children are left.
     bool reap()
     {
         pid_t reaped = 0;
@@ -97,9 +97,9 @@ public:
         }
         return reaped < 0 && errno == ECHILD;
     }
-    bool hasEnded() const { return m_hasEnded; } ///< the program
+    bool hasEnded() const { return m_hasEnded; } ///< whether the program has
     int status() const { return m_status; }
-    /// Of all that have ended, ms.
+    /// The computing time of all that have ended, ms.
     int computed() const
     {
         return int(std::min<long>(m_computed, std::numeric_limits<int>::max()));
@@ -112,7 +112,8 @@ private:
     long m_computed = 0;
 };
 
-/// Kills the children that the kernel lists; those of the killed become ours, and are next.
+/// Kills the children that the kernel lists; their own children then become ours, and are killed
+/// next.
 void killChildren()
 {
     const int list = open("/proc/thread-self/children", O_RDONLY | O_CLOEXEC);
@@ -143,10 +144,10 @@ void killAll(pid_t program, Reaper &reaper)
     }
 }
 
-/// Waits for the program's end, or for the other side of `control` to be closed.
+/// Waits for the program's end, or for the other side of `control` to close.
 void watch(const SupervisedStart &start, pid_t program, Reaper &reaper)
 {
-    const int handle = int(syscall(SYS_pidfd_open, program, 0)); // -1 is passed over by poll
+    const int handle = int(syscall(SYS_pidfd_open, program, 0)); // poll ignores -1
     std::array<pollfd, 2> awaited = {{{start.control, 0, 0}, {handle, POLLIN, 0}}};
     while (!reaper.hasEnded() && awaited[0].revents == 0) {
         poll(awaited.data(), awaited.size(), lookedAfter);
@@ -156,7 +157,7 @@ void watch(const SupervisedStart &start, pid_t program, Reaper &reaper)
         tell(start, SupervisorNews::Ended, reaper.status());
 }
 
-/// Also where the one who started it all is gone.
+/// Runs the removal even if the process that started everything is gone.
 void runRemoval(const SupervisedStart &start)
 {
     if (!start.removal)
@@ -174,10 +175,10 @@ void runRemoval(const SupervisedStart &start)
 void supervise(const SupervisedStart &start)
 {
     setsid();
-    ::signal(SIGPIPE, SIG_IGN); // where who started it is gone there is nobody to tell
+    ::signal(SIGPIPE, SIG_IGN); // if our parent is gone, nobody reads the reports
     closeAllBut(
         {start.input, start.output, start.messages, start.passedOn, start.control, start.report});
-    prctl(PR_SET_DUMPABLE, 0, 0, 0, 0); // the program may not look into its supervisor
+    prctl(PR_SET_DUMPABLE, 0, 0, 0, 0); // the program must not read its supervisor's memory
     prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
     const pid_t program = fork();
     if (program == 0)

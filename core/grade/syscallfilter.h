@@ -5,11 +5,10 @@
 
 namespace pixelplumb {
 
-/// What a program that nobody trusts may not ask of the kernel, for seccomp(2): an array of
-/// sock_filter, made once. It takes away memory that belongs to no process, namespaces of its own,
-/// devices and protocols that namespaces do not separate, input for terminals, and signals to
-/// everybody. Who asks all the same is told that it may not, or that there is no such call, and
-/// goes on. Empty where no such program can be made.
+/// The seccomp(2) filter for untrusted programs: an array of sock_filter, made once. It denies
+/// memory that belongs to no process, new namespaces, devices and protocols that namespaces do not
+/// separate, input for terminals, and signals to everybody. A denied call fails as not permitted or
+/// not existing, and the program goes on. Empty where no filter can be made.
 const QByteArray &syscallFilter();
 
 } // namespace pixelplumb

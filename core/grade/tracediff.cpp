@@ -31,12 +31,12 @@ QString titleOf(std::optional<SpanAxis> axis, std::size_t number)
     return titles[qsizetype(number)];
 }
 
-/// Whether a number that was printed is near enough.
+/// Whether a printed number is close enough.
 bool isRight(const WrittenNumber &is, const Quantity &should, double drift)
 {
     if (is.text.contains(u'/'))
         return errorOf(is.value, should) == 0;
-    // The last bits of the comparison's own doubles, so that 0.05 is not above 0.05.
+    // Allows for the last bits of the doubles compared here, so that 0.05 is not above 0.05.
     return std::abs(errorOf(is.value, should)) <= (is.halfUnit + drift) * (1 + 1e-9);
 }
 
@@ -46,7 +46,7 @@ int byteOf(double level, ByteRounding rounding)
     return int(std::clamp(byte, 0.0, 255.0));
 }
 
-/// Matches a program's lines with ours.
+/// Matches a program's lines with the right ones.
 class TraceMatcher {
 public:
     TraceMatcher(const ProgramTrace &trace, std::vector<RightLine> right, ByteRounding rounding,
@@ -63,16 +63,16 @@ public:
         }
     }
 
-    /// The text, and the step of ours.
+    /// The text, and the right run's step.
     std::optional<std::pair<QString, std::size_t>> firstDifference()
     {
         match();
-        std::size_t next = 0; // of ours that is not passed yet
+        std::size_t next = 0; // the first right line not yet passed
         for (std::size_t i = 0; i < m_matches.size(); ++i) {
             const auto &matched = m_matches[i];
             if (!matched)
                 return std::pair(unexpectedText(i), stepNear(next));
-            // What may be there or not stands behind the others, wherever the program has it.
+            // Optional lines come after the others, wherever the program prints them.
             for (; m_right[*matched].isAskedFor && next <= *matched; ++next) {
                 if (isMissing(next))
                     return missing(next);
@@ -107,8 +107,8 @@ private:
         }
     }
 
-    /// The first of ours at the line's place that has none yet; where some of them may be there or
-    /// not, one that has its numbers, those that have to be there first.
+    /// The first unmatched right line at this place; where some are optional, one with the same
+    /// numbers, required ones first.
     std::optional<std::size_t> counterpartOf(const WrittenLine &line) const
     {
         const auto found = m_places.find(keyOf(line));
@@ -141,7 +141,7 @@ private:
         return m_right.empty() ? 0 : m_right[std::min(right, m_right.size() - 1)].step;
     }
 
-    /// "column 12"; where there are several triangles, or it is none of them, "triangle 1, column
+    /// "column 12"; with several triangles, or a triangle that does not exist, "triangle 1, column
     /// 12".
     QString textOf(const Place &place, const std::optional<std::size_t> &triangle) const
     {
@@ -182,7 +182,7 @@ private:
         return {};
     }
 
-    /// A level may drift past the middle of two bytes.
+    /// An error in the level may carry it past the middle between two bytes.
     bool isRightByte(const WrittenNumber &is, const Quantity &level, double drift) const
     {
         const double byte = is.value.toDouble();
@@ -190,12 +190,13 @@ private:
             && byte <= byteOf(level.toDouble() + drift, m_rounding);
     }
 
-    /// Where the program goes back in a triangle, from whichever end it began, or among triangles.
+    /// Where the program reverses its direction in a triangle, whichever end it began at, or goes
+    /// back among triangles.
     std::optional<std::pair<QString, std::size_t>> orderDifference() const
     {
         constexpr int forward = 1;
         const RightLine *before = nullptr;
-        int direction = 0; // of the triangle's lines, as its first two stand
+        int direction = 0; // of the triangle, given by its first two lines
         for (const auto &match : m_matches) {
             const RightLine &after = m_right[*match];
             if (!std::get<0>(after.place) || !after.isAskedFor)
@@ -223,12 +224,12 @@ private:
     ByteRounding m_rounding;
     TraceExtent m_extent = TraceExtent::Whole;
     bool m_hasSeveral = false; ///< triangles
-    std::map<Key, std::vector<std::size_t>> m_places; ///< indices of ours, ascending
-    std::vector<std::optional<std::size_t>> m_matches; ///< by line of the program's
-    std::vector<bool> m_isMatched; ///< by line of ours
+    std::map<Key, std::vector<std::size_t>> m_places; ///< indices of right lines, ascending
+    std::vector<std::optional<std::size_t>> m_matches; ///< by the program's lines
+    std::vector<bool> m_isMatched; ///< by right lines
 };
 
-/// Whose lines are told by themselves, if it has any.
+/// The error of a triangle that does not exist, if one is named; its lines are reported separately.
 std::optional<std::pair<QString, std::size_t>> unknownTriangle(const ProgramTrace &trace,
                                                                const TracedScene &run)
 {

@@ -9,8 +9,8 @@ namespace pixelplumb {
 
 namespace {
 
-/// Of the whole lines that were printed before an end that was none: the first number that is wrong
-/// often tells why. A part of a picture is not looked at.
+/// The first difference in the whole lines printed before a bad end; the first wrong number often
+/// explains it. Partial pictures are ignored.
 std::optional<TraceDifference> differenceBeforeEnd(const QByteArray &output, const Scene &scene,
                                                    Arithmetic tolerance)
 {
@@ -26,13 +26,13 @@ std::optional<TraceDifference> differenceBeforeEnd(const QByteArray &output, con
     return difference ? *difference : std::nullopt;
 }
 
-/// What it printed; none where that is not looked at.
+/// What it printed; none where that is not judged.
 std::optional<Result<StudentOutput>> outputOf(const StudentRun &run, const Scene &scene)
 {
     if (run.end != ProgramEnd::Finished && run.end != ProgramEnd::Failed)
         return std::nullopt;
     Result<StudentOutput> output = readStudentOutput(run.output, scene);
-    // Who failed may have written a whole picture all the same.
+    // A failed program may still have written a whole picture.
     const bool isJudged
         = run.end == ProgramEnd::Finished || (output && output->picture && !output->trace);
     return isJudged ? std::optional(std::move(output)) : std::nullopt;
@@ -55,7 +55,7 @@ Result<StudentRun> runOn(const StudentProgram &student, const Scene &scene, cons
                          const std::stop_token &stop)
 {
     Scene drawn = scene;
-    drawn.hidden.clear(); // which are none of the program's
+    drawn.hidden.clear(); // not for the program
     std::erase_if(drawn.solids, [](const Solid &solid) { return solid.isHidden; });
     const Result<QByteArray> input
         = terms.input == ProgramInput::Json ? writeScene(drawn) : sceneLines(drawn);

@@ -8,25 +8,25 @@
 
 namespace pixelplumb {
 
-/// What a student's program gets on stdin: a scene file, or plain lines (sceneLines).
+/// What a student's program receives on stdin: a scene file, or plain lines (sceneLines).
 enum class ProgramInput { Json, Lines };
 
-/// How a trial is held.
+/// The conditions of a trial.
 struct TrialTerms {
     ProgramInput input = ProgramInput::Json;
     ProgramLimits limits;
-    Arithmetic tolerance = Arithmetic::Float32; ///< what a right program may compute in; or exact
+    Arithmetic tolerance = Arithmetic::Float32; ///< of a right program; or exact
 };
 
-/// What became of one run of a student's program on one scene.
+/// The result of one run of a student's program on one scene.
 struct Trial {
     StudentRun run;
-    std::optional<InputError> fault; ///< why its output is of no use; none where it is
+    std::optional<InputError> fault; ///< why its output is unusable; none where it is usable
     StudentOutput output;
-    std::optional<PictureDiff> picture; ///< beside what the scene's method draws
-    std::optional<TraceDifference> trace; ///< where its lines part from the right ones
+    std::optional<PictureDiff> picture; ///< compared with what the scene's method draws
+    std::optional<TraceDifference> trace; ///< where its lines first differ from the right ones
 
-    /// Whether it printed something, and neither a picture nor a line that has numbers.
+    /// Whether it printed something, but neither a picture nor a line with numbers.
     bool hasNothingToCompare() const
     {
         return run.end == ProgramEnd::Finished && !fault && !picture && !output.hasLines();
@@ -38,16 +38,16 @@ struct Trial {
     }
 };
 
-/// "3 lines of its trace lie beyond the frame and are passed over"; none where none does.
+/// "3 lines of its trace lie beyond the frame and are passed over"; none without such lines.
 std::optional<QString> beyondFrameText(const StudentOutput &output);
 
-/// Gives it the scene, as the terms say; an error where the scene cannot be given so.
+/// Runs the program on the scene, under the terms; an error where the scene cannot be passed to it.
 Result<StudentRun> runOn(const StudentProgram &student, const Scene &scene, const TrialTerms &terms,
                          const std::stop_token &stop = {});
 
-/// Runs it on the scene, which its method can draw, and judges what it printed; an error where the
-/// scene cannot be given so. Output is looked at only where the program ended well, and a whole
-/// picture also where it ended with another exit code than 0.
+/// Runs the program on a scene that its method can draw, and judges the output; an error where the
+/// scene cannot be passed to it. Output is judged only if the program ended well; a whole picture
+/// is judged also after another exit code than 0.
 Result<Trial> tryProgram(const StudentProgram &student, const Scene &scene,
                          const TrialTerms &terms = {}, const std::stop_token &stop = {});
 

@@ -74,7 +74,7 @@ bool TriangleLeeway::mayHave(const Colour &colour, std::int64_t x, std::int64_t 
     return true;
 }
 
-/// A walk draws a sample of the triangle's segment, or nearer to it than it errs.
+/// A walk may draw samples on the triangle's segment, or closer to it than its error.
 bool TriangleLeeway::mayBeOfSegment(std::int64_t x, std::int64_t y) const
 {
     const auto order = sortedByColumn(m_triangle);

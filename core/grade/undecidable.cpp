@@ -14,10 +14,10 @@ namespace pixelplumb {
 
 namespace {
 
-/// What is known of a pixel while triangle after triangle is taken off it, the last drawn first.
+/// What is known of a pixel while triangles are removed one by one, the last drawn first.
 enum class Leeway : std::uint8_t {
-    Sought, ///< no triangle has been there
-    Open, ///< those that have been there may have left it out
+    Sought, ///< no removed triangle reaches it
+    Open, ///< the removed triangles may have left it out
     Refused,
     Given,
 };
@@ -37,7 +37,7 @@ public:
     {
         for (std::size_t place = 0; place < found.size(); ++place) {
             if (isSame(drawn, found, place))
-                m_pixels[place] = Leeway::Refused; // it needs none
+                m_pixels[place] = Leeway::Refused; // needs no leeway
         }
     }
 
@@ -53,7 +53,7 @@ public:
             }
         }
     }
-    /// What is open yet has what was there before all triangles, or not.
+    /// A pixel that is still open counts if it shows the background.
     std::vector<std::uint8_t> pixels() const
     {
         std::vector<std::uint8_t> given(m_pixels.size(), 0);
@@ -76,7 +76,7 @@ private:
         const Containment where = triangle.containmentOf(x, y);
         if (where == Containment::Outside)
             return m_pixels[place];
-        // A raster knows no colours: inside, nothing of it is open.
+        // A raster has no colours: inside, nothing of it is open.
         const bool isInside = where == Containment::Inside;
         const bool isOf = m_found.hasColours
             ? triangle.mayHave(m_found.colours[place], x, y)
@@ -91,8 +91,8 @@ private:
     std::vector<Leeway> m_pixels;
 };
 
-/// The scene under each rule that its method knows, displaced every way where a rule can be, and
-/// without each of its triangles.
+/// The scene under each rule that its method knows, displaced in every direction where a rule can
+/// be, and without each of its triangles.
 std::vector<Picture> picturesOfAllRules(Scene scene)
 {
     std::vector<Picture> pictures;
@@ -107,7 +107,7 @@ std::vector<Picture> picturesOfAllRules(Scene scene)
             continue;
         }
         const FrameSpec &frame = scene.frame;
-        // Beside the diagonals, on which edges lie more often.
+        // Off the diagonals, on which edges lie more often.
         for (const int x : {frame.firstColumn - 7, frame.firstColumn + frame.width + 7}) {
             for (const int y : {frame.firstRow - 5, frame.firstRow + frame.height + 5}) {
                 scene.frame.offScreenPoint = latticePixel(x, y);
@@ -115,8 +115,8 @@ std::vector<Picture> picturesOfAllRules(Scene scene)
             }
         }
     }
-    // A triangle that leaves out its edges while its neighbours do not, as another rule has it that
-    // this method does not know: of few triangles.
+    // Simulates rules that this method does not know, in which a triangle leaves out its edges
+    // while its neighbours do not; only for few triangles.
     constexpr std::size_t fewTriangles = 16;
     scene.settings.fillRule = FillRule::Closed;
     const std::size_t left = scene.triangles.size() <= fewTriangles ? scene.triangles.size() : 0;
@@ -146,8 +146,8 @@ std::vector<std::uint8_t> ofAnotherRule(const Scene &scene, const Picture &drawn
     return ties;
 }
 
-/// What right programs draw of lines that differ at p = 0 alone, where two pixels are equally near:
-/// there they step across or not, from either end.
+/// The pixels of lines in right programs that differ only at p = 0, where two pixels are equally
+/// near: they step across there or not, from either end.
 std::vector<std::uint8_t> ofOtherTies(const Scene &scene, const Picture &drawn,
                                       const Picture &found)
 {

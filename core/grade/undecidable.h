@@ -5,15 +5,15 @@
 
 namespace pixelplumb {
 
-/// A 1 for each pixel in which `found` differs from what was `drawn` of the scene and at which a
-/// right program may have it so: it has what stood there before a triangle on whose edge its sample
-/// lies, where rules differ, or nearer to an edge than a right program errs that computes in this
-/// arithmetic; or the colour of such a triangle, or of one that covers it, no farther from the
-/// exact one than such a program's (TriangleLeeway; resources/numerics.md, 3.9). A third colour is
-/// none of these. Of lines by Bresenham's steps it has what a program draws that goes the other way
-/// at p = 0, or steps from a line's other end. With effects beyond colour, and with other shapes,
-/// those of samples on an edge that have what the scene has under another rule. Line by line, the
-/// top line first.
+/// A 1 for each pixel in which `found` differs from `drawn`, the scene's picture, and which a right
+/// program may have as found. With triangles that is what stood there before a triangle on whose
+/// edge the sample lies, where rules differ, or to whose edge it is closer than a right program
+/// errs in this arithmetic; or the colour of such a triangle, or of one that covers the sample, no
+/// farther from the exact colour than such a program's (TriangleLeeway; resources/numerics.md,
+/// 3.9). A third colour does not count. With lines by Bresenham's steps it is what a program draws
+/// that goes the other way at p = 0, or steps from a line's other end. With effects beyond colour,
+/// and with other shapes, it is what the scene has under another rule at samples on an edge. Line
+/// by line, the top line first.
 std::vector<std::uint8_t> undecidablePixels(const Scene &scene, const Picture &drawn,
                                             const Picture &found, Arithmetic arithmetic);
 

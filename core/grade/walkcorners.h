@@ -5,10 +5,10 @@
 
 namespace pixelplumb {
 
-/// The vertices that are taken for P₀ P₁ P₂.
+/// The indices of the vertices that serve as P₀ P₁ P₂.
 std::array<int, 3> vertexOrderOf(const Triangle &triangle, VertexOrder vertices);
 
-/// P₀ P₁ P₂ of a triangle as a program takes them, with its three edges.
+/// A triangle's P₀ P₁ P₂ as a program chooses them, with the three edges.
 class WalkCorners {
 public:
     WalkCorners(const Triangle &triangle, const WalkedProgram &program)
@@ -27,10 +27,10 @@ public:
     {
         return p0().position.x <= p1().position.x && p1().position.x <= p2().position.x;
     }
-    /// Without one there is nothing that could be gone on with: L₁₂ is begun as it should be.
+    /// Without a first half there is nothing to carry on: L₁₂ begins as it should.
     bool hasFirstHalf() const { return p0().position.x != p1().position.x; }
 
-    /// m₀₁ ≤ m₀₂, where an edge along the spans has the slope 0.
+    /// m₀₁ ≤ m₀₂, with slope 0 for an edge along the spans.
     bool isFirstEdgeFlatter() const
     {
         const Lattice run = p1().position.x - p0().position.x;
@@ -58,7 +58,7 @@ public:
         const ProgramWalk &walk = m_program.walk();
         return withTakenSlope(2, rated(ownLongEdge(), walk.longSlope, walk.longColourRates));
     }
-    /// The same, what is its own at P₁ being taken for that of the first span behind.
+    /// L₀₂ with its own value at P₁ used for the first span after P₁.
     WalkedEdge longEdgeWithoutPreStep() const
     {
         const Lattice middle = p1().position.x;
@@ -78,7 +78,7 @@ private:
     WalkedEdge ownSecondEdge() const { return m_program.edge(WalkedEdges::Second, p1(), p2()); }
     WalkedEdge ownLongEdge() const { return m_program.edge(WalkedEdges::Long, p0(), p2()); }
 
-    /// Without a first half nobody has asked what L₀₁ is.
+    /// Without a first half L₀₁ is never computed, so L₁₂ keeps its own rate.
     RateOf ofSecond(RateOf rate) const
     {
         const bool isOfFirst
@@ -86,7 +86,7 @@ private:
         return isOfFirst && !hasFirstHalf() ? RateOf::Own : rate;
     }
 
-    /// With the slope that it has in place of its own; it begins where it does with that.
+    /// Takes another edge's slope, if the walk does, and begins where that edge does.
     WalkedEdge withTakenSlope(std::size_t place, WalkedEdge edge) const
     {
         const WalkedEdges source = m_program.walk().slopesOf[place];
@@ -110,7 +110,7 @@ private:
         return edge;
     }
 
-    /// Between which vertices an edge is taken to be for a rate.
+    /// The vertices between which an edge's rate is computed.
     static VariedScan::Edge ratedAs(RateOf rate, const VariedScan::Edge &own,
                                     const VariedScan::Edge &first, const VariedScan::Edge &across)
     {

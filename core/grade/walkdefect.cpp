@@ -18,20 +18,20 @@ struct NamedWalk {
     LevelOverflow overflow = LevelOverflow::Clamps;
 };
 
-/// The same with whole numbers as Python's // gives them; none where nothing is divided so.
+/// The walk with whole numbers as by Python's //; none where it has no such division.
 std::optional<ProgramWalk> dividedDown(ProgramWalk walk)
 {
     bool isDivided = false;
-    for (Kept *kept : {&walk.slopes, &walk.edgeColours, &walk.preSteps, &walk.steps}) {
-        if (*kept != Kept::TowardZero)
+    for (Truncation *kept : {&walk.slopes, &walk.edgeColours, &walk.preSteps, &walk.steps}) {
+        if (*kept != Truncation::TowardZero)
             continue;
-        *kept = Kept::Down;
+        *kept = Truncation::Down;
         isDivided = true;
     }
     return isDivided ? std::optional(walk) : std::nullopt;
 }
 
-/// The rows, and behind each that divides as C does the one that does as Python.
+/// The rows, each one that divides as C does followed by its version that divides as Python does.
 std::vector<NamedWalk> namedWalks(const std::vector<WalkRow> &rows)
 {
     std::vector<NamedWalk> walks;
@@ -62,7 +62,7 @@ QString orderSentence(SpanOrder order)
         : QStringLiteral(" The rows are gone through from the least y up.");
 }
 
-/// With the ways from a vertex to the spans behind it and before it in the words.
+/// Fills in the distances from a vertex to the spans after and before it.
 NamedWalk withWays(NamedWalk named, SpanOrder order)
 {
     const bool isUpward = order == SpanOrder::Ascending;
@@ -94,7 +94,7 @@ QString variantSentence(Variant variant, SpanAxis axis)
                          "it keeps its vertex' place and colour.");
 }
 
-/// From below an edge has another way to its first row than the words of the method tell.
+/// From below, an edge's distance to its first row differs from the one in the method's text.
 QString upwardSentence(Variant variant)
 {
     if (variant != Variant::NoEdgePreStep)
@@ -181,7 +181,8 @@ std::vector<Defect> flatEdgeChoicesFor(SpanAxis axis)
         return defect;
     };
     constexpr const char *order = "Which of two vertices with one %2 comes first?";
-    constexpr const char *end = "Between what does the last %1 lie, where two vertices do?";
+    constexpr const char *end
+        = "From where to where does the last %1 go if two vertices lie on it?";
     return {choice("equal-as-given", order,
                    "Of two vertices with one %2 the one that was given first comes first, not the "
                    "one with the least %3.",

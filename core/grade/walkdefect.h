@@ -6,21 +6,20 @@
 
 namespace pixelplumb {
 
-/// Mistakes of a program that walks along edges, in what it divides, adds and rounds. Of one that
-/// goes by rows those along edges are there twice, for rows may be gone through from either end,
-/// and what an edge has too little of shows at the other end then.
+/// Mistakes of a program that walks along edges, in what it divides, adds and rounds. For a program
+/// that goes by rows, mistakes along edges are listed twice, since rows may be visited from either
+/// end, and an edge's error then shows at the other end.
 std::vector<Defect> walkDefectsFor(SpanAxis axis);
 
-/// What programs do otherwise with an edge along a span, in which order they take its vertices and
-/// from where to where they draw it: what a right program draws does not depend on it, what a wrong
-/// one draws may.
+/// Choices for an edge along a span: in which order its vertices are taken and from where to where
+/// it is drawn. They make no difference in a right program, but may in a wrong one.
 std::vector<Defect> flatEdgeChoicesFor(SpanAxis axis);
 
-/// What was done in a variant of the scan, for the assistant.
+/// What a variant of the scan does, for the assistant.
 QString sentenceOf(Variant variant, SpanAxis axis);
 
-/// A redrawing as a defect; in the words `%1` is its span, `%2` the coordinate of its spans, `%3`
-/// the other one and `%4` the lower bound.
+/// A redrawing as a defect; in its texts `%1` is a span, `%2` the coordinate of the spans, `%3` the
+/// other one and `%4` the lower bound.
 Defect redrawnDefect(const QString &id, const QString &forStudent, const QString &forAssistant,
                      const Redrawing &redrawing, SpanAxis axis);
 

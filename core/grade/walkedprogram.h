@@ -9,7 +9,7 @@
 
 namespace pixelplumb {
 
-/// ⌊ ⌋, the nearest or ⌈ ⌉ of a coordinate, px; by the rule ⌈ ⌉.
+/// A coordinate rounded to px by ⌊ ⌋, to nearest or ⌈ ⌉; by the rule it is ⌈ ⌉.
 constexpr std::int64_t wholePixel(Lattice coordinate, EndRounding rounding)
 {
     if (rounding == EndRounding::Down)
@@ -18,8 +18,8 @@ constexpr std::int64_t wholePixel(Lattice coordinate, EndRounding rounding)
                                             : ceilPixel(coordinate);
 }
 
-/// From a place to a span, 1/256 px, as the colour of a channel is stepped: without a pre-step it
-/// is at the first one as it is at the place.
+/// The distance from a position to a span, 1/256 px, over which a channel's colour is stepped:
+/// without a pre-step the first span has the colour of the position.
 inline Lattice wayToSpan(Lattice from, std::int64_t span, const ProgramWalk &walk,
                          std::size_t channel)
 {
@@ -27,17 +27,18 @@ inline Lattice wayToSpan(Lattice from, std::int64_t span, const ProgramWalk &wal
     return (span - (hasPreStep ? 0 : ceilPixel(from))) * unitsPerPixel - (hasPreStep ? from : 0);
 }
 
-/// An edge as it is stepped along: with the rates of one from a to b, from a place and a colour.
+/// An edge as it is stepped: with the rates of an edge from a to b, starting at another position
+/// and colour.
 struct WalkedEdge {
     VariedScan::Edge places, colours;
     Vertex firstPlace = places.a;
     Vertex firstColour = colours.a;
 };
 
-/// A walk with all that decides its picture.
+/// A walk with everything that determines its picture.
 class WalkedProgram {
 public:
-    /// The departures are the scene's; coordinates of spans are as seen from the end at which it
+    /// The departures are the scene's; coordinates of spans are seen from the end at which the walk
     /// begins.
     WalkedProgram(const ProgramWalk &walk, VariantSet departures, ByteRounding rounding,
                   SpanOrder order, const WalkSide &side)
@@ -49,25 +50,25 @@ public:
         , m_side(side)
     {
     }
-    // Edges keep references to its walks.
+    // Edges keep references to this object's walks.
     WalkedProgram(const WalkedProgram &) = delete;
     WalkedProgram &operator=(const WalkedProgram &) = delete;
 
     const ProgramWalk &walk() const { return m_walk; }
     ByteRounding rounding() const { return m_rounding; }
-    /// To which span the coordinate of a vertex is taken.
+    /// The span that a vertex's coordinate is rounded to.
     std::int64_t spanOf(Lattice coordinate) const
     {
         return m_walk.spans == EndRounding::ByRule ? ceilPixel(coordinate)
                                                    : spanOf(coordinate, m_walk.spans);
     }
-    /// ⌊ ⌋, the nearest or ⌈ ⌉ of what the program has.
+    /// The program's own coordinate rounded by ⌊ ⌋, to nearest or ⌈ ⌉, whichever way it walks.
     std::int64_t spanOf(Lattice coordinate, EndRounding rounding) const
     {
         return m_order == SpanOrder::Ascending ? wholePixel(coordinate, rounding)
                                                : -wholePixel(-coordinate, rounding);
     }
-    /// What becomes of its first and its last span.
+    /// How the first and the last span are chosen.
     SpanEnd firstEnd() const
     {
         return m_order == SpanOrder::Ascending ? m_walk.leastSpan : m_walk.greatestSpan;
@@ -78,7 +79,7 @@ public:
     }
     const WalkSide &side() const { return m_side; }
 
-    /// The walk that an edge has.
+    /// The walk that applies to an edge.
     const ProgramWalk &walkOf(WalkedEdges edge) const
     {
         return m_walk.departing == WalkedEdges::All || m_walk.departing == edge ? m_walk
@@ -89,7 +90,7 @@ public:
         const ProgramWalk &walk = walkOf(which);
         const auto divided = [&](EdgeRates rates) {
             VariedScan::Edge edge = VariedScan{departuresOf(walk, rates)}.edge(from, to);
-            const bool isOfWholeEnds = walk.runEnds != Kept::All && isDivided(walk, rates);
+            const bool isOfWholeEnds = walk.runEnds != Truncation::All && isDivided(walk, rates);
             if (isOfWholeEnds)
                 edge.b.position.x = edge.a.position.x + wholeEnd(to) - wholeEnd(from);
             return edge;
@@ -145,7 +146,7 @@ private:
         return edge;
     }
 
-    /// One along the spans has no step, whatever it is divided by.
+    /// An edge along the spans has no step, whatever the divisor.
     static VariedScan::Edge withDivisor(VariedScan::Edge edge, EdgeColourDivisor divisor)
     {
         const LatticePoint &a = edge.a.position;
@@ -157,7 +158,7 @@ private:
         return edge;
     }
 
-    /// To where a vertex is taken to be whose values are had at the edge's first span.
+    /// Moves the edge so that its first span has the values that a wrong pre-step or span gives it.
     VariedScan::Edge shifted(VariedScan::Edge edge, PreStep preStep) const
     {
         const Lattice from = edge.a.position.x;
@@ -183,7 +184,7 @@ private:
     WalkSide m_side;
 };
 
-/// The samples of a span; those that are drawn lie in the frame.
+/// The samples of a span; those to draw lie in the frame.
 struct WalkedSpan {
     std::int64_t first = 0, end = 0;
     std::int64_t firstDrawn = 0, endDrawn = 0;
@@ -193,14 +194,14 @@ struct WalkedSpan {
     {
         return std::size_t(std::max<std::int64_t>(0, endDrawn - firstDrawn));
     }
-    /// Seen from its last sample.
+    /// The span seen from its last sample.
     WalkedSpan reversed() const
     {
         return {first, end, first + end - endDrawn, first + end - firstDrawn};
     }
 };
 
-/// The first sample from a lower bound on, which owns one on it or does not.
+/// The first sample from a lower bound on; `owns` says whether the bound owns a sample on it.
 template <class Edge>
 std::int64_t firstOf(const Edge &lower, EndRounding rounding, bool owns)
 {
@@ -220,17 +221,17 @@ std::int64_t firstOf(const Edge &lower, EndRounding rounding, bool owns)
     return owns ? lower.ceil() : lower.floor() + 1;
 }
 
-/// The sample behind the last one before an upper bound.
+/// One past the last sample before an upper bound.
 template <class Edge>
 std::int64_t endOf(const Edge &upper, EndRounding rounding, bool owns)
 {
     const bool isOfBound
         = rounding == EndRounding::ByRule || rounding == EndRounding::OnBoundOtherwise;
-    // Where the lower bound owns it begins what the upper one leaves.
+    // By the rule the upper bound ends where a lower bound there would begin.
     return isOfBound ? firstOf(upper, rounding, !owns) : firstOf(upper, rounding, owns) + 1;
 }
 
-/// The two edges of a span, and those whose colours it has at them.
+/// The two edges of a span, and the edges whose colours it takes at them.
 template <class Edge>
 struct WalkedBounds {
     const Edge &lower, &upper;

@@ -8,7 +8,7 @@
 
 namespace pixelplumb {
 
-/// The triangle's spans from the first vertex to the last, in one kind of numbers.
+/// Walks a triangle's spans from the first vertex to the last, in one number type.
 template <class Numbers>
 class Walking {
     using Edge = typename Numbers::Edge;
@@ -124,7 +124,7 @@ private:
         return Edge(edge, m_program.walkOf(which), span);
     }
 
-    /// The short edge from the middle vertex on, where the one before it ends.
+    /// The second short edge, from the middle vertex on, where the first one ends.
     Edge edgeBehind(std::int64_t middle, const Edge &before) const
     {
         WalkedEdge walked = m_corners.secondEdge();
@@ -167,7 +167,7 @@ private:
             across.holdColour();
     }
 
-    /// Of a triangle whose last two vertices share a span.
+    /// Handles a triangle whose last two vertices share a span.
     void endFlat(std::int64_t middle, const Edge &before, Edge &behind, Edge &across) const
     {
         if (m_walk.flatEnd == FlatEnd::FromVertices) {
@@ -220,7 +220,7 @@ private:
         case UpperEdge::LongBySlopes:
             return m_corners.isFirstEdgeFlatter();
         }
-        // As in the scan: bounds that have passed each other change places where both are owned.
+        // As in the scan: bounds that have crossed are swapped where both are owned.
         const bool isClosed = m_seen.intervals.rows == Interval::Closed;
         if (isClosed && along.isBelow(across))
             return true;
@@ -287,8 +287,8 @@ private:
     const ProgramWalk &m_walk;
     WalkCorners m_corners;
     const Vertex &m_p0, &m_p1, &m_p2;
-    std::int64_t m_endFinal = 0; ///< spans of the half in hand before it are painted once
-    std::optional<typename Numbers::Carried> m_carried; ///< where the next span goes on with it
+    std::int64_t m_endFinal = 0; ///< earlier spans of the current half are painted only once
+    std::optional<typename Numbers::Carried> m_carried; ///< where the next span goes on
 };
 
 } // namespace pixelplumb

@@ -7,9 +7,9 @@
 
 namespace pixelplumb {
 
-/// A mistake in a walk and what is said of it. In the words %1 is a span, %2 the coordinate that
-/// its samples share, %3 the other one, %4 its lower bound; of edges %5 is the way from a vertex to
-/// its first span and %6 that to the one before.
+/// A mistake in a walk, and its texts. In the texts %1 is a span, %2 the coordinate that its
+/// samples share, %3 the other one, %4 its lower bound; for edges %5 is the distance from a vertex
+/// to its first span and %6 that to the span before.
 struct WalkRow {
     const char *id;
     const char *forStudent;
@@ -18,20 +18,20 @@ struct WalkRow {
     LevelOverflow overflow = LevelOverflow::Clamps;
 };
 
-/// Of what is done along a span: from which end spans are gone through makes no difference.
+/// Mistakes along a span; the order of spans makes no difference to them.
 const std::vector<WalkRow> &spanWalkRows();
-/// Of the colours along a span, where neither does it.
+/// Mistakes in the colours along a span; the order makes no difference either.
 const std::vector<WalkRow> &spanColourRows();
-/// Of what is done along edges, where it does.
+/// Mistakes along edges, where the order makes a difference.
 const std::vector<WalkRow> &edgeWalkRows();
-/// Of columns alone: of rows the lesser x is the left bound, whatever the slopes are.
+/// Mistakes only of columns: in rows the lesser x is the left bound, whatever the slopes.
 const std::vector<WalkRow> &columnWalkRows();
-/// Of the colours along edges and of what they are divided by.
+/// Mistakes in the colours along edges and in their divisors.
 const std::vector<WalkRow> &edgeColourRows();
-/// Of what tells the three edges apart: where the first short one ends and the second begins, what
-/// the long one does there, and what one of them alone has.
+/// Mistakes that distinguish the three edges: where the first short one ends and the second begins,
+/// what the long one does there, and what only one of them has.
 const std::vector<WalkRow> &middleWalkRows();
-/// Of edges with the rise, the run or the rate of another one.
+/// Mistakes of edges that use the rise, the run or the rate of another one.
 const std::vector<WalkRow> &mistakenRateRows();
 
 namespace walkquestions {

@@ -5,7 +5,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr double walks = 2; // that err: this one and the other
+constexpr double walks = 2; // with errors: this one and the other program's
 
 } // namespace
 
@@ -37,11 +37,11 @@ double WalkSide::upward(double rate, double height) const
 
 double WalkSide::carriedUpward(double rate, double height) const
 {
-    // That of R where it begins, and where it ends.
+    // The error of R where it begins, and where it ends.
     return isThin(height) ? 0 : 2 * upward(rate, height);
 }
 
-/// Along a thin span the increment may be anything.
+/// On a thin span the increment may be anything.
 bool WalkSide::isThin(double height) const
 {
     return m_bound && height <= 4 * walks * m_bound->endError(SpanAxis::Column);

@@ -24,7 +24,7 @@ const QString nameStart = QStringLiteral("pixelplumb-program-");
 
 QStringList removalOf(const QString &folder)
 {
-    // Folders may be closed to their owner.
+    // Folders may lack permissions for their owner.
     return {QStringLiteral("/bin/sh"), QStringLiteral("-c"),
             QStringLiteral("/bin/rm -rf -- \"$1\" 2>/dev/null || "
                            "{ /bin/chmod -R u+rwx -- \"$1\"; /bin/rm -rf -- \"$1\"; } 2>/dev/null"),
@@ -37,17 +37,17 @@ void remove(const QString &folder)
     QProcess::execute(words.front(), words.sliced(1));
 }
 
-/// A directory; not open where it is none, or a link to one.
+/// Opens a directory; not open for anything else, links included.
 Descriptor opened(const QString &folder)
 {
     return Descriptor(open(QFile::encodeName(folder).constData(),
                            O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
 }
 
-/// False where somebody else has it.
+/// False where another process holds the lock.
 bool lock(const Descriptor &folder) { return flock(folder.number(), LOCK_EX | LOCK_NB) == 0; }
 
-/// Nobody has it any more, and it is not just being made.
+/// Whether it is abandoned: unlocked, and not just being made.
 bool isLeft(const Descriptor &folder)
 {
     constexpr time_t makingTime = 60; // s
@@ -98,7 +98,7 @@ QStringList WorkingFolder::removal() const { return removalOf(m_path); }
 void WorkingFolder::endProcesses() const
 {
     const QByteArray mark = QByteArray("TMPDIR=") + QFile::encodeName(m_path);
-    constexpr int rounds = 100; // one that is killed may have started the next one
+    constexpr int rounds = 100; // a killed process may have started another
     bool hasFound = true;
     for (int round = 0; round < rounds && hasFound; ++round) {
         hasFound = false;

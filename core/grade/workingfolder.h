@@ -10,22 +10,22 @@ namespace pixelplumb {
 
 struct ProgramUser;
 
-/// An empty folder among the temporary ones for a program that runs in no sandbox. Its supervisor
-/// removes it when the program and all that came of it are gone, with whatever is in it and nothing
-/// that a link there leads to. It is locked for as long as this is there: one that is not, for its
-/// maker and the supervisor were killed, is removed when the next program is started so.
+/// An empty temporary folder for a program that runs without a sandbox. Its supervisor removes it
+/// with all its content, but without following links, when the program and its descendants are
+/// gone. It is locked while this object lives; an unlocked one, whose maker and supervisor were
+/// killed, is removed when the next program is started without a sandbox.
 class WorkingFolder {
 public:
     WorkingFolder();
-    ~WorkingFolder(); ///< removes it where no supervisor did
+    ~WorkingFolder(); ///< removes it if no supervisor did
     Q_DISABLE_COPY_MOVE(WorkingFolder)
 
-    /// It is there, and that user's; else errno says why not.
+    /// Whether it exists and belongs to that user; otherwise errno says why not.
     bool isReadyFor(const ProgramUser &user) const;
     const QString &path() const { return m_path; }
     /// The command that removes it.
     QStringList removal() const;
-    /// Kills the processes that were started in it, as far as they are found: for when the
+    /// Kills the processes that were started in it, as far as they can be found; needed if the
     /// supervisor was killed.
     void endProcesses() const;
 

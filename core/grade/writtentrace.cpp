@@ -16,7 +16,7 @@ namespace {
 constexpr qsizetype longestLine = 200;
 constexpr qsizetype longestShown = 60;
 constexpr std::int64_t mostLines = std::int64_t(1) << 22;
-constexpr qsizetype mostExactDigits = 18; // that 64 bits hold
+constexpr qsizetype mostExactDigits = 18; // that fit in 64 bits
 
 bool isDigits(const QByteArray &text)
 {
@@ -86,7 +86,7 @@ std::optional<std::int32_t> coordinateOf(const QByteArray &text)
     return isNumber ? std::optional<std::int32_t>(value) : std::nullopt;
 }
 
-/// What a line of a kind consists of, behind its word.
+/// The parts of a line of one kind, after its first word.
 struct WrittenForm {
     const char *word;
     std::optional<SpanAxis> axis;
@@ -128,7 +128,7 @@ bool takeLine(const QList<QByteArray> &words, WrittenLine &line)
     return true;
 }
 
-/// From there to the line's end, and one byte more than it may have.
+/// From `start` to the line's end, cut one byte beyond the longest line.
 QByteArray lineAt(const QByteArray &text, qsizetype start)
 {
     const qsizetype end = text.indexOf('\n', start);

@@ -18,21 +18,21 @@ namespace pixelplumb {
 struct WrittenNumber {
     QString text; ///< "41.5", "290/7", "nan"
     Quantity value; ///< exactly what was printed
-    /// Half a unit of the last digit printed; 0 of a fraction and of a whole number, which an
-    /// integer division leaves.
+    /// Half a unit of the last digit printed; 0 for a fraction, and for a whole number, which may
+    /// come from an integer division.
     double halfUnit = 0;
-    bool isWhole = false; ///< printed without a point, an exponent and a slash
+    bool isWhole = false; ///< printed without a point, exponent or slash
 };
 
-/// A line of a program's own trace (resources/student-program.md). Programs print millions: its
-/// numbers stay in the text.
+/// A line of a program's own trace (resources/student-program.md). Since programs print millions of
+/// lines, its numbers stay in the text.
 struct WrittenLine {
-    /// Of a column or a row; none of a pixel.
+    /// Of a column or row; none for a pixel.
     std::optional<SpanAxis> axis;
-    std::int32_t x = 0; ///< px; of a row 0
-    std::int32_t y = 0; ///< px; of a column 0
-    std::optional<std::uint32_t> triangle; ///< where the program says it
-    qsizetype start = 0; ///< in the text
+    std::int32_t x = 0; ///< px; 0 for a row
+    std::int32_t y = 0; ///< px; 0 for a column
+    std::optional<std::uint32_t> triangle; ///< where the program names it
+    qsizetype start = 0; ///< offset in the text
 };
 
 /// Which lines a program prints.
@@ -44,19 +44,19 @@ struct LineKinds {
     bool hasAny() const { return hasColumns || hasRows || hasPixels; }
 };
 
-/// What a program printed of a frame, line by line.
+/// What a program printed about a frame, line by line.
 struct ProgramTrace {
     QByteArray text;
     std::vector<WrittenLine> lines; ///< those within the frame
-    std::int64_t beyondFrame = 0; ///< lines that are not kept: nothing is drawn there
+    std::int64_t beyondFrame = 0; ///< lines that are dropped: nothing is drawn there
     LineKinds kinds; ///< of all lines
     std::optional<std::uint32_t> lastTriangle; ///< the largest number that it names
 
-    /// y_B and y_T of a column, x_L and x_R of a row, R, G and B of a pixel.
+    /// y_B and y_T of a column, x_L and x_R of a row, or R, G and B of a pixel.
     std::vector<WrittenNumber> numbersOf(const WrittenLine &line) const;
 };
 
-/// Lines of at most 200 bytes each, at most 2^22 of them; empty ones are passed over.
+/// Parses lines of at most 200 bytes each, at most 2^22 of them; empty ones are skipped.
 Result<ProgramTrace> parseWrittenTrace(const QByteArray &text, const FrameSpec &frame);
 
 } // namespace pixelplumb

@@ -10,13 +10,13 @@ namespace {
 constexpr double frameNanoseconds = 16e6;
 constexpr double affordedPerMillion = 10;
 
-/// A row that has figures.
+/// A row with figures.
 struct Offer {
     const StudyContender *contender = nullptr;
     const LabRow *row = nullptr;
-    std::optional<double> perPixel; ///< none: there was no time to time it
+    std::optional<double> perPixel; ///< none: there was no time to measure it
 
-    /// A proof of everything.
+    /// Whether everything is proved.
     bool isProved() const { return contender->isProved; }
 };
 
@@ -25,7 +25,7 @@ std::vector<Offer> offersOf(const Study &study, const QString &family)
     std::vector<Offer> offers;
     for (const StudyContender &contender : study.contenders) {
         const LabRow *row = study.row(contender.id, family);
-        // Nobody can choose another renderer here.
+        // Another renderer cannot be chosen here.
         if (!row || !row->accuracy || contender.kernel == LabKernel::Peer)
             continue;
         offers.push_back({&contender, row, study.perPixel(*row)});
@@ -132,7 +132,7 @@ BudgetAnswer cheapestFor(Budget budget, const Study &study, const QString &famil
     std::vector<Offer> offers = offersOf(study, family);
     const StudyFamily *drawn = study.family(family);
     if (budget == Budget::SixteenMilliseconds) {
-        // The timed part is drawn in so long; the whole takes in proportion.
+        // The timed part takes this long; the whole takes time in proportion.
         std::erase_if(offers, [&](const Offer &offer) {
             if (!offer.perPixel)
                 return true;
@@ -151,7 +151,7 @@ BudgetAnswer cheapestFor(Budget budget, const Study &study, const QString &famil
         std::erase_if(offers,
                       [&](const Offer &offer) { return !meets(budget, *offer.row->accuracy); });
         std::ranges::stable_sort(offers, isCheaper);
-        // That nothing was found wrong is not exact; where there is a proof, only that counts.
+        // Finding nothing wrong is not exactness; if there is a proof, only that counts.
         if (budget == Budget::Exact) {
             std::ranges::stable_sort(offers, [](const Offer &a, const Offer &b) {
                 return a.isProved() && !b.isProved();

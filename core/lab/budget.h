@@ -5,11 +5,11 @@
 
 namespace pixelplumb {
 
-/// What a person can afford: of errors, or of time.
+/// What a user can afford: errors, or time.
 enum class Budget : std::uint8_t {
     Exact, ///< the truth, byte for byte
-    OneLevel, ///< its coverage, and bytes that are off by one at most
-    TenPerMillion, ///< at most 10 wrong pixels of a million
+    OneLevel, ///< the truth's coverage, and bytes that are off by at most one
+    TenPerMillion, ///< at most 10 wrong pixels per million
     SixteenMilliseconds, ///< a frame of 60 a second
 };
 inline constexpr std::array allBudgets
@@ -22,13 +22,13 @@ QString textOf(Budget budget);
 
 enum class BudgetGround : std::uint8_t { Proof, Measurement, Nobody };
 
-/// Who meets the budget for the least time; of those that draw within 16 ms, who has the fewest
-/// wrong pixels and then the least time.
+/// The contender that meets the budget in the least time; among those that draw within 16 ms, the
+/// one with the fewest wrong pixels, then the least time.
 struct BudgetAnswer {
     Budget budget = Budget::Exact;
     BudgetGround ground = BudgetGround::Nobody;
-    QString contender; ///< id; empty where nobody meets it
-    double nanosecondsPerPixel = 0; ///< 0 of one that was not timed
+    QString contender; ///< id; empty if none meets it
+    double nanosecondsPerPixel = 0; ///< 0 if it was not timed
     QString reason; ///< a sentence: what meets it, by what, at what cost
 };
 

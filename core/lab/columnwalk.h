@@ -14,7 +14,7 @@ namespace pixelplumb {
 template <std::size_t count>
 using WalkedValues = std::array<float, count>;
 
-/// y and the values where an edge meets a column.
+/// y and the values of an edge where it meets a column.
 template <std::size_t count>
 struct EdgeStepper {
     float y, slope;
@@ -41,8 +41,8 @@ struct EdgeStepper {
     }
 };
 
-/// The assignment's column scan in float32, of half-open columns and rows, with what its vertices
-/// have: calls drawColumn(x, first row, end row, values at the first row, their rates).
+/// The assignment's column scan in float32, with half-open columns and rows, over the vertices'
+/// values: calls drawColumn(x, first row, end row, values at the first row, their rates).
 template <std::size_t count, class DrawColumn>
 void walkColumns(const Triangle &triangle, const std::array<WalkedValues<count>, 3> &values,
                  const DrawColumn &drawColumn)
@@ -85,7 +85,7 @@ inline float unitsOf(Attribute attribute)
     return float(double(attribute) / double(attributeOne));
 }
 
-/// A level for each pixel, column by column, as they are walked.
+/// One level per pixel, stored column by column, as they are walked.
 template <class Level>
 class ColumnMajor {
 public:
@@ -104,8 +104,8 @@ private:
     std::vector<Level> m_levels;
 };
 
-/// Walks all triangles, with the values that valuesOf(vertex) gives their vertices: calls
-/// drawColumn(colour of the triangle, as above).
+/// Walks all triangles with the values that valuesOf(vertex) gives: calls drawColumn(colour of the
+/// triangle, then the arguments above).
 template <std::size_t count, class ValuesOf, class DrawColumn>
 void drawTriangles(const Primitives &primitives, const ValuesOf &valuesOf,
                    const DrawColumn &drawColumn)

@@ -14,7 +14,7 @@ using Parts = std::array<double, 3>;
 Parts workOf(const CostPoint &point) { return {point.triangles, point.columns, point.pixels}; }
 
 /// Solves the normal equations of the chosen parts by elimination with the largest pivot; the
-/// others are 0. None where the points do not tell the parts apart.
+/// others are 0. None if the points do not separate the parts.
 std::optional<Parts> leastSquares(std::span<const CostPoint> points, unsigned chosen)
 {
     std::array<std::array<double, 4>, 3> rows = {};
@@ -59,7 +59,7 @@ std::optional<CostFit> fitCost(std::span<const CostPoint> points)
 {
     if (points.size() < 3)
         return std::nullopt;
-    // With three parts every set of those that may be above 0 can be tried.
+    // With three parts, every set of those that may be above 0 can be tried.
     std::optional<CostFit> best;
     for (unsigned chosen = 1; chosen < 8; ++chosen) {
         const auto parts = leastSquares(points, chosen);

@@ -6,7 +6,7 @@
 
 namespace pixelplumb {
 
-/// A draw: how much work it was and what it took.
+/// A draw: how much work it was and how long it took.
 struct CostPoint {
     double triangles = 0;
     double columns = 0; ///< or rows, of a walk over rows
@@ -29,8 +29,8 @@ struct CostFit {
     friend bool operator==(const CostFit &, const CostFit &) = default;
 };
 
-/// The least squares of the relative differences, with no part below 0. None of fewer than three
-/// points.
+/// The least-squares fit of the relative differences, with no coefficient below 0. None for fewer
+/// than three points.
 std::optional<CostFit> fitCost(std::span<const CostPoint> points);
 
 } // namespace pixelplumb

@@ -10,7 +10,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// ns a pixel of the family random-integer; see the man page.
+/// ns per pixel in the family random-integer; see the man page.
 constexpr CostOrderEntry publishedOrder[] = {
     {"column-scan:exact:fast", 0.1},
     {"column-scan:fixed16.16", 1.2},
@@ -40,7 +40,7 @@ const std::vector<LabContender> &orderedContenders()
     return contenders;
 }
 
-/// False where the listener, asked after each plain triangle, ended it.
+/// False if the listener, asked after each plain triangle, ended it.
 template <class GoesOn>
 bool drawTruth(const Primitives &primitives, const Scene &scene, const EffectPlan &plan,
                const FrameView &frame, const GoesOn &goesOn)
@@ -78,7 +78,7 @@ std::optional<CostOrderChoice> firstInOrder(Budget budget, const Scene &scene,
         if (!contender.method->refusal(settings).isEmpty()
             || !contender.method->objection(plan, settings).isEmpty())
             continue;
-        // The proofs are those of triangles without effects.
+        // The proofs hold only for triangles without effects.
         if (contender.isProved() && plan.isPlain()) {
             return CostOrderChoice{&contender, BudgetGround::Proof,
                                    QStringLiteral("proved for ") + contender.domain(), settings};

@@ -11,8 +11,8 @@
 /// The arithmetics of the walks in counting numbers.
 namespace pixelplumb {
 
-/// A coordinate becomes a number by one conversion; that it is scaled by a power of two is part of
-/// it. So is taking the integer of a rounding.
+/// One conversion turns a coordinate into a number, scaling by a power of two included. One
+/// rounding includes taking the integer.
 template <class T>
 struct NumberTraits<Counted<T>> {
     using Plain = NumberTraits<T>;
@@ -53,7 +53,7 @@ struct CountedRounded : RoundedArithmetic<Counted<T>> {
             OperationTally::count(Operation::IntegerAddition); // of the two levels
         return Base::edgeColourRate(a, b, channel);
     }
-    /// One rounding, of the half that makes it the nearest level too.
+    /// Counts one rounding, which includes adding the half for the nearest level.
     static std::int64_t level(const Number &number, ByteRounding rounding)
     {
         OperationTally::count(Operation::Rounding);
@@ -61,7 +61,7 @@ struct CountedRounded : RoundedArithmetic<Counted<T>> {
     }
 };
 
-/// Quotients and remainders: the plain ones' code in counting integers.
+/// Quotients and remainders: the plain code in counting integers.
 using CountedExact = ExactArithmetic<Counted<Int128>>;
 
 /// A fixed-point quotient is rounded to nearest within the division.
@@ -77,7 +77,7 @@ struct RoundedFraction<Counted<T>> {
 
 template <class T>
 struct LineEquation<CountedRounded<T>> : LineEquation<RoundedArithmetic<Counted<T>>> {
-    /// (int)(y + 1/2) is one rounding.
+    /// (int)(y + 1/2) counts as one rounding.
     static std::int64_t rounded(const Counted<T> &y)
     {
         OperationTally::count(Operation::Rounding);

@@ -6,13 +6,13 @@
 
 namespace pixelplumb {
 
-/// The half-quantum arithmetic, its operations told beside each step: y = y₀ + run·m, rounded with
-/// the bias. What it computes in integers outside its proved domain, and the proof that it may
-/// stay, are not counted.
+/// The half-quantum arithmetic with its operations counted at each step: y = y₀ + run·m, rounded
+/// with the bias. What it computes in integers outside its proved domain, and the test of that
+/// domain, are not counted.
 struct CountedBias : BiasArithmetic<BiasOrExactNumber> {
     using Base = BiasArithmetic<BiasOrExactNumber>;
 
-    /// Two differences, each made a double; one quotient.
+    /// Two differences, each converted to double; one quotient.
     static Number edgeSlope(const Vertex &a, const Vertex &b)
     {
         const Number slope = Base::edgeSlope(a, b);
@@ -73,9 +73,9 @@ struct CountedBias : BiasArithmetic<BiasOrExactNumber> {
     class ColourRamp : public Base::ColourRamp {
     public:
         /// The plane: four differences of coordinates and two products make its area, which the
-        /// bias divides; three levels of P0 are made doubles; two differences of levels, four
-        /// products and two additions a channel's two numerators, each scaled, made a double, and
-        /// divided.
+        /// bias divides; three levels of P0 become doubles; two differences of levels, four
+        /// products and two additions make a channel's two numerators, each scaled, converted to
+        /// double and divided.
         ColourRamp(const Vertex &p0, const Vertex &p1, const Vertex &p2)
             : Base::ColourRamp(p0, p1, p2)
             , m_hasPlane(doubledArea(p0.position, p1.position, p2.position) != 0)
@@ -93,8 +93,8 @@ struct CountedBias : BiasArithmetic<BiasOrExactNumber> {
             OperationTally::count(Operation::Conversion, 3 * 2);
             OperationTally::count(Operation::Division, 3 * 2);
         }
-        /// The ways to the row and to the column become doubles; a channel's c₀ + g_x·Δx is
-        /// computed.
+        /// The distances to the row and to the column become doubles; each channel computes c₀ +
+        /// g_x·Δx.
         template <class ColumnState>
         std::array<Number, 3> starts(const ColumnState &column, std::int64_t row) const
         {
@@ -119,7 +119,7 @@ private:
         OperationTally::count(Operation::Conversion, 2);
         OperationTally::count(Operation::Division);
     }
-    /// The value at the first vertex, the way from there, and what β divides.
+    /// The value at the first vertex, the distance from there, and the divisor of β.
     static void countStart(const Number &number)
     {
         if (number.isExact)

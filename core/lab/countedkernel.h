@@ -8,12 +8,12 @@
 #include "core/lab/countingobserver.h"
 #include "core/scan/kernelnumbers.h"
 
-/// How a method's kernel (methods/kernelmethod.h) is run with counting numbers: the very templates
-/// that draw, with what counts in the place of what they compute in.
+/// How a method's kernel (methods/kernelmethod.h) runs with counting numbers: in the very templates
+/// that draw, with counting types in place of its number types.
 namespace pixelplumb {
 
-/// What counts in the place of a kernel's numbers. Exact numbers count in 128 bits whatever width
-/// would do: the operations are the same.
+/// The counting type that replaces a kernel's number type. Exact numbers count in 128 bits whatever
+/// width would suffice: the operations are the same.
 template <class A>
 struct CountingTwin;
 template <class T>

@@ -8,7 +8,7 @@
 
 namespace pixelplumb {
 
-/// A method whose kernel is compiled with counting numbers, too.
+/// A method whose kernel is also compiled with counting numbers.
 struct CountedMethod {
     std::string_view id;
     std::optional<OperationCounts> (*count)(const Primitives &primitives,

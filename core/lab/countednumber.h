@@ -3,8 +3,8 @@
 
 #include "core/lab/operationtally.h"
 #include "core/number/commonfraction.h"
+#include "core/number/companiontypes.h"
 #include "core/number/mixednumber.h"
-#include "core/number/numbersbeside.h"
 #include "core/number/widerinteger.h"
 
 #include <cmath>
@@ -15,8 +15,8 @@ namespace pixelplumb {
 template <class T>
 concept PlainInteger = std::integral<T> || std::same_as<T, Int128> || std::same_as<T, Int256>;
 
-/// A number that computes like a T and tells the tally what it does. Kernels are templates over
-/// their numbers: with this one they draw the same picture and count.
+/// A number that computes like a T and reports each operation to the tally. Kernels are templates
+/// over their numbers: with this one they draw the same picture and count.
 template <class T>
 class Counted {
 public:
@@ -27,7 +27,7 @@ public:
         : m_value(value)
     {
     }
-    /// An integer. Up to the size of an int it is a constant of the kernel's; a longer one that
+    /// An integer. Up to the size of an int it is a constant of the kernel; a longer one that
     /// becomes a float is a conversion.
     template <PlainInteger Integer>
     requires(!std::same_as<Integer, T>) constexpr Counted(const Integer &value)
@@ -36,9 +36,9 @@ public:
         if (std::floating_point<T> && sizeof(Integer) > sizeof(int))
             OperationTally::count(Operation::Conversion);
     }
-    /// A constant of the kernel's.
+    /// A constant of the kernel.
     constexpr Counted(double value) requires std::same_as<T, float> : m_value(float(value)) { }
-    /// Between integers nothing is done; to a float it is a conversion.
+    /// Between integers this costs nothing; to a float it is a conversion.
     template <class From>
     requires(!std::same_as<From, T>) constexpr explicit(
         PlainInteger<T> != PlainInteger<From> || sizeof(From) > sizeof(T))
@@ -78,7 +78,7 @@ public:
         OperationTally::count(Operation::Division);
         return static_cast<T>(a.m_value / b.m_value);
     }
-    /// Of the division beside it.
+    /// Counted with its quotient's division.
     friend constexpr Counted operator%(const Counted &a, const Counted &b)
     {
         return static_cast<T>(a.m_value % b.m_value);
@@ -123,16 +123,16 @@ template <std::floating_point Float>
 inline constexpr bool isFloatingNumber<Counted<Float>> = true;
 
 template <class T>
-struct NumbersBeside<Counted<T>> {
+struct CompanionTypes<Counted<T>> {
     using Narrow = Counted<std::int64_t>;
     using Wide = Counted<Int128>;
     using Real = Counted<double>;
 };
 template <class T>
-struct NumbersBeside<MixedNumber<Counted<T>>> : NumbersBeside<Counted<T>> {
+struct CompanionTypes<MixedNumber<Counted<T>>> : CompanionTypes<Counted<T>> {
 };
 template <class T>
-struct NumbersBeside<FractionOf<Counted<T>>> : NumbersBeside<Counted<T>> {
+struct CompanionTypes<FractionOf<Counted<T>>> : CompanionTypes<Counted<T>> {
 };
 template <>
 struct WiderInteger<Counted<Int128>> {

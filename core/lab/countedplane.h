@@ -8,7 +8,7 @@
 /// The arithmetics of edge functions, weights and channels in counting numbers.
 namespace pixelplumb {
 
-/// Integers: the plain ones' code in counting integers.
+/// Integers: the plain code in counting integers.
 using CountedExactPlane = ExactPlane<Counted<Int128>>;
 
 /// In a number that rounds: a length is one conversion, its scaling by a power of two included.
@@ -19,7 +19,7 @@ struct CountedFloatPlane {
     using Ratio = Counted<Float>;
     static constexpr Arithmetic arithmetic = Plain::arithmetic;
 
-    /// A vertex's level is made a float once.
+    /// A vertex's level is converted to a float once.
     class Level : public Number {
     public:
         Level() = default;
@@ -60,7 +60,6 @@ struct CountedFloatPlane {
     }
 };
 
-/// A channel's level.
 template <std::floating_point Float>
 std::int64_t levelOf(const Counted<Float> &value, ByteRounding rounding)
 {

@@ -13,7 +13,7 @@ const QString &endOfLines()
     return words;
 }
 
-/// What finds the places of a line's pixels, once and at each step; the colour takes the rest.
+/// What finds the places of a line's pixels, once and at each step; the rest is colour.
 QString lineWords(const QString &id, Arithmetic arithmetic)
 {
     const bool isExact = arithmetic == Arithmetic::Exact;

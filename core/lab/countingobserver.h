@@ -12,7 +12,8 @@
 
 namespace pixelplumb {
 
-/// Tells a tally what the kernel's operations are for, and counts primitives, spans and samples.
+/// Tells a tally which stage the kernel's operations belong to; counts primitives, spans and
+/// samples.
 class CountingObserver {
 public:
     explicit CountingObserver(OperationTally &tally)
@@ -26,7 +27,7 @@ public:
     void primitiveBegun([[maybe_unused]] const SetUp &setUp)
     {
         ++m_tally->counts.primitives;
-        // Of a polygon that is broken into triangles each has a table of its own.
+        // In a polygon that is broken into triangles each has its own table.
         if constexpr (std::same_as<SetUp, PolygonSetUp>)
             m_edges = setUp.pieceCount == 0 ? std::int64_t(setUp.edgeCount) : 0;
     }
@@ -57,7 +58,7 @@ private:
     std::int64_t m_edges = 0; ///< of the polygon that was begun
 };
 
-/// It counts the operations that draw, and no others.
+/// Only the operations that draw are counted.
 template <>
 inline constexpr bool readsNumbers<CountingObserver> = false;
 

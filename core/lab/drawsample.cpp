@@ -20,7 +20,8 @@ double timeOfAll(const std::function<void()> &draw, int draws)
     return std::max(stopwatch.elapsed().thread, 1.0);
 }
 
-/// Of one short draw the clock itself is most of the time: more are drawn until they fill half.
+/// In one short draw the clock itself takes most of the time: doubles the draws until they fill
+/// half.
 int drawsThatFill(const std::function<void()> &draw, double nanoseconds)
 {
     int draws = 1;

@@ -5,10 +5,10 @@
 
 namespace pixelplumb {
 
-/// A sample of what a draw takes: ns of the calling thread's processor time. Draws once before the
-/// clock runs: what another one left in the caches is nobody's cost. The clock is read before and
-/// after all draws of the sample, of which `draws` become as many as fill so many nanoseconds, at
-/// most 100 000, where it is 0.
+/// Samples the cost of a draw: ns of the calling thread's processor time. Draws once before the
+/// clock runs, so that no draw pays for what another left in the caches. The clock is read before
+/// and after all draws of the sample. If `draws` is 0 it becomes the number that fills
+/// `nanoseconds`, at most 100 000.
 double sampleDraw(const std::function<void()> &draw, int &draws, double nanoseconds);
 
 } // namespace pixelplumb

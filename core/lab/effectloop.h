@@ -9,12 +9,12 @@
 
 namespace pixelplumb {
 
-/// What a kernel of effects is measured by: one set of effects as one function, by the column scan
-/// in float32 under the half-open rule, without clipping, choices, observers or work for what is
-/// not there. Its pictures are the kernel's, bit for bit, of its own scene.
+/// What a kernel of effects is measured against: one set of effects as one function, by the column
+/// scan in float32 under the half-open rule, without clipping, choices, observers or work for
+/// absent effects. On its own scene its pictures are the kernel's, bit for bit.
 struct EffectLoop {
     const char *name; ///< "depth, 24 bits"
-    /// Of triangles with area inside of the frame, all with attributes.
+    /// For triangles with area inside the frame, all with attributes.
     void (*draw)(const Primitives &primitives, FrameView frame);
     Primitives (*makeScene)(); ///< sample coordinates, in a frame of effectLoopSide px
 };
@@ -26,7 +26,7 @@ std::vector<EffectLoop> effectLoops();
 /// Those of textures and light.
 std::span<const EffectLoop> loopsOfSurfaces();
 
-/// The scene of a loop as its kernel gets it.
+/// The scene of a loop as its kernel receives it.
 struct EffectLoopScene {
     FrameSpec frame;
     ScanSettings settings; ///< float32, half-open columns

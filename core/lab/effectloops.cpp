@@ -6,7 +6,7 @@
 
 #include <limits>
 
-/// Triangles of one colour each.
+/// Loops for triangles of one colour each.
 namespace pixelplumb {
 
 namespace {
@@ -82,7 +82,7 @@ void drawGlass(const Primitives &primitives, FrameView frame)
         });
 }
 
-/// The whole picture four times, each seen from one sample, and their mean.
+/// The whole picture four times, each seen from one sample, and the mean of these.
 void drawFourSamples(const Primitives &primitives, FrameView frame)
 {
     const auto size = std::size_t(frame.width) * std::size_t(frame.height);

@@ -9,7 +9,7 @@ namespace pixelplumb::effectscenes {
 
 namespace {
 
-/// Of one colour each, with attributes that are neutral.
+/// Triangles of one colour each, with neutral attributes.
 Primitives largeTriangles(std::uint64_t seed)
 {
     SeededRandom random(seed);
@@ -132,7 +132,7 @@ EffectLoopScene::EffectLoopScene(const EffectLoop &loop)
     , primitives(loop.makeScene())
 {
     frame.width = frame.height = effectLoopSide;
-    frame.background = {{30, 60, 90}}; // no colour of a texel
+    frame.background = {{30, 60, 90}}; // not a texel's colour
     plan = planFor(primitives, settings, FrameBuffer(frame).view());
 }
 

@@ -3,8 +3,8 @@
 
 #include "core/geometry/shape.h"
 
-/// The scenes by which kernels of effects are measured beside straight loops: large triangles, in
-/// sample coordinates, that lie inside of a frame of effectLoopSide px and call for one set of
+/// The scenes on which kernels of effects are measured against straight loops: large triangles, in
+/// sample coordinates, that lie inside a frame of effectLoopSide px and call for one set of
 /// effects.
 namespace pixelplumb::effectscenes {
 

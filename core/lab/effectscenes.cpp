@@ -56,7 +56,7 @@ Group antialiasing()
     return group;
 }
 
-/// Pairs of triangles that cross at flat angles, as far apart as 16 bits can hardly tell.
+/// Pairs of triangles that cross at flat angles, so close that 16 bits can hardly separate them.
 Group depthBuffer()
 {
     Scene scene = emptyScene(96, 96);
@@ -87,7 +87,7 @@ Group depthBuffer()
     return group;
 }
 
-/// A checkered floor that goes away from the eye.
+/// A checkered floor that recedes from the eye.
 Scene board()
 {
     Scene scene = emptyScene(96, 72);
@@ -184,7 +184,7 @@ Group patch()
         [](const Solid &solid) { return patchDistance(solid); });
 }
 
-/// A flat opaque scene, and the same with each effect that does not change it.
+/// A flat opaque scene, and the same scene with each effect that does not change it.
 Group neutralEffects()
 {
     Scene scene = emptyScene(96, 96);
@@ -208,7 +208,7 @@ Group neutralEffects()
     return group;
 }
 
-/// Its brightness, in pixels: the sum of all pixels' shares of white.
+/// A scene's brightness, in pixels: the sum of all pixels' shares of white.
 double brightnessOf(const Scene &scene)
 {
     const FrameBuffer frame(scene.frame);
@@ -222,7 +222,7 @@ double brightnessOf(const Scene &scene)
     return sum;
 }
 
-/// A white line from (0, 0) to so many times (dx, dy), in a frame that holds it.
+/// A white line from (0, 0) to `times` times (dx, dy), in a frame that holds it.
 Scene lineScene(std::int64_t dx, std::int64_t dy, int times)
 {
     constexpr std::int32_t margin = 2;
@@ -238,8 +238,8 @@ Scene lineScene(std::int64_t dx, std::int64_t dy, int times)
     return scene;
 }
 
-/// Lines every 15°, between whole pixels. How bright a line is for each pixel of its length is seen
-/// by drawing it twice as long: the ends, which have a brightness of their own, are the same.
+/// Lines every 15°, between whole pixels. Brightness per pixel of length is measured by drawing a
+/// line twice as long: the ends, which have a brightness of their own, stay the same.
 Group lines(const QString &name, const std::string &method, Antialiasing antialiasing)
 {
     constexpr int everyDegrees = 15;

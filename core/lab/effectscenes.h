@@ -13,12 +13,12 @@ namespace pixelplumb::effectscenes {
 struct Way {
     QString name;
     Scene scene;
-    std::optional<double> distance = {}; ///< of a surface's triangles from it
-    std::optional<double> brightness = {}; ///< of a line, for each pixel of its length
-    std::optional<Scene> truth = {}; ///< where it is not the group's
+    std::optional<double> distance = {}; ///< between a surface and its triangles
+    std::optional<double> brightness = {}; ///< of a line, per pixel of its length
+    std::optional<Scene> truth = {}; ///< if it is not the group's
 };
 
-/// A scene drawn in several ways, and what they are judged by.
+/// A scene drawn in several ways, and the truth that judges them.
 struct Group {
     QString name;
     std::vector<Way> ways;

@@ -26,10 +26,10 @@ const Method &columnScan() { return *methodNamed(u"column-scan"); }
 /// A way with its row, and what it is timed by.
 struct Entry {
     EffectRow row;
-    std::size_t first = 0; ///< the row that it is measured by
+    std::size_t first = 0; ///< the row that it is compared with
     std::unique_ptr<FrameBuffer> frame;
     std::function<void(FrameView)> draw;
-    int draws = 0; ///< of a sample; 0: not yet known
+    int draws = 0; ///< per sample; 0: not yet known
     std::vector<double> samples; ///< ns a draw
 
     Entry(const QString &group, const QString &way, Arithmetic arithmetic, const FrameSpec &spec,
@@ -95,7 +95,7 @@ void setTimes(Entry &entry, const Entry &first)
     entry.row.timesFirst = spreadOf(ratios);
 }
 
-/// The ways of a scene, in each arithmetic that its method has.
+/// Adds the ways of a scene, in each arithmetic that its method supports.
 void addWays(const effectscenes::Group &group, std::vector<Entry> &entries)
 {
     const FrameBuffer truth = truthOf(group.truth);
@@ -122,7 +122,7 @@ void addWays(const effectscenes::Group &group, std::vector<Entry> &entries)
     }
 }
 
-/// A straight loop and the kernel of its effects, by whose picture both are judged.
+/// Adds a straight loop and the kernel of its effects, whose picture judges both.
 void addKernel(const EffectLoop &loop, std::vector<Entry> &entries)
 {
     const QString group = kernelGroup + QString::fromLatin1(loop.name);

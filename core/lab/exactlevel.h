@@ -4,7 +4,7 @@
 #include "core/geometry/triangle.h"
 #include "core/number/quantity.h"
 
-/// How far a number that a kernel holds is from the exact level.
+/// How far a kernel's number is from the exact level.
 namespace pixelplumb {
 
 /// whole + remainder / denominator, 0 <= remainder < denominator.
@@ -16,7 +16,7 @@ struct ExactLevel {
     double fraction() const { return double(remainder) / double(denominator); }
 };
 
-/// The exact levels of a triangle's plane; the triangle must have an area.
+/// The exact levels of a triangle's plane; the triangle must have area.
 class ExactLevels {
 public:
     explicit ExactLevels(const Triangle &triangle)
@@ -54,8 +54,8 @@ private:
     std::array<Int128, 3> m_perY = {};
 };
 
-/// used − exact, levels; 0 where two fractions are equal, and nowhere else. The difference of the
-/// wholes is taken first, so that the error of a number near the level is told to some 10^-16.
+/// used − exact, levels; 0 only if two fractions are equal. The wholes are subtracted first, so
+/// that an error near the level is accurate to some 10^-16.
 inline double levelError(const ExactLevel &exact, const Quantity &used)
 {
     if (!used.isRational())

@@ -11,9 +11,9 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr std::int64_t mostTruePixels = 16'000'000; ///< that are kept at a time: 64 MB
+constexpr std::int64_t mostTruePixels = 16'000'000; ///< kept at a time: 64 MB
 
-/// The true pictures of a family, some at a time.
+/// The true pictures of a family, a batch at a time.
 class TrueFamily {
 public:
     TrueFamily(const LabFamily &family, const std::vector<LabCandidate> &candidates)
@@ -25,7 +25,7 @@ public:
         }
     }
 
-    /// The triangles from `first` on, as many as the memory allows; `first` moves on.
+    /// The triangles from `first` on, as many as memory allows; advances `first`.
     LabChunk nextChunk(const LabPicture &picture, const FrameView &frame, std::size_t &first)
     {
         LabChunk chunk{&picture, {}};
@@ -57,7 +57,7 @@ public:
 
 private:
     const LabFamily &m_family;
-    std::set<FillRule> m_rules; ///< that are claimed
+    std::set<FillRule> m_rules; ///< the rules that contenders claim
     std::map<FillRule, MeshCover> m_covers;
 };
 
@@ -67,7 +67,7 @@ bool isPixelOf(const FrameSpec &frame, const LatticePoint &point)
         && point.y >= 0 && floorPixel(point.x) < frame.width && floorPixel(point.y) < frame.height;
 }
 
-/// One picture on a frame that begins at (0, 0), of triangles with vertices on its pixels.
+/// Whether a family is one picture on a frame that begins at (0, 0), with vertices on its pixels.
 bool isForPeers(const LabFamily &family)
 {
     const LabPicture &picture = family.pictures.front();

@@ -5,18 +5,18 @@
 
 namespace pixelplumb {
 
-/// How much of a family is looked at more closely than by its pictures.
+/// How much of a family is examined more closely than by its pictures.
 struct AccuracyOptions {
-    /// Of one contender's work: the samples of the triangles' boxes, or of the whole frame for each
-    /// triangle where its method looks at all of it. The same on every machine.
+    /// For one contender: the samples of the triangles' boxes, or of the whole frame for each
+    /// triangle if its method visits all of it. The same on every machine.
     std::int64_t mostSamples = 200'000'000;
-    double hangSeconds = 20; ///< of processor time: what takes longer hangs
-    std::int64_t probedPixels = 60'000; ///< of which levels are compared before they are bytes
-    std::int64_t movedPixels = 300'000; ///< of boxes drawn in other orders and elsewhere
-    std::int64_t countedPixels = 20'000; ///< of which operations are counted
+    double hangSeconds = 20; ///< of processor time: a contender that takes longer hangs
+    std::int64_t probedPixels = 60'000; ///< whose levels are compared before they are bytes
+    std::int64_t movedPixels = 300'000; ///< of boxes drawn in other orders and places
+    std::int64_t countedPixels = 20'000; ///< whose operations are counted
 };
 
-/// What a contender's pictures of a family came to.
+/// The result of a contender on a family's pictures.
 struct FamilyVerdict {
     LabOutcome outcome = LabOutcome::Pending;
     QString remark;
@@ -27,13 +27,12 @@ struct FamilyVerdict {
     double nanoseconds = 0; ///< of processor time that the drawing took
 };
 
-/// The settings under which a contender takes part; none where it keeps no rule that fits, or is a
-/// peer, and those take whole pixels inside the frame alone.
+/// The settings under which a contender takes part; none if it supports no rule that fits, or is a
+/// peer and the family needs more than whole pixels inside the frame.
 std::optional<ScanSettings> settingsFor(const LabContender &contender, const LabFamily &family);
 
-/// Judges the contenders one after the other, or, where the true pictures take much memory, some
-/// triangles after the others. Tells of each verdict as soon as it stands. False where the listener
-/// ended it.
+/// Judges the contenders one after another or, if the true pictures take much memory, batch by
+/// batch of triangles. Reports each verdict as soon as it is known. False if the listener ended it.
 bool judgeFamily(const LabFamily &family, const std::vector<LabContender> &contenders,
                  const AccuracyOptions &options,
                  const std::function<void(std::size_t contender, const FamilyVerdict &)> &tell,

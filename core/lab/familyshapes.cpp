@@ -5,10 +5,10 @@ namespace pixelplumb::familyshapes {
 
 namespace {
 
-/// What every triangle keeps from the border: a rounded edge may be off by less than a pixel.
+/// Every triangle's distance from the border: a rounded edge may be off by less than a pixel.
 constexpr Lattice border = 2 * unitsPerPixel;
 
-/// A corner of the frame, in from its border.
+/// The lowest corner of the frame, inside its border.
 LatticePoint lowest(const FrameSpec &frame)
 {
     const LatticePoint corner = latticePixel(frame.firstColumn, frame.firstRow);
@@ -21,7 +21,7 @@ LatticePoint highest(const FrameSpec &frame)
     return {corner.x - border, corner.y - border};
 }
 
-/// On multiples of the step from the frame's lowest place.
+/// A random place on multiples of the step from the frame's lowest place.
 LatticePoint placeWithin(SeededRandom &random, const LatticePoint &low, const LatticePoint &high,
                          Lattice step)
 {
@@ -44,7 +44,7 @@ bool isWithin(const FrameSpec &frame, const LatticePoint &point)
     return point.x >= low.x && point.x <= high.x && point.y >= low.y && point.y <= high.y;
 }
 
-/// Makes triangles until so many are good.
+/// Makes triangles until `count` are good.
 template <class Make, class IsGood>
 std::vector<Triangle> keptOf(std::size_t count, const Make &make, const IsGood &isGood)
 {
@@ -153,7 +153,7 @@ std::vector<Triangle> large(SeededRandom &random, const FrameSpec &frame, std::s
 std::vector<Triangle> mesh(SeededRandom &random, const FrameSpec &frame, int columns, int rows)
 {
     const LatticePoint low = lowest(frame), high = highest(frame);
-    // Corners move by up to a third of a cell, the last ones too.
+    // Corners move by up to a third of a cell, the last ones included.
     const Lattice width = 3 * (high.x - low.x) / (3 * columns + 1);
     const Lattice height = 3 * (high.y - low.y) / (3 * rows + 1);
     const auto stride = std::size_t(columns) + 1;

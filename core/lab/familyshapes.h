@@ -6,11 +6,10 @@
 
 #include <vector>
 
-/// The triangles that families are made of. All have an area and stay 2 px inside the
-/// frame.
+/// The triangles that families are made of. All have area and stay 2 px inside the frame.
 namespace pixelplumb::familyshapes {
 
-/// Vertices anywhere on multiples of so many lattice units (256: whole pixels).
+/// Vertices anywhere on multiples of `step` lattice units (256: whole pixels).
 std::vector<Triangle> scattered(SeededRandom &random, const FrameSpec &frame, std::size_t count,
                                 Lattice step);
 /// Boxes of `smallest` to `largest` px a side, on multiples of `step` lattice units.

@@ -7,12 +7,12 @@
 
 namespace pixelplumb {
 
-/// What must not change a picture: the order in which the vertices are given, and a move of
+/// Checks what must not change a picture: the order in which the vertices are given, and moving
 /// triangle and frame together by (5003, 3001) px. Adds one triangle to the two shares.
 void addInvariance(const LabContender &contender, const ScanSettings &settings,
                    const Triangle &triangle, const FrameView &frame, AccuracyFigures &figures);
 
-/// Pixels that come or go from picture to picture of a motion.
+/// Pixels that appear or disappear from picture to picture of a motion.
 struct Toggles {
     std::int64_t drawn = 0;
     std::int64_t ofTruth = 0;

@@ -36,8 +36,8 @@ std::int64_t samplesIn(const SampleBox &box)
         * std::max<std::int64_t>(0, box.endY - box.firstY);
 }
 
-/// Whether a method does more work for the same triangle when the frame around it is larger, by
-/// its counted operations.
+/// Whether a method does more work for the same triangle if the frame around it is larger, by its
+/// counted operations.
 bool visitsWholeFrame(const Method &method, const ScanSettings &settings)
 {
     Primitives corner;
@@ -98,7 +98,7 @@ void LabCandidate::takeChunk(const LabChunk &chunk, const FrameView &frame)
         const std::optional<MeshCover> coverBefore = m_cover;
         drawAll(chunk, frame, Look::Near);
         if (isRunning() && !isBlank(frame)) {
-            // It painted far from a triangle: once more, and all of the frame is looked at.
+            // It painted far from a triangle: draw again and look at the whole frame.
             wipe(frame, samplesOf(frame));
             m_judge = judgeBefore;
             m_cover = coverBefore;
@@ -151,7 +151,7 @@ void LabCandidate::lookClosely(const LabChunk &chunk, const FrameView &frame)
                             truth.window.view(), m_levels))
                 m_probedPixels += std::max<std::int64_t>(truth.pixels, 1);
         }
-        // What a peer does on a frame elsewhere depends on who hands it over.
+        // What a peer does on a frame elsewhere depends on its caller.
         if (m_contender.kernel != LabKernel::Peer && m_movedPixels < m_options.movedPixels) {
             m_movedPixels += std::int64_t(truth.window.pixels().size());
             addInvariance(m_contender, settings(), *truth.triangle, frame, m_judge.figures());
@@ -188,7 +188,7 @@ void LabCandidate::countOperationsOfFirst()
     m_verdict.operations = countOperations(*m_contender.method, settings(), first, frame.view());
 }
 
-/// Of the first wrong triangle the pixel that its drawing gets wrong first.
+/// Finds the first pixel that a drawing of the first wrong triangle gets wrong.
 void LabCandidate::findFirstMiss()
 {
     const auto &miss = m_judge.firstMiss();

@@ -10,7 +10,7 @@
 
 namespace pixelplumb {
 
-/// Triangles of one picture, with their true pictures under each rule that somebody claims.
+/// Triangles of one picture, with their true pictures under each rule that a contender claims.
 struct LabChunk {
     const LabPicture *picture = nullptr;
     std::vector<std::map<FillRule, TruePicture>> truths;
@@ -28,7 +28,7 @@ public:
 
     /// Draws the triangles of a chunk one by one on a frame that is transparent before and after.
     void takeChunk(const LabChunk &chunk, const FrameView &frame);
-    /// After the last chunk. `trueCover`: of a mesh under the candidate's rule, else null.
+    /// Call after the last chunk. `trueCover`: of a mesh under the candidate's rule, else null.
     void finish(const MeshCover *trueCover);
 
 private:
@@ -49,9 +49,9 @@ private:
     PictureJudge m_judge;
     LevelTally m_levels;
     std::optional<MeshCover> m_cover; ///< of a mesh
-    std::optional<FrameSpec> m_frameOfMiss; ///< of the first one
-    bool m_visitsFrame = false; ///< of each triangle, not its box alone
-    std::int64_t m_samples = 0; ///< of the work
+    std::optional<FrameSpec> m_frameOfMiss; ///< of the first miss
+    bool m_visitsFrame = false; ///< for each triangle, not only its box
+    std::int64_t m_samples = 0; ///< visited so far
     std::int64_t m_probedPixels = 0;
     std::int64_t m_movedPixels = 0;
 };

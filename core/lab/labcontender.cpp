@@ -20,7 +20,7 @@ void drawFastOnOneThread(const Primitives &primitives, const ScanSettings &setti
     drawFast(primitives.triangles, settings, frame, {1, std::nullopt});
 }
 
-/// What core/fast has kernels for: the column scan, which draws the rest by its plain kernel.
+/// What core/fast has kernels for: the column scan, which uses its plain kernel for the rest.
 bool isFastIn(const Method &method, Arithmetic arithmetic)
 {
     return &method == methodNamed(u"column-scan")

@@ -7,7 +7,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Walks the fields of a row in one order, for the header and for every line. What is not there is
+/// Walks the fields of a row in one order, for the header and for every line. Missing parts are
 /// walked too, as empty fields.
 class CsvLine {
 public:
@@ -20,7 +20,7 @@ public:
 
     QByteArray text() const { return m_fields.join(u',').toUtf8() + '\n'; }
 
-    /// A name, which may come from a file of results.
+    /// A name, which may come from a results file.
     void add(const QString &name, const QString &value) { put(name, spreadsheetText(value)); }
     void add(const QString &name, bool value) { put(name, QString::number(int(value))); }
     void add(const QString &name, int value) { put(name, QString::number(value)); }
@@ -29,9 +29,9 @@ public:
     template <class Enum>
     requires std::is_enum_v<Enum>
     void add(const QString &name, Enum value) { add(name, fileWord(nameOf(value))); }
-    /// Too much for a line: they are in the JSON.
+    /// Scenes are too much for a line: they are in the JSON.
     void add(const QString &, const Scene &) { }
-    /// By the names of operations: fields alone would be numbered.
+    /// Named by operations: plain fields would be numbered.
     void add(const QString &name, const OperationCounts &counts)
     {
         for (const WorkStage stage : allWorkStages) {

@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The sides are prime: widths that are powers of two make slopes that float32 adds up without any
+/// The sides are prime: widths that are powers of two give slopes that float32 adds up without
 /// error (resources/numerics.md, 2.2).
 FrameSpec primeFrame()
 {
@@ -24,7 +24,7 @@ std::size_t chosen(StudyExtent extent, std::size_t quick, std::size_t full)
     return extent == StudyExtent::Quick ? quick : full;
 }
 
-/// Each family has random numbers of its own: leaving one out changes no other.
+/// Each family has its own random numbers: leaving one out changes no other.
 SeededRandom randomOf(const LabFamily &family, const FamilyRequest &request)
 {
     std::uint64_t seed = request.seed;
@@ -115,7 +115,7 @@ bool makeOwnScene(LabFamily &family, const FamilyRequest &request)
     if (primitives.triangles.empty())
         return false;
     FrameSpec frame = scene.frame;
-    // The primitives are on samples now.
+    // The primitives are now in sample coordinates.
     frame.offScreenPoint = offScreenSample(scene.frame);
     frame.pixelCentre = PixelCentre::Integer;
     family.settings = scene.settings;
@@ -152,7 +152,7 @@ constexpr LabFamilyInfo infos[] = {
      "Triangles that share all edges, at 1/256 px, under a rule that gives every "
      "sample one owner.",
      makeMesh},
-    {"own-scene", "Own scene", "The triangles of the scene in hand under its own rule.",
+    {"own-scene", "Own scene", "The triangles of the current scene under its own rule.",
      makeOwnScene},
     {"hard-cases", "Hard cases", "The cases that were collected because methods fail in them.",
      makeHardCases},

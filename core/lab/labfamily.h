@@ -10,11 +10,11 @@
 
 namespace pixelplumb {
 
-/// How much a study takes on: 20 seconds or five minutes on two idle processors.
+/// How much a study covers: 20 seconds or five minutes on two idle processors.
 enum class StudyExtent : std::uint8_t { Quick, Full };
 QString nameOf(StudyExtent extent); ///< "quick", "full"
 
-/// Triangles that are drawn one by one on one frame. In sample coordinates.
+/// Triangles drawn one by one on one frame. In sample coordinates.
 struct LabPicture {
     FrameSpec frame;
     std::vector<Triangle> triangles;
@@ -25,8 +25,8 @@ struct LabPicture {
 struct LabFamily {
     QString id; ///< "ties"
     QString title; ///< "Ties"
-    std::vector<LabPicture> pictures; ///< one, but of the hard cases
-    ScanSettings settings; ///< the rule and the rounding that are asked for
+    std::vector<LabPicture> pictures; ///< one, except in hard cases
+    ScanSettings settings; ///< the requested rule and rounding
     bool isMesh = false; ///< drawn under a rule that gives every sample one owner
     std::vector<Triangle> motion = {}; ///< the same triangle from frame to frame; for flicker
 
@@ -46,13 +46,13 @@ struct LabFamilyInfo {
     const char *id;
     const char *title;
     const char *stresses; ///< one sentence: what is hard about it
-    /// Adds the pictures and what is special of them. False where the request has nothing for it.
+    /// Adds the pictures and the family's special members. False if the request has nothing for it.
     bool (*make)(LabFamily &family, const FamilyRequest &request);
 };
 std::span<const LabFamilyInfo> labFamilies();
 const LabFamilyInfo *labFamilyNamed(const QString &id);
 
-/// None where the request has nothing for it: no own scene, no hard cases.
+/// None if the request has nothing for it: no own scene, no hard cases.
 std::optional<LabFamily> makeFamily(const LabFamilyInfo &info, const FamilyRequest &request);
 
 } // namespace pixelplumb

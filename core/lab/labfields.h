@@ -4,7 +4,7 @@
 #include "core/lab/study.h"
 #include "core/scene/jsonfields.h"
 
-/// What the parts of a study are called in files, by which they are laid out in columns too.
+/// The names of a study's parts in files, also used to lay them out in columns.
 namespace pixelplumb {
 
 template <PartOf<Spread> Self, class Visit>

@@ -11,20 +11,19 @@
 
 namespace pixelplumb {
 
-/// So many of so many.
+/// A count out of a total.
 struct LabShare {
     std::int64_t count = 0;
     std::int64_t of = 0;
 
-    /// Parts in a million; 0 of nothing.
+    /// Parts per million; 0 of nothing.
     double perMillion() const { return of == 0 ? 0 : 1e6 * double(count) / double(of); }
 
     friend bool operator==(const LabShare &, const LabShare &) = default;
 };
 
-/// How far missed samples lie from the triangle's boundary, by decades: bin 0 is nearer than
-/// 10^-7 px, bin k from 10^(k−8) to 10^(k−7) px, the last one farther than 100 px. Ties are none of
-/// them.
+/// How far missed samples lie from the triangle's boundary, by decades: bin 0 is nearer than 10^-7
+/// px, bin k from 10^(k−8) to 10^(k−7) px, the last one farther than 100 px. Ties are not included.
 struct MissHistogram {
     static constexpr std::size_t bins = 11;
     std::array<std::int64_t, bins> missing = {}; ///< inside, not painted
@@ -37,19 +36,19 @@ struct MissHistogram {
     friend bool operator==(const MissHistogram &, const MissHistogram &) = default;
 };
 
-/// Errors of levels before they become bytes, in levels, of the pixels that both the contender and
-/// the truth paint and whose level is a number.
+/// Errors in levels, before these become bytes, over the pixels that both the contender and the
+/// truth paint and whose level is a number.
 struct LevelErrors {
     std::int64_t samples = 0; ///< levels: three a pixel
     double largest = 0;
     double rms = 0;
-    double p999 = 0; ///< 99.9 % of the magnitudes are not above it
+    double p999 = 0; ///< 99.9 % of the magnitudes do not exceed it
 
     friend bool operator==(const LevelErrors &, const LevelErrors &) = default;
 };
 
-/// What a contender got wrong of a family, by the oracle under the rule that it claims, triangle by
-/// triangle. A figure that was not measured is empty.
+/// What a contender got wrong in a family, judged triangle by triangle by the oracle under the rule
+/// that the contender claims. A figure that was not measured is empty.
 struct AccuracyFigures {
     std::int64_t triangles = 0; ///< drawn one by one
     std::int64_t pixels = 0; ///< of the truth
@@ -65,41 +64,41 @@ struct AccuracyFigures {
     int largestByteError = 0; ///< levels
 
     std::optional<LevelErrors> levels; ///< before rounding; of a part of the pixels
-    std::optional<LabShare> notANumber; ///< pixels with a level that is no number
+    std::optional<LabShare> notANumber; ///< pixels with a NaN level
     std::optional<LabShare> infinite;
     std::optional<LabShare> clamped; ///< pixels with a level outside 0 … 255
 
-    std::optional<LabShare> gaps; ///< of a mesh: samples that nobody paints
-    std::optional<LabShare> doubles; ///< of a mesh: samples that are painted again
-    /// Of a moving sliver: pixels that come and go between two frames, beyond those of the truth;
-    /// negative where fewer do.
+    std::optional<LabShare> gaps; ///< in a mesh: samples that no triangle paints
+    std::optional<LabShare> doubles; ///< in a mesh: samples painted more than once
+    /// For a moving sliver: pixels that come and go between two frames, beyond those of the truth;
+    /// negative if fewer do.
     std::optional<std::int64_t> flicker;
     std::optional<std::int64_t> trueToggles;
     std::optional<LabShare> orderFailures; ///< triangles whose vertices' order changes the picture
     std::optional<LabShare> translationFailures; ///< triangles whose picture a move changes
 
     std::int64_t wrongCoverage() const { return missing + extra + tiesMissing + tiesExtra; }
-    /// In any way.
+    /// Wrong in any way.
     std::int64_t wrongPixels() const { return wrongCoverage() + wrongBytes; }
-    /// Of a million pixels of the truth.
+    /// Per million pixels of the truth.
     double wrongPerMillion() const { return LabShare{wrongPixels(), pixels}.perMillion(); }
 
     friend bool operator==(const AccuracyFigures &, const AccuracyFigures &) = default;
 };
 
-/// What drawing a family takes. All contenders of a family draw the same triangles.
+/// What drawing a family costs. All contenders of a family draw the same triangles.
 struct CostFigures {
     Spread perDraw; ///< ns of processor time
     int rounds = 0;
-    std::optional<Spread> straight; ///< ns a draw of the straight loop, in the same rounds
+    std::optional<Spread> straight; ///< ns per draw of the straight loop, in the same rounds
     std::optional<Spread> timesStraight; ///< each round's time over that of the straight loop
     std::optional<OperationCounts> operations; ///< of some of the triangles
 
     friend bool operator==(const CostFigures &, const CostFigures &) = default;
 };
 
-/// The pixel that a contender gets wrong first, in its order of drawing, as a scene that Compare
-/// can open.
+/// The first pixel that a contender gets wrong, in its drawing order, as a scene that Compare can
+/// open.
 struct LabMiss {
     Scene scene; ///< the triangle alone, with the method, the arithmetic and the rule
     std::int64_t x = 0;

@@ -6,19 +6,19 @@
 
 namespace pixelplumb {
 
-/// Of the JSON that writeStudy() writes, and the only one that readStudy() reads.
+/// The version of the JSON that writeStudy() writes, the only one that readStudy() reads.
 inline constexpr int labFileVersion = 4;
 
-/// The same study, the same bytes.
+/// The same study gives the same bytes.
 QByteArray writeStudy(const Study &study);
 Result<Study> readStudy(const QByteArray &text);
 
-/// The accuracy alone: the same seed, the same bytes, on every run.
+/// Only the accuracy: the same seed gives the same bytes on every run.
 QByteArray writeAccuracy(const Study &study);
 
-/// A line a row, numbers with a decimal point; what was not measured is an empty field.
+/// One line per row, numbers with a decimal point; what was not measured is an empty field.
 QByteArray csvOf(const Study &study);
-/// The same with the accuracy alone.
+/// Like csvOf(), with only the accuracy.
 QByteArray accuracyCsvOf(const Study &study);
 
 } // namespace pixelplumb

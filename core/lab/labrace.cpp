@@ -10,7 +10,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// What draws the triangles in the contender's place; null where no straight loop may.
+/// The straight loop that draws the triangles in the contender's place; null if none may.
 StraightDraw straightDrawOf(const LabContender &contender, const ScanSettings &settings,
                             std::span<const Triangle> triangles, const FrameView &frame)
 {
@@ -73,7 +73,7 @@ void LabRace::sample(Entry &entry) const
         for (const Picture &picture : entry.part->pictures)
             contender.draw(picture.primitives, entry.settings, picture.frame.view());
     };
-    if (contender.loaded) { // of families of one picture alone
+    if (contender.loaded) { // only in families of one picture
         const Picture &picture = entry.part->pictures.front();
         contender.loaded->load(picture.primitives, picture.frame.view());
         draw = contender.loaded->draw;
@@ -100,7 +100,7 @@ bool LabRace::runRound(int round, const ProgressListener &listener, std::size_t 
     for (std::size_t turn = 0; turn < count; ++turn) {
         if (!goesOn(listener, {JobPhase::Measuring, std::int64_t(turn), std::int64_t(count)}))
             return false;
-        // Each round begins with another one: nobody always follows the same neighbour.
+        // Each round begins with another entry, so that none always follows the same neighbour.
         Entry &entry = m_entries[firstEntry + (turn + std::size_t(round)) % count];
         if (entry.failure)
             continue;

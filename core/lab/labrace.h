@@ -10,11 +10,11 @@ namespace pixelplumb {
 
 struct RaceOptions {
     double sampleNanoseconds = 1.5e6; ///< a sample draws as often as fills this
-    double longestDraw = 100e6; ///< ns; who takes longer is not timed
+    double longestDraw = 100e6; ///< ns; a longer draw is not timed
 };
 
-/// Times rows of a study in turn, on one thread, by the thread's own processor time: what other
-/// programs take does not count, and what slows the machine for a while slows all.
+/// Times rows of a study in turn, on one thread, by that thread's processor time: other programs'
+/// time does not count, and what slows the machine for a while slows all rows.
 class LabRace {
 public:
     explicit LabRace(const RaceOptions &options)
@@ -22,15 +22,15 @@ public:
     {
     }
 
-    /// The contender, the family's part and its family live as long as this. `expected`: ns that a
-    /// draw of the part may take. False where that is too long.
+    /// The contender, the family's part and its family must outlive this. `expected`: ns that a
+    /// draw of the part may take. False if that is too long.
     bool enter(std::size_t row, const LabContender &contender, const TimedFamily &part,
                const ScanSettings &settings, double expected);
 
     std::size_t entries() const { return m_entries.size(); }
 
-    /// One sample of everyone who entered from the given entry on. False where the listener, who
-    /// hears of each, ended it: what was sampled stays.
+    /// Takes one sample of every entry from the given one on. False if the listener, called for
+    /// each, ended it: samples already taken stay.
     bool runRound(int round, const ProgressListener &listener, std::size_t firstEntry = 0);
 
     struct Result {
@@ -49,7 +49,7 @@ private:
         const TimedFamily *of;
         std::list<Picture> pictures;
     };
-    /// A picture as the straight loop wants it.
+    /// A picture as the straight loop needs it.
     struct StraightPicture {
         std::vector<Triangle> triangles;
         StraightDraw draw = nullptr;
@@ -59,7 +59,7 @@ private:
         const LabContender *contender = nullptr;
         ScanSettings settings;
         const Part *part = nullptr;
-        std::vector<StraightPicture> straight = {}; ///< empty where one may not be drawn so
+        std::vector<StraightPicture> straight = {}; ///< empty if one of them may not be drawn so
         int drawsPerSample = 0; ///< 0: not yet known
         int straightDrawsPerSample = 0;
         std::vector<double> samples = {}; ///< ns a draw

@@ -21,9 +21,9 @@ struct LevelTally {
     std::optional<LevelErrors> errors();
 };
 
-/// Traces a triangle that has an area by the method's plain kernel and compares the numbers that it
-/// holds, before they are rounded to bytes, with the exact plane, wherever the truth's picture is
-/// not transparent too. False where the method draws no triangles.
+/// Traces a triangle that has area by the method's plain kernel and compares its numbers, before
+/// they are rounded to bytes, with the exact plane, wherever the truth's picture is painted too.
+/// False if the method draws no triangles.
 bool probeLevels(const Method &method, const ScanSettings &settings, const Triangle &triangle,
                  FrameView frame, const FrameView &truth, LevelTally &tally);
 

@@ -32,8 +32,8 @@ std::int64_t pixelsDrawn(const Scene &scene, const Method &method, const ScanSet
     return pixels;
 }
 
-/// Of the exact picture: of triangles the column scan's, which takes all rules, of other primitives
-/// the method's own.
+/// Pixels of the exact picture: for triangles the column scan's, which accepts all rules, for other
+/// primitives the method's own.
 std::int64_t pixelsOf(const Scene &scene, const Method &method)
 {
     const Method &drawing
@@ -44,8 +44,8 @@ std::int64_t pixelsOf(const Scene &scene, const Method &method)
     return pixelsDrawn(scene, drawing, drawing.adapted(exact));
 }
 
-/// Times the scene as the study times its family own-scene: the same triangles by the plain kernel,
-/// in the same samples. False where the listener ended it.
+/// Times the scene like the study's family own-scene: the same triangles by the plain kernel, in
+/// the same samples. False if the listener ended it.
 bool addTimes(LiveFigures &figures, const std::shared_ptr<const Scene> &scene, const Method &method,
               const ProgressListener &listener)
 {
@@ -61,7 +61,7 @@ bool addTimes(LiveFigures &figures, const std::shared_ptr<const Scene> &scene, c
     figures.timedPixels = part.described.timedPixels;
     if (!part.isTimed() || !settings)
         return true;
-    // The study knows from its pictures what a draw takes; here the first triangle tells.
+    // The study knows a draw's time from its pictures; here the first triangle gives it.
     const LabPicture &picture = family->pictures.front();
     const FrameBuffer frame(picture.frame);
     const Stopwatch stopwatch;
@@ -152,7 +152,7 @@ std::optional<LiveFigures> liveFiguresOf(const std::shared_ptr<const TracedScene
 {
     auto figures = liveFiguresOf(std::shared_ptr<const Scene>(traced, &traced->scene), listener);
     const DifferenceMap &differences = traced->differences;
-    // What is proved of a method's picture is not said of what it refuses to draw.
+    // A proof about a method's picture says nothing of primitives that it refuses to draw.
     if (!figures || (figures->wrongPixels && !(figures->isProved && differences.total() > 0)))
         return figures;
     figures->isProved = false;

@@ -32,7 +32,7 @@ public:
     {
         return count(truth, [](int drawn, int wanted) { return wanted > 0 && drawn == 0; });
     }
-    /// Samples that this one paints more often than the true mesh.
+    /// Samples that this one paints more often than the true mesh, and more than once.
     LabShare doublesBeside(const MeshCover &truth) const
     {
         return count(truth, [](int drawn, int wanted) { return drawn > std::max(wanted, 1); });

@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Of a point from the segment between two others, lattice units.
+/// The distance of a point from the segment between two others, lattice units.
 double distanceToSegment(const LatticePoint &p, const LatticePoint &a, const LatticePoint &b)
 {
     const Int128 alongX = b.x - a.x, alongY = b.y - a.y;

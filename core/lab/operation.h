@@ -10,13 +10,13 @@
 namespace pixelplumb {
 
 /// The kinds of operations of a résumé (Rasterization slides, "Résumé": "Division, Round, Floating
-/// point operation"). A subtraction is an addition; a change of sign is none; a remainder belongs
-/// to its quotient's division.
+/// point operation"). A subtraction counts as an addition; a change of sign does not count; a
+/// remainder belongs to its quotient's division.
 enum class Operation : std::uint8_t {
     Division,
     Rounding, ///< floor, ceil or nearest of a number that rounds, to an integer, its half included
     FloatAddition,
-    IntegerAddition, ///< of fixed point too
+    IntegerAddition, ///< fixed point included
     Multiplication,
     Comparison,
     Conversion, ///< of an integer or a lattice coordinate to a number that rounds, or back

@@ -9,7 +9,7 @@
 
 namespace pixelplumb {
 
-/// A line of a résumé as people read it: what one set-up, one span and one sample take, on the
+/// A line of a résumé as people read it: the operations of one set-up, one span and one sample, on
 /// average, and all of them together.
 struct OperationTableRow {
     QString name; ///< "divisions"; "all" in the last row
@@ -23,8 +23,8 @@ std::vector<OperationTableRow> operationTable(const OperationCounts &counts);
 /// "6" or "20.49": two digits after the point unless it is whole.
 QString operationText(double each);
 
-/// "1 set-up, 55 spans, 1124 pixels, 0 samples refused, 98760 operations"; of polygons with what an
-/// edge table saves: ", 110 of 660 edges looked at", all edges on every row.
+/// "1 set-up, 55 spans, 1124 pixels, 0 samples refused, 98760 operations"; for polygons also what
+/// an edge table saves: ", 110 of 660 edges looked at", all edges on every row.
 QString countsText(const OperationCounts &counts);
 
 /// The table in lines of equal columns, with its header.

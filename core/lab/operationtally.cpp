@@ -5,21 +5,21 @@ namespace pixelplumb {
 
 namespace {
 
-thread_local OperationTally *inHand = nullptr;
+thread_local OperationTally *current = nullptr;
 
 } // namespace
 
 OperationTally::OperationTally()
-    : m_before(std::exchange(inHand, this))
+    : m_before(std::exchange(current, this))
 {
 }
 
-OperationTally::~OperationTally() { inHand = m_before; }
+OperationTally::~OperationTally() { current = m_before; }
 
 void OperationTally::count(Operation operation, std::int64_t times)
 {
-    if (inHand)
-        inHand->counts.stages[std::size_t(inHand->m_stage)][std::size_t(operation)] += times;
+    if (current)
+        current->counts.stages[std::size_t(current->m_stage)][std::size_t(operation)] += times;
 }
 
 } // namespace pixelplumb

@@ -7,10 +7,10 @@
 
 namespace pixelplumb {
 
-/// Where counting numbers count: one in hand in each thread while it lives. What changes or asks
-/// for the one in hand is not inline: there is one such place in a process, also where a program
-/// and the core would each have its own. count() stands beside every operation of every kernel that
-/// counts besides, and would be half of what the compiler has to do there.
+/// Where counting numbers count: each thread has one current tally while it lives. What changes or
+/// reads the current tally is not inline, so that a process has one, even where a program and the
+/// core would each have their own. Besides, count() is called at every operation of every counting
+/// kernel, and inline it would be half of the compiler's work there.
 class OperationTally {
 public:
     OperationTally();

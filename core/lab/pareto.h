@@ -5,12 +5,12 @@
 
 namespace pixelplumb {
 
-/// What the error axis of a chart tells: a row of a table.
+/// The error axis of a chart: a row of a table.
 struct ErrorAxis {
     const char *id; ///< "wrong-pixels"
     const char *title; ///< "wrong pixels"
     const char *unit; ///< "ppm"
-    /// None where it was not measured.
+    /// None if it was not measured.
     std::optional<double> (*read)(const AccuracyFigures &figures);
 };
 /// Wrong pixels, wrong coverage, wrong bytes (ppm), the largest byte error, the largest and the RMS
@@ -18,11 +18,11 @@ struct ErrorAxis {
 std::span<const ErrorAxis> errorAxes();
 const ErrorAxis *errorAxisNamed(const QString &id);
 
-/// An error of 0 is not a point of a logarithmic axis; it has rows of its own.
+/// An error of 0 has no place on a logarithmic axis; it has rows of its own.
 enum class ErrorClass : std::uint8_t {
     Positive,
-    ZeroObserved, ///< over so many pixels
-    ZeroTested, ///< of a fast kernel: proved of the plain one, whose bytes it is tested to write
+    ZeroObserved, ///< over some number of pixels
+    ZeroTested, ///< for a fast kernel: proved for the plain one, whose bytes it is tested to write
     ZeroProved,
 };
 QString nameOf(ErrorClass errorClass); ///< "observed", "tested", "proved"; empty: above 0
@@ -33,8 +33,8 @@ struct ParetoPoint {
     QString label;
     LabKernel kernel = LabKernel::Plain;
     Spread cost; ///< ns a pixel
-    std::optional<double> timesReference; ///< of the assignment's method, ×1
-    std::optional<Spread> straight; ///< ns a pixel: the hollow dot beside it
+    std::optional<double> timesReference; ///< relative to the assignment's method, ×1
+    std::optional<Spread> straight; ///< ns a pixel: the hollow dot next to it
     std::optional<double> missesStraight;
     ErrorClass errorClass = ErrorClass::Positive;
     double error = 0; ///< in the axis' unit
@@ -45,9 +45,9 @@ struct ParetoPoint {
     bool isReference() const { return contender == QLatin1String(referenceContenderId); }
 };
 
-/// As cheap and as exact, and better in one of the two. Proved is better than tested, and that than
-/// observed. Asked of equally well made things alone: no SIMD kernel beats a plain one, nor the
-/// reverse.
+/// Whether a is as cheap and as exact as b, and better in one of the two. Proved is better than
+/// tested, and tested than observed. Only for equally built kernels: no SIMD kernel beats a plain
+/// one, nor the reverse.
 bool dominates(const ParetoPoint &a, const ParetoPoint &b);
 
 /// A place on the staircase of the frontier.
@@ -63,12 +63,12 @@ struct ParetoChart {
     QString family;
     QString axis;
     std::vector<ParetoPoint> points; ///< of the rows that have both
-    /// Of the rows that have an error and no time, or none yet; they have no cost.
+    /// Rows that have an error and no time, or none yet; they have no cost.
     std::vector<ParetoPoint> untimed;
 
-    /// Indices of points that no other of the kernel dominates, from the cheapest to the dearest.
+    /// Indices of points that no other of the kernel dominates, cheapest first.
     std::vector<std::size_t> frontier(LabKernel kernel) const;
-    /// Right from each point of that frontier, then down to the next.
+    /// Goes right from each point of that frontier, then down to the next.
     std::vector<StaircaseCorner> staircase(LabKernel kernel) const;
 };
 

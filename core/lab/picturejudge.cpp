@@ -12,7 +12,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Both painted, in other bytes.
+/// Adds a pixel that both painted, in different bytes.
 void addWrongBytes(AccuracyFigures &figures, QRgb drawn, QRgb wanted)
 {
     ++figures.wrongBytes;

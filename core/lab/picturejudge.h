@@ -19,14 +19,14 @@ struct TruePicture {
     std::int64_t pixels = 0; ///< covered
 };
 
-/// The first triangle of which a contender was wrong, and its lowest wrong pixel.
+/// The first triangle that a contender got wrong, and its lowest wrong pixel.
 struct FirstMiss {
     Triangle triangle;
     std::int64_t x = 0;
     std::int64_t y = 0;
 };
 
-/// Holds pictures of single triangles against the truth and adds up what is wrong.
+/// Compares pictures of single triangles with the truth and adds up the errors.
 class PictureJudge {
 public:
     /// Compares what was drawn, on a frame that was transparent, with the truth, in the samples of
@@ -46,7 +46,7 @@ private:
     std::optional<FirstMiss> m_firstMiss;
 };
 
-/// What is wrong of a finished picture of many triangles. Ties and distances are not told apart:
+/// The errors of a finished picture of many triangles. Ties and distances are not distinguished:
 /// every miss is missing or extra.
 AccuracyFigures figuresOfPicture(const FrameView &truth, const FrameView &drawn);
 

@@ -9,7 +9,7 @@
 
 namespace pixelplumb {
 
-/// The samples around a triangle, so many px beyond its bounding box, that a frame shows.
+/// The samples of a frame around a triangle, up to `margin` px beyond its bounding box.
 inline SampleBox windowAround(const Triangle &triangle, std::int64_t margin, const FrameView &frame)
 {
     const SampleBox box = boundingBoxOf(triangle);
@@ -21,7 +21,7 @@ inline SampleBox windowAround(const Triangle &triangle, std::int64_t margin, con
 /// A transparent piece of a frame with memory of its own, for pictures of single triangles.
 class PixelWindow {
 public:
-    /// `frame` says which way y points and where the point off the screen is.
+    /// `frame` says which way y points and where the off-screen point is.
     PixelWindow(const SampleBox &box, const FrameView &frame)
         : m_view(frame)
     {

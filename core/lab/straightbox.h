@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-/// What the straight loops that test samples have in common.
+/// The common parts of the straight loops that test samples.
 namespace pixelplumb {
 
 /// The samples in a triangle's bounding box.
@@ -24,7 +24,7 @@ inline StraightBox straightBoxOf(const Triangle &triangle)
 /// Edge equations are printed row by row, barycentric coordinates column by column.
 enum class StraightLines { OfEdges, OfWeights };
 
-/// Which vertex a line faces: the order in which the lines are asked and summed up.
+/// Which vertex a line faces: the order in which the lines are tested and summed up.
 constexpr std::size_t facedVertex(StraightLines lines, std::size_t line)
 {
     return lines == StraightLines::OfWeights ? line : (line + 2) % 3;

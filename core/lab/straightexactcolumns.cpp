@@ -51,7 +51,7 @@ struct MixedEdge {
     }
 };
 
-/// Quotients and remainders in 64 bits: edges by increments, colours by the plane's.
+/// Quotients and remainders in 64 bits: edges by increments, colours by the plane's increments.
 template <StraightRule rule>
 void drawExact(const Triangle &triangle, RawFrame frame)
 {
@@ -107,7 +107,7 @@ void drawExact(const Triangle &triangle, RawFrame frame)
     walk(MixedEdge(p1, p2, middle), middle, endColumn);
 }
 
-/// float64, multiplied instead of added up, with half a quantum of bias.
+/// float64, multiplying instead of adding up, with half a quantum of bias.
 template <StraightRule rule>
 void drawBias(const Triangle &triangle, RawFrame frame)
 {

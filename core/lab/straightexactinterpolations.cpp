@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-/// The plane equation and the barycentric form in 64-bit fractions, of R G B alone. The bilinear
-/// form has no such loop: its quotients along two edges take 128 bits, and what would spare them is
-/// the plane.
+/// The plane equation and the barycentric form in 64-bit fractions, for R G B only. The bilinear
+/// form has no such loop: its quotients along two edges take 128 bits, and only the plane would
+/// avoid them.
 namespace pixelplumb {
 
 namespace {

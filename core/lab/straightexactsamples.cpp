@@ -12,7 +12,7 @@ struct ExactLines {
     std::int64_t a[3], b[3], c[3];
     std::int64_t level[3][3];
     std::int64_t area;
-    std::int64_t least[3]; ///< of the values inside
+    std::int64_t least[3]; ///< of the values that count as inside
 
     ExactLines(const Triangle &triangle, StraightLines lines, StraightRule rule)
     {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-/// The three forms of interpolation, of R G B alone: coverage by quotients and remainders, channels
+/// The three forms of interpolation, for R G B only: coverage by quotients and remainders, channels
 /// in floating point.
 namespace pixelplumb {
 

@@ -59,7 +59,7 @@ StraightDraw StraightLoop::drawUnder(FillRule rule, FrameOrigin origin) const
 {
     if (rule == FillRule::Closed)
         return drawClosed;
-    // Turned, the one displacement is the other.
+    // Turned, one displacement becomes the other.
     const bool isHalfOpen = axis == SpanAxis::Column
         ? rule == FillRule::HalfOpenColumn
         : rule == FillRule::TopLeft && origin == FrameOrigin::BottomLeft;

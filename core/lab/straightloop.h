@@ -15,12 +15,12 @@
 #include <string_view>
 #include <vector>
 
-/// What a plain kernel is measured by: the same arithmetic, rounded to nearest, as one function
-/// that writes through a raw pointer, without clipping, choices, traces or observers. Its pictures
-/// are the plain kernel's, bit for bit, of triangles that it may draw.
+/// What a plain kernel is measured against: the same arithmetic, rounded to nearest, as one
+/// function that writes through a raw pointer, without clipping, choices, traces or observers. For
+/// triangles that it may draw, its pictures are the plain kernel's, bit for bit.
 namespace pixelplumb {
 
-/// A frame as an address and two steps: of a column walk u is x and v is y, of a row walk u is −y
+/// A frame as an address and two steps: in a column walk u is x and v is y, in a row walk u is −y
 /// and v is x.
 struct RawFrame {
     QRgb *pixel = nullptr; ///< (firstU, firstV)
@@ -33,26 +33,26 @@ struct RawFrame {
     }
 };
 
-/// Whose a sample on the boundary is.
+/// Who owns a sample on the boundary.
 enum class StraightRule {
     Closed, ///< the triangle's
-    HalfOpen, ///< as displaced by (+ε², +ε) in (u, v): ⌈v_B⌉ … ⌈v_T⌉−1, ⌈u₀⌉ … ⌈u₂⌉−1
+    HalfOpen, ///< displaced by (+ε², +ε) in (u, v): ⌈v_B⌉ … ⌈v_T⌉−1, ⌈u₀⌉ … ⌈u₂⌉−1
 };
 
 using StraightDraw = void (*)(const Triangle &triangle, RawFrame frame);
 
 /// A row of the table of straight loops.
 struct StraightLoop {
-    const char *method; ///< the plain kernel that draws the same picture
+    const char *method; ///< whose plain kernel draws the same picture
     Arithmetic arithmetic;
-    SpanAxis axis; ///< rows: gets the triangle and the frame turned by a quarter
+    SpanAxis axis; ///< rows: the triangle and the frame are turned by a quarter
     StraightDraw drawClosed, drawHalfOpen;
 
-    /// What draws the kernel's picture under a rule; null where none does.
+    /// The function that draws the kernel's picture under a rule; null if none does.
     StraightDraw drawUnder(FillRule rule, FrameOrigin origin) const;
 };
 
-/// One after the other, they are the whole table.
+/// Together, in this order, they are the whole table.
 std::span<const StraightLoop> straightColumns();
 std::span<const StraightLoop> straightExactColumns();
 std::span<const StraightLoop> straightSamples();
@@ -62,17 +62,17 @@ std::span<const StraightLoop> straightExactInterpolations();
 
 /// All of them.
 std::vector<StraightLoop> straightLoops();
-/// Null where the kernel has none.
+/// Null if the kernel has none.
 const StraightLoop *straightLoopOf(std::string_view method, Arithmetic arithmetic);
 
-/// Whether nothing has to be clipped and no 64 bits overflow: the triangle has an area, its box is
+/// Whether nothing has to be clipped and no 64 bits overflow: the triangle has area, its box is
 /// within 2^40 square lattice units, and it lies 2 px inside the frame and within 2^15 px. In 16.16
-/// also on whole pixels, because slopes of steep sub-pixel edges wrap there.
+/// it must also lie on whole pixels, because slopes of steep sub-pixel edges wrap there.
 bool mayDrawStraight(const StraightLoop &loop, const Triangle &triangle, const FrameView &frame);
 
-/// The triangle as the loop wants it: turned by a quarter for a row walk.
+/// The triangle as the loop needs it: turned by a quarter for a row walk.
 Triangle triangleFor(const StraightLoop &loop, const Triangle &triangle);
-/// The frame as the loop wants it.
+/// The frame as the loop needs it.
 RawFrame rawFrameFor(const StraightLoop &loop, const FrameView &frame);
 
 /// One past the last column of a triangle that ends at a coordinate.
@@ -81,7 +81,7 @@ constexpr std::int64_t straightEnd(StraightRule rule, Lattice coordinate)
     return rule == StraightRule::Closed ? floorPixel(coordinate) + 1 : ceilPixel(coordinate);
 }
 
-// Whole numbers of a float, for values that fit.
+// Floor and ceiling of a float, for values that fit.
 
 template <std::floating_point Float>
 std::int64_t straightFloor(Float v)

@@ -16,7 +16,7 @@ Float pixels(Lattice units)
     return Float(units) / Float(unitsPerPixel);
 }
 
-/// a·x + b·y + c through the two vertices that do not face it.
+/// a·x + b·y + c through the two vertices that the line does not face.
 template <class Float>
 struct Line {
     Float a, b, c;
@@ -40,12 +40,12 @@ struct Line {
     }
 
     Float at(Float x, Float y) const { return a * x + b * y + c; }
-    /// To be asked before the first sample.
+    /// Call before the first sample.
     void decideTie(StraightRule rule)
     {
         ownsTie = atFacing > Float(0) ? straightOwnsTie(rule, a, b) : straightOwnsTie(rule, -a, -b);
     }
-    /// Of its value at a sample, or of that over its value at the vertex.
+    /// Tests the line's value at a sample, or that value over the one at the vertex.
     template <StraightRule rule>
     bool accepts(Float value) const
     {
@@ -172,7 +172,7 @@ void drawIncremental(const Triangle &triangle, RawFrame frame)
     }
 }
 
-/// Each line from its first end, where the differences are exact.
+/// Each line relative to its first end, where differences are exact.
 template <class Float, StraightRule rule>
 void drawRelative(const Triangle &triangle, RawFrame frame)
 {

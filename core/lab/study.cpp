@@ -12,7 +12,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// A path as one word of a shell's line, and never an option.
+/// A path as one word of a shell command, and never an option.
 QString quoted(const QString &path)
 {
     static const QRegularExpression plain(QStringLiteral("^[A-Za-z0-9_@%+:,./-]+\\z"));
@@ -24,7 +24,7 @@ QString quoted(const QString &path)
     return u'\'' + text.replace(u'\'', QStringLiteral("'\\''")) + u'\'';
 }
 
-/// Empty where the scene has no name to call it by.
+/// Empty if the scene has no name to call it by.
 QString commandFor(const StudySettings &settings)
 {
     if (settings.ownScene && settings.ownSceneName.isEmpty())
@@ -99,7 +99,8 @@ private:
             m_listener.rowChanged(m_study, row);
     }
 
-    /// Judges family by family, and times each once as soon as it is judged: so results appear.
+    /// Judges family by family, and times each once as soon as it is judged, so that results appear
+    /// early.
     bool judgeAndStart()
     {
         m_expected.assign(m_study.rows.size(), 0);
@@ -133,7 +134,7 @@ private:
         tellRow(index);
     }
 
-    /// Enters those who were judged, and runs their first round.
+    /// Enters the contenders that were judged, and runs their first round.
     bool startRace(std::size_t family)
     {
         const std::size_t firstEntry = m_race.entries();
@@ -161,7 +162,7 @@ private:
         return goesOnNow;
     }
 
-    /// ns of a timed draw; 0 of who was judged in another way than it is timed.
+    /// ns of a timed draw; 0 for a contender that is timed in another way than it was judged.
     double expectedOf(std::size_t row) const
     {
         return m_contenders[row % m_contenders.size()].loaded ? 0 : m_expected[row];

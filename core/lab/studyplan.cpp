@@ -5,7 +5,7 @@ namespace pixelplumb {
 
 namespace {
 
-// s of one contender
+// s per contender
 constexpr double quickJudging = 0.065; ///< of a family
 constexpr double fullJudging = 0.2; ///< of a family
 constexpr double oneRound = 0.0085; ///< of a family

@@ -6,7 +6,7 @@
 
 namespace pixelplumb {
 
-/// What the settings of a study come to.
+/// What the settings of a study amount to.
 struct StudyPlan {
     AccuracyOptions accuracy;
     RaceOptions race;
@@ -14,11 +14,11 @@ struct StudyPlan {
     bool hasEffects = true; ///< whether effects are measured: in studies of everything
 };
 
-/// s that parts of a study take about on two idle cores: rates that were measured once, times how
-/// much is asked.
+/// About how many s parts of a study take on two idle cores: rates that were measured once, times
+/// the amount of work.
 struct StudyTimes {
-    double judging = 0; ///< a family
-    double round = 0; ///< a family
+    double judging = 0; ///< per family
+    double round = 0; ///< per family
     double effects = 0;
 
     double ofAll(std::size_t families, int rounds) const
@@ -29,9 +29,9 @@ struct StudyTimes {
 StudyTimes studyTimesFor(const StudySettings &settings, const StudyPlan &plan);
 
 StudyPlan studyPlanFor(const StudySettings &settings);
-/// With the peers.
+/// Includes the peers.
 std::vector<LabContender> contendersFor(const StudySettings &settings);
-/// Those that are asked for and that there is something for.
+/// The requested families that have something to draw.
 std::vector<LabFamily> familiesFor(const StudySettings &settings);
 
 } // namespace pixelplumb

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double fairTimesStraight = 1.3;
 constexpr int enoughRounds = 5;
-constexpr double wideSpread = 0.2; ///< of the middle half, beside the median
+constexpr double wideSpread = 0.2; ///< of the middle half, relative to the median
 
 template <class Items, class Is>
 auto firstOf(const Items &items, const Is &is)

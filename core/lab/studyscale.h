@@ -7,17 +7,17 @@
 
 namespace pixelplumb {
 
-/// The progress of all parts of a study as one, each for as long as it takes about.
+/// The progress of all parts of a study as one, each weighted by about how long it takes.
 class StudyScale {
 public:
-    /// `whole`: s of all parts. The listener outlives the scale.
+    /// `whole`: s of all parts. The listener must outlive the scale.
     StudyScale(const ProgressListener &listener, double whole)
         : m_listener(listener)
         , m_whole(whole)
     {
     }
 
-    /// For the next part, which tells its own progress to it and takes so many s.
+    /// The listener for the next part, which reports its own progress and takes about `seconds` s.
     ProgressListener next(double seconds)
     {
         const double before = m_before;

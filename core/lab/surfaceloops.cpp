@@ -95,7 +95,7 @@ void drawFilteredTextureAndDepth(const Primitives &primitives, FrameView frame)
         });
 }
 
-/// One lamp far away, and a viewer far away: the halfway vector is the same everywhere.
+/// One lamp and the viewer are far away: the halfway vector is the same everywhere.
 void drawLight(const Primitives &primitives, FrameView frame)
 {
     const Appearance &appearance = primitives.appearance;

@@ -15,7 +15,7 @@ namespace pixelplumb {
 namespace {
 
 constexpr std::int64_t fewestTimed = 3; ///< triangles, where a family has them
-/// Samples of a picture that is one of many: a larger one would be most of the time.
+/// Samples of a picture that is one of many: a larger one would take most of the time.
 constexpr std::int64_t largestOfMany = 256 * 256;
 constexpr std::int64_t cacheLineBytes = 64;
 
@@ -29,7 +29,7 @@ std::int64_t pixelsIn(const SampleBox &box)
     return box.isEmpty() ? 0 : (box.endX - box.firstX) * (box.endY - box.firstY);
 }
 
-/// px of the triangle's area, no more than its box within the frame.
+/// The triangle's area in px, at most its box within the frame.
 std::int64_t aboutPixels(const Triangle &triangle, const SampleBox &box)
 {
     const auto area
@@ -37,7 +37,7 @@ std::int64_t aboutPixels(const Triangle &triangle, const SampleBox &box)
     return std::min(area, pixelsIn(box));
 }
 
-/// Of the cache lines that a picture writes to.
+/// The bytes of the cache lines that a picture writes to.
 std::int64_t bytesOfLines(const FrameView &frame)
 {
     constexpr auto perLine = cacheLineBytes / std::int64_t(sizeof(QRgb));
@@ -96,7 +96,7 @@ QString digestOf(const LabFamily &family)
     return QString::fromLatin1(hash.result().toHex().left(16));
 }
 
-/// Takes triangles until they are enough.
+/// Takes triangles up to the limits.
 class TimedTriangles {
 public:
     TimedTriangles(StudyFamily &described, const TimedLimits &limits)

@@ -5,7 +5,7 @@
 
 namespace pixelplumb {
 
-/// How much of a family is drawn in each timed draw, about.
+/// About how much of a family each timed draw draws.
 struct TimedLimits {
     std::int64_t pixels = 400'000;
     std::int64_t boxPixels = 2'500'000; ///< in the boxes of the triangles
@@ -22,7 +22,7 @@ struct TimedPicture {
     }
 };
 
-/// What everyone draws of a family. The family outlives it.
+/// The part of a family that every contender draws. The family must outlive it.
 struct TimedFamily {
     const LabFamily *family = nullptr;
     std::vector<TimedPicture> pictures; ///< each with triangles
@@ -31,8 +31,8 @@ struct TimedFamily {
     bool isTimed() const { return described.timedPixels > 0; }
 };
 
-/// The first triangles, until they are enough, and at least a few of them. Large pictures of a
-/// family that has many are left out.
+/// The first triangles until the limits are reached, but at least a few. Large pictures of a family
+/// that has many are left out.
 TimedFamily timedPartOf(const LabFamily &family, const TimedLimits &limits);
 
 } // namespace pixelplumb

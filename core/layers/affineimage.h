@@ -10,8 +10,8 @@ namespace pixelplumb {
 
 using Corners = std::array<LatticePoint, 3>;
 
-/// Where an affine map takes the corners of a triangle of a run, in the order in which the person
-/// gave them and in the scene's coordinates: three corners and their images make a map.
+/// Where an affine map takes the corners of a triangle of a run, in the user's order and in the
+/// scene's coordinates: three corners and their images define a map.
 struct AffineImage {
     std::size_t triangle = 0;
     Corners corners;

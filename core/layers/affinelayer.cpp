@@ -10,7 +10,7 @@ namespace pixelplumb {
 
 namespace {
 
-// Along one axis, about as many as stand this far apart in the image, logical pixels.
+// About as many lines along one axis as fit at this spacing in the image, logical pixels.
 constexpr double gridSpacing = 24;
 constexpr double leastGridLines = 4;
 constexpr double mostGridLines = 64;
@@ -28,10 +28,10 @@ bool isVisited(const QPoint &pixel, const LayerMoment &moment)
     return visit && moment.hasDone(trace.indexOfSample(*visit));
 }
 
-/// The picked pixel, else the last sample of the primitive that is done; before its first one, and
-/// of a finished run, the pixel nearest to the triangle's middle. None where it is hidden that the
-/// pixel comes.
-std::optional<LatticePoint> sampleInHand(const LayerMoment &moment)
+/// The picked pixel, else the last finished sample of the primitive; before its first one, and in a
+/// finished run, the pixel nearest to the triangle's middle. None if the pixel's turn is still
+/// hidden.
+std::optional<LatticePoint> currentSample(const LayerMoment &moment)
 {
     const std::optional<QPoint> &picked = moment.view.picked;
     if (picked && moment.hidesSteps() && !isVisited(*picked, moment))
@@ -76,7 +76,7 @@ public:
         const double extent = std::sqrt(std::abs(a.x() * b.y() - a.y() * b.x()));
         m_gridLines
             = std::clamp(extent * moment.view.cell / gridSpacing, leastGridLines, mostGridLines);
-        if (const std::optional<LatticePoint> sample = sampleInHand(moment))
+        if (const std::optional<LatticePoint> sample = currentSample(moment))
             m_point = rationalPoint({sample->x + offset, sample->y + offset});
     }
 
@@ -128,7 +128,7 @@ public:
     }
 
 private:
-    /// Those where one coordinate is the same: all, or every second, fourth …
+    /// Appends the lines on which one coordinate is constant: all, or every second, fourth …
     void appendGridLines(double (QPointF::*coordinate)() const)
     {
         std::array<double, 3> values;
@@ -166,7 +166,7 @@ private:
             QStringLiteral("%1 %2. %3").arg(name, pointText(point), areasText(areas)));
     }
 
-    /// Between two of the areas that are compared.
+    /// Appends the border between two of the compared areas.
     void appendSpoke(const QPointF &corner, const RationalPoint &point)
     {
         m_drawing.lines.push_back({placeInFrame(point, m_moment.frame()), corner, LayerInk::Hand,
@@ -176,7 +176,7 @@ private:
     const LayerMoment &m_moment;
     LayerDrawing &m_drawing;
     Corners m_onSamples; ///< a, b, c in sample coordinates
-    Corners m_corners; ///< the same in the scene's
+    Corners m_corners; ///< the same in scene coordinates
     Corners m_images;
     std::array<QPointF, 3> m_imagePlaces; ///< in sample coordinates, px
     double m_gridLines = leastGridLines; ///< at most, along one axis
@@ -205,7 +205,7 @@ Layer affineMapLayer()
             .toolTip = QStringLiteral(
                 "The triangle's image under an affine map, with the images of the lines between "
                 "cells, of every second, fourth … where they are many, and the weights of the "
-                "sample in hand before and after, each from its own triangle's areas: α, β, γ of "
+                "current sample before and after, each from its own triangle's areas: α, β, γ of "
                 "a, b, c, the vertices 0, 1, 2 of the scene. The image's corners can be dragged; "
                 "a double click on one brings the first map back."),
             .source = QStringLiteral("Rasterization slides, “Barycentric Coordinates – "

@@ -13,7 +13,7 @@ namespace pixelplumb {
 
 namespace {
 
-// Of the default images' box in the frame's, along the side of which it takes more.
+// The default images' box as a share of the frame's, along the side where the share is larger.
 constexpr double leastShare = 0.3;
 constexpr double largestShare = 0.55;
 constexpr double margin = 1.5; ///< px from the frame's border
@@ -33,13 +33,13 @@ QRectF boxOf(const Places &places)
     return {QPointF(left.x(), low.y()), QPointF(right.x(), high.y())};
 }
 
-/// Turned by 45° and sheared, around the origin.
+/// Rotated by 45° and sheared, around the origin.
 QPointF turned(const QPointF &place)
 {
     return {0.5 * place.x() - 0.75 * place.y(), 0.5 * place.x() + 0.25 * place.y()};
 }
 
-/// Where a box of a size may stand in the frame so that it is farthest from a place.
+/// Where a box of this size can be in the frame so that it is farthest from a place.
 QPointF farthestCentre(const QRectF &frame, const QSizeF &size, const QPointF &place)
 {
     const double x = std::max(0.0, frame.width() - size.width()) / 2;
@@ -71,7 +71,7 @@ Int128 doubledArea(const Corners &corners)
     return doubledArea(corners[0], corners[1], corners[2]);
 }
 
-/// Sheared in whole numbers, which keeps the smallest area.
+/// Sheared by whole numbers, which preserves the smallest area.
 Corners sheared(const Corners &corners)
 {
     Corners images;
@@ -103,7 +103,7 @@ AffineMap affineMapOf(const Corners &corners, const Corners &images)
     const RationalPoint image = rationalPoint(images[0]);
     const RationalPoint imageA = rationalPoint(images[1]);
     const RationalPoint imageB = rationalPoint(images[2]);
-    // The two edges from the first corner go to those of the image; Cramer's rule.
+    // Maps the two edges from the first corner to those of the image; Cramer's rule.
     const BigRational whole = crossProduct(origin, a, b);
     const auto rates = [&](const BigRational &first, const BigRational &second) {
         return RationalPoint{(first * (b.y - origin.y) - second * (a.y - origin.y)) / whole,

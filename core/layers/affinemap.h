@@ -6,7 +6,7 @@
 
 #include <array>
 
-/// Affine maps of the plane, in exact numbers: what they do to a triangle, and what they leave.
+/// Affine maps of the plane, in exact numbers: what they do to a triangle, and what they preserve.
 /// Coordinates are the scene's.
 namespace pixelplumb {
 
@@ -22,16 +22,16 @@ struct AffineMap {
     BigRational xx, xy, yx, yy;
     RationalPoint shift;
 
-    /// By which it multiplies areas: below 0 it mirrors, 0 where it flattens the plane.
+    /// The factor by which it scales areas: below 0 it mirrors, at 0 it flattens the plane.
     BigRational determinant() const { return xx * yy - xy * yx; }
     RationalPoint of(const RationalPoint &point) const;
 };
 
-/// The one that takes three corners, which are not on one line, to their images.
+/// The map that takes three corners, not on one line, to their images.
 AffineMap affineMapOf(const Corners &corners, const Corners &images);
 
-/// Doubled areas with their signs, square px: of a triangle, and of those that a point makes with
-/// the edges opposite to its corners. Each is computed by itself.
+/// Signed doubled areas, square px: of a triangle, and of those that a point makes with the edges
+/// opposite its corners. Each is computed by itself.
 struct PointAreas {
     std::array<BigRational, 3> parts;
     BigRational whole;
@@ -41,12 +41,12 @@ struct PointAreas {
 };
 PointAreas pointAreas(const Corners &corners, const RationalPoint &point);
 
-/// Images of the corners that are worth a look: turned, sheared and moved to where the frame has
-/// room, on whole pixels where these leave them an area.
+/// Default images of the corners: turned, sheared and moved to where the frame has room, on whole
+/// pixels if these leave them an area.
 Corners defaultImages(const Corners &corners, const FrameSpec &frame);
 
-/// Of a triangle of the run that is looked at, in the order in which the person gave its corners:
-/// those that the view asks for, else the default ones.
+/// For the viewed triangle of the run, in the user's order of its corners: the images that the view
+/// asks for, else the default ones.
 Corners imagesOf(const LayerView &view, std::size_t triangle);
 
 } // namespace pixelplumb

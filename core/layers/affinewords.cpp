@@ -8,8 +8,8 @@ namespace pixelplumb {
 
 namespace {
 
-/// How the numbers of a sentence are shown: where one of their fractions is longer, in characters,
-/// all are rounded to so many places.
+/// How the numbers of a sentence are shown: if one of their fractions is longer than this, in
+/// characters, all are rounded to this many places.
 struct NumberStyle {
     qsizetype longestFraction;
     int places;
@@ -22,7 +22,7 @@ Quantity quantityOf(const BigRational &number)
     return quotientOf(numerator(number), denominator(number));
 }
 
-/// "−3/7"; empty where it is longer than the style has it.
+/// "−3/7"; empty if it is longer than the style allows.
 QString fractionOf(const BigRational &number, const NumberStyle &style)
 {
     const Quantity quantity = quantityOf(number);
@@ -50,7 +50,7 @@ public:
     }
 
     const QString &operator[](qsizetype i) const { return m_texts[i]; }
-    /// "≈ " before what is rounded.
+    /// "≈ " before a rounded number.
     QString mark() const { return m_isRounded ? QStringLiteral("≈ ") : QString(); }
     /// Between a name and its number.
     QString equals() const { return m_isRounded ? QStringLiteral("≈") : QStringLiteral("="); }

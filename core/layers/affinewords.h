@@ -6,17 +6,17 @@
 #include <QString>
 #include <QStringList>
 
-/// What the layer of the affine map says of its numbers: exact fractions, or where one of a
-/// sentence is long, all of that sentence rounded and marked by ≈.
+/// What the layer of the affine map says of its numbers: exact fractions or, if one in a sentence
+/// is long, the whole sentence rounded and marked by ≈.
 namespace pixelplumb {
 
 /// "(27/2, 9)", px.
 QString pointText(const RationalPoint &point);
-/// The two rows of a map, which are one sentence.
+/// The two rows of a map, which form one sentence.
 QStringList rowsText(const AffineMap &map);
 QString weightsText(const PointAreas &areas);
 QString areasText(const PointAreas &areas);
-/// By what the map multiplies areas, and whether it mirrors.
+/// The factor by which the map scales areas, and whether it mirrors.
 QString areasChangeText(const AffineMap &map);
 
 } // namespace pixelplumb

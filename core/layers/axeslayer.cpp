@@ -41,12 +41,12 @@ public:
     {
     }
 
-    /// The lines on which one coordinate is the same, and the axis of the other.
+    /// The lines on which one coordinate is constant, and the axis of the other.
     void appendLines()
     {
         using Stroke = LayerDrawing::Stroke;
         for (double value = firstAxisValue; value <= lastAxisValue; ++value) {
-            // Where one of them is 0, the other's axis runs.
+            // Where one coordinate is 0, the other's axis runs.
             const bool isAxis = value == 0;
             const Stroke stroke = isAxis ? Stroke::Arrow : Stroke::Dashed;
             const QLineF sameBeta(m_corners.at(value, firstAxisValue),
@@ -74,7 +74,7 @@ public:
     }
 
 private:
-    /// Of a line, where it is in view: off the crossings, where two names would stand.
+    /// Names a line where it is in view, away from crossings, where two names would collide.
     void appendName(QString text, const QLineF &line, LayerInk ink)
     {
         constexpr double beforeFirstCrossing = 0.25;

@@ -21,7 +21,7 @@ ContourBox rawBoxOf(const LayerMoment &moment)
     return boxAround(edges);
 }
 
-/// The first and the last number of the tested samples of each span, by the ids of edge tests.
+/// The ids by which edge tests number the first and last tested sample of a span.
 struct TestedIds {
     SpanAxis axis;
     const char *first;
@@ -30,16 +30,16 @@ struct TestedIds {
 constexpr std::array testedIds
     = {TestedIds{SpanAxis::Row, "x_min", "x_max"}, TestedIds{SpanAxis::Column, "y_min", "y_max"}};
 
-/// What the method tests, which walks the same samples in each span from the first to the last;
-/// none of a method that tests no box.
+/// The box of samples that the method tests, the same in each span from the first to the last; none
+/// for a method that tests no box.
 std::optional<SampleBox> testedBoxOf(const LayerMoment &moment)
 {
     const ScanTrace &trace = moment.trace();
     const std::size_t firstSpan = trace.firstSpanOf(moment.primitive);
     std::size_t endSpan = trace.endSpanOf(moment.primitive);
     if (moment.hidesSteps()) {
-        const std::optional<std::size_t> inHand = moment.spanInHand();
-        endSpan = inHand ? *inHand + 1 : firstSpan;
+        const std::optional<std::size_t> current = moment.currentSpan();
+        endSpan = current ? *current + 1 : firstSpan;
     }
     if (firstSpan == endSpan)
         return std::nullopt;
@@ -87,7 +87,7 @@ public:
         m_drawing.lines.push_back({above, first, look.ink, look.stroke});
     }
 
-    /// Beside the place of the frame that is nearest to a corner, which may lie far outside.
+    /// Places a label at the point of the frame nearest to a corner, which may lie far outside.
     void appendLabel(QString text, const QPointF &corner, LayerInk ink)
     {
         const QPointF place(std::clamp(corner.x(), m_left, m_right),
@@ -95,7 +95,7 @@ public:
         m_drawing.labels.push_back({withMinus(text), place, ink});
     }
 
-    /// Around the cells of its samples, with their first and last pixel at a corner.
+    /// A box around the cells of its samples, with their first and last pixel named at a corner.
     void appendSamples(const SampleBox &box, const QString &name, const BoxLook &look)
     {
         const QPointF last = {double(box.endX) - 0.5, double(box.endY) - 0.5};

@@ -12,11 +12,11 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr double asideBy = 3; ///< px, of the even line from the one that it stands beside
+constexpr double asideBy = 3; ///< px, from the line to the even line next to it
 
 using Pixels = std::set<std::pair<std::int64_t, std::int64_t>>;
 
-/// Those that the line has so far, each once.
+/// The line's pixels so far, each once.
 Pixels pixelsOf(const LayerMoment &moment)
 {
     Pixels pixels;
@@ -32,8 +32,8 @@ Pixels pixelsOf(const LayerMoment &moment)
     return pixels;
 }
 
-/// How much of the line lies between the columns of the first pixel and the last, or between their
-/// rows where it is steep, px.
+/// How much of the line lies between the columns of the first and last pixel (rows if it is steep),
+/// px.
 double lengthBetween(const Pixels &pixels, const QLineF &line)
 {
     const bool isSteep = std::abs(line.dy()) > std::abs(line.dx());
@@ -85,7 +85,7 @@ void drawBrightness(const LayerMoment &moment, LayerDrawing &drawing)
     const Pixels pixels = pixelsOf(moment);
     const ScanTrace &trace = moment.trace();
     const std::size_t end = trace.endSpanOf(moment.primitive);
-    const bool isDone = end > trace.firstSpanOf(moment.primitive) && moment.spanInHand() == end - 1
+    const bool isDone = end > trace.firstSpanOf(moment.primitive) && moment.currentSpan() == end - 1
         && moment.view.position >= trace.indexOfSpan(end - 1) + 2;
     if (!isDone || pixels.size() < 2) {
         const QString count = pixels.size() == 1 ? QStringLiteral("1 pixel")
@@ -97,7 +97,7 @@ void drawBrightness(const LayerMoment &moment, LayerDrawing &drawing)
                                   {line.p1(), line.p2()}});
         return;
     }
-    // From the first pixel to the last there is a pixel fewer than the line has.
+    // From the first pixel to the last there is one step fewer than pixels.
     const double between = lengthBetween(pixels, line);
     const double each = double(pixels.size() - 1) / between;
     drawing.labels.push_back(

@@ -28,7 +28,7 @@ QString preciseNumber(const Quantity &number)
     const double size = std::abs(number.toDouble());
     if (number.isNone() || number.isInteger() || size >= 1)
         return cellNumber(number);
-    // With the places that bring three digits behind the zeros.
+    // With enough places to show three digits after the zeros.
     const int places = 2 - int(std::floor(std::log10(size)));
     return withMinus(places <= mostPlaces ? toDecimal(number, places)
                                           : QString::number(number.toDouble(), 'g', 3));

@@ -11,7 +11,7 @@ QString named(const QString &name, const Quantity &number)
     return QStringLiteral("%1 = %2").arg(name, cellNumber(number));
 }
 
-/// Of two pixels that stand across the line: the one with the lesser coordinate, or the other.
+/// Of two pixels that lie across the line: the one with the lesser coordinate, or the other.
 enum class Neighbour { Lesser, Greater };
 
 /// Where it is on the screen.
@@ -26,7 +26,7 @@ QString sideOf(Neighbour which, SpanAxis axis, FrameOrigin origin)
 
 /// Rasterization slides, "Bresenham's Line Algorithm (1/4)": the line between the pixel that stays
 /// and the one across, d_lower and d_upper away. The slide's line rises by less than 45°; in the
-/// other octants d_lower is the distance to the pixel that stays all the same, and that is said.
+/// other octants d_lower is still the distance to the pixel that stays, and the layer says so.
 void drawLineDecision(const NamedNumbers &setUp, SpanAxis axis, const NamedNumbers &step,
                       FrameOrigin origin, LayerDrawing &drawing)
 {
@@ -36,7 +36,7 @@ void drawLineDecision(const NamedNumbers &setUp, SpanAxis axis, const NamedNumbe
         return; // no decision led to the first pixel
     const bool isSteep = axis == SpanAxis::Row;
     const double along = step[isSteep ? QStringLiteral("y") : QStringLiteral("x")].toDouble();
-    // d_lower and d_upper are 1 together, towards the pixel across.
+    // d_lower and d_upper add up to 1, towards the pixel across.
     const bool falls
         = setUp[QStringLiteral("y_1")].toDouble() < setUp[QStringLiteral("y_0")].toDouble();
     const auto at = [&](double distance) {
@@ -45,7 +45,7 @@ void drawLineDecision(const NamedNumbers &setUp, SpanAxis axis, const NamedNumbe
     const QPointF onLine = at(line.toDouble());
     const QPointF stayer = at(stays.toDouble());
     const QPointF across = at(stays.toDouble() + (falls ? -1 : 1));
-    // Below 0, where the line is not between the two, a distance is measured the other way.
+    // Below 0, if the line is not between the two, a distance is measured the other way.
     const auto wayOf = [&](const QPointF &from, const QPointF &to) {
         return from == to ? across - stayer : to - from;
     };
@@ -68,7 +68,7 @@ void drawLineDecision(const NamedNumbers &setUp, SpanAxis axis, const NamedNumbe
                 .arg(side, sideOf(falls ? Neighbour::Lesser : Neighbour::Greater, axis, origin)));
 }
 
-/// The midpoint of which F decided between two rows at a step: below the row of the step before.
+/// The midpoint at which F decided between two rows in a step: below the previous step's row.
 void drawCircleDecision(const NamedNumbers &setUp, const NamedNumbers &before,
                         const NamedNumbers &step, LayerDrawing &drawing)
 {
@@ -94,7 +94,7 @@ void drawCircleDecision(const NamedNumbers &setUp, const NamedNumbers &before,
 
 void drawDecision(const LayerMoment &moment, LayerDrawing &drawing)
 {
-    const std::optional<std::size_t> span = moment.spanInHand();
+    const std::optional<std::size_t> span = moment.currentSpan();
     if (!span)
         return;
     const SpanRecord record = moment.trace().span(*span);
@@ -122,7 +122,7 @@ Layer decisionsLayer()
         .title = QStringLiteral("Decision of the step"),
         .toolTip = QStringLiteral(
             "Of a line or an edge by Bresenham, d_lower to the pixel that stays and d_upper to "
-            "the one across, at the step in hand, measured beside it; of a circle, the "
+            "the one across, at the current step, measured beside it; of a circle, the "
             "two pixels that the step chose from, the midpoint between them and its F, by whose "
             "sign it chose."),
         .source = QStringLiteral("Rasterization slides, “Bresenham's Line Algorithm (1/4)”; "

@@ -7,7 +7,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The ids of a family's edges, with the vertex at which each begins.
+/// The ids of a family's edges, and the vertex at which each begins.
 struct EdgeIds {
     std::array<const char *, 3> ends; ///< of "a_0"
     std::array<std::size_t, 3> from;
@@ -40,7 +40,7 @@ std::optional<EdgeLines> kernelLines(const LayerMoment &moment, const EdgeIds &i
     return edges;
 }
 
-/// The oracle judges samples; what its edge functions gain from one sample to the next is A and B.
+/// The oracle judges samples; its edge functions change by A and B from one sample to the next.
 EdgeLines exactLines(const LayerMoment &moment)
 {
     const Triangle &triangle = moment.triangle();

@@ -13,7 +13,7 @@ struct EdgeLineNumbers {
     Quantity a, b; ///< for each px
     QPointF from, to; ///< the vertices between which it lies, px
 
-    /// Its value at a place, px; by A and B from the vertex `from`, where it is 0.
+    /// Its value at a place, px; computed by A and B from the vertex `from`, where it is 0.
     double valueAt(const QPointF &place) const
     {
         return a.toDouble() * (place.x() - from.x()) + b.toDouble() * (place.y() - from.y());
@@ -28,8 +28,8 @@ struct EdgeLines {
     NumberOrigin origin = NumberOrigin::Kernel;
 };
 
-/// The three lines as the method's set-up holds them; where it has none, the oracle's edges 0–1,
-/// 1–2, 2–0, positive inside.
+/// The three lines of the method's set-up; if it has none, the oracle's edges 0–1, 1–2, 2–0,
+/// positive inside.
 EdgeLines edgeLinesOf(const LayerMoment &moment);
 
 } // namespace pixelplumb

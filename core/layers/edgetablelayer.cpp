@@ -12,13 +12,13 @@ namespace {
 constexpr std::size_t mostNamedEdges = 24; ///< more names would hide what they name
 constexpr double leaderLength = 20; ///< logical px, from an edge to its name
 
-/// A place where the row in hand meets an edge.
+/// A place where the current row meets an edge.
 struct ShownCrossing {
     double x = 0; ///< px
-    std::size_t edge = 0; ///< its place in the contours
+    std::size_t edge = 0; ///< its index in the contours
 };
 
-/// As many as the table of the row holds, ascending in x.
+/// The crossings in the row's table, ascending in x.
 std::vector<ShownCrossing> crossingsIn(const NamedNumbers &row)
 {
     std::vector<ShownCrossing> crossings;
@@ -31,7 +31,7 @@ std::vector<ShownCrossing> crossingsIn(const NamedNumbers &row)
     }
 }
 
-/// The edges that the method scans: a polygon's own, the chords of a filled path, those of a text's
+/// The edges that the method scans: a polygon's own, the chords of a filled path, or a text's
 /// outlines.
 Contours scannedContours(const LayerMoment &moment)
 {
@@ -45,8 +45,7 @@ Contours scannedContours(const LayerMoment &moment)
     }
 }
 
-/// The bucket of an edge that is not horizontal: it stands in that of its first row, by its lower
-/// end.
+/// The bucket of an edge that is not horizontal: its first row, shown at its lower end.
 void appendBucket(const Contours &contours, std::size_t number, const LayerMoment &moment,
                   LayerDrawing &drawing)
 {
@@ -56,7 +55,7 @@ void appendBucket(const Contours &contours, std::size_t number, const LayerMomen
     const LatticePoint &low = isUpward ? edge.from : edge.to;
     const LatticePoint &high = isUpward ? edge.to : edge.from;
     const Interval rows
-        = rowsCrossed(moment.frame().origin); // as the kernel's EdgeTable takes them
+        = rowsCrossed(moment.frame().origin); // as the kernel's EdgeTable computes them
     const std::int64_t first = firstSampleFrom(low.y, rows);
     const QString place = first < endSampleAt(high.y, rows)
         ? QStringLiteral("from row %1").arg(first)
@@ -64,7 +63,7 @@ void appendBucket(const Contours &contours, std::size_t number, const LayerMomen
     drawing.points.push_back({placeOf(low), LayerInk::Mark});
     const QPointF middle = (placeOf(low) + placeOf(high)) / 2;
     const QPointF up = placeOf(high) - placeOf(low);
-    // To the right, straight from the edge: where edges cross it tells whose name it is.
+    // To the right, at right angles to the edge: where edges cross, it shows whose name it is.
     const QPointF away
         = QPointF(up.y(), -up.x()) / std::hypot(up.x(), up.y()) * (leaderLength / cell);
     drawing.lines.push_back({middle, middle + away, LayerInk::Mark, LayerDrawing::Stroke::Dotted});
@@ -72,7 +71,7 @@ void appendBucket(const Contours &contours, std::size_t number, const LayerMomen
         {QStringLiteral("edge %1, %2").arg(number).arg(place), middle + away, LayerInk::Mark});
 }
 
-/// Of all edges, or where they are too many for names, of the active ones.
+/// Appends the buckets of all edges or, if they are too many for names, of the active ones.
 void appendBuckets(const Contours &contours, const std::vector<ShownCrossing> &active,
                    const LayerMoment &moment, LayerDrawing &drawing)
 {
@@ -90,8 +89,8 @@ void appendBuckets(const Contours &contours, const std::vector<ShownCrossing> &a
         QStringLiteral("Edge table: of %1 edges, the active ones have their names").arg(count));
 }
 
-/// The edges that the row crosses, and of what lies between two crossings and inside, by which
-/// number it does.
+/// The edges that the row crosses and, for inside spans between two crossings, the number that
+/// makes them inside.
 void appendRow(double y, const std::vector<ShownCrossing> &crossings, const Contours &contours,
                FrameOrigin origin, LayerDrawing &drawing)
 {
@@ -122,7 +121,7 @@ void appendRow(double y, const std::vector<ShownCrossing> &crossings, const Cont
 void drawEdgeTable(const LayerMoment &moment, LayerDrawing &drawing)
 {
     const Contours contours = scannedContours(moment);
-    const std::optional<std::size_t> span = moment.spanInHand();
+    const std::optional<std::size_t> span = moment.currentSpan();
     if (!span)
         return appendBuckets(contours, {}, moment, drawing);
     const SpanRecord record = moment.trace().span(*span);
@@ -146,7 +145,7 @@ Layer edgeTableLayer()
         .title = QStringLiteral("Edge table"),
         .toolTip = QStringLiteral(
             "Each edge with the row in whose bucket it stands, the first that it crosses; of the "
-            "row in hand the active edges, their crossings x₀, x₁, … as the method computed "
+            "current row the active edges, their crossings x₀, x₁, … as the method computed "
             "them, and the intervals between them that lie inside, with their parity p or winding "
             "number w."),
         .source = QStringLiteral("Scan Conversion slides, “Scan Conversion: A General Algorithm”"),

@@ -40,14 +40,14 @@ void drawSamples(const LayerMoment &moment, LayerDrawing &drawing)
     });
 }
 
-/// Whether the method computes addresses, which may be asked for.
+/// Whether the method computes addresses, which a question may ask for.
 bool computesAddresses(const ScanTrace &trace)
 {
     return std::ranges::count(trace.numbers().span, QStringLiteral("addr"), &NumberDescription::id)
         > 0;
 }
 
-/// The pixels that the run has come to.
+/// The pixels that the run has visited.
 std::set<std::pair<std::int64_t, std::int64_t>> visitedPixels(const LayerMoment &moment)
 {
     std::set<std::pair<std::int64_t, std::int64_t>> pixels;

@@ -12,7 +12,7 @@ namespace pixelplumb {
 namespace {
 
 constexpr Lattice emHeight
-    = 24 * unitsPerPixel; ///< fine enough for chords, coarse enough to be few
+    = 24 * unitsPerPixel; ///< fine enough for chords, coarse enough for few of them
 
 /// How a run of characters is set.
 struct Setting {

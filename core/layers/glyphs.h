@@ -8,8 +8,8 @@
 
 namespace pixelplumb {
 
-/// The outlines of characters, looked up once each: text without a font system, so that a program
-/// without a display writes it, and the same picture has the same bytes everywhere. Without the
+/// The outlines of characters, each looked up once: text without a font system, so that a program
+/// without a display can write it, and the same picture has the same bytes everywhere. Without the
 /// font (textFontFile) there is no text. Subscripts are lowered (symbolRuns).
 class Glyphs {
 public:

@@ -16,7 +16,7 @@ namespace {
 constexpr double leastNormal = 2; ///< px
 constexpr double normalOfEdge = 0.25; ///< of the edge's length
 // Logical pixels.
-constexpr double roomBesideEdge = 300; ///< of an edge so long; names beside a shorter one crowd
+constexpr double roomBesideEdge = 300; ///< of an edge this long; names beside a shorter one crowd
 constexpr double nameBeyondEdge = 96; ///< from a short edge's end to its name
 constexpr double clearOfVertices = 32; ///< of a name beyond an edge: the lines meet at vertices
 
@@ -42,7 +42,7 @@ std::vector<QPointF> positiveSide(const EdgeLineNumbers &line, const FrameSpec &
     return kept.size() < 3 ? std::vector<QPointF>() : kept;
 }
 
-/// An edge's line, so long that it crosses the frame.
+/// An edge's line, long enough to cross the frame.
 QLineF endlessLine(const EdgeLineNumbers &line, const FrameSpec &frame)
 {
     const QPointF along = line.to - line.from;
@@ -53,7 +53,7 @@ QLineF endlessLine(const EdgeLineNumbers &line, const FrameSpec &frame)
     return {middle - beyond, middle + beyond};
 }
 
-/// What is seen of an edge, or else of its line; the edge where nothing is.
+/// The visible part of an edge, or else of its line; the edge if nothing is visible.
 QLineF seenOf(const EdgeLineNumbers &line, const LayerMoment &moment)
 {
     const QLineF edge(line.from, line.to);
@@ -63,8 +63,8 @@ QLineF seenOf(const EdgeLineNumbers &line, const LayerMoment &moment)
     return clipped(endlessLine(line, moment.frame()), moment.seenArea()).value_or(edge);
 }
 
-/// On an edge's line beyond its ends, where the triangle is not and no other line is near: at both
-/// of them, at one or nowhere.
+/// Places on an edge's line beyond its ends, away from the triangle and from other lines: at both
+/// ends, at one or nowhere.
 std::vector<QPointF> placesBeyond(const EdgeLineNumbers &line, const QPointF &opposite,
                                   const LayerMoment &moment)
 {
@@ -83,7 +83,7 @@ std::vector<QPointF> placesBeyond(const EdgeLineNumbers &line, const QPointF &op
     return places;
 }
 
-/// From the middle of what is seen of the edge to its positive side; a point where the edge is one.
+/// From the middle of the visible edge to its positive side; a point if the edge is one.
 QLineF arrowOf(const EdgeLineNumbers &line, const LayerMoment &moment)
 {
     const QPointF normal(line.a.toDouble(), line.b.toDouble());
@@ -95,7 +95,7 @@ QLineF arrowOf(const EdgeLineNumbers &line, const LayerMoment &moment)
     return {seen.center(), seen.center() + inward};
 }
 
-/// A triangle's edges, and what is drawn of each.
+/// A triangle's edges, and what is drawn for each.
 struct HalfPlanes {
     EdgeLines edges;
     std::array<QLineF, 3> arrows;
@@ -122,7 +122,7 @@ struct HalfPlanes {
     }
 };
 
-/// Each in its own half-plane, and not beside the arrow or the line of another one.
+/// Places each name in its own half-plane, away from the arrow or the line of another edge.
 void appendNames(const HalfPlanes &planes, std::size_t edge, const LayerMoment &moment,
                  LayerDrawing &drawing)
 {

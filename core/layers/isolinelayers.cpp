@@ -19,7 +19,7 @@ struct PlaneCorner {
     double level = 0;
 };
 
-/// The channel's plane at the vertices: that of the set-up where the method has one, else the one
+/// The channel's plane at the vertices: that of the set-up if the method has one, else the one
 /// through the vertices' own levels.
 std::array<PlaneCorner, 3> planeOf(const LayerMoment &moment, std::size_t channel)
 {
@@ -41,7 +41,7 @@ std::array<PlaneCorner, 3> planeOf(const LayerMoment &moment, std::size_t channe
     return corners;
 }
 
-/// Where the border of the triangle has a level: two places, or none.
+/// Where the triangle's border has a level: two places, or none.
 std::vector<QPointF> crossingsOf(const std::array<PlaneCorner, 3> &corners, double level)
 {
     std::vector<QPointF> crossings;
@@ -56,7 +56,7 @@ std::vector<QPointF> crossingsOf(const std::array<PlaneCorner, 3> &corners, doub
     return crossings;
 }
 
-/// Of a plane that meets none of the levels within the triangle.
+/// The note for a plane that has none of the levels within the triangle.
 QString withoutLines(QChar letter, const std::array<PlaneCorner, 3> &corners)
 {
     const auto [least, greatest] = std::ranges::minmax(corners, {}, &PlaneCorner::level);

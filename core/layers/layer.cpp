@@ -92,7 +92,7 @@ const Layer *layerNamed(QStringView id)
 std::optional<std::size_t> subjectOf(const Layer &layer, const LayerView &view)
 {
     if (layer.kinds.empty())
-        return 0; // it tells of none
+        return 0; // it describes no primitive
     const TracedScene &traced = *view.traced;
     const auto isSubject = [&](std::size_t primitive) {
         const PrimitiveKind kind = traced.primitives.kindOf(primitive);
@@ -132,7 +132,7 @@ LayerDrawing drawingOf(const QStringList &ids, const LayerView &view)
             drawing.notes.append(QStringLiteral("%1: the set-up is still ahead").arg(layer.title));
     }
     drawing.notes.removeDuplicates();
-    removeDuplicates(drawing.labels); // of one half-plane beside all three
+    removeDuplicates(drawing.labels); // of one half-plane next to all three
     return drawing;
 }
 

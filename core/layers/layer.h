@@ -8,34 +8,34 @@
 
 namespace pixelplumb {
 
-/// A figure of the course texts, drawn over a person's own scene from the numbers of its run: a row
+/// A figure of the course texts, drawn over the user's own scene with the numbers of its run: a row
 /// of the table of layers.
 struct Layer {
     QString id; ///< "half-planes"
     QString title; ///< in menus: "Half-planes"
     QString toolTip; ///< what it shows, and where its numbers come from
     QString source; ///< course text and slide, by the names of resources/sources.md
-    /// Of what it has something to say; empty: of every pixel.
+    /// The kinds that it has something to say about; empty: every pixel.
     std::vector<PrimitiveKind> kinds = {};
     /// The ids of the methods whose numbers it shows; empty: of all that draw these kinds.
     QStringList methods = {};
     void (*draw)(const LayerMoment &moment, LayerDrawing &drawing);
 
-    /// Why it has nothing to show of a scene under its method, as a sentence without its stop;
-    /// empty when it has.
+    /// Why it has nothing to show for a scene under its method, as a sentence without its full
+    /// stop; empty if it has.
     QString objection(const Scene &scene) const;
 };
 
 /// Every layer, in the order of the menu.
 std::span<const Layer> layers();
-/// Null when there is no such layer.
+/// Null if there is no such layer.
 const Layer *layerNamed(QStringView id);
 
-/// The primitive in hand, or the last one before it of which a layer has something to say; none
-/// where there is no such one.
+/// The current primitive, or the last one before it that the layer has something to say about; none
+/// if there is none.
 std::optional<std::size_t> subjectOf(const Layer &layer, const LayerView &view);
 
-/// What the layers with these ids draw of a moment, each of its subject. Unknown ids, and layers
+/// What the layers with these ids draw at a moment, each for its subject. Unknown ids, and layers
 /// with an objection, draw nothing.
 LayerDrawing drawingOf(const QStringList &ids, const LayerView &view);
 

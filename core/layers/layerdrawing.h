@@ -12,21 +12,21 @@
 
 namespace pixelplumb {
 
-/// What a mark of a layer stands for; its colour follows from it (colourOf).
+/// What a layer's mark stands for; its colour follows from it (colourOf).
 enum class LayerInk {
     Mark, ///< edges, numbers and whatever has a name beside it
     First, ///< the first of two or three things that belong together: α, β's axis, R
     Second,
     Third,
     Inside, ///< where an edge function is positive, a parity odd
-    Negative, ///< a number below 0, beside its minus sign
-    Hand, ///< of the step in hand
+    Negative, ///< a number below 0, besides its minus sign
+    Hand, ///< of the current step
 };
 
 /// What layers draw over the frame, as numbers: places are sample coordinates, px, so that pixel
-/// (x, y) is the point (x, y). One painter makes a picture of it in any scale (LayerPainter).
+/// (x, y) is the point (x, y). One painter paints it at any scale (LayerPainter).
 struct LayerDrawing {
-    /// A band is so wide that it is seen beside a line that lies along it.
+    /// A band is wide enough to be visible beside a line along it.
     enum class Stroke { Solid, Dashed, Dotted, Arrow, Band };
     struct Line {
         QPointF from, to; ///< an arrow points to the second
@@ -55,8 +55,8 @@ struct LayerDrawing {
 
         friend bool operator==(const Point &, const Point &) = default;
     };
-    /// A distance between two places: a line with a tick at each end, beside the way from the
-    /// first to the second, on its right as seen, and its text next to that.
+    /// A distance between two places: a line with a tick at each end, drawn beside the way from the
+    /// first to the second, on its right on the screen, and its text next to the line.
     struct Measure {
         QPointF from, to;
         QString text;
@@ -76,16 +76,17 @@ struct LayerDrawing {
         QString text;
         QPointF place;
         LayerInk ink = LayerInk::Mark;
-        /// In which the whole name stands, or nowhere; none: anywhere.
+        /// The half-plane that must hold the whole name, else it is left out; none: anywhere.
         std::optional<HalfPlane> side = {};
-        /// Beside the first of these that has room, where the place has none.
+        /// If the place has no room, the name goes beside the first of these that has.
         std::vector<QPointF> otherPlaces = {};
-        /// What others name: where there is room, the name is no nearer to these than to its place.
+        /// What other labels name: if there is room, the name is no nearer to these than to its own
+        /// place.
         std::vector<QLineF> rivals = {};
 
         friend bool operator==(const Label &, const Label &) = default;
     };
-    /// A number in a pixel's cell, below those that stand there already.
+    /// A number in a pixel's cell, below those already there.
     struct CellText {
         std::int64_t x = 0, y = 0; ///< the pixel
         QString text;
@@ -103,11 +104,11 @@ struct LayerDrawing {
     std::vector<Label> labels;
     std::vector<CellText> cells;
     QStringList cellNames; ///< what the texts in a cell are, from the top
-    /// What is to be said beside the picture: that numbers are the exact ones, because the method
-    /// has none; that cells are too small for them.
+    /// Notes to show with the picture: that numbers are the exact ones, because the method has
+    /// none; that cells are too small for them.
     QStringList notes;
 
-    /// Whether texts stand beside places.
+    /// Whether there are texts beside places.
     bool hasNames() const { return !labels.empty() || !measures.empty(); }
 
     bool isEmpty() const

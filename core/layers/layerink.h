@@ -7,12 +7,12 @@
 
 namespace pixelplumb {
 
-/// Whether layers stand on light paper or on dark.
+/// Whether layers are painted on light paper or on dark.
 enum class LayerTone { Light, Dark };
 
-/// From the Okabe–Ito set, as the window's signs, so that text in it keeps 4.5:1 on the paper.
+/// From the Okabe–Ito set, like the window's signs, so that text in it keeps 4.5:1 on the paper.
 QColor colourOf(LayerInk ink, LayerTone tone);
-/// Behind lines and texts, so that they can be read on every colour that a frame may hold.
+/// The background of lines and texts, which stay readable on every colour that a frame may hold.
 QColor paperOf(LayerTone tone);
 
 } // namespace pixelplumb

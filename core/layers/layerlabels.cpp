@@ -17,15 +17,15 @@ namespace {
 constexpr double labelEm = 12;
 constexpr std::array labelGaps = {6.0, 20.0, 36.0, 54.0, 76.0}; ///< from the anchor, to each side
 constexpr std::array barGaps = {2.0, 16.0, 32.0, 50.0, 72.0}; ///< from a bar to its text
-constexpr double beyondMeasured = 16; ///< added to that on the side of what the bar measures
+constexpr double beyondMeasured = 16; ///< added on the side of what the bar measures
 constexpr double sameDistance = 1e-6;
-constexpr double barSeparation = 1; ///< of a bar's text from the end where another bar goes on
-constexpr double leaderGap = 8; ///< a label that is farther from its anchor has a line to it
+constexpr double barSeparation = 1; ///< from a bar's text to the end where another bar continues
+constexpr double leaderGap = 8; ///< a label farther than this from its anchor has a line to it
 constexpr double paperPadding = 3;
-constexpr double nearView = 20; ///< names of what is farther would crowd the border
+constexpr double nearView = 20; ///< names of what is farther out would crowd the border
 
-/// Where a label may stand beside its anchor, the nearest first: right above it, in the other
-/// quarters, then farther and farther aside.
+/// Places for a label beside its anchor, nearest first: right above it, in the other quadrants,
+/// then farther and farther away.
 std::vector<QPointF> placesAround(const QPointF &anchor, const QSizeF &size)
 {
     std::vector<QPointF> places;
@@ -44,14 +44,14 @@ std::vector<QPointF> placesAround(const QPointF &anchor, const QSizeF &size)
     return places;
 }
 
-/// How far apart two rectangles are; 0 where they meet.
+/// The distance between two rectangles; 0 if they meet.
 double distanceOf(const QRectF &a, const QRectF &b)
 {
     return std::hypot(std::max({0.0, a.left() - b.right(), b.left() - a.right()}),
                       std::max({0.0, a.top() - b.bottom(), b.top() - a.bottom()}));
 }
 
-/// How far a point is from a line between its ends.
+/// The distance of a point from a line segment.
 double distanceOf(const QPointF &point, const QLineF &line)
 {
     const QPointF along = line.p2() - line.p1();
@@ -60,7 +60,7 @@ double distanceOf(const QPointF &point, const QLineF &line)
     return QLineF(point, line.p1() + std::clamp(part, 0.0, 1.0) * along).length();
 }
 
-/// How far apart a rectangle and a line are; 0 where they meet.
+/// The distance between a rectangle and a line; 0 if they meet.
 double distanceOf(const QRectF &rect, const QLineF &line)
 {
     if (clipped(line, rect))
@@ -73,8 +73,8 @@ double distanceOf(const QRectF &rect, const QLineF &line)
     return least;
 }
 
-/// Where along an axis the text of a bar begins: in the middle of the bar, but not on the far side
-/// of the end at which another bar goes on.
+/// Where along an axis the text of a bar begins: in the middle of the bar, but not beyond the end
+/// at which another bar continues.
 double besideStart(double first, double last, double length, double otherMiddle)
 {
     const double middle = (first + last - length) / 2;
@@ -82,8 +82,8 @@ double besideStart(double first, double last, double length, double otherMiddle)
                                             : std::min(middle, last - barSeparation - length);
 }
 
-/// Where the text of a bar may stand, the nearest places first: on the side of it that `away`
-/// points to, then beyond what it measures, then farther aside.
+/// Places for the text of a bar, nearest first: on the side that `away` points to, then beyond what
+/// the bar measures, then farther away.
 std::vector<QRectF> placesBeside(const QRectF &bar, const QPointF &away,
                                  std::span<const QRectF> otherBars, const QSizeF &size)
 {
@@ -113,7 +113,7 @@ QRectF movedInto(QRectF rect, const QRectF &view)
     return rect;
 }
 
-/// From an anchor to what is nearest to it of a label; a point where they are side by side.
+/// From an anchor to the nearest point of a label; a point if they are adjacent.
 QLineF leaderTo(const QRectF &rect, const QPointF &anchor)
 {
     const QLineF leader(anchor,
@@ -139,7 +139,7 @@ bool LayerLabels::isFree(const QRectF &rect) const
 bool LayerLabels::isUnstruck(const Placed &label) const
 {
     const auto strikesTaken = [&label](const QRectF &other) {
-        // A handle that the name is about is where the line begins.
+        // The line may begin at a handle that the name is about.
         return !other.contains(label.leader.p1()) && strikes(label.leader, other);
     };
     return std::ranges::none_of(m_taken, strikesTaken)
@@ -211,7 +211,7 @@ bool LayerLabels::isWithin(const QRectF &rect,
 {
     if (!side)
         return true;
-    // Right angles stay right: samples are mapped to the view by one scale, turned over at most.
+    // Right angles stay right: samples are mapped to the view by one scale, flipped at most.
     const QPointF border = m_surface.fromSamples.map(side->onBorder);
     const QPointF inward = m_surface.fromSamples.map(side->onBorder + side->inward) - border;
     const auto isInward

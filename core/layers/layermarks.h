@@ -5,21 +5,21 @@
 
 namespace pixelplumb {
 
-/// Of a point, logical px; small cells have room for smaller ones alone.
+/// Radius of a point, logical px; small cells get smaller ones.
 inline constexpr double largestPointRadius = 3.5;
 
-/// Of what is seen beside a line that lies along it, logical px.
+/// Width of what is visible beside a line along it, logical px.
 inline constexpr double bandWidth = 6;
 
-/// Towards the right of a measure's way as seen, in the paint device: so long.
+/// A vector of this length to the right of a measure's way on the screen, in the paint device.
 QPointF besideMeasure(const LayerDrawing::Measure &measure, const LayerSurface &surface,
                       double length);
-/// Where the line of a measure is, in the paint device.
+/// The line of a measure, in the paint device.
 QLineF measureLine(const LayerDrawing::Measure &measure, const LayerSurface &surface);
-/// That and its ticks.
+/// The line of a measure with its ticks.
 QRectF measureRect(const LayerDrawing::Measure &measure, const LayerSurface &surface);
 
-/// Paints what of a drawing is no text.
+/// Paints everything in a drawing but text.
 class LayerMarks {
 public:
     LayerMarks(QPainter &painter, const LayerSurface &surface)

@@ -34,7 +34,7 @@ QString LayerMoment::weightedCornerName(std::size_t vertex, const QString &suffi
     return QStringLiteral("%1%3 = P%2%3").arg(QChar(char16_t(u'a' + vertex))).arg(rank).arg(suffix);
 }
 
-std::optional<std::size_t> LayerMoment::spanInHand() const
+std::optional<std::size_t> LayerMoment::currentSpan() const
 {
     const std::size_t first = trace().firstSpanOf(primitive);
     std::size_t begin = first;

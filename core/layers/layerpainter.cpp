@@ -12,7 +12,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Painting that is clipped to the view.
+/// Clips painting to the view.
 class PaintingInView {
 public:
     PaintingInView(QPainter &painter, const LayerSurface &surface)
@@ -32,7 +32,7 @@ private:
 /// A line in the ink of edges.
 bool isPlain(const LayerDrawing::Line &line) { return line.ink == LayerInk::Mark; }
 
-/// Little squares along the part of a line that is in view.
+/// Small squares along the visible part of a line.
 void appendPieces(const LayerDrawing::Line &line, const LayerSurface &surface,
                   std::vector<QRectF> &places)
 {
@@ -45,7 +45,7 @@ void appendPieces(const LayerDrawing::Line &line, const LayerSurface &surface,
                             QSizeF(piece, piece));
 }
 
-/// The points, bands and arrows of a drawing, which a name would hide that stands over them.
+/// The points, bands and arrows of a drawing, which a name on top would hide.
 std::vector<QRectF> namedPlaces(const LayerDrawing &drawing, const LayerSurface &surface)
 {
     const QPointF radius(largestPointRadius, largestPointRadius);
@@ -156,7 +156,7 @@ QStringList LayerPainter::paintLabels(QPainter &painter, const LayerDrawing &dra
     std::vector<QRectF> kept = bars;
     kept.insert(kept.end(), taken.begin(), taken.end());
     LayerLabels labels(painter, surface, m_glyphs, kept);
-    // The texts of measures before others, which may go farther from their places.
+    // Texts of measures first: other names may go farther from their places.
     for (std::size_t i = 0; i < bars.size(); ++i) {
         std::vector<QRectF> others = bars;
         others.erase(others.begin() + std::ptrdiff_t(i));

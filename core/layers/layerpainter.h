@@ -17,7 +17,7 @@ class QPainter;
 namespace pixelplumb {
 
 /// From sample coordinates to those of a picture of the frame, whose upper left corner is at
-/// `corner` and whose pixels are squares of `cell`: y is turned where the frame's grows upward.
+/// `corner` and whose pixels are squares of `cell`: y is flipped if the frame's grows upward.
 QTransform pictureTransform(const FrameSpec &frame, const QPointF &corner, double cell);
 
 /// Where layers are painted.
@@ -27,33 +27,33 @@ struct LayerSurface {
     LayerTone tone = LayerTone::Light;
 };
 
-/// Paints the drawings of layers, for the window and for the command line alike: lines have a
-/// casing, texts paper behind them. What it returns is to be said beside the picture: what the
-/// numbers in the cells are, and what of the drawing had no room. It knows the glyphs that it has
-/// painted.
+/// Paints the drawings of layers, for the window and the command line alike: lines have a casing,
+/// texts a paper background. It returns notes to show with the picture: what the numbers in the
+/// cells are, and what had no room. It keeps the glyphs that it has painted.
 class LayerPainter {
 public:
     /// All of a drawing.
     QStringList paint(QPainter &painter, const LayerDrawing &drawing, const LayerSurface &surface);
-    /// What lies below the lines and signs of a window: areas, plain edges, which it outlines
-    /// itself, and samples.
+    /// What lies below the lines and signs of a window: areas, plain edges, which the window
+    /// outlines itself, and samples.
     void paintGround(QPainter &painter, const LayerDrawing &drawing, const LayerSurface &surface);
-    /// The numbers in the cells: over a window's own lines, which would strike them through.
+    /// The numbers in the cells: painted over a window's own lines, which would strike them
+    /// through.
     QStringList paintNumbers(QPainter &painter, const LayerDrawing &drawing,
                              const LayerSurface &surface);
-    /// What would not be seen below them: all else but texts.
+    /// What would be hidden below them: everything else but texts.
     void paintMarks(QPainter &painter, const LayerDrawing &drawing, const LayerSurface &surface);
-    /// Where the measures of a drawing stand, in the paint device: what has a place as names have.
+    /// Where the measures of a drawing are, in the paint device: they take room like names.
     static std::vector<QRectF> measurePlaces(const LayerDrawing &drawing,
                                              const LayerSurface &surface);
-    /// These and pieces of all lines, which a note had better leave in sight.
+    /// These and pieces of all lines, which a note should leave visible.
     static std::vector<QRectF> figurePlaces(const LayerDrawing &drawing,
                                             const LayerSurface &surface);
-    /// Labels and the texts of measures, clear of each other, of points and bands and of what is
-    /// taken in the paint device.
+    /// Paints labels and the texts of measures, clear of each other, of points and bands and of
+    /// `taken`, in the paint device.
     QStringList paintLabels(QPainter &painter, const LayerDrawing &drawing,
                             const LayerSurface &surface, std::span<const QRectF> taken);
-    /// Where the labels stand that were painted last, in the paint device.
+    /// Where the last painted labels are, in the paint device.
     const std::vector<QRectF> &labels() const { return m_labels; }
 
 private:

@@ -26,14 +26,14 @@ Layer affineMapLayer();
 Layer redIsolinesLayer();
 Layer greenIsolinesLayer();
 Layer blueIsolinesLayer();
-/// Of polygons: their triangles, and the rows by parity.
+/// For polygons: their triangles, and the rows by parity.
 Layer innerEdgesLayer();
 Layer edgeTableLayer();
-/// By which numbers a line or a circle goes on.
+/// The numbers by which a line or a circle goes on.
 Layer decisionsLayer();
-/// How many pixels a line has for each pixel of its length.
+/// How many pixels a line has per pixel of its length.
 Layer brightnessLayer();
-/// Of every pixel.
+/// For every pixel.
 Layer samplesLayer();
 Layer memoryLayer();
 

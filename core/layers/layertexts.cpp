@@ -33,28 +33,28 @@ TextsByPixel byPixel(std::span<const LayerDrawing::CellText> texts)
     return sorted;
 }
 
-/// The part of every cell that has room for text, from its left side to its right one.
+/// The part of every cell that has room for text, across its whole width.
 struct FreeBand {
-    double top = -usedCell / 2; ///< below the cell's middle, of its side
+    double top = -usedCell / 2; ///< below the cell's middle, as a share of its side
     double bottom = usedCell / 2;
     double takenAbove = 0; ///< by a sample at its top, logical px
     double takenBelow = 0;
 
     double height(double cell) const { return (bottom - top) * cell - takenAbove - takenBelow; }
-    /// The smallest cell in which it is so high.
+    /// The smallest cell in which it is this high.
     double cellFor(double height) const
     {
         return (height + takenAbove + takenBelow) / (bottom - top);
     }
-    /// Below the cell's middle, logical px.
+    /// Its middle below the cell's middle, logical px.
     double middle(double cell) const
     {
         return ((top + bottom) * cell + takenAbove - takenBelow) / 2;
     }
 };
 
-/// The highest of the bands between the samples, which stand in the same places in every cell; of
-/// equal ones the lowest.
+/// The highest of the bands between the samples, which have the same places in every cell; of equal
+/// ones the lowest.
 FreeBand freeBand(std::span<const LayerDrawing::Point> samples, const LayerSurface &surface)
 {
     const double cell = surface.fromSamples.m11();
@@ -82,7 +82,7 @@ FreeBand freeBand(std::span<const LayerDrawing::Point> samples, const LayerSurfa
     return highest;
 }
 
-/// What is to be said of numbers that cells have no room for.
+/// The note for numbers that do not fit in cells.
 QString cellsTooSmall(const QStringList &names, double side)
 {
     const QString what

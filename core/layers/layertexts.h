@@ -19,9 +19,9 @@ public:
     {
     }
 
-    /// The texts in the cells of a drawing, all in one size, in which the widest fits its cell and
-    /// the most stand below each other, clear of the samples. It returns what they are; or, where
-    /// that size is too small to read and nothing is painted, what there is no room for.
+    /// Paints the texts in the cells of a drawing, all in one size: the widest fits its cell, and
+    /// as many as possible stand below each other, clear of the samples. It returns what they are
+    /// or, if that size is too small to read and nothing is painted, what there is no room for.
     QString paintCells(const LayerDrawing &drawing);
     void paintText(const QString &text, const QPointF &baseline, double em, LayerInk ink);
     void paintPaper(const QRectF &rect);

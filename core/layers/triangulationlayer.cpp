@@ -17,7 +17,7 @@ const QString tessellationMethod = QStringLiteral("polygon-tessellation");
 
 using Piece = std::array<LatticePoint, 3>;
 
-/// Through the three corners; of radius 0 where they lie on a line.
+/// The circle through the three corners; of radius 0 if they lie on a line.
 LayerDrawing::Circle circumcircleOf(const Piece &piece)
 {
     const QPointF a = placeOf(piece[0]);
@@ -32,8 +32,8 @@ LayerDrawing::Circle circumcircleOf(const Piece &piece)
     return {a + centre, std::hypot(centre.x(), centre.y()), LayerInk::Second};
 }
 
-/// Of the first triangles, as many as are shown, each edge once: solid where two triangles share
-/// it, dotted where it bounds the polygon.
+/// Appends each edge of the first `shown` triangles once: solid if two triangles share it, dotted
+/// if it bounds the polygon.
 void appendEdges(const std::vector<Piece> &pieces, std::size_t shown, LayerDrawing &drawing)
 {
     struct Side {
@@ -58,9 +58,9 @@ void appendEdges(const std::vector<Piece> &pieces, std::size_t shown, LayerDrawi
     }
 }
 
-std::optional<std::size_t> pieceInHand(const LayerMoment &moment)
+std::optional<std::size_t> currentPiece(const LayerMoment &moment)
 {
-    const std::optional<std::size_t> span = moment.spanInHand();
+    const std::optional<std::size_t> span = moment.currentSpan();
     return span ? std::optional(std::size_t(moment.trace().placeOf(*span).part)) : std::nullopt;
 }
 
@@ -70,8 +70,8 @@ void drawInnerEdges(const LayerMoment &moment, LayerDrawing &drawing)
     const bool isFan = method == fanMethod;
     const auto triangulate = isFan ? fanOf : method == delaunayMethod ? delaunayOf : tessellationOf;
     const std::vector<Piece> pieces = triangulate(contoursOf(moment.shape())).triangles;
-    const std::optional<std::size_t> inHand = pieceInHand(moment);
-    const std::size_t begun = std::min(inHand ? *inHand + 1 : 0, pieces.size());
+    const std::optional<std::size_t> current = currentPiece(moment);
+    const std::size_t begun = std::min(current ? *current + 1 : 0, pieces.size());
     const std::size_t shown = moment.hidesSteps() ? begun : pieces.size();
     appendEdges(pieces, shown, drawing);
     for (std::size_t i = 0; i < shown; ++i) {
@@ -81,8 +81,8 @@ void drawInnerEdges(const LayerMoment &moment, LayerDrawing &drawing)
             = (placeOf(pieces[i][0]) + placeOf(pieces[i][1]) + placeOf(pieces[i][2])) / 3;
         drawing.labels.push_back({QString::number(i), centroid, LayerInk::First});
     }
-    if (inHand && *inHand < pieces.size()) {
-        const Piece &piece = pieces[*inHand];
+    if (current && *current < pieces.size()) {
+        const Piece &piece = pieces[*current];
         drawing.areas.push_back(
             {{placeOf(piece[0]), placeOf(piece[1]), placeOf(piece[2])}, LayerInk::Hand});
     }
@@ -96,7 +96,7 @@ Layer innerEdgesLayer()
             .title = QStringLiteral("Triangles of a polygon"),
             .toolTip = QStringLiteral(
                 "The inner edges of the fan or the triangulation that the method fills, its "
-                "triangles by number, the one in hand tinted, and of a Delaunay triangulation the "
+                "triangles by number, the current one tinted, and of a Delaunay triangulation the "
                 "circles around them, which no vertex that they see lies in."),
             .source = QStringLiteral("Rasterization slides, “Triangulation”; Scan Conversion "
                                      "slides, “From Polygons to Triangles”"),

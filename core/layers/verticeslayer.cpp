@@ -22,7 +22,7 @@ void appendTriangle(const LayerMoment &moment, LayerDrawing &drawing)
     const std::array<int, 3> order = moment.trace().setUp(moment.primitive).order;
     for (std::size_t i = 0; i < 3; ++i) {
         drawing.lines.push_back({placeOf(corners[i]), placeOf(corners[(i + 1) % 3])});
-        // Both names where the method's is not the scene's, as the set-up's words have them.
+        // Both names if the method's differs from the scene's, as in the set-up's words.
         const bool isSorted = order[i] != int(i);
         appendVertex(moment,
                      isSorted ? QStringLiteral("P%1 = vertex %2").arg(i).arg(order[i])

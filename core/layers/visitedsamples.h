@@ -7,8 +7,8 @@
 
 namespace pixelplumb {
 
-/// Shows a function the samples in view that the method has visited of the primitive, up to the
-/// step in hand, with the numbers that it used there.
+/// Passes to a function the samples in view that the method has visited for the primitive, up to
+/// the current step, with the numbers that it used there.
 void visitSamples(const LayerMoment &moment,
                   const std::function<void(const SampleRecord &)> &visit);
 

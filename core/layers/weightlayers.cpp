@@ -13,7 +13,7 @@ namespace {
 
 using NumberIds = std::array<QString, 3>;
 
-/// What decides a sample, by family; the first that a method has.
+/// The numbers that decide a sample, by family; the first that a method has.
 const std::array<NumberIds, 3> &decisionIds()
 {
     static const std::array<NumberIds, 3> ids

@@ -30,7 +30,7 @@ DifferenceMap differingPixels(const FrameBuffer &a, const FrameBuffer &b)
     return differing;
 }
 
-/// The work at samples that an effect is.
+/// The work that an effect does at samples.
 std::vector<EffectWork> workOf(Effect effect)
 {
     switch (effect) {
@@ -53,7 +53,7 @@ std::vector<EffectWork> workOf(Effect effect)
     return {};
 }
 
-/// What is drawn of the scene with this forced.
+/// The scene's primitives with this forcing.
 Primitives primitivesForced(const Scene &scene, const EffectForcing &forced)
 {
     Scene drawn = scene;
@@ -100,7 +100,7 @@ private:
              {std::pair(&m_on, Forcing::On), std::pair(&m_off, Forcing::Off)}) {
             EffectForcing forced;
             forced[effect] = forcing;
-            // Light may be in the colours from set-up on.
+            // Light may be part of the colours from set-up on.
             if (effect == Effect::Light
                 || primitives->appearance.forced[Effect::Light] != Forcing())
                 *primitives = primitivesForced(m_scene, forced);
@@ -116,7 +116,7 @@ private:
         return !m_isEnded;
     }
 
-    /// Whether the method can draw both, and draws them differently at all.
+    /// Whether the method can draw both, and whether they differ at all.
     bool differs()
     {
         const EffectPlan on = planFor(m_on, m_settings, m_onFrame.view());
@@ -145,7 +145,7 @@ private:
         return count;
     }
 
-    /// Which samples are covered and what is done at them is the same by every method of triangles.
+    /// Coverage and the work at covered samples are the same in every triangle method.
     std::optional<std::int64_t> countOperations(Effect effect) const
     {
         const std::vector<EffectWork> work = workOf(effect);
@@ -173,7 +173,7 @@ private:
             = std::max(1, int(std::ceil(m_options.sampleNanoseconds / std::max(longest, 1.0))));
         std::vector<double> on, off, ratio;
         for (int round = 0; round < m_options.rounds && isTold(); ++round, ++m_done) {
-            // Each round begins with the other one: neither always follows its neighbour.
+            // Rounds alternate in which one begins, so that neither always follows its neighbour.
             if (round % 2 == 0) {
                 on.push_back(timeOf(m_on, m_onFrame, times));
                 off.push_back(timeOf(m_off, m_offFrame, times));
@@ -191,7 +191,7 @@ private:
         return cost;
     }
 
-    /// ns a draw.
+    /// ns per draw.
     double timeOf(const Primitives &primitives, const FrameBuffer &frame, int times) const
     {
         const Stopwatch watch;

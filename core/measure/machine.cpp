@@ -15,7 +15,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// More than this runs beside us before we begin: others share processors, caches and memory.
+/// If more than this runs besides us before we begin, it shares processors, caches and memory.
 constexpr double quietLoad = 0.5;
 
 QString contentOf(const QString &path)
@@ -25,7 +25,7 @@ QString contentOf(const QString &path)
                                           : QString();
 }
 
-/// What stands behind "key:" in a file of lines "key : value"; empty without such a line.
+/// The text after "key:" in a file of lines "key : value"; empty if there is no such line.
 QString valueOf(const QString &path, const QString &key)
 {
     const QStringList lines = contentOf(path).split(u'\n');

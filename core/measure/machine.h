@@ -6,17 +6,17 @@
 
 namespace pixelplumb {
 
-/// Where figures come from: without it times mean nothing.
+/// The machine behind the figures: without it times mean nothing.
 struct MachineConditions {
     QString processor;
     int processors = 0;
     QStringList caches; ///< "L1d 32 KiB", one per level and kind, of the first processor
-    QString governor; ///< of the first processor's clock; empty where the system does not tell
+    QString governor; ///< of the first processor's clock; empty if the system does not say
     QString system;
     QString compiler; ///< "g++ 12.2"
     QString flags; ///< of this build's optimiser: "-O3 -DNDEBUG"
     QString buildType; ///< "Release"
-    QStringList sanitizers; ///< "address"; none in a build that is to be timed
+    QStringList sanitizers; ///< "address"; none in a build meant for timing
     QString instructionSet; ///< what the fast kernels use: "avx2"
     double load = 0; ///< processes that ran or waited over the last minute, before we began
 

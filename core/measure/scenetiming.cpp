@@ -16,7 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Draws so often.
+/// Draws this many times.
 double timeOf(const std::function<void()> &draw, int times)
 {
     const Clock::time_point start = Clock::now();
@@ -94,7 +94,7 @@ public:
     }
 
 private:
-    /// `all`: 0 while nobody knows.
+    /// `all`: 0 while it is unknown.
     bool mayGoOn(int done, int all) const
     {
         return goesOn(m_options.progress, {JobPhase::Measuring, done, all});
@@ -105,7 +105,7 @@ private:
     }
     void drawPlain() { drawColumns(m_drawn, m_timing.settings, m_plain.view()); }
 
-    /// As many of the scene's triangles as the plain kernel draws within the longest draw.
+    /// Chooses as many of the scene's triangles as the plain kernel draws within the longest draw.
     bool chooseTriangles()
     {
         constexpr std::size_t first = 16;
@@ -158,7 +158,8 @@ private:
         }
         int done = 0;
         for (int round = 0; round < m_options.rounds; ++round) {
-            // Each round begins with another one: nobody always follows the same neighbour.
+            // Each round begins with another contender, so that none always follows the same
+            // neighbour.
             for (std::size_t turn = 0; turn < contenders.size(); ++turn) {
                 if (!mayGoOn(done++, all))
                     return false;

@@ -6,8 +6,8 @@
 
 namespace pixelplumb {
 
-/// The middle of repeated measurements and how far they lie apart: the mean says little where a few
-/// samples were disturbed.
+/// The middle of repeated measurements and their spread: the mean says little if a few samples were
+/// disturbed.
 struct Spread {
     double lower = 0; ///< a quarter of the samples is below
     double median = 0;
@@ -16,7 +16,7 @@ struct Spread {
     friend bool operator==(const Spread &, const Spread &) = default;
 };
 
-/// Of at least one sample; between two neighbouring ones by their distance.
+/// Of at least one sample; interpolates between neighbouring ones.
 inline Spread spreadOf(std::vector<double> samples)
 {
     std::ranges::sort(samples);

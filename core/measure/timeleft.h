@@ -13,23 +13,23 @@ namespace pixelplumb {
 /// "about 14 s"; from two minutes on "about 5 min".
 QString aboutText(double seconds);
 
-/// How far a long job is, and how long it will still take: what was known before, scaled by how it
-/// went so far.
+/// How far a long job is, and how long it will still take: the earlier estimate, scaled by progress
+/// so far.
 class TimeLeft {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// s that the job is known to take about.
+    /// About how many s the job is known to take.
     explicit TimeLeft(double expected)
         : m_expected(expected)
     {
     }
 
-    /// The job's phases count on one scale.
+    /// All phases of the job count on one scale.
     void tell(const JobProgress &progress, Clock::time_point now);
 
     double share() const; ///< 0 … 1
-    double seconds() const; ///< that are left; before the first word those known before
+    double seconds() const; ///< that are left; before the first report the earlier estimate
     /// "judging: 40 %, about 6 s left"
     QString text() const;
 

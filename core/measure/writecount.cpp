@@ -41,7 +41,8 @@ std::optional<std::uint64_t> countWrites(std::span<const Triangle> triangles, Fi
     FrameBuffer buffer(black);
     const ScanSettings settings{Arithmetic::Exact, rule, ByteRounding::Nearest};
     std::uint64_t writes = 0;
-    // Each triangle is drawn in a colour of its own, and its pixels are those that have it then.
+    // Each triangle is drawn in its own colour, and the pixels of that colour afterwards are its
+    // own.
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         if (i % trianglesBetweenProgress == 0 && !goesOn(listener, {JobPhase::Measuring, 0, 0}))
             return std::nullopt;

@@ -11,9 +11,9 @@
 
 namespace pixelplumb {
 
-/// How many pixels the column scan writes for the triangles (sample coordinates) under a fill rule
-/// of its own, in exact arithmetic: a pixel counts once for each triangle that covers it. Nothing
-/// where the listener ended it.
+/// How many pixels the column scan writes for the triangles (sample coordinates) under one of its
+/// fill rules, in exact arithmetic: a pixel counts once for each triangle that covers it. Nothing
+/// if the listener ended it.
 std::optional<std::uint64_t> countWrites(std::span<const Triangle> triangles, FillRule rule,
                                          const FrameSpec &spec, const ProgressListener &listener);
 

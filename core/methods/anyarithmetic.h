@@ -8,7 +8,7 @@
 /// The kernel's numbers as quantities, so that one table serves every arithmetic.
 namespace pixelplumb {
 
-/// Stands where the kernel has its arithmetic.
+/// Takes the place of the kernel's arithmetic.
 struct AnyArithmetic {
     using Number = Quantity;
 };

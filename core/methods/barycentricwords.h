@@ -6,9 +6,9 @@
 
 namespace pixelplumb {
 
-/// Which vertices the letters of a barycentric form stand for, and whose weight is which.
+/// Says which vertices a barycentric form's letters stand for, and which weight is whose.
 void tellBarycentric(StepWords &words, const EdgeTestSetUpState &state, const EdgeTestForm &form);
-/// Of a covered sample, by which weights it is; why another is refused is told by its decision.
+/// Says which weights cover a sample; a refused sample's decision says why it is refused.
 void tellBarycentric(StepWords &words, const EdgeTestSampleState &state, const EdgeTestForm &form);
 
 } // namespace pixelplumb

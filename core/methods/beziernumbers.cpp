@@ -13,7 +13,7 @@ namespace {
 
 using Group = NumberGroup;
 
-/// What of 128 bits a fraction uses, so that errors can still be counted from it.
+/// How many of 128 bits a fraction may use, so that errors can still be computed from it.
 constexpr int exactBits = 120;
 
 Quantity coordinateOf(const BezierPiece &piece, const BezierControls &coordinates,
@@ -23,7 +23,7 @@ Quantity coordinateOf(const BezierPiece &piece, const BezierControls &coordinate
     return dyadic(coordinates[control], unitBits + piece.degree() * piece.depth);
 }
 
-/// Whether each control point of a piece has its numbers.
+/// Whether every control point of a piece can be shown as numbers.
 bool hasCoordinates(const BezierPiece &piece)
 {
     for (std::size_t control = 0; control < piece.count; ++control) {
@@ -72,8 +72,7 @@ QString extremeText(const QString &function, QChar coordinate, std::size_t count
     return function + u'(' + each.join(QStringLiteral(", ")) + u')';
 }
 
-/// The squares from the lowest to the highest that a piece may meet along a or b: by them it is
-/// decided.
+/// The squares, from the lowest to the highest, that a piece may meet along a or b: they decide it.
 void appendSquares(NumberTable<BezierStep> &table, QChar coordinate,
                    const DiamondExtent &(BezierDiamonds::*extent)() const)
 {
@@ -101,7 +100,7 @@ void appendSquares(NumberTable<BezierStep> &table, QChar coordinate,
         return QStringLiteral("⌊%1 + ½⌋")
             .arg(extremeText(QStringLiteral("min"), coordinate, count));
     });
-    // A curve comes up to its highest control point at an end alone.
+    // A curve reaches its highest control point only at an end.
     append("_high", QStringLiteral("last"), &DiamondExtent::highest, [=](std::size_t count) {
         return QStringLiteral("max(⌊%1 + ½⌋, ⌊%2 + ½⌋, ⌈%3 + ½⌉ − 1)")
             .arg(diagonalText(coordinate, 0), diagonalText(coordinate, count - 1),

@@ -10,7 +10,7 @@ namespace pixelplumb {
 const NumberTable<BezierSetUp> &bezierSetUpNumbers();
 const NumberTable<BezierStep> &bezierNumbers();
 
-/// numerator / 2^power; none where a fraction does not hold it.
+/// numerator / 2^power; none if a fraction cannot hold it.
 Quantity dyadic(BigInteger numerator, int power);
 
 } // namespace pixelplumb

@@ -5,7 +5,7 @@
 
 namespace pixelplumb {
 
-/// A pattern for R, G or B: % in its texts stands for the channel's letter.
+/// Fills in a pattern for R, G or B: % in its texts stands for the channel's letter.
 QString forChannel(QString text, std::size_t channel);
 NumberDescription forChannel(NumberDescription pattern, std::size_t channel);
 
@@ -18,7 +18,7 @@ void appendChannels(NumberTable<State> &table, const NumberDescription &pattern,
                          [read, channel](const State &state) { return read(state, channel); }});
 }
 
-/// The same where the words follow the state: `specify` may write % for the letter.
+/// Appends the same rows with words that follow the state: `specify` may write % for the letter.
 template <class State, class Read, class Specify>
 void appendChannels(NumberTable<State> &table, const NumberDescription &pattern, const Read &read,
                     const Specify &specify)

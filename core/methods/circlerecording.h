@@ -12,7 +12,7 @@ struct CircleFillRecording : CircleFillNumbers, FlatRecording {
 
     static const auto &setUpNumbers() { return roundSetUpNumbers(); }
     static const auto &spanNumbers() { return circleFillNumbers(); }
-    static CircleFillState stateOf(const SpanInHand<Round, CircleFillRow> &step)
+    static CircleFillState stateOf(const CurrentSpan<Round, CircleFillRow> &step)
     {
         return {step.setUp, step.span};
     }
@@ -48,7 +48,7 @@ struct CircleExplicitRecording : CircleExplicitNumbers<A>, FlatRecording {
 
     static const auto &setUpNumbers() { return roundSetUpNumbers(); }
     static const auto &spanNumbers() { return circleExplicitNumbers(); }
-    static auto stateOf(const SpanInHand<Round, Span> &step)
+    static auto stateOf(const CurrentSpan<Round, Span> &step)
     {
         return circleStateOf(step.span, step.setUp);
     }
@@ -64,8 +64,8 @@ struct CircleParametricRecording : CircleParametricNumbers<Float>, FlatRecording
 
     static const auto &setUpNumbers() { return circleParametricSetUpNumbers(); }
     static const auto &spanNumbers() { return circleParametricNumbers(); }
-    static auto stateOf(const SetUpInHand<SetUp> &step) { return circleStateOf(step.setUp); }
-    static auto stateOf(const SpanInHand<SetUp, Span> &step) { return circleStateOf(step.span); }
+    static auto stateOf(const CurrentSetUp<SetUp> &step) { return circleStateOf(step.setUp); }
+    static auto stateOf(const CurrentSpan<SetUp, Span> &step) { return circleStateOf(step.span); }
 
     static SpanPlace placeOf(const Span &step) { return freeStep(step.number); }
 };

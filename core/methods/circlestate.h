@@ -6,8 +6,8 @@
 #include "core/scan/circlefill.h"
 #include "core/scan/circleparametric.h"
 
-/// What the tables of the two circle methods read that have an arithmetic: the kernels' numbers as
-/// quantities.
+/// What the tables of the two circle methods with a choice of arithmetic read: the kernels' numbers
+/// as quantities.
 namespace pixelplumb {
 
 template <>
@@ -37,7 +37,7 @@ struct CircleParametricState {
     std::int64_t x = 0, y = 0; ///< the nearest pixel
 };
 
-/// The root of exact arithmetic, down to the lattice.
+/// The root of exact arithmetic, rounded down to the lattice.
 inline Quantity rootIn(Lattice root) { return Quantity::rational(root, unitsPerPixel); }
 template <std::floating_point Float>
 Quantity rootIn(Float root)

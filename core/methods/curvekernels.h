@@ -5,7 +5,7 @@
 #include "core/methods/kernelmethod.h"
 #include "core/methods/pointrecording.h"
 
-/// The kernels of circles, ellipses and points as kernelmethod.h wants them.
+/// The kernels of circles, ellipses and points in the form that kernelmethod.h requires.
 namespace pixelplumb {
 
 using RoundKernel = ShapeKernel<PrimitiveKind::Circle, PrimitiveKind::Ellipse>;
@@ -31,7 +31,7 @@ struct ExplicitKernel : OutlineKernel,
     }
 };
 
-/// It has no exact numbers: double is the nearest to them.
+/// Has no exact numbers: double comes closest.
 struct ParametricKernel : OutlineKernel, InExactOrFloat<double, double, float, double> {
     template <class Float>
     using Recording = CircleParametricRecording<Float>;

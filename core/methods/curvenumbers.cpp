@@ -26,7 +26,7 @@ NumberDescription counter(const QString &toolTip)
     return curveNumber("i", QStringLiteral("i"), "", toolTip, {}, Group::Position);
 }
 
-/// The root of exact numbers is taken down to 1/256 px.
+/// The exact root is rounded down to 1/256 px.
 void specifyRoot(NumberDescription &description, const CircleExplicitState &step)
 {
     if (step.round.radiusX == 0) {
@@ -92,7 +92,7 @@ const NumberTable<Round> &roundSetUpNumbers()
 
 namespace {
 
-/// Half of the row's chord, to either side of the centre; `sign` is that of the side.
+/// Half of the row's chord, to one side of the centre; `sign` is that of the side.
 void specifyChordEnd(NumberDescription &description, const CircleFillState &state, QChar sign)
 {
     const QString root = QStringLiteral("√(r_y² − (y − y_c)²)");

@@ -21,7 +21,7 @@ const NumberTable<CircleFillState> &circleFillNumbers();
 const NumberTable<CircleExplicitState> &circleExplicitNumbers();
 const NumberTable<CircleParametricSetUpState> &circleParametricSetUpNumbers();
 const NumberTable<CircleParametricState> &circleParametricNumbers();
-/// The same as of all circles, in whole pixels.
+/// Centre and radii, in whole pixels.
 const NumberTable<MidpointSetUp> &midpointSetUpNumbers();
 const NumberTable<MidpointStep> &circleMidpointNumbers();
 

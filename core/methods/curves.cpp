@@ -24,7 +24,7 @@ struct BezierKernel : ShapeKernel<PrimitiveKind::Bezier>, InIntegers {
     }
 };
 
-/// What the methods of this file have in common.
+/// The common part of this file's methods.
 template <class Kernel>
 Method curveMethod()
 {

@@ -31,8 +31,8 @@ QString midpointSignText(const Quantity &decision)
         + (decision.numerator() < 0 ? QStringLiteral(" < 0") : QStringLiteral(" > 0"));
 }
 
-/// Which side of the curve the midpoint is on. A row that stays though it is outside does so by the
-/// variant StayAtZero.
+/// Which side of the curve the midpoint is on. A row stays with it outside only by the variant
+/// StayAtZero.
 QString sideText(const MidpointStep &step, const Quantity &decision)
 {
     if (decision.numerator() > 0 && step.down == 0 && step.y > 0)
@@ -84,7 +84,7 @@ QString directionText(const DiamondExtent &extent)
     return extent.atLast > extent.atFirst ? QStringLiteral("grows") : QStringLiteral("falls");
 }
 
-/// part / 2^depth. A halving takes a third of a digit, so that both ends of a piece are told apart.
+/// part / 2^depth. A halving takes a third of a digit, so this many tell a piece's ends apart.
 QString parameterText(const BigInteger &part, int depth)
 {
     const Quantity parameter = dyadic(part, depth);
@@ -130,7 +130,7 @@ QString verdictText(const BezierStep &step)
     return {};
 }
 
-/// The pixels that a decided piece has, each once, in the curve's order.
+/// The pixels of a decided piece, each once, in the curve's order.
 QString pixelsText(const BezierStep &step)
 {
     QStringList pixels;
@@ -159,7 +159,8 @@ void tellCurve(StepWords &words, const CircleExplicitState &step)
 {
     const QString place
         = QStringLiteral(
-              "On the column %1 the curve is h = %2 from y_c to either side, which rounds to ")
+              "On the column %1 the curve is h from y_c to either side, as computed %2, which "
+              "rounds to ")
               .arg(QString::number(step.x), term(step.root));
     words.sentence = step.above == step.below
         ? place + QStringLiteral("the row %1.").arg(step.above)
@@ -190,7 +191,7 @@ void tellCurve(StepWords &words, const MidpointStep &step)
     const Quantity decision = Quantity::rational(step.decision, step.decisionUnit);
     const Quantity increment
         = Quantity::rational(step.nextDecision - step.decision, step.decisionUnit);
-    // No row lies inwards of the axis, whatever the midpoint says.
+    // No row lies inwards of the axis, wherever the midpoint is.
     const bool staysAnyway = step.down == 0 && step.y == 0 && decision.numerator() > 0;
     if (staysAnyway)
         words.moment = Moment::Cross;

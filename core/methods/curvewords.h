@@ -9,8 +9,8 @@
 
 namespace pixelplumb {
 
-/// What the methods of points, circles and curves say of their steps: which pixels, and what led to
-/// them.
+/// What the methods of points, circles and curves say of their steps: which pixels they draw, and
+/// why.
 void tellCurve(StepWords &words, const PointStep &step);
 void tellCurve(StepWords &words, const CircleExplicitState &step);
 void tellCurve(StepWords &words, const CircleParametricState &step);

@@ -61,7 +61,7 @@ bool isPlanesRate(const EdgeWalkNames &names, const EdgeWalkStart &start)
     return names.form().rate == ColourRate::Plane && start.hasPlane;
 }
 
-/// Between equal bounds (R_T − R_B)/(y_T − y_B) does not exist, and no pixel uses it.
+/// Between equal bounds (R_T − R_B)/(y_T − y_B) is undefined, and no pixel uses it.
 bool hasRate(const EdgeWalkNames &names, const EdgeWalkStart &start)
 {
     return isPlanesRate(names, start) || !start.isPoint;
@@ -85,7 +85,7 @@ void specifyRate(const EdgeWalkNames &names, NumberDescription &description,
     description = names.filled(std::move(description));
 }
 
-/// Whether each level is computed from the triangle's first vertex, and none from the one before.
+/// Whether each level is computed from the triangle's first vertex, not from the previous one.
 bool isDirect(const EdgeWalkNames &names, const EdgeWalkStart &start)
 {
     return names.form().walk == WalkForm::Direct && (start.hasPlane || start.isVertical);

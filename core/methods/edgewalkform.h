@@ -5,7 +5,7 @@
 
 namespace pixelplumb {
 
-/// How the positions of the edges and their colours come about.
+/// How the positions and colours of the edges are computed.
 enum class WalkForm {
     Accumulated, ///< each span adds the slopes to the one before
     Direct, ///< each span computes y₀ + (x − x₀)·m anew
@@ -17,8 +17,8 @@ enum class ColourRate {
     Plane, ///< from the plane through the three vertices
 };
 
-/// What an edge walk's words say of it: names, formulas, pseudocode. What it computes in is its
-/// kernel's withNumbers() (core/methods/edgewalkkernels.h).
+/// What the words about an edge walk depend on: names, formulas, pseudocode. Its kernel's
+/// withNumbers() chooses the numbers it computes in (core/methods/edgewalkkernels.h).
 struct EdgeWalkForm {
     SpanAxis axis = SpanAxis::Column;
     WalkForm walk = WalkForm::Accumulated;

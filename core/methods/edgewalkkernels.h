@@ -5,7 +5,7 @@
 #include "core/scan/biasarithmetic.h"
 #include "core/scan/constantratearithmetic.h"
 
-/// The kernels of the edge walks as kernelmethod.h wants them.
+/// The kernels of the edge walks in the form that kernelmethod.h requires.
 namespace pixelplumb {
 
 template <SpanAxis axis>
@@ -32,7 +32,7 @@ struct ConstantRateWalk
 
 struct BiasScan
     : EdgeWalkKernel<EdgeWalkForm{SpanAxis::Column, WalkForm::Direct, ColourRate::Plane}> {
-    /// Narrow is also what the bias is proved for.
+    /// The narrow case also needs the domain in which the bias is proved.
     static IntegerWidth widthFor(const Triangle &triangle, const FrameView &)
     {
         const bool isNarrow = integerWidthFor(triangle) == IntegerWidth::Bits64;

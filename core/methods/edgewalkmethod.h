@@ -21,7 +21,7 @@ struct EdgeWalkKernel : TriangleKernel, InAnyArithmetic {
     }
 };
 
-/// What all walks have in common; the kernel is an EdgeWalkKernel, maybe with other numbers.
+/// The common part of all edge walks; the kernel is an EdgeWalkKernel, maybe with other numbers.
 template <class Kernel>
 Method edgeWalkMethod()
 {

@@ -28,7 +28,7 @@ QString EdgeWalkNames::filled(QString text) const
     put("{span}", QStringLiteral("column"), QStringLiteral("row"));
     put("{across}", QStringLiteral("row"), QStringLiteral("column"));
     put("{half}", QStringLiteral("half"), QStringLiteral("trapezoid"));
-    // y may point either way as seen, x points to the right.
+    // y may point either way on the screen, x points to the right.
     put("{lower}", QStringLiteral("smaller-y"), QStringLiteral("left"));
     put("{upper}", QStringLiteral("larger-y"), QStringLiteral("right"));
     return text;
@@ -127,7 +127,7 @@ QString EdgeWalkNames::boundFormula(const EdgeWalkSpanState &state, SpanBound bo
         return QStringLiteral("%1 ← %2′ + %3")
             .arg(title, state.isCrossed ? exchanged(title) : title, slope);
     const bool isAlong = hasNoSlope(state.corners, edge);
-    // A segment along the span lies in one of them, from P0 to P2.
+    // A segment along the span lies in a single span, from P0 to P2.
     const bool isSegmentsEnd = !state.start.hasPlane && isAlong && bound == SpanBound::Upper;
     const std::size_t from = isSegmentsEnd ? 2 : sortedEdgeEnds[std::size_t(edge)][0];
     const QString start = value + vertexDigits[state.digits[from]];

@@ -25,8 +25,8 @@ QString subscriptOf(SortedEdge edge, const std::array<std::size_t, 3> &digits = 
 /// "L₀₁".
 QString nameOf(SortedEdge edge);
 
-/// The letters of an edge walk. In its texts {a} runs along the span and {c} across the spans; {lo}
-/// and {hi} are the bounds; {span}, {half}, {lower} and {upper} are words.
+/// The letters of an edge walk. In its texts {a} is the coordinate along the span and {c} the one
+/// across the spans; {lo} and {hi} are the bounds; {span}, {half}, {lower} and {upper} are words.
 class EdgeWalkNames {
 public:
     explicit EdgeWalkNames(const EdgeWalkForm &form)
@@ -40,12 +40,12 @@ public:
     QString filled(QString text) const;
     NumberDescription filled(NumberDescription description) const;
 
-    /// The part of a text that says the way from a vertex to the span, px: "(x − x₀)"; of an edge
-    /// without pre-step from its first span on: "(x − ⌈x₀⌉)".
+    /// The distance from a vertex to the span in a formula, px: "(x − x₀)"; for an edge without
+    /// pre-step from its first span on: "(x − ⌈x₀⌉)".
     QString way(std::size_t corner, VariantSet variants = {}) const;
-    /// The same between two vertices: "(x₁ − x₀)".
+    /// The distance between two vertices: "(x₁ − x₀)".
     QString way(std::size_t from, std::size_t to) const;
-    /// What an edge's increments are divided by: "(x₁ − x₀)", "(x₁ − x₀ − 1)" by a variant.
+    /// What divides an edge's increments: "(x₁ − x₀)"; with a variant "(x₁ − x₀ − 1)".
     QString divisor(SortedEdge edge, VariantSet variants) const;
 
     /// The coordinate across the spans, turned as the scan turns it, lattice units.
@@ -68,26 +68,26 @@ public:
     QString heading(const EdgeWalkSpanState &state) const;
     /// The first or last covered sample of a span: "⌈y_B⌉", "⌈y_T⌉ − 1" where y_T is not covered.
     QString coveredSample(SpanBound bound, Interval covered) const;
-    /// The same with the bias that the direct form adds before it rounds: "⌈y_B − β_B⌉".
+    /// The rounding with the bias that the direct form adds first: "⌈y_B − β_B⌉".
     QString biased(QString rounding) const;
 
-    /// Where a bound's position or colour comes from in this span: `title` is the number's, `value`
-    /// its letter at a vertex and `rate` that of its change ("y_B", "y", "m").
+    /// Where a bound's position or colour comes from in this span: `title` is the number's title,
+    /// `value` its letter at a vertex and `rate` the letter of its change ("y_B", "y", "m").
     QString boundFormula(const EdgeWalkSpanState &state, SpanBound bound, const QString &title,
                          const QString &value, const QString &rate) const;
 
 private:
-    /// The number's title at the other bound.
+    /// The title of the same number at the other bound.
     QString exchanged(const QString &title) const;
 
     EdgeWalkForm m_form;
 };
 
-/// What the plane through the values % of the three vertices changes by along x or y, over their
-/// doubled area; and that in the vertices' coordinates.
+/// The change along x or y of the plane through the values % of the three vertices, over their
+/// doubled area; and that area in the vertices' coordinates.
 QString planeSlope(QChar axis, const QString &doubledArea);
 QString doubledAreaText();
-/// "β_C": what float64's levels are moved by before they are cut to bytes.
+/// "β_C": what moves float64's levels before they are cut to bytes.
 QString colourBiasTitle();
 
 } // namespace pixelplumb

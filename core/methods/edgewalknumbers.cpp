@@ -79,7 +79,7 @@ void appendBound(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &nam
          }});
 }
 
-/// The first or the last covered sample: ⌈y_B⌉ … ⌊y_T⌋, or what the fill rule makes of them.
+/// The first or the last covered sample: ⌈y_B⌉ … ⌊y_T⌋, or as the fill rule changes them.
 void appendCoveredSample(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names,
                          SpanBound bound)
 {
@@ -139,14 +139,14 @@ void appendStart(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &nam
                                              : Quantity();
          },
          [names](NumberDescription &description, const EdgeWalkSpanState &state) {
-             // Else it is the first covered one, whose formula stands beside it.
+             // Otherwise it is the first covered one, whose formula is shown already.
              description.formula = state.start.isClipped
                  ? names.filled(QStringLiteral("{a}_start = {a}_frame"))
                  : QString();
          }});
 }
 
-/// β of a bound in float64: half of 1/(ΔX·S), the lattice's units taken as pixels.
+/// β of a bound in float64: half of 1/(ΔX·S), with lattice units converted to pixels.
 QString boundBias(const EdgeWalkNames &names, const EdgeWalkSpanState &state, SpanBound bound)
 {
     if ((bound == SpanBound::Lower ? state.biasBottom : state.biasTop).toDouble() == 0)

@@ -32,15 +32,15 @@ struct EdgeWalkRecording : EdgeWalkNumbers<A> {
         return table;
     }
 
-    static EdgeWalkSetUpState stateOf(const SetUpInHand<SetUp> &step)
+    static EdgeWalkSetUpState stateOf(const CurrentSetUp<SetUp> &step)
     {
         return edgeWalkStateOf<A>(step);
     }
-    static EdgeWalkSpanState stateOf(const SpanInHand<SetUp, Span> &step)
+    static EdgeWalkSpanState stateOf(const CurrentSpan<SetUp, Span> &step)
     {
         return edgeWalkStateOf<A>(step);
     }
-    static EdgeWalkSampleState stateOf(const SampleInHand<SetUp, Span, Sample> &step)
+    static EdgeWalkSampleState stateOf(const CurrentSample<SetUp, Span, Sample> &step)
     {
         return edgeWalkStateOf<A>(step, isRow ? step.x : step.y);
     }
@@ -78,7 +78,7 @@ struct EdgeWalkRecording : EdgeWalkNumbers<A> {
         record.level = fragment.level;
     }
 
-    /// Fills a frame of this one span once more with the same numbers.
+    /// Fills this one span again, in a frame of its own, with the same numbers.
     template <class Observer>
     static void walk(const SetUp &, const Span &column, const ScanSettings &settings,
                      Observer observer)

@@ -5,7 +5,7 @@
 
 namespace pixelplumb {
 
-// The rows of the table of methods that walk along edges: the column scan's kin.
+// The method table's rows for the other edge walks, related to the column scan.
 Method rowWalkMethod();
 Method biasColumnScanMethod();
 Method constantRateColumnScanMethod();

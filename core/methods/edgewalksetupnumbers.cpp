@@ -49,7 +49,7 @@ bool isWalked(const EdgeWalkSetUpState &state, SortedEdge edge)
     return !state.walk.scan.zeroArea || edge == SortedEdge::L02;
 }
 
-/// By what an increment along an edge is divided in the run in hand.
+/// The divisor of an increment along an edge in the current run.
 void specifyDivisor(const EdgeWalkNames &names, SortedEdge edge, const EdgeWalkSetUpState &state,
                     NumberDescription &number)
 {
@@ -64,7 +64,7 @@ void specifyDivisor(const EdgeWalkNames &names, SortedEdge edge, const EdgeWalkS
     number.formula.replace(names.divisor(edge, {}), names.divisor(edge, variants));
 }
 
-/// A text with the digits of the edge's ends in the place of @ and &.
+/// Replaces @ and & in a text by the digits of the edge's ends.
 QString betweenEnds(QString text, SortedEdge edge)
 {
     const auto &ends = sortedEdgeEnds[std::size_t(edge)];

@@ -3,7 +3,7 @@
 
 #include "core/methods/anyarithmetic.h"
 #include "core/scan/edgewalk.h"
-#include "core/trace/stepinhand.h"
+#include "core/trace/currentstep.h"
 
 /// What the tables of edge walks read: the kernel's state with each number as a quantity, so that
 /// one table serves every arithmetic.
@@ -14,30 +14,30 @@ struct EdgeWalkSetUpState {
     EdgeWalkSetUp<AnyArithmetic> walk;
 };
 
-/// Where the colours of a span start, and on what.
+/// Where the colours of a span start, and what that depends on.
 struct EdgeWalkStart {
     bool hasPlane = false; ///< the triangle has an area
     bool isVertical = false; ///< it has none and lies in one column, from P0 to P2
     bool isClipped = false; ///< the frame begins after the lower bound
-    bool isPoint = false; ///< the bounds are equal: there is no change between them to share out
+    bool isPoint = false; ///< the bounds are equal: there is no change between them
     Interval covered = Interval::Closed; ///< which bounds belong to the span
-    bool hasPreStep = true; ///< to the first sample: not so by the variant NoColourPreStep
-    bool isOnePoint = false; ///< all vertices lie in one
+    bool hasPreStep = true; ///< to the first sample; false with the variant NoColourPreStep
+    bool isOnePoint = false; ///< all vertices coincide
 };
 
 struct EdgeWalkSpanState {
     std::size_t primitive = 0;
     ScanSettings settings;
     std::array<Vertex, 3> corners; ///< P0, P1, P2
-    std::array<std::size_t, 3> digits = {0, 1, 2}; ///< by which texts call them
+    std::array<std::size_t, 3> digits = {0, 1, 2}; ///< by which texts name the corners
     EdgeWalkStart start;
-    ColumnState<AnyArithmetic> column; ///< of a row walk, in the plane turned to (−y, x)
+    ColumnState<AnyArithmetic> column; ///< for a row walk, in the plane turned to (−y, x)
     Quantity biasBottom, biasTop; ///< β of the two bounds, px
     SortedEdge lower = SortedEdge::L02;
     SortedEdge upper = SortedEdge::L02;
-    bool isFirst = false; ///< no span of the triangle comes before it
+    bool isFirst = false; ///< the triangle's first span
     bool beginsHalf = false; ///< the first span of its half
-    bool isCrossed = false; ///< rounding has exchanged the bounds since the span before
+    bool isCrossed = false; ///< rounding has exchanged the bounds since the previous span
 
     std::int64_t drawnSamples() const
     {
@@ -59,7 +59,7 @@ struct EdgeWalkSampleState {
 };
 
 template <class A>
-EdgeWalkSetUpState edgeWalkStateOf(const SetUpInHand<EdgeWalkSetUp<A>> &step)
+EdgeWalkSetUpState edgeWalkStateOf(const CurrentSetUp<EdgeWalkSetUp<A>> &step)
 {
     const ColumnSetUp<A> &scan = step.setUp.scan;
     EdgeWalkSetUpState state{
@@ -93,7 +93,7 @@ EdgeWalkStart edgeWalkStartOf(const EdgeWalkSetUp<A> &setUp, const ColumnState<A
 }
 
 template <class A>
-EdgeWalkSpanState edgeWalkStateOf(const SpanInHand<EdgeWalkSetUp<A>, ColumnState<A>> &step)
+EdgeWalkSpanState edgeWalkStateOf(const CurrentSpan<EdgeWalkSetUp<A>, ColumnState<A>> &step)
 {
     const ColumnSetUp<A> &scan = step.setUp.scan;
     const ColumnState<A> &column = step.span;
@@ -130,7 +130,7 @@ EdgeWalkSpanState edgeWalkStateOf(const SpanInHand<EdgeWalkSetUp<A>, ColumnState
 /// `along` is the sample's coordinate along the span.
 template <class A>
 EdgeWalkSampleState edgeWalkStateOf(
-    const SampleInHand<EdgeWalkSetUp<A>, ColumnState<A>, Fragment<A>> &step, std::int64_t along)
+    const CurrentSample<EdgeWalkSetUp<A>, ColumnState<A>, Fragment<A>> &step, std::int64_t along)
 {
     return {edgeWalkStartOf(step.setUp, step.span, step.settings.variants),
             quantitiesOf(step.sample.colour), along == step.span.firstDrawnRow,

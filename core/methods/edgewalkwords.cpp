@@ -12,7 +12,7 @@ void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSetUpState &state) cons
     const ColumnSetUp<AnyArithmetic> &scan = state.walk.scan;
     QStringList points;
     for (std::size_t corner = 0; corner < 3; ++corner) {
-        // Between its extreme vertices a row walk knows of no third one.
+        // Between its extreme vertices a row walk sees no third one.
         if (scan.zeroArea && m_names.isRow() && corner == 1)
             continue;
         points.append((scan.zeroArea && m_names.isRow()
@@ -57,8 +57,8 @@ QString EdgeWalkWords::turnSentence(const EdgeWalkSpanState &state) const
             : QStringLiteral("At {c}₁ the scan stops tracking L₀₁ and starts L₁₂ at P₁. "));
 }
 
-/// Of a span without pixels: what its bounds have between them and, where just their own samples
-/// lie there, that the rule does not take these.
+/// For a span without pixels: what its bounds have between them and, if only samples exactly on
+/// them, that the rule does not take these.
 QString EdgeWalkWords::emptySentence(const EdgeWalkSpanState &state) const
 {
     const ColumnState<AnyArithmetic> &column = state.column;
@@ -73,8 +73,8 @@ QString EdgeWalkWords::emptySentence(const EdgeWalkSpanState &state) const
     }
     if (left.isEmpty())
         return m_names
-            .filled(QStringLiteral("{a}_{lo} = %1 and {a}_{hi} = %2 have no sample of the frame "
-                                   "that the fill rule takes between them."))
+            .filled(QStringLiteral("Between {a}_{lo} = %1 and {a}_{hi} = %2 the fill rule takes no "
+                                   "sample of the frame."))
             .arg(lower, upper);
     const QString pattern = left.size() == 1
         ? QStringLiteral("{a}_{lo} = %1 and {a}_{hi} = %2 have just the {across} %3 between them, "
@@ -98,15 +98,15 @@ QString EdgeWalkWords::coverSentence(const EdgeWalkSpanState &state) const
     return count == 1 ? text : text.arg(state.column.endDrawnRow - 1);
 }
 
-/// What a variant leaves out in this span.
+/// What a variant skips in this span.
 QString EdgeWalkWords::departureSentence(const EdgeWalkSpanState &state) const
 {
     QString text;
     if (state.start.hasPlane && state.beginsHalf
         && state.settings.variants.contains(Variant::NoEdgePreStep))
-        text += m_names.filled(QStringLiteral(" Without a pre-step, what begins here has its "
-                                              "vertex' values, wherever between two {span}s the "
-                                              "vertex lies."));
+        text += m_names.filled(
+            QStringLiteral(" Without a pre-step, an edge that begins here has its vertex's values, "
+                           "wherever between two {span}s the vertex lies."));
     if (!state.start.hasPreStep && !state.start.isPoint && state.drawnSamples() > 0)
         text += m_names
                     .filled(QStringLiteral(" Without a pre-step, the first {across} has the "
@@ -122,8 +122,8 @@ void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSpanState &state) const
     words.sentence = turnSentence(state) + coverSentence(state);
     if (state.start.isPoint && state.drawnSamples() > 0
         && m_names.form().rate == ColourRate::Bilinear)
-        words.sentence += m_names.filled(
-            QStringLiteral(" Between equal bounds there is no change to share out, and no Δ."));
+        words.sentence += m_names.filled(QStringLiteral(
+            " The bounds are equal, so there is no change to spread between them, and no Δ."));
     words.sentence += departureSentence(state);
     if (state.start.hasPlane && state.column.half == ColumnHalf::Second && state.beginsHalf)
         words.event = m_names.filled(
@@ -135,7 +135,7 @@ void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSampleState &state) con
 {
     if (state.isFirst)
         words.sentence = m_names.filled(
-            QStringLiteral("The {span}'s first pixel takes R, G and B as they start."));
+            QStringLiteral("The {span}'s first pixel takes the starting values of R, G and B."));
     else if (m_names.form().walk == WalkForm::Direct
              && (state.start.hasPlane || state.start.isVertical))
         words.sentence = QStringLiteral("Each level is computed from P₀ anew.");

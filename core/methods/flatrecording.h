@@ -7,26 +7,26 @@
 
 namespace pixelplumb {
 
-/// How the pixels of one colour become records. The rows of these methods read the kernels' own
+/// How single-colour pixels become records. The tables of these methods read the kernels' own
 /// numbers, unless a recording has another stateOf().
 struct FlatRecording {
     template <class SetUp>
-    static const SetUp &stateOf(const SetUpInHand<SetUp> &step)
+    static const SetUp &stateOf(const CurrentSetUp<SetUp> &step)
     {
         return step.setUp;
     }
     template <class SetUp, class Span>
-    static const Span &stateOf(const SpanInHand<SetUp, Span> &step)
+    static const Span &stateOf(const CurrentSpan<SetUp, Span> &step)
     {
         return step.span;
     }
     template <class SetUp, class Span>
-    static const FlatSample &stateOf(const SampleInHand<SetUp, Span, FlatSample> &step)
+    static const FlatSample &stateOf(const CurrentSample<SetUp, Span, FlatSample> &step)
     {
         return step.sample;
     }
 
-    /// All numbers of a step stand in its span.
+    /// All numbers of a step are in its span.
     static const NumberTable<FlatSample> &sampleNumbers()
     {
         static const NumberTable<FlatSample> none;

@@ -11,7 +11,7 @@ namespace pixelplumb {
 namespace {
 
 constexpr qsizetype longestTerm = 16;
-/// Below, six digits after the point would say too little.
+/// Below this, six digits after the point would say too little.
 constexpr double smallestDecimal = 0.001;
 
 QString shortened(const Quantity &quantity, int places)

@@ -7,24 +7,24 @@
 
 namespace pixelplumb {
 
-/// Digits after the point of a long number, where no more are needed.
+/// The usual limit of digits after the point of a long number.
 inline constexpr int usualPlaces = 6;
 
-/// A number inside a formula or a sentence: exact text while it is short, else decimals and "…", as
-/// many as part it from the whole number next to it; with minus signs, not hyphens.
+/// A number inside a formula or a sentence: exact text while it is short, else decimals and "…",
+/// enough of them to tell it from the nearest whole number; with minus signs, not hyphens.
 QString term(const Quantity &quantity, int places = usualPlaces);
 
-/// A term that may be negative or a mixed number, as a factor or after an operator.
+/// A term as a factor or after an operator; it may be negative or a mixed number.
 QString operand(const Quantity &quantity, int places = usualPlaces);
 
-/// How many digits after the point the operands of a sum need, so that they add up to this side of
-/// the whole number next to the result: two more than the result itself, if it is that near.
+/// How many digits after the point a sum's operands need to add up to the correct side of the whole
+/// number next to the result: two more than the result itself, if it is that near.
 int placesOfOperands(const Quantity &result);
 
 /// Lattice units as pixels.
 Quantity pixels(Lattice units);
 
-/// What a variant adds to the count of steps that increments are divided by: " − 1", " + 1".
+/// What a variant adds to the number of steps that divides increments: " − 1", " + 1".
 QString divisorChange(VariantSet variants);
 
 /// "(9 − 1)": from one coordinate to another, px.

@@ -5,9 +5,9 @@
 
 namespace pixelplumb {
 
-/// Colour, depth, texture coordinates and normals over a triangle, in the three forms of the
-/// Scan Conversion slides, "Interpolation During Scan Conversion". The picture shows the colour; a
-/// trace carries what else the scene's triangles are given.
+/// Colour, depth, texture coordinates and normals over a triangle, in the three forms of the Scan
+/// Conversion slides, "Interpolation During Scan Conversion". The picture shows the colour; a trace
+/// also carries the triangles' other attributes.
 Method bilinearInterpolationMethod();
 Method bilinearRowsInterpolationMethod();
 Method planeInterpolationMethod();

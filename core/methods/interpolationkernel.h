@@ -9,9 +9,9 @@
 
 namespace pixelplumb {
 
-/// Whether the exact fractions of its colours fit 64 bits: within 2^15 px and no wider or higher
-/// than 4096 px. Then products with coordinates stay below 2^61, numerators at samples below 2^57,
-/// and the bilinear form's products along two edges below 2^123.
+/// Whether the exact fractions of a triangle's colours fit 64 bits: within 2^15 px and no wider or
+/// higher than 4096 px. Then products with coordinates stay below 2^61, numerators at samples below
+/// 2^57, and the bilinear form's products along two edges below 2^123.
 constexpr bool hasNarrowFractions(const Triangle &triangle)
 {
     constexpr Lattice longest = 4096 * unitsPerPixel;
@@ -28,7 +28,7 @@ struct InterpolationKernel : TriangleKernel,
     template <class Number>
     using Recording = InterpolationRecording<Form, Number>;
 
-    /// The picture shows the colour: of the other channels it needs none.
+    /// The picture shows only the colour, so no other channel is carried.
     template <class Number, class Observer>
     static void scan(const Triangle &triangle, const ScanSettings &settings, FrameView frame,
                      Observer observer)
@@ -46,7 +46,7 @@ struct InterpolationKernel : TriangleKernel,
             else
                 scan(triangle);
         };
-        // The picture is the same in all; who reads the numbers has one type of them.
+        // The picture is the same in all number types; observers that read numbers get only one.
         if constexpr (!readsNumbers<Observer>) {
             if constexpr (std::is_same_v<Number, CommonFraction>) {
                 if (hasNarrowFractions(triangle)) {

@@ -4,12 +4,12 @@
 #include "core/methods/interpolationkernel.h"
 #include "core/methods/plannedmethod.h"
 
-/// What the methods of interpolation have in common. Each form is thousands of lines of templates:
-/// they are compiled in files of their own.
+/// The common part of the interpolation methods. Each form is thousands of lines of templates, so
+/// each is compiled in a file of its own.
 namespace pixelplumb {
 
-/// What the triangles are given that a person wrote. Of a camera's triangles only what an effect
-/// reads counts, and then it is the effects' kernels that draw.
+/// The channels that a person gave the triangles. Of a camera's triangles only those count that an
+/// effect reads, and then the effects' kernels draw.
 CarriedChannels carriedBy(const Primitives &primitives);
 
 template <InterpolationForm Form>
@@ -38,7 +38,7 @@ std::unique_ptr<ScanTrace> traceCarried(const Primitives &primitives, const Scan
     });
 }
 
-/// What draws colours; z, u, v and the normal are traced, where a person gives them.
+/// A method that draws colours, and traces z, u, v and the normal where a person gives them.
 template <InterpolationForm Form>
 Method plainInterpolationMethod()
 {
@@ -64,7 +64,7 @@ Method plainInterpolationMethod()
     return method;
 }
 
-/// The same, with all effects.
+/// An interpolation method with all effects.
 template <InterpolationForm Form, ShadedMethod shaded>
 Method interpolationMethod()
 {

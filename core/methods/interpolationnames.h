@@ -5,7 +5,7 @@
 #include "core/scan/interpolationnumbers.h"
 #include "core/trace/numberdescription.h"
 
-/// What the channels of an interpolation, and the numbers made from them, are called.
+/// The names of an interpolation's channels and of the numbers made from them.
 namespace pixelplumb {
 
 /// "R", "z", "N_x".
@@ -19,14 +19,13 @@ QString coefficientOf(const QString &coefficient, QString name);
 QString weightTitle(std::size_t vertex);
 QString weightId(std::size_t vertex);
 
-/// The letters of a form's walk along the edges, told as the edge walks tell
-/// theirs.
+/// The letters of a form's walk along the edges, as the edge walks use them.
 EdgeWalkNames walkNames(InterpolationForm form);
 
 /// Between which two edges a column lies: without their names where vertices are not sorted.
 NumberDescription halfNumberOf(InterpolationForm form);
 
-/// A number that stands beside the exact one.
+/// A number shown next to the exact one.
 NumberDescription comparedNumber(const QString &id, const QString &title, const QString &unit,
                                  const QString &toolTip, const QString &formula, NumberGroup group);
 

@@ -153,7 +153,7 @@ QString valueFormula(InterpolationForm form, const QString &name)
                  coefficientOf(QStringLiteral("b"), name),
                  coefficientOf(QStringLiteral("c"), name));
     case InterpolationForm::Barycentric:
-        // Not by arg(), which takes a subscript after a place-marker for one of its digits.
+        // Not arg(), which would read a subscript after a place marker as one of its digits.
         return name + QStringLiteral(" = α·") + name + QStringLiteral("₀ + β·") + name
             + QStringLiteral("₁ + γ·") + name + u'₂';
     }
@@ -168,7 +168,7 @@ QString segmentFormula(InterpolationForm form, const QString &name,
     const QChar first = vertexDigits[isSorted ? 0 : std::size_t(state.order[0])];
     const QChar last = vertexDigits[isSorted ? 2 : std::size_t(state.order[2])];
     const bool isRow = axisOf(form) == SpanAxis::Row;
-    // Rows go down, along growing −y.
+    // Rows are walked downwards, along growing −y.
     const QString value = state.isPoint ? QStringLiteral("% = %#")
         : isRow && !state.start.isVertical
         ? QStringLiteral("% = %# + (@# − @)·((%& − %#)/(@# − @&))")
@@ -180,7 +180,7 @@ QString segmentFormula(InterpolationForm form, const QString &name,
         .replace(u'%', name);
 }
 
-/// Without a change along the column its samples have what its bound has.
+/// Without a change along the column its samples have the bound's value.
 void specifyValue(NumberDescription &number, InterpolationForm form, const QString &name,
                   const InterpolationSampleState &state)
 {

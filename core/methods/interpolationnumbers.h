@@ -6,7 +6,7 @@
 
 namespace pixelplumb {
 
-/// The numbers of the three forms of interpolation, of the channels that are carried.
+/// The numbers of the three forms of interpolation, for the channels that are carried.
 NumberTable<InterpolationSetUpState> interpolationSetUpNumbers(InterpolationForm form,
                                                                const CarriedChannels &carried);
 NumberTable<InterpolationSpanState> interpolationSpanNumbers(InterpolationForm form,

@@ -90,7 +90,7 @@ Pseudocode columnLines(InterpolationForm form)
     return code;
 }
 
-/// In the letters of the form's axis.
+/// Fills in the letters of the form's axis.
 Pseudocode inLettersOf(InterpolationForm form, Pseudocode code)
 {
     const EdgeWalkNames names = walkNames(form);
@@ -149,7 +149,7 @@ Pseudocode shadedPseudocode(InterpolationForm form)
                               "pixel's square:"),
                area);
     for (PseudocodeLine line : valueLines(form)) {
-        // A sample behind what stands has its values, too.
+        // A sample hidden by the depth test has its values, too.
         line.moments.push_back(Refused);
         if (isBilinear(form))
             line.antialiasing = one;

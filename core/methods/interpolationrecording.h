@@ -7,8 +7,8 @@
 
 namespace pixelplumb {
 
-/// How the numbers of an interpolation become records: of R G B, or with room for all channels, of
-/// those that are carried.
+/// How the numbers of an interpolation become records: for R G B or, with room for all channels,
+/// for those that are carried.
 template <InterpolationForm Form, class Number, std::size_t channelsInAll = colourChannelCount>
 struct InterpolationRecording : InterpolationNumbers<Number, channelsInAll> {
     using typename InterpolationNumbers<Number, channelsInAll>::SetUp;
@@ -28,15 +28,15 @@ struct InterpolationRecording : InterpolationNumbers<Number, channelsInAll> {
         return interpolationSampleNumbers(Form, carried);
     }
 
-    static InterpolationSetUpState stateOf(const SetUpInHand<SetUp> &step)
+    static InterpolationSetUpState stateOf(const CurrentSetUp<SetUp> &step)
     {
         return interpolationStateOf<Form>(step.setUp);
     }
-    static InterpolationSpanState stateOf(const SpanInHand<SetUp, Span> &step)
+    static InterpolationSpanState stateOf(const CurrentSpan<SetUp, Span> &step)
     {
         return interpolationStateOf<Form, Number, channelsInAll>(step);
     }
-    static InterpolationSampleState stateOf(const SampleInHand<SetUp, Span, Sample> &step)
+    static InterpolationSampleState stateOf(const CurrentSample<SetUp, Span, Sample> &step)
     {
         return interpolationStateOf<Form, Number, channelsInAll>(step);
     }
@@ -78,7 +78,7 @@ struct InterpolationRecording : InterpolationNumbers<Number, channelsInAll> {
         record.level = sample.level;
     }
 
-    /// Fills a frame of this one column or row once more with the same numbers.
+    /// Fills this one column or row again, in a frame of its own, with the same numbers.
     template <class Observer>
     static void walk(const SetUp &setUp, const Span &column, const ScanSettings &settings,
                      Observer observer)

@@ -12,7 +12,7 @@ namespace {
 
 using Group = NumberGroup;
 
-/// The vertex that a digit names: of the bilinear forms they are sorted.
+/// The vertex that a digit names: in the bilinear forms vertices are sorted.
 std::size_t vertexIn(const InterpolationSetUpState &state, InterpolationForm form,
                      std::size_t digit)
 {
@@ -39,7 +39,7 @@ void appendPositions(NumberTable<InterpolationSetUpState> &table, InterpolationF
     }
 }
 
-/// A channel that is carried: its place among these, and its name.
+/// A carried channel: its place among the carried ones, and its name.
 struct PlacedChannel {
     std::size_t place;
     QString name;
@@ -64,7 +64,7 @@ void appendValues(NumberTable<InterpolationSetUpState> &table, InterpolationForm
     }
 }
 
-/// What is 0 throughout, because no vertex carries the channel, is not worked out in words.
+/// A number that is 0 throughout, because no vertex carries the channel, needs no formula.
 NumberRow<InterpolationSetUpState>::Specify ifCarried(std::size_t channel)
 {
     return [channel](NumberDescription &number, const InterpolationSetUpState &state) {
@@ -79,7 +79,7 @@ void appendNormal(NumberTable<InterpolationSetUpState> &table, const PlacedChann
     struct Component {
         const char16_t *name;
         const char16_t *formula;
-        const char16_t *unit; ///< times a level's; null of C, which is an area
+        const char16_t *unit; ///< times a level's; null for C, which is an area
     };
     constexpr std::array components
         = {Component{u"A", u"(y₁ − y₀)·(%₂ − %₀) − (%₁ − %₀)·(y₂ − y₀)", u"·px"},

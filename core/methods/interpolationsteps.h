@@ -5,13 +5,13 @@
 #include "core/methods/edgewalknames.h"
 #include "core/methods/edgewalkstate.h"
 #include "core/scan/interpolationscan.h"
-#include "core/trace/stepinhand.h"
+#include "core/trace/currentstep.h"
 
 /// What the tables of interpolations read: the kernel's numbers as quantities, so that one table
 /// serves every arithmetic.
 namespace pixelplumb {
 
-/// What a kernel has in the channels that it carries; the rest are none.
+/// A kernel's numbers in the channels that it carries; the rest are none.
 template <class Number, std::size_t carried>
 std::array<Quantity, channelCount> channelQuantities(const std::array<Number, carried> &numbers)
 {
@@ -34,11 +34,11 @@ ChannelVertex roomyVertex(const VertexOfChannels<channelsInAll> &vertex)
 /// The point of the frame that a row scan has turned (rowwalk.h).
 constexpr LatticePoint turnedBack(const LatticePoint &point) { return {point.y, -point.x}; }
 
-/// Without an area there is no plane and there are no weights: these are none.
+/// Without area there is no plane and there are no weights: they are none.
 struct InterpolationSetUpState : InterpolationSetUp<Quantity> {
     std::array<std::array<Quantity, 4>, channelCount> normal; ///< A B C D, [channel]
     std::array<std::array<Quantity, 4>, 3> line; ///< A B C k, [vertex]
-    /// Of the bilinear form: what each column adds along an edge, by SortedEdge; none where the
+    /// In the bilinear form: what each column adds along an edge, by SortedEdge; none where the
     /// edge is vertical.
     std::array<Quantity, 3> slope;
     std::array<std::array<Quantity, channelCount>, 3> rate;
@@ -60,14 +60,14 @@ struct InterpolationSpanState {
     {
         return std::max<std::int64_t>(0, column.endDrawn - column.firstDrawn);
     }
-    /// Equal bounds have no change between them to share out.
+    /// Equal bounds have no change between them.
     bool hasRate() const { return walk.start.hasPlane && !(column.yBottom == column.yTop); }
 };
 
 struct InterpolationSampleState : InterpolationSample<Quantity> {
     std::array<int, 3> order = {0, 1, 2}; ///< P0, P1, P2 in the caller's triangle
     EdgeWalkStart start;
-    bool isPoint = false; ///< all vertices are one
+    bool isPoint = false; ///< all vertices coincide
 };
 
 template <InterpolationForm Form, class Number, std::size_t channelsInAll>
@@ -112,8 +112,8 @@ InterpolationSetUpState interpolationStateOf(const InterpolationSetUp<Number, ch
     return state;
 }
 
-/// Which of its bounds belong to a column, or a row. Under top-left that is a matter of a column's
-/// edges, and is seen by the samples that it covers.
+/// Which bounds belong to a column, or a row. Under top-left that depends on a column's edges and
+/// is read from the samples that it covers.
 template <InterpolationForm Form, class Number, std::size_t channelsInAll>
 Interval coveredBy(const InterpolationColumn<Number, channelsInAll> &column, FillRule rule)
 {
@@ -126,12 +126,11 @@ Interval coveredBy(const InterpolationColumn<Number, channelsInAll> &column, Fil
     return coversUpper ? Interval::OpenClosed : Interval::Open;
 }
 
-/// How a column's, or a row's, walk along the edges is told, as the edge walks
-/// tell theirs.
+/// A column's, or a row's, walk along the edges, described as the edge walks describe theirs.
 template <InterpolationForm Form, class Number, std::size_t channelsInAll>
 EdgeWalkSpanState interpolationWalkOf(
-    const SpanInHand<InterpolationSetUp<Number, channelsInAll>,
-                     InterpolationColumn<Number, channelsInAll>> &step)
+    const CurrentSpan<InterpolationSetUp<Number, channelsInAll>,
+                      InterpolationColumn<Number, channelsInAll>> &step)
 {
     const auto &setUp = step.setUp;
     EdgeWalkSpanState walk;
@@ -161,8 +160,8 @@ EdgeWalkSpanState interpolationWalkOf(
 
 template <InterpolationForm Form, class Number, std::size_t channelsInAll>
 InterpolationSpanState interpolationStateOf(
-    const SpanInHand<InterpolationSetUp<Number, channelsInAll>,
-                     InterpolationColumn<Number, channelsInAll>> &step)
+    const CurrentSpan<InterpolationSetUp<Number, channelsInAll>,
+                      InterpolationColumn<Number, channelsInAll>> &step)
 {
     const InterpolationColumn<Number, channelsInAll> &column = step.span;
     return {interpolationWalkOf<Form, Number, channelsInAll>(step),
@@ -175,9 +174,9 @@ InterpolationSpanState interpolationStateOf(
 
 template <InterpolationForm Form, class Number, std::size_t channelsInAll>
 InterpolationSampleState interpolationStateOf(
-    const SampleInHand<InterpolationSetUp<Number, channelsInAll>,
-                       InterpolationColumn<Number, channelsInAll>,
-                       InterpolationSample<Number, channelsInAll>> &step)
+    const CurrentSample<InterpolationSetUp<Number, channelsInAll>,
+                        InterpolationColumn<Number, channelsInAll>,
+                        InterpolationSample<Number, channelsInAll>> &step)
 {
     const InterpolationSample<Number, channelsInAll> &sample = step.sample;
     InterpolationSampleState state{{channelQuantities(sample.value), {}, sample.level},

@@ -3,8 +3,8 @@
 
 #include "core/methods/interpolationmethod.h"
 
-/// Recording an interpolation is compiled in one source, not beside the drawing: nothing of it is
-/// timed, and the optimiser takes twice as long for what is.
+/// Recording an interpolation is compiled in a source of its own, apart from drawing: it is not
+/// timed, and the optimiser takes twice as long over timed code.
 namespace pixelplumb {
 
 extern template TraceFunction traceWith<InterpolationKernel<InterpolationForm::Bilinear>>;

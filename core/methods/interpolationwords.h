@@ -9,13 +9,13 @@ namespace pixelplumb {
 /// Where P₀, P₁ and P₂ are: sorted in a bilinear form, else as they are given.
 QString verticesText(InterpolationForm form, const std::array<int, 3> &order,
                      const std::array<LatticePoint, 3> &positions);
-/// Which vertices the numbers of a set-up belong to.
-/// Of a triangle without area, what the closed rule paints.
+/// What the closed rule paints of a triangle without area.
 QString segmentText(InterpolationForm form, const std::array<int, 3> &order);
 
+/// Says which vertices the numbers of a set-up belong to.
 void tellInterpolation(StepWords &words, const InterpolationSetUpState &state,
                        InterpolationForm form);
-/// Which rows a column covers, and where it has no change to share out.
+/// Says which rows a column covers, and where it has no change to spread.
 void tellInterpolation(StepWords &words, const InterpolationSpanState &state,
                        InterpolationForm form);
 

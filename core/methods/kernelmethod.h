@@ -12,16 +12,16 @@
 #include <concepts>
 #include <memory>
 
-/// How a kernel becomes a method: methodOf<Kernel>() draws, traces and describes its numbers by it.
+/// How a kernel becomes a method: methodOf<Kernel>() draws, traces and describes numbers with it.
 /// A kernel says, in static members,
 ///   draws(primitives, index)       whether a primitive is of its kind;
-///   geometryOf(primitives, index)  what is scanned of it;
+///   geometryOf(primitives, index)  the geometry to scan;
 ///   widthFor(geometry, frame)      which integers hold the exact products of that;
 ///   withNumbers(settings, width, function)
 ///                                  calls function.operator()<A>(), A being what it computes in;
 ///   Recording<A>                   how these numbers become records (trace/recording.h);
 ///   scan<A>(geometry, settings, frame, observer).
-/// The first two are mostly a TriangleKernel's or a ShapeKernel's, the next two one of
+/// The first two usually come from TriangleKernel or ShapeKernel, the next two from
 /// kernelnumbers.h.
 namespace pixelplumb {
 
@@ -48,7 +48,7 @@ struct ShapeKernel {
     }
 };
 
-/// Draws one primitive, in the narrowest integers that hold it.
+/// Draws one primitive, in the narrowest integers that hold its products.
 template <class Kernel, class Geometry>
 void drawGeometry(const Geometry &geometry, const ScanSettings &settings, FrameView frame)
 {
@@ -91,8 +91,8 @@ std::unique_ptr<ScanTrace> traceWith(const Primitives &primitives, const ScanSet
     });
 }
 
-/// A method that draws, traces and describes its numbers by the kernel; its names and its choices
-/// are left to be filled in.
+/// A method that draws, traces and describes its numbers with the kernel; its names and choices are
+/// still to be filled in.
 template <class Kernel>
 Method methodOf()
 {

@@ -4,7 +4,7 @@
 #include "core/methods/placenumbers.h"
 #include "core/methods/units.h"
 
-/// The numbers of lines that the sign of a decision parameter leads.
+/// The numbers of lines led by the sign of a decision parameter.
 namespace pixelplumb {
 
 namespace {
@@ -54,8 +54,8 @@ NumberTable<DecisionSetUpState> decisionSetUpTable()
          [](const State &setUp) { return setUp.moveIncrement; }}};
 }
 
-/// Where the line is at the pixel of a decision, and how far that is from the two pixels between
-/// which it decides.
+/// Where the line is at the pixel of a decision, and its distances from the two pixels to choose
+/// between.
 void appendDistances(NumberTable<DecisionState> &table)
 {
     using State = DecisionState;
@@ -131,7 +131,7 @@ void specifyNextDecision(NumberDescription &number, const DecisionState &step)
         number.formula = QStringLiteral("p_k₊₁ = 2Δy − Δx");
         return;
     }
-    // Between whole pixels what p stands for: Δx·(d_lower − d_upper) one step on.
+    // Between whole pixels, what p stands for: Δx·(d_lower − d_upper) one step on.
     number.formula = step.falls()
         ? QStringLiteral("p_k₊₁ = Δx·(2·y_k − 2·(y₀ − (x_k + 2 − x₀)·Δy/Δx) − 1)")
         : QStringLiteral("p_k₊₁ = Δx·(2·(y₀ + (x_k + 2 − x₀)·Δy/Δx) − 2·y_k − 1)");

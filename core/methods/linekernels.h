@@ -4,7 +4,7 @@
 #include "core/methods/kernelmethod.h"
 #include "core/methods/linerecording.h"
 
-/// The kernels of lines as kernelmethod.h wants them.
+/// The kernels of lines in the form that kernelmethod.h requires.
 namespace pixelplumb {
 
 struct SlopeInterceptKernel : ShapeKernel<PrimitiveKind::Line>, InAnyArithmetic {

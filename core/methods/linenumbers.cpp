@@ -13,7 +13,7 @@ namespace {
 
 using Group = NumberGroup;
 
-/// By what the run in hand divides its increments.
+/// The divisor of the increments in the current run.
 void specifyDivisor(NumberDescription &number, const DdaSetUpState &setUp)
 {
     if (setUp.isTooShort()) {
@@ -24,7 +24,7 @@ void specifyDivisor(NumberDescription &number, const DdaSetUpState &setUp)
     number.formula.replace(steps, steps + divisorChange(setUp.variants));
 }
 
-/// Without a pre-step a line is at its end where it meets its first pixel.
+/// Without a pre-step a line has its end's values at its first pixel.
 void specifyStart(NumberDescription &number, const DdaState &step)
 {
     if (step.isPoint)

@@ -78,18 +78,18 @@ struct LineStepRecording : Numbers {
         record.endDrawn = place.across + (place.isInFrame ? 1 : 0);
     }
 
-    /// All numbers of a step stand in its span.
+    /// All numbers of a step are in its span.
     static const NumberTable<Sample> &sampleNumbers()
     {
         static const NumberTable<Sample> none;
         return none;
     }
-    static auto stateOf(const SetUpInHand<SetUp> &step) { return lineStateOf(step.setUp); }
-    static auto stateOf(const SpanInHand<SetUp, Span> &step)
+    static auto stateOf(const CurrentSetUp<SetUp> &step) { return lineStateOf(step.setUp); }
+    static auto stateOf(const CurrentSpan<SetUp, Span> &step)
     {
         return lineStateOf(step.setUp, step.span);
     }
-    static const Sample &stateOf(const SampleInHand<SetUp, Span, Sample> &step)
+    static const Sample &stateOf(const CurrentSample<SetUp, Span, Sample> &step)
     {
         return step.sample;
     }

@@ -5,7 +5,7 @@
 
 namespace pixelplumb {
 
-/// y = m·x + b for each column, to the letter.
+/// y = m·x + b for each column, taken literally.
 Method lineSlopeInterceptMethod();
 /// P(t) = P₀ + t·(P₁ − P₀).
 Method lineParametricMethod();
@@ -13,7 +13,7 @@ Method lineParametricMethod();
 Method lineDdaMethod();
 /// Bresenham's line in all octants.
 Method lineBresenhamMethod();
-/// Bresenham's line with a rule for ties that does not know directions.
+/// Bresenham's line with a tie rule that ignores directions.
 Method lineSymmetricMethod();
 
 } // namespace pixelplumb

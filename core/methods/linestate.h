@@ -40,16 +40,16 @@ struct ParametricLineState : ParametricLineStep<AnyArithmetic> {
     std::int64_t pace = 1;
 };
 
-/// Of a line that the sign of a decision parameter leads.
+/// For a line led by the sign of a decision parameter.
 struct DecisionSetUpState {
     LineAxis axis = LineAxis::X;
     Quantity startX, startY; ///< x₀, y₀, px; exchanged where the line is steep
     Quantity endX, endY; ///< x₁, y₁
     Quantity deltaX, deltaY; ///< Δx, Δy, px
     Quantity stayIncrement, moveIncrement; ///< 2Δy, 2Δy − 2Δx
-    Quantity firstDecision; ///< p₀; of a line that may begin between pixels, none
-    /// c of p_k = 2Δy·x_k ∓ 2Δx·y_k + c, + where the line falls; none where there is no p₀. The
-    /// kernel has no use for it: from pixel to pixel it falls out.
+    Quantity firstDecision; ///< p₀; none for a line that may begin between pixels
+    /// c of p_k = 2Δy·x_k ∓ 2Δx·y_k + c, + where the line falls; none without p₀. The kernel does
+    /// not need it: it cancels from pixel to pixel.
     Quantity constant;
     bool falls = false;
 };
@@ -57,28 +57,27 @@ struct DecisionSetUpState {
 struct DecisionState {
     LinePlace place;
     int acrossStep = 1; ///< −1 where the line falls
-    Quantity k, decision, increment; ///< of the decision that led here: none at the first pixel
-    Quantity nextDecision; ///< p_k+1; none of a point
-    bool movesAcross = false; ///< that decision was to go one across
+    Quantity k, decision, increment; ///< of the decision that led here; none at the first pixel
+    Quantity nextDecision; ///< p_k+1; none for a point
+    bool movesAcross = false; ///< that decision went one across
     bool startsLine = false; ///< no decision led here, because the line starts on this very pixel
-    /// y of the line at this pixel, exchanged, px; none at the first one where the line starts on
-    /// it
+    /// y of the line at this pixel, exchanged, px; none at a first pixel where the line starts
     Quantity ordinate;
-    /// Of Bresenham's set-up: c, 2Δy and 2Δx; none where it has no c.
+    /// From Bresenham's set-up: c, 2Δy and 2Δx; none without c.
     Quantity constant, perColumn, perRow;
 
     bool isLedByDecision() const { return !k.isNone(); }
     bool isSteep() const { return place.axis == LineAxis::Y; }
     bool falls() const { return acrossStep < 0; }
-    /// y_k: where the pixel before is, across the line.
+    /// y_k: the previous pixel's position across the line.
     std::int64_t acrossBefore() const { return place.across - (movesAcross ? acrossStep : 0); }
-    /// How far the line has gone across from there, in the direction in which it goes: d_lower.
-    /// What is left to the next pixel across is d_upper.
+    /// d_lower: how far the line has gone across from there, in its own direction. d_upper is the
+    /// rest of the way to the next pixel across.
     Quantity distanceToLower() const { return isLedByDecision() ? distance(0) : Quantity(); }
     Quantity distanceToUpper() const { return isLedByDecision() ? distance(1) : Quantity(); }
 
 private:
-    /// From the pixel that is so many across from the one before, away from it on its side.
+    /// From the pixel `across` px past the previous one, towards the line.
     Quantity distance(int across) const
     {
         const Int128 unit = ordinate.denominator();
@@ -87,7 +86,7 @@ private:
     }
 };
 
-/// y of the line at `along`, px, between ends in a unit of 1/`unit` px; none of a point.
+/// y of the line at `along`, px; its ends are in units of 1/`unit` px; none for a point.
 inline Quantity ordinateAt(const LatticePoint &start, Int128 deltaX, Int128 rise, Int128 unit,
                            std::int64_t along)
 {

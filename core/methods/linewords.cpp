@@ -13,13 +13,14 @@ QString pixelText(const LinePlace &place)
     return place.isInFrame ? pixel : pixel + QStringLiteral(", outside the frame");
 }
 
-/// Where the line is, not rounded, and the pixel that is taken for it.
-QString roundingSentence(const LinePlace &place, const Quantity &ordinate)
+/// Where the line is, not rounded, and the pixel that it rounds to.
+QString roundingSentence(const QString &what, const LinePlace &place, const Quantity &ordinate)
 {
     const bool isSteep = place.axis == LineAxis::Y;
-    return QStringLiteral("On the %1 %2 the line is at %3 = %4, which rounds to %5.")
+    return QStringLiteral("On the %1 %2 %3 is at %4 = %5, which rounds to %6.")
         .arg(isSteep ? QStringLiteral("row") : QStringLiteral("column"))
         .arg(place.along)
+        .arg(what)
         .arg(isSteep ? QStringLiteral("x") : QStringLiteral("y"), term(ordinate), pixelText(place));
 }
 
@@ -31,7 +32,7 @@ QString signText(const Quantity &decision)
         + (decision.numerator() < 0 ? QStringLiteral(" < 0") : QStringLiteral(" > 0"));
 }
 
-/// "2Δy·x_k − 2Δx·y_k + c = 6·20 − 20·41 + 702 = ", as the slide has it; empty where there is no c.
+/// "2Δy·x_k − 2Δx·y_k + c = 6·20 − 20·41 + 702 = ", as on the slide; empty if there is no c.
 QString wholeDecision(const DecisionState &state)
 {
     if (state.constant.isNone())
@@ -59,7 +60,8 @@ QString decisionSentence(const DecisionState &state)
         const QString next = QStringLiteral("p_k₊₁ = %1 decides about the next one.")
                                  .arg(signText(state.nextDecision));
         return !state.ordinate.isNone()
-            ? roundingSentence(state.place, state.ordinate) + u' ' + next
+            ? roundingSentence(QStringLiteral("the line"), state.place, state.ordinate) + u' '
+                + next
             : QStringLiteral("The line starts at %1 without a decision; ")
                     .arg(pixelText(state.place))
                 + next;
@@ -80,8 +82,8 @@ QString pairText(const Quantity &first, const Quantity &second)
     return QStringLiteral("(%1, %2)").arg(term(first), term(second));
 }
 
-/// The ends as the method stores them. Of a steep line the pairs are exchanged, and so are the
-/// letters by which the slides call them.
+/// The ends as the method stores them. For a steep line the pairs are exchanged, and so are the
+/// letters that the slides use.
 QString endsSentence(LineAxis axis, const QString &letters, const std::array<Quantity, 2> &start,
                      const std::array<Quantity, 2> &end)
 {
@@ -138,12 +140,15 @@ void tellLine(StepWords &words, const DecisionSetUpState &state)
 
 void tellLine(StepWords &words, const SlopeInterceptState &state)
 {
-    words.sentence = roundingSentence(state.place, state.ordinate);
+    words.sentence
+        = QStringLiteral("On the column %1 the line is at y = %2; (int)(y + ½) makes it %3.")
+              .arg(QString::number(state.place.along), term(state.ordinate),
+                   pixelText(state.place));
 }
 
 void tellLine(StepWords &words, const DdaState &state)
 {
-    words.sentence = roundingSentence(state.place, state.ordinate);
+    words.sentence = roundingSentence(QStringLiteral("the walk"), state.place, state.ordinate);
 }
 
 void tellLine(StepWords &words, const ParametricLineState &state)

@@ -6,8 +6,8 @@
 
 namespace pixelplumb {
 
-/// What a line method says: which end it stores first and whether x and y are exchanged; of a step,
-/// which pixel, and what led to it.
+/// What a line method says: which end it stores first and whether x and y are exchanged; for a
+/// step, which pixel it draws, and why.
 void tellLine(StepWords &words, const SlopeInterceptSetUpState &state);
 void tellLine(StepWords &words, const DdaSetUpState &state);
 void tellLine(StepWords &words, const ParametricLineSetUpState &state);

@@ -38,7 +38,7 @@ bool Method::drawInPieces(const Primitives &primitives, const ScanSettings &sett
         if (const auto plan = planBeyondColour(primitives, settings, frame))
             return drawEffects(primitives, settings, frame, *plan, listener);
     }
-    // Nothing but colour: no triangle depends on what those before it left.
+    // Nothing but colour: no triangle depends on what earlier ones left.
     const std::span<const Triangle> triangles = primitives.triangles;
     for (std::size_t first = 0; first < triangles.size(); first += pieceSize()) {
         if (!mayGoOn(first))
@@ -47,7 +47,7 @@ bool Method::drawInPieces(const Primitives &primitives, const ScanSettings &sett
             = triangles.subspan(first, std::min(pieceSize(), triangles.size() - first));
         drawFastest({{piece.begin(), piece.end()}, {}}, settings, frame);
     }
-    // Samples keep what the shapes before left in them.
+    // Samples keep what earlier shapes left in them.
     const bool keepsSamples = supports(Effect::Antialiasing)
         && !samplePattern(strokeAntialiasing(primitives, frame)).empty();
     const std::span<const Shape> shapes = primitives.shapes;

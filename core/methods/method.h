@@ -26,35 +26,34 @@ struct Method {
     QString source; ///< course text and slide, by the names of resources/sources.md
     QString summary; ///< one sentence
     Pseudocode pseudocode = {}; ///< what the kernel does, line by line
-    Pseudocode shadedPseudocode = {}; ///< with effects beyond colour; of the methods that can some
-    std::vector<Effect> effects = {}; ///< that it can
-    /// Those of its arithmetics in which it can more than smooth colour and clipping; empty when
-    /// in all.
+    Pseudocode shadedPseudocode = {}; ///< with effects beyond colour, if the method supports any
+    std::vector<Effect> effects = {}; ///< that it supports
+    /// The arithmetics in which it supports more than smooth colour and clipping; empty if all.
     std::vector<Arithmetic> shadingArithmetics = {};
     QStringList remarks = {}; ///< what else it does, and what it leaves out: "holes"
     std::vector<PrimitiveKind> kinds = {PrimitiveKind::Triangle}; ///< what it draws
-    /// Whether it fills triangles from bound to bound in columns or in rows; Free: in neither.
+    /// Whether it fills triangles from bound to bound in columns or in rows; Free: neither.
     SpanAxis spanAxis = SpanAxis::Free;
-    /// Of closed shapes: which of them, by their fill, its own first; empty when it draws all.
+    /// Which closed shapes it draws, by their fill, its own first; empty if all.
     std::vector<ShapeFill> fills = {};
     std::vector<Arithmetic> arithmetics;
-    /// Those of its arithmetics in which every picture is the truth, by proof.
+    /// The arithmetics in which every picture is the truth, by proof.
     std::vector<Arithmetic> stableArithmetics = {};
     std::vector<FillRule> fillRules;
-    /// Why it keeps no other fill rules; empty when it keeps all.
+    /// Why it supports no other fill rules; empty if it supports all.
     QString fillRuleReason = {};
-    std::vector<Variant> variants = {}; ///< departures that it can be given
-    /// Of runs that call for nothing but colour; a trace has its own (ScanTrace::numbers).
+    std::vector<Variant> variants = {}; ///< departures that it accepts
+    /// For runs that call for nothing but colour; a trace has its own (ScanTrace::numbers).
     TraceNumbers numbers = {};
 
     /// Draws the primitives of its kinds (sample coordinates) in order.
     void (*draw)(const Primitives &primitives, const ScanSettings &settings, FrameView frame);
-    /// The same picture, bit for bit, as fast as the machine allows; null where there is no such
+    /// Draws draw()'s picture, bit for bit, as fast as the machine allows; null if there is no such
     /// way.
     void (*drawFast)(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
         = nullptr;
-    /// Draws the triangles as a plan says that runs more than colour; false where the listener, who
-    /// hears how many are drawn, ended it. Null where the method can no effects.
+    /// Draws the triangles by a plan that runs more than colour; false if the listener, which
+    /// receives the number drawn, ended it. Null if the method supports no effects.
     bool (*drawEffects)(const Primitives &primitives, const ScanSettings &settings, FrameView frame,
                         const EffectPlan &plan, const ProgressListener &listener)
         = nullptr;
@@ -67,11 +66,11 @@ struct Method {
     {
         (drawFast ? drawFast : draw)(primitives, settings, frame);
     }
-    /// The same, in pieces; false where the listener, who hears how many primitives are drawn,
-    /// ended it.
+    /// Draws like drawFastest(), in pieces; false if the listener, which receives the number of
+    /// primitives drawn, ended it.
     bool drawInPieces(const Primitives &primitives, const ScanSettings &settings, FrameView frame,
                       const ProgressListener &listener) const;
-    /// Triangles between two questions whether to go on: some milliseconds of each.
+    /// Triangles between two checks whether to go on: some milliseconds each.
     std::size_t pieceSize() const { return std::size_t(1) << (drawFast ? 16 : 10); }
     bool supports(Arithmetic arithmetic) const;
     bool supports(FillRule rule) const;
@@ -81,7 +80,7 @@ struct Method {
     bool draws(const Shape &shape) const;
     /// True where every picture under the arithmetic is the truth, by proof, without variants.
     bool isStableIn(Arithmetic arithmetic) const;
-    /// The same of settings, which may have variants.
+    /// Like isStableIn(), for settings, which may have variants.
     bool isStableUnder(const ScanSettings &settings) const
     {
         return settings.variants.isEmpty() && isStableIn(settings.arithmetic);
@@ -90,19 +89,19 @@ struct Method {
     /// compute in …"; empty when it can.
     QString objection(const ScanSettings &settings) const;
     /// Why it cannot draw triangles with the effects that a plan runs, and which methods can, to be
-    /// read after its name. Smooth colour and clipping are no objection: who draws in one colour
-    /// says so.
+    /// read after its name. Smooth colour and clipping are no objection: a method that draws in one
+    /// colour says so.
     QString objection(const EffectPlan &plan, const ScanSettings &settings) const;
     /// Why it cannot draw a line or curve with the antialiasing that the appearance asks for, and
-    /// which methods can, to be read after its name. Empty for what it draws at no time.
+    /// which methods can, to be read after its name. Empty for shapes that it never draws.
     QString objection(const Shape &shape, const Appearance &appearance) const;
-    /// The first after its id; empty when it can.
+    /// The objection to settings, after the method's id; empty when it can draw.
     QString refusal(const ScanSettings &settings) const;
-    /// The settings with what the method refuses replaced by its first choice.
+    /// The settings, with each choice that the method refuses replaced by its first one.
     ScanSettings adapted(const ScanSettings &settings) const;
 };
 
-/// Why a method that draws columns or rows from bound to bound keeps no rule that asks on which
+/// Why a method that fills columns or rows from bound to bound supports no rule that asks on which
 /// edge a sample lies.
 QString spanRuleReason(SpanAxis axis);
 
@@ -113,7 +112,7 @@ const Method *methodNamed(QStringView id);
 /// The first method of the table that draws this kind; every kind has one.
 const Method &firstMethodFor(PrimitiveKind kind);
 const Method &firstMethodFor(const Shape &shape);
-/// The first that draws it so; one that does not antialias where none does.
+/// The first that draws it with this appearance; if none does, one without antialiasing.
 const Method &firstMethodFor(const Shape &shape, const Appearance &appearance);
 
 } // namespace pixelplumb

@@ -6,14 +6,14 @@
 
 #include <algorithm>
 
-/// What a method cannot do, and who can.
+/// What a method cannot do, and which methods can.
 namespace pixelplumb {
 
 namespace {
 
 QString quoted(std::string_view name) { return u'“' + nameText(name) + u'”'; }
 
-/// What a plan runs and not every method of triangles can.
+/// What a plan runs that not every triangle method supports.
 std::vector<Effect> shadingEffectsOf(const EffectPlan &plan)
 {
     std::vector<Effect> effects;
@@ -25,7 +25,7 @@ std::vector<Effect> shadingEffectsOf(const EffectPlan &plan)
     return effects;
 }
 
-/// Their ids.
+/// The ids of the methods.
 template <class Draws>
 QStringList methodsThatDo(const std::vector<Effect> &effects, const Draws &draws)
 {
@@ -39,7 +39,7 @@ QStringList methodsThatDo(const std::vector<Effect> &effects, const Draws &draws
     return ids;
 }
 
-/// Who asks for it: the scene, or a person's switch alone.
+/// What asks for it: the scene, or only the user's switch.
 QString askerText(bool isCalledFor)
 {
     return isCalledFor ? QStringLiteral("which the scene calls for")
@@ -52,7 +52,7 @@ QString askerText(const EffectPlan &plan, const std::vector<Effect> &effects)
     }));
 }
 
-/// able: the methods that can, under the scene's fill rule.
+/// `able`: the methods that can, under the scene's fill rule.
 QString lackText(const std::vector<Effect> &missing, const QString &asker, const QStringList &able)
 {
     const QString separator = QStringLiteral(", ");
@@ -62,7 +62,7 @@ QString lackText(const std::vector<Effect> &missing, const QString &asker, const
                             : able.join(separator));
 }
 
-/// The ids of those that can be given the variant.
+/// The ids of the methods that accept the variant.
 QStringList methodsThatKnow(Variant variant)
 {
     QStringList ids;
@@ -77,14 +77,14 @@ QString unknownVariantText(const Method &method, Variant variant)
 {
     const QString separator = QStringLiteral(", ");
     const QString text
-        = QStringLiteral("knows no variant %1; %2 can be given it")
+        = QStringLiteral("knows no variant %1; that one is for %2")
               .arg(quoted(nameOf(variant)), methodsThatKnow(variant).join(separator));
-    return method.variants.empty()
-        ? text
-        : text + QStringLiteral(", and this one knows ") + namesOf(method.variants).join(separator);
+    return method.variants.empty() ? text
+                                   : text + QStringLiteral("; its own variants are ")
+            + namesOf(method.variants).join(separator);
 }
 
-/// Colours are what most methods are about: only those that shade by a plan can leave them out.
+/// Most methods always draw colours: only those that shade by a plan can leave them out.
 QString smoothColourObjection(const Method &method, const EffectPlan &plan,
                               const ScanSettings &settings)
 {

@@ -14,7 +14,7 @@ Quantity decisionIn(const MidpointStep &step, Int128 number)
     return Quantity::rational(number, step.decisionUnit);
 }
 
-/// % stands for the radius along the arc, # for the one across.
+/// % stands for the radius along the arc, # for the one across it.
 QString ofArc(QString formula, const MidpointStep &step)
 {
     const bool isFlat = step.arc == 0;
@@ -35,7 +35,8 @@ void specifyNextMidpoint(NumberDescription &description, const MidpointStep &ste
             = ofArc(QStringLiteral("p_k₊₁ = #²·(x_k + 1)² + %²·(y_k − ½)² − %²·#²"), step);
 }
 
-/// By the branch that was taken: the row stays, goes one down or, where the arc is steep, several.
+/// Follows the branch that was taken: the row stays, goes one down or, where the arc is steep,
+/// several.
 void specifyMidpointIncrement(NumberDescription &description, const MidpointStep &step)
 {
     const QString along

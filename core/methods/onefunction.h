@@ -5,15 +5,15 @@
 
 namespace pixelplumb {
 
-/// Numbers with exact products of 128 bits.
+/// Whether numbers have exact products of 128 bits.
 template <class Numbers>
 inline constexpr bool isWide = false;
 template <template <class> class Numbers>
 inline constexpr bool isWide<Numbers<Int128>> = true;
 
-/// A kernel with nothing listening is compiled into one function, whatever else is compiled beside
-/// it: a call would keep its innermost numbers in memory. Not with wide numbers, of which g++ would
-/// make functions that it takes minutes for, nor with a sanitizer, which is not measured.
+/// Compiles a kernel without observer into one function, whatever else is compiled with it: a call
+/// would keep its innermost numbers in memory. Not for wide numbers, whose functions take g++
+/// minutes, nor with a sanitizer, which is not measured.
 #ifdef PIXELPLUMB_SANITIZED_BUILD
 #define PIXELPLUMB_WHOLE gnu::noinline
 #else

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-/// What the edges of an outline by the midpoint algorithm are called, and their two lengths.
+/// The names of the edges of an outline by the midpoint algorithm, and of their two lengths.
 namespace pixelplumb {
 
 /// "P₀P₁".

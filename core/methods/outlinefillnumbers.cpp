@@ -18,7 +18,7 @@ namespace {
 
 using Group = NumberGroup;
 
-/// What led from the pixel before to the one that bounds the column; none at the edge's start.
+/// How the previous pixel led to the one that bounds the column; none at the edge's start.
 void appendDecision(NumberTable<OutlineSpanState> &table, const QString &bound, const QString &word,
                     OutlineDecision OutlineSpanState::*decision,
                     OutlinePixel OutlineFillSpan<AnyArithmetic>::*pixel)
@@ -245,7 +245,7 @@ void tellOutline(StepWords &words, const OutlineFillSetUp &setUp)
 
 namespace {
 
-/// " p_low = −3 < 0: at (4, 2) the line stayed." Empty of an edge's first pixel, which nothing
+/// " p_low = −3 < 0: at (4, 2) the line stayed." Empty for an edge's first pixel, which nothing
 /// decides.
 QString decidedSentence(const QString &bound, const OutlinePixel &pixel,
                         const OutlineDecision &decision, std::int64_t x)

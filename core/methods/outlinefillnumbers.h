@@ -3,11 +3,11 @@
 
 #include "core/methods/anyarithmetic.h"
 #include "core/scan/outlinefill.h"
+#include "core/trace/currentstep.h"
 #include "core/trace/numberrow.h"
-#include "core/trace/stepinhand.h"
 #include "core/trace/stepwords.h"
 
-/// The numbers and words of an outline by the midpoint algorithm that is filled.
+/// The numbers and words of a filled outline by the midpoint algorithm.
 namespace pixelplumb {
 
 /// The decision that led to a pixel of the outline; none at its edge's start.
@@ -26,7 +26,7 @@ struct OutlineSpanState {
     {
         return std::max<std::int64_t>(0, span.column.endDrawnRow - span.column.firstDrawnRow);
     }
-    /// One pixel has no change to share out.
+    /// A column of one pixel has no change of colour.
     bool hasRate() const { return span.low.row != span.high.row; }
 };
 
@@ -43,7 +43,7 @@ const NumberTable<OutlineSampleState> &outlineSampleNumbers();
 void tellOutline(StepWords &words, const OutlineFillSetUp &setUp);
 void tellOutline(StepWords &words, const OutlineSpanState &state);
 
-/// By the function that the kernel finds the pixel with.
+/// Uses the function with which the kernel finds the pixel.
 inline OutlineDecision outlineDecisionOf(const OutlineFillSetUp &setUp, const OutlinePixel &pixel)
 {
     const BresenhamSetUp &line = setUp.edges[pixel.edge].line;
@@ -56,7 +56,7 @@ inline OutlineDecision outlineDecisionOf(const OutlineFillSetUp &setUp, const Ou
 }
 
 template <class A>
-OutlineSpanState outlineStateOf(const SpanInHand<OutlineFillSetUp, OutlineFillSpan<A>> &step)
+OutlineSpanState outlineStateOf(const CurrentSpan<OutlineFillSetUp, OutlineFillSpan<A>> &step)
 {
     const ColumnState<A> &column = step.span.column;
     OutlineSpanState state{step.primitive,
@@ -79,7 +79,7 @@ OutlineSpanState outlineStateOf(const SpanInHand<OutlineFillSetUp, OutlineFillSp
 
 template <class A>
 OutlineSampleState outlineStateOf(
-    const SampleInHand<OutlineFillSetUp, OutlineFillSpan<A>, Fragment<A>> &step)
+    const CurrentSample<OutlineFillSetUp, OutlineFillSpan<A>, Fragment<A>> &step)
 {
     return {quantitiesOf(step.sample.colour), step.y == step.span.column.firstDrawnRow,
             step.span.low.row != step.span.high.row};

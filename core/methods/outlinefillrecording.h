@@ -17,12 +17,12 @@ struct OutlineFillRecording : OutlineFillNumbers<A> {
     static const auto &spanNumbers() { return outlineSpanNumbers(); }
     static const auto &sampleNumbers() { return outlineSampleNumbers(); }
 
-    static const SetUp &stateOf(const SetUpInHand<SetUp> &step) { return step.setUp; }
-    static OutlineSpanState stateOf(const SpanInHand<SetUp, Span> &step)
+    static const SetUp &stateOf(const CurrentSetUp<SetUp> &step) { return step.setUp; }
+    static OutlineSpanState stateOf(const CurrentSpan<SetUp, Span> &step)
     {
         return outlineStateOf<A>(step);
     }
-    static OutlineSampleState stateOf(const SampleInHand<SetUp, Span, Sample> &step)
+    static OutlineSampleState stateOf(const CurrentSample<SetUp, Span, Sample> &step)
     {
         return outlineStateOf<A>(step);
     }
@@ -53,7 +53,7 @@ struct OutlineFillRecording : OutlineFillNumbers<A> {
         record.level = fragment.level;
     }
 
-    /// Fills a frame of this one column once more with the same numbers.
+    /// Fills this one column again, in a frame of its own, with the same numbers.
     template <class Observer>
     static void walk(const SetUp &, const Span &span, const ScanSettings &settings,
                      Observer observer)

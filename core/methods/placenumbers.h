@@ -6,10 +6,10 @@
 /// Where a span or a pixel lies: the numbers with which the tables of several methods begin.
 namespace pixelplumb {
 
-/// The triangle's place in drawing order.
+/// The triangle's index in drawing order.
 NumberDescription triangleNumber();
 
-/// The x of a scanned column; the formula says how it comes from the one before.
+/// The x of a scanned column; the formula says how it follows from the previous one.
 NumberDescription scannedNumber(const QString &formula = {});
 /// Between which two edges of its triangle it lies.
 NumberDescription halfNumber();

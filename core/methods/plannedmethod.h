@@ -3,8 +3,8 @@
 
 #include "core/methods/shadedtracing.h"
 
-/// How a method gets the effects: where a scene calls for nothing beyond colour its own drawing and
-/// tracing run, and nothing of the effects' does.
+/// How a method gets effects: where a scene calls for nothing beyond colour, the method's own
+/// drawing and tracing run, and none of the effects' code.
 namespace pixelplumb {
 
 template <ShadedMethod method, auto plain>

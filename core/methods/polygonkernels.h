@@ -8,7 +8,7 @@
 #include "core/polygons/textoutlines.h"
 #include "core/scan/polygonpieces.h"
 
-/// The kernels of polygons and texts as kernelmethod.h wants them.
+/// The kernels of polygons and texts in the form that kernelmethod.h requires.
 namespace pixelplumb {
 
 struct FilledPolygonKernel : ShapeKernel<PrimitiveKind::Polygon> {
@@ -61,7 +61,7 @@ struct ParityKernel : FilledPolygonKernel, InAnyArithmetic {
     }
 };
 
-/// The chords of a closed path of curves.
+/// Fills a closed path of curves along its chords.
 struct BezierFillKernel : ShapeKernel<PrimitiveKind::Bezier>, InAnyArithmetic {
     template <class A>
     using Recording = PolygonRecording<A, PolygonForm::Chords>;
@@ -92,8 +92,8 @@ struct BezierFillKernel : ShapeKernel<PrimitiveKind::Bezier>, InAnyArithmetic {
 
 using Triangulate = Triangulation (*)(const Contours &);
 
-/// The triangles of a triangulation are as many as the polygon's vertices; 128 bits for all of them
-/// cost less than a second code path.
+/// A triangulation has as many triangles as the polygon has vertices; 128 bits for all of them cost
+/// less than a second code path.
 template <Triangulate triangulate, PolygonForm form = PolygonForm::Triangles>
 struct TriangulationKernel : FilledPolygonKernel, InIntegers {
     template <class A>
@@ -109,7 +109,7 @@ struct TriangulationKernel : FilledPolygonKernel, InIntegers {
 
 using TessellationKernel = TriangulationKernel<tessellationOf, PolygonForm::CrossingTriangles>;
 
-/// What is scanned of a text.
+/// The contours that are scanned for a text.
 struct TextContours {
     explicit TextContours(const Shape &text)
     {

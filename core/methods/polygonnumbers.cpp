@@ -9,13 +9,13 @@ namespace {
 
 using Group = NumberGroup;
 
-/// A crossing that is shown, with its edge.
+/// A shown crossing with its edge.
 struct ShownCrossing {
     const Crossing<AnyArithmetic> &crossing;
     const CrossedEdge &edge;
 };
 
-/// "_L", "₀": what the names of a crossing's numbers end in.
+/// "_L", "₀": the ending of the names of a crossing's numbers.
 QString subscriptAt(PolygonForm form, std::size_t place)
 {
     if (isInTriangles(form))
@@ -23,9 +23,9 @@ QString subscriptAt(PolygonForm form, std::size_t place)
     return QChar(u'₀' + char16_t(place));
 }
 
-/// The numbers of the crossing at this place; % stands for the subscript in titles, # for it in
-/// identifiers. `edges` is what the edges are counted in. No number stands for an edge's ends: the
-/// formulas name these themselves.
+/// Appends the numbers of the crossing at this place; % stands for the subscript in titles, # for
+/// it in identifiers. `edges` is what the edges are counted in. An edge's ends have no numbers: the
+/// formulas name them themselves.
 void appendCrossing(NumberTable<PolygonRowState> &table, PolygonForm form, std::size_t place,
                     const QString &id, const QString &edges)
 {
@@ -122,7 +122,7 @@ NumberDescription count(const QString &id, const QString &title, const QString &
     return {.id = id, .title = title, .unit = {}, .toolTip = toolTip, .formula = {}};
 }
 
-/// Where edges cross, and what bringing these corners onto the lattice does.
+/// Where edges cross, and what moving these corners onto the lattice does.
 void appendCrossingPoints(NumberTable<PolygonSetUp> &numbers)
 {
     numbers.push_back(

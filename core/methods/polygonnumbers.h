@@ -8,8 +8,8 @@
 
 namespace pixelplumb {
 
-/// Whether a polygon is scanned as it is or broken into triangles first. Crossings may become
-/// corners of these; the edges of a whole one may be the chords of curves.
+/// Whether a polygon is scanned whole or broken into triangles first. Crossings may become corners
+/// of the triangles; the edges of a whole polygon may be the chords of curves.
 enum class PolygonForm { Whole, Chords, Triangles, CrossingTriangles };
 
 constexpr bool isInTriangles(PolygonForm form) { return form >= PolygonForm::Triangles; }
@@ -19,7 +19,7 @@ constexpr std::size_t shownCrossings(PolygonForm form) { return isInTriangles(fo
 
 NumberTable<PolygonSetUp> polygonSetUpNumbers(PolygonForm form);
 NumberTable<PolygonRowState> polygonRowNumbers(PolygonForm form);
-/// None of a polygon in triangles: between its bounds every sample is inside.
+/// None for a polygon in triangles: between its bounds every sample is inside.
 NumberTable<PolygonSampleState> polygonSampleNumbers(PolygonForm form);
 
 } // namespace pixelplumb

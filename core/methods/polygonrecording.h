@@ -34,17 +34,17 @@ struct PolygonRecording : PolygonNumbers<A> {
         return table;
     }
 
-    static const SetUp &stateOf(const SetUpInHand<SetUp> &step) { return step.setUp; }
-    static PolygonRowState stateOf(const SpanInHand<SetUp, Span> &step)
+    static const SetUp &stateOf(const CurrentSetUp<SetUp> &step) { return step.setUp; }
+    static PolygonRowState stateOf(const CurrentSpan<SetUp, Span> &step)
     {
         return polygonStateOf<A>(step, shownCrossings(Form));
     }
-    static PolygonSampleState stateOf(const SampleInHand<SetUp, Span, Sample> &step)
+    static PolygonSampleState stateOf(const CurrentSample<SetUp, Span, Sample> &step)
     {
         return polygonStateOf<A>(step);
     }
 
-    /// A triangle's row is told by its bounds.
+    /// A triangle's row needs no words beyond its bounds.
     template <class State>
     static auto tell(StepWords &words, const State &state) -> decltype(tellPolygon(words, state))
     {
@@ -73,7 +73,7 @@ struct PolygonRecording : PolygonNumbers<A> {
         }
     }
 
-    /// Fills a frame of this one row once more with the same numbers.
+    /// Fills this one row again, in a frame of its own, with the same numbers.
     template <class Observer>
     static void walk(const SetUp &setUp, const Span &row, const ScanSettings &, Observer observer)
     {

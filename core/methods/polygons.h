@@ -17,10 +17,10 @@ Method polygonFanMethod();
 /// triangulation.
 Method polygonDelaunayMethod();
 
-/// Adds to a kernel's method what the methods of polygons have in common: one rule for samples on
-/// the boundary, and why.
+/// Adds to a kernel's method what all methods of polygons share: one rule for samples on the
+/// boundary, and why.
 Method polygonMethod(Method method);
-/// What scan conversion by parity does, line by line, whatever the edges come from.
+/// The pseudocode of scan conversion by parity, wherever the edges come from.
 Pseudocode parityPseudocode();
 
 } // namespace pixelplumb

@@ -3,7 +3,7 @@
 
 #include "core/methods/anyarithmetic.h"
 #include "core/scan/polygonscan.h"
-#include "core/trace/stepinhand.h"
+#include "core/trace/currentstep.h"
 
 #include <algorithm>
 #include <optional>
@@ -14,23 +14,23 @@ namespace pixelplumb {
 /// The edge of a crossing that is shown.
 struct CrossedEdge {
     LatticePoint low, high; ///< its ends of smaller and larger y
-    bool begins = false; ///< the row before does not cross it
+    bool begins = false; ///< the previous row does not cross it
     std::optional<std::size_t> before
-        = {}; ///< its place among the crossings that the row before shows
+        = {}; ///< its place among the crossings that the previous row shows
 };
 
 /// A row of a polygon with its numbers as quantities: what the tables of polygons read.
 struct PolygonRowState {
     std::size_t primitive = 0;
     std::int64_t y = 0; ///< px
-    int piece = 0; ///< which triangle of a polygon that is broken into them
+    int piece = 0; ///< index of the triangle, where the polygon is broken into them
     ShapeFill fill = ShapeFill::EvenOdd;
     std::int64_t firstDrawn = 0, endDrawn = 0; ///< inside the frame
     std::size_t crossingCount = 0; ///< active edges
-    /// The first of them, as many as are shown; where several meet the row at the same x, in the
-    /// order in which they lie below it as seen, where its samples are taken to be.
+    /// The crossings that are shown, the first ones; those that meet the row at the same x are in
+    /// the order in which they lie below it on the screen, where its samples are taken to be.
     std::vector<Crossing<AnyArithmetic>> crossings;
-    std::vector<CrossedEdge> edges; ///< of each of them
+    std::vector<CrossedEdge> edges; ///< of these crossings
 
     std::int64_t drawnSamples() const { return std::max<std::int64_t>(0, endDrawn - firstDrawn); }
 };
@@ -38,17 +38,17 @@ struct PolygonRowState {
 /// A sample of a polygon with what its row says of it.
 struct PolygonSampleState {
     std::int64_t crossings = 0; ///< to its left, or through it
-    std::int64_t downward = 0, upward = 0; ///< of the crossings, as seen
+    std::int64_t downward = 0, upward = 0; ///< of the crossings, on the screen
     std::int64_t winding = 0; ///< downward ones minus upward ones
     ShapeFill fill = ShapeFill::EvenOdd;
     bool isInside = false;
-    std::vector<std::size_t> edges; ///< that cross there, as the row meets them
+    std::vector<std::size_t> edges; ///< of those crossings, in the row's order
 };
 
-/// Puts crossings at the same x as they lie just below the row as seen.
+/// Orders crossings at the same x as they lie just below the row on the screen.
 inline void orderBelowRow(std::vector<Crossing<AnyArithmetic>> &crossings, FrameOrigin origin)
 {
-    // Rows ascend upward or downward as seen; below, x is less by the slope or more.
+    // Rows ascend upward or downward on the screen; below, x is less by the slope or more.
     const int leftmost = origin == FrameOrigin::BottomLeft ? 1 : -1;
     const auto isLeftBelow = [leftmost](const auto &a, const auto &b) {
         return leftmost * errorOf(a.slope, b.slope) > 0;
@@ -57,12 +57,12 @@ inline void orderBelowRow(std::vector<Crossing<AnyArithmetic>> &crossings, Frame
         const auto end = std::find_if(first, crossings.end(),
                                       [&](const auto &crossing) { return crossing.x != first->x; });
         std::stable_sort(first, end, isLeftBelow);
-        // What is not a number equals not even itself.
+        // NaN does not even equal itself.
         first = std::max(end, first + 1);
     }
 }
 
-/// Those of a row that are shown, in their order.
+/// The crossings of a row that are shown, in their order.
 template <class A>
 std::vector<Crossing<AnyArithmetic>> firstCrossings(const PolygonRow<A> &row, FrameOrigin origin,
                                                     std::size_t shown)
@@ -70,7 +70,7 @@ std::vector<Crossing<AnyArithmetic>> firstCrossings(const PolygonRow<A> &row, Fr
     std::vector<Crossing<AnyArithmetic>> crossings;
     for (const Crossing<A> &crossing : row.crossings) {
         const Quantity x = quantityOf(crossing.x);
-        // Those at the same x as the last one shown may lie to its left.
+        // Crossings at the same x as the last one shown may lie to its left.
         if (crossings.size() >= shown && x != crossings.back().x)
             break;
         crossings.push_back({crossing.edge, crossing.turn, crossing.endRow,
@@ -82,7 +82,7 @@ std::vector<Crossing<AnyArithmetic>> firstCrossings(const PolygonRow<A> &row, Fr
     return crossings;
 }
 
-/// The place of an edge among crossings; their count where it is not there.
+/// The index of an edge among crossings; their count if it is not there.
 template <class Crossings>
 std::size_t placeOfEdge(const Crossings &crossings, std::size_t edge)
 {
@@ -92,7 +92,7 @@ std::size_t placeOfEdge(const Crossings &crossings, std::size_t edge)
 }
 
 template <class A>
-PolygonRowState polygonStateOf(const SpanInHand<PolygonSetUp, PolygonRow<A>> &step,
+PolygonRowState polygonStateOf(const CurrentSpan<PolygonSetUp, PolygonRow<A>> &step,
                                std::size_t shown)
 {
     const PolygonRow<A> &row = step.span;
@@ -126,7 +126,7 @@ PolygonRowState polygonStateOf(const SpanInHand<PolygonSetUp, PolygonRow<A>> &st
 
 template <class A>
 PolygonSampleState polygonStateOf(
-    const SampleInHand<PolygonSetUp, PolygonRow<A>, PolygonSample> &step)
+    const CurrentSample<PolygonSetUp, PolygonRow<A>, PolygonSample> &step)
 {
     PolygonSampleState state;
     state.crossings = step.sample.crossings;
@@ -135,7 +135,7 @@ PolygonSampleState polygonStateOf(
     state.isInside = step.fate == SampleFate::Written;
     for (const Crossing<A> &crossing : step.span.crossings) {
         if (crossing.firstRight > step.x) {
-            // All after it are as far right, but for those whose x is no number, which come first.
+            // All later ones are as far right, except those whose x is NaN, which come first.
             if (crossing.x == crossing.x)
                 break;
             continue;

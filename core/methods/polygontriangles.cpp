@@ -6,7 +6,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The method of a triangulation; its first line tells which triangles it gives.
+/// A method that triangulates; `triangles` is its first line, which says which triangles it makes.
 template <class Kernel>
 Method triangulatingMethod(const QString &triangles)
 {

@@ -18,7 +18,7 @@ QString timesText(std::int64_t count)
     return count == 1 ? QStringLiteral("once") : QStringLiteral("%1 times").arg(count);
 }
 
-/// "2, 5 and 7"; those of a long list that come first.
+/// "2, 5 and 7"; only the first items of a long list.
 QString listText(QStringList parts, std::size_t size)
 {
     if (std::size_t(parts.size()) < size)
@@ -57,9 +57,9 @@ void tellPolygon(StepWords &words, const PolygonSetUp &setUp)
     if (setUp.pieceCount > 0) {
         if (setUp.crossingCount > 0)
             words.sentence
-                = QStringLiteral("Edges cross at %1 that became corners of triangles, each "
-                                 "moved to the nearest multiple of 1/256 px, by %2 px at most: a "
-                                 "sample so near to an edge may be wrong.")
+                = QStringLiteral("Where edges cross, at %1, triangles have corners that were moved "
+                                 "to the nearest multiple of 1/256 px, by at most %2 px: a sample "
+                                 "that close to an edge may be wrong.")
                       .arg(setUp.crossingCount == 1
                                ? QStringLiteral("1 point")
                                : QStringLiteral("%1 points").arg(setUp.crossingCount))
@@ -89,15 +89,15 @@ void tellPolygon(StepWords &words, const PolygonRowState &row)
               .arg(QString::number(row.crossingCount), listText(places, row.crossingCount));
     if (row.drawnSamples() == 0) {
         words.sentence = meets
-            + QStringLiteral(" No sample of the frame lies from the first of them on and before "
-                             "the last.");
+            + QStringLiteral(" No sample of the frame lies at or after the first of them and "
+                             "before the last.");
         return;
     }
     const QString inside = row.fill == ShapeFill::NonZero
         ? QStringLiteral("where downward and upward edges at it or to its left differ in number")
         : QStringLiteral("where an odd number of edges is at it or to its left");
     words.sentence = meets
-        + QStringLiteral(" Of the columns %1 to %2 a sample is inside %3.")
+        + QStringLiteral(" In columns %1 to %2 a sample is inside %3.")
               .arg(row.firstDrawn)
               .arg(row.endDrawn - 1)
               .arg(inside);

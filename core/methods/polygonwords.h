@@ -6,7 +6,7 @@
 
 namespace pixelplumb {
 
-/// What the scan of a whole polygon says: by which test its fill decides; of a row and of a sample
+/// What the scan of a whole polygon says: by which test its fill decides; for a row and a sample,
 /// which crossings count, how many there are, and what follows from their number.
 void tellPolygon(StepWords &words, const PolygonSetUp &setUp);
 void tellPolygon(StepWords &words, const PolygonRowState &row);

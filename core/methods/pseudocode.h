@@ -21,39 +21,39 @@ struct VariedLine {
     QString text;
 };
 
-/// What a line says under a fill rule; under one with an empty text it is not there.
+/// What a line says under a fill rule; an empty text leaves the line out.
 struct RuledLine {
     FillRule rule = FillRule::Closed;
     QString text;
 };
 
-/// Which primitives do a line: a triangle without an area is drawn as its segment.
+/// Which primitives execute a line: a triangle without area is drawn as its segment.
 enum class LineOf { EveryPrimitive, Area, Segment };
 
 /// A line of a method's pseudocode. What follows " — " explains it.
 struct PseudocodeLine {
     int depth = 0; ///< of its indentation
     QString text; ///< in the symbols of the method's numbers
-    std::vector<Moment> moments; ///< the steps that do it; none of a line that only holds others
-    std::optional<Effect> effect = {}; ///< the line is there where this runs
-    std::vector<VariedLine> varied = {}; ///< the last one whose variants the run has, holds
+    std::vector<Moment> moments; ///< the steps that execute it; none if it only holds other lines
+    std::optional<Effect> effect = {}; ///< the line exists only where this runs
+    std::vector<VariedLine> varied = {}; ///< the last one whose variants the run has applies
     std::vector<RuledLine> ruled
-        = {}; ///< that of the rule in force, holds; text is the closed one's
-    std::vector<Antialiasing> antialiasing = {}; ///< it is there under these; empty: under each
+        = {}; ///< that of the current rule applies; text is the closed one's
+    std::vector<Antialiasing> antialiasing = {}; ///< it exists only under these; empty: under each
     LineOf of = LineOf::EveryPrimitive;
 };
 using Pseudocode = std::vector<PseudocodeLine>;
 
-/// The lines as they are under a rule.
+/// The lines as they read under a rule.
 Pseudocode underRule(Pseudocode code, FillRule rule);
-/// Without those of primitives of the other kind.
+/// Drops the lines of primitives of the other kind.
 Pseudocode linesOf(LineOf kind, Pseudocode code);
 
-/// Of the families of methods that differ in a form.
+/// For the families of methods that differ in a form.
 Pseudocode edgeWalkPseudocode(const EdgeWalkForm &form);
 Pseudocode edgeTestPseudocode(const EdgeTestForm &form);
 Pseudocode interpolationPseudocode(InterpolationForm form);
-/// With effects beyond colour; of the column scan as of the bilinear interpolation.
+/// With effects beyond colour; the column scan's is that of the bilinear interpolation.
 Pseudocode shadedPseudocode(InterpolationForm form);
 
 } // namespace pixelplumb

@@ -33,8 +33,8 @@ QString rejectionText(const Rejection &rejection)
     case PrimitiveRejection::OutsideFrame:
         return QStringLiteral("It lies outside the frame. Nothing is drawn.");
     case PrimitiveRejection::BetweenSamples:
-        return QStringLiteral("It reaches into the frame, but none of the frame's samples is its "
-                              "own. Nothing is drawn.");
+        return QStringLiteral("It reaches into the frame, but no sample of the frame belongs to "
+                              "it. Nothing is drawn.");
     case PrimitiveRejection::NotRepresentable:
         return QStringLiteral(
             "A coordinate does not fit this arithmetic: fixed16.16, and the products of exact runs "
@@ -45,7 +45,7 @@ QString rejectionText(const Rejection &rejection)
         return QStringLiteral("The line is a point: y = m·x + b has no m. Nothing is drawn.");
     case PrimitiveRejection::NotOfThisMethod:
         return QStringLiteral(
-            "It is of another kind, or filled otherwise, than what this method draws.");
+            "It is of a kind, or filled in a way, that this method does not draw.");
     case PrimitiveRejection::NotConvex:
         return QStringLiteral("It is not convex%1: only a single contour that turns one way and "
                               "goes round once is tiled by a fan of triangles. Nothing is drawn.")

@@ -17,8 +17,8 @@ inline QString sumFormula(const QString &title, const SampleMean &mean, std::siz
     return title + QStringLiteral(" = ") + bytes.join(QStringLiteral(" + "));
 }
 
-/// sum_R, sum_G, sum_B of a pixel that is the mean of its samples; `meanIn` gives that mean, of no
-/// sample where the pixel is none.
+/// Appends sum_R, sum_G, sum_B of a pixel that is the mean of its samples; `meanIn` gives that
+/// mean, without samples if the pixel is not one.
 template <class State, class Read>
 void appendSampleSums(NumberTable<State> &table, const Read &meanIn)
 {

@@ -20,18 +20,18 @@ bool isZero(const OfAxes &vector)
     return std::ranges::all_of(vector, [](const Quantity &each) { return each.toDouble() == 0; });
 }
 
-/// "S_0" where a light stands, "d_0" the direction in which it shines.
+/// "S_0" for a light's position, "d_0" for the direction in which it shines.
 QString sourceName(const Light &light, std::size_t index)
 {
     return (isPlace(light.kind) ? QStringLiteral("S_%1") : QStringLiteral("d_%1")).arg(index);
 }
-/// "E_" where the viewer stands, "e_" the direction towards it.
+/// "E_" for the viewer's position, "e_" for the direction towards it.
 QString viewerName(Light::Kind kind)
 {
     return isPlace(kind) ? QStringLiteral("E_") : QStringLiteral("e_");
 }
 
-/// A component of a vector that is made of length 1; % stands for the axis.
+/// A component of a vector normalised to length 1; % stands for the axis.
 QString unitFormula(const QString &title, QChar axis, const QString &component)
 {
     const auto of
@@ -41,7 +41,7 @@ QString unitFormula(const QString &title, QChar axis, const QString &component)
         + QStringLiteral("²)");
 }
 
-/// The way from the sample to something: to its place, or along a direction that is given.
+/// The vector from the sample to something: to its position, or along a given direction.
 QString wayFormula(Light::Kind kind, const QString &given, QStringView sign)
 {
     return isPlace(kind) ? given + QStringLiteral("% − p_%") : sign.toString() + given + u'%';
@@ -53,7 +53,7 @@ QString dotFormula(const QString &vector)
     return QStringLiteral("n_x·%x + n_y·%y + n_z·%z").replace(u'%', vector);
 }
 
-/// A number of a lit sample, written, a single one.
+/// Appends a number of a lit sample that was written singly.
 void appendLit(NumberTable<ShadedSampleState> &table, const QString &title, const QString &toolTip,
                const QString &formula, const ReadOfSample &read,
                const NumberRow<ShadedSampleState>::Specify &specify = {})
@@ -66,7 +66,7 @@ void appendLit(NumberTable<ShadedSampleState> &table, const QString &title, cons
                      specify});
 }
 
-/// The components of a vector of length 1, each with its formula where the vector has a length.
+/// The components of a vector of length 1, each with its formula if the vector has a length.
 void appendUnit(NumberTable<ShadedSampleState> &table, const QString &name, const QString &what,
                 const QString &component,
                 const std::function<const OfAxes &(const ShadedSampleState &)> &read)
@@ -162,7 +162,7 @@ void appendLevels(NumberTable<ShadedSampleState> &table, const QString &surface,
     }
 }
 
-/// A number of the scene that its lights are computed from.
+/// A number that the scene gives for computing its lights.
 void appendGiven(NumberTable<ShadedSetUpState> &table, const QString &title, const QString &unit,
                  const QString &toolTip,
                  const std::function<Quantity(const ShadedSetUpState &)> &read)

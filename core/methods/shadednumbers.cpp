@@ -14,7 +14,7 @@ namespace {
 
 using Group = NumberGroup;
 
-/// The vertex that a digit names: of the bilinear form they are sorted by x.
+/// The vertex that a digit names: in the bilinear form vertices are sorted by x.
 std::size_t vertexIn(const ShadedSetUpState &state, InterpolationForm form, std::size_t digit)
 {
     return form == InterpolationForm::Bilinear ? std::size_t(state.order[digit]) : digit;
@@ -100,7 +100,7 @@ void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
     }
 }
 
-/// The edge of the state between the vertices that the digits of an edge name.
+/// The state's edge between the vertices that the digits of an edge name.
 std::size_t edgeIn(const ShadedSetUpState &state, InterpolationForm form, SortedEdge named)
 {
     if (form == InterpolationForm::Bilinear)

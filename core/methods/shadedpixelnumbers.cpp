@@ -21,7 +21,7 @@ QString roundedText(const QString &level, ByteRounding rounding)
         + (rounding == ByteRounding::Nearest ? QStringLiteral(" + ½⌋") : QStringLiteral("⌋"));
 }
 
-/// What is painted: what the last stage made of the colour.
+/// What is painted: the colour as the last stage left it.
 void appendSource(Table &table, const EffectSet &ofScope, ByteRounding rounding)
 {
     const bool hasBase = ofScope.texture || ofScope.light;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array coefficientLetters = {u'a', u'b', u'c'};
 
-/// The digits of the ends of the segment that a triangle without area is drawn as.
+/// The digits of the ends of the segment that represents a triangle without area.
 struct SegmentDigits {
     explicit SegmentDigits(const ShadedSetUpState &state)
         : first(vertexDigits[std::size_t(state.order[0])])
@@ -27,7 +27,7 @@ struct SegmentDigits {
     {
         return !along.isNull() && (coefficient == u'a') == (along == u'x');
     }
-    /// With # and & for the ends, @ for the coordinate.
+    /// Fills in # and & for the ends, @ for the coordinate.
     QString filled(QString text) const
     {
         return text.replace(u'#', first).replace(u'&', last).replace(u'@', along);
@@ -37,7 +37,7 @@ struct SegmentDigits {
     QChar along; ///< x or y; null where the segment is a point
 };
 
-/// a, b or c of the plane through what the vertices have in %, or of the segment's line.
+/// a, b or c of the plane through the vertices' values %, or of the segment's line.
 QString planeFormula(const ShadedSetUpState &state, QChar letter, const QString &name)
 {
     const auto coefficient = [&](QChar other) { return coefficientOf(other, name); };
@@ -99,7 +99,7 @@ QString weightFormula(const ShadedSetUpState &state, QChar letter, std::size_t v
 
 /// a, b and c of a value or of a weight.
 struct Coefficients {
-    QString name; ///< of what they belong to
+    QString name; ///< of the value or weight
     QString unit; ///< its unit
     QString toolTip;
     std::function<Quantity(const ShadedSetUpState &, std::size_t)> read;

@@ -12,7 +12,8 @@
 namespace pixelplumb {
 
 /// Draws triangle by triangle and announces each pixel once. Where pixels have several samples,
-/// those of every edge pixel are kept, so that after each triangle the frame shows what there is.
+/// those of every edge pixel are kept, so that after each triangle the frame shows the picture so
+/// far.
 template <class N, class A, class Recorder>
 class ShadedPictureRecorder {
 public:
@@ -57,9 +58,9 @@ private:
         ScratchFrame frame;
         ShadedSurroundings<N> surroundings;
     };
-    /// Hears the triangle as the samples at the centres have it: columns that only other samples
-    /// reach come before and after its own. While the picture of another sample is drawn, it hears
-    /// which pixels that comes to, and writes.
+    /// Receives the triangle as sampled at pixel centres; columns that only other samples reach
+    /// come before and after its own. While another sample's picture is drawn, it notes which
+    /// pixels that sample visits and writes.
     struct Listener {
         ShadedPictureRecorder *picture;
 
@@ -70,7 +71,7 @@ private:
         }
         void primitiveRejected(const Rejection &rejection)
         {
-            // None at a centre is in the frame, but others may be.
+            // No sample at a centre is in the frame, but others may be.
             if (!picture->m_sample && picture->m_visited.empty())
                 picture->m_recorder.primitiveRejected(rejection);
         }
@@ -116,8 +117,8 @@ private:
         announceBefore(std::numeric_limits<std::int64_t>::max());
     }
 
-    /// The pixels of several samples in the columns below x: in those that no sample at a centre
-    /// reaches, and in the last one that was entered.
+    /// Announces the pixels of several samples in the columns below x: in those that no sample at a
+    /// centre reaches, and in the last one that was entered.
     void announceBefore(std::int64_t x)
     {
         while (!m_visited.empty() && m_visited.begin()->first < x) {
@@ -162,9 +163,8 @@ private:
     ShadedRun<N, A, Listener> m_run;
     std::vector<std::unique_ptr<Sample>> m_samples;
     std::optional<std::int64_t> m_entered; ///< the column whose samples at centres are drawn
-    std::optional<std::size_t> m_sample; ///< whose picture is drawn; none: that of the centres
-    /// Of the current triangle: the samples that wrote each pixel that one came to, by column and
-    /// row.
+    std::optional<std::size_t> m_sample; ///< the sample whose picture is drawn; none: the centres'
+    /// For the current triangle: which samples wrote each visited pixel, by column and row.
     std::map<std::int64_t, std::map<std::int64_t, std::uint16_t>> m_visited;
 };
 

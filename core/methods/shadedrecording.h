@@ -8,7 +8,7 @@
 namespace pixelplumb {
 
 /// How the numbers of shaded triangles become records. A sample depends on what its pixel held, so
-/// columns are not walked again: samples are kept.
+/// columns cannot be walked again: samples are kept.
 template <class N, class A>
 struct ShadedRecording : ShadedNumbers<N, A> {
     using typename ShadedNumbers<N, A>::SetUp;
@@ -19,15 +19,15 @@ struct ShadedRecording : ShadedNumbers<N, A> {
     static auto spanNumbers(const ShadedScope &scope = {}) { return shadedSpanNumbers(scope); }
     static auto sampleNumbers(const ShadedScope &scope = {}) { return shadedSampleNumbers(scope); }
 
-    static ShadedSetUpState stateOf(const SetUpInHand<SetUp> &step)
+    static ShadedSetUpState stateOf(const CurrentSetUp<SetUp> &step)
     {
         return shadedStateOf<N, A>(step.setUp);
     }
-    static ShadedSpanState stateOf(const SpanInHand<SetUp, Span> &step)
+    static ShadedSpanState stateOf(const CurrentSpan<SetUp, Span> &step)
     {
         return shadedStateOf<N, A>(step);
     }
-    static ShadedSampleState stateOf(const SampleInHand<SetUp, Span, Sample> &step)
+    static ShadedSampleState stateOf(const CurrentSample<SetUp, Span, Sample> &step)
     {
         return shadedStateOf<N, A>(step);
     }
@@ -63,9 +63,9 @@ struct ShadedRecording : ShadedNumbers<N, A> {
         record.firstDrawn = column.firstDrawn;
         record.endDrawn = column.endDrawn;
     }
-    /// The colours are of the set-up too: this has what the sample alone knows.
+    /// The colours depend on the set-up too: this records what the sample alone knows.
     static void record(const Sample &sample, SampleRecord &record) { record.level = sample.level; }
-    static void record(const SampleInHand<SetUp, Span, Sample> &step, SampleRecord &record)
+    static void record(const CurrentSample<SetUp, Span, Sample> &step, SampleRecord &record)
     {
         if (step.sample.samples.count() > 0 || step.fate == SampleFate::Refused)
             return;

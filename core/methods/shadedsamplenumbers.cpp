@@ -15,7 +15,7 @@ using Group = NumberGroup;
 using State = ShadedSampleState;
 using Table = NumberTable<State>;
 
-/// A level is interpolated where the vertices' differ.
+/// A level is interpolated only if the vertices' levels differ.
 QString atSampleText(Channel channel)
 {
     const QString text = QStringLiteral("%1 at the sample").arg(shadedName(channel));
@@ -24,7 +24,7 @@ QString atSampleText(Channel channel)
         : text;
 }
 
-/// What a sample has in a channel, linear in the frame.
+/// A sample's value in a channel, linear in the frame.
 void appendLinear(Table &table, const ShadedScope &scope, std::size_t channel)
 {
     const Channel which = channelAt(channel);

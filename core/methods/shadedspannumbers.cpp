@@ -11,7 +11,7 @@ namespace {
 
 using Group = NumberGroup;
 
-/// The walk along the edges is told as the column scan's.
+/// The walk along the edges is described like the column scan's.
 const EdgeWalkNames &walkNames()
 {
     static const EdgeWalkNames names(
@@ -19,27 +19,27 @@ const EdgeWalkNames &walkNames()
     return names;
 }
 
-/// A number that is walked along the edge that bounds a column: `value` is its letter at a vertex,
-/// `rate` that of its change.
+/// A number walked along the edge that bounds a column: `value` is its letter at a vertex, `rate`
+/// the letter of its change.
 void appendWalked(NumberTable<ShadedSpanState> &table, SpanBound bound, NumberDescription number,
                   const QString &value, const QString &rate,
                   const std::function<Quantity(const ShadedSpanState &)> &read)
 {
     number.formula = QStringLiteral("%1 ← %1′ + %2").arg(number.title, rate);
     table.push_back(
-        {number, read, [=](NumberDescription &inHand, const ShadedSpanState &state) {
+        {number, read, [=](NumberDescription &current, const ShadedSpanState &state) {
              const auto &corners = state.walk.corners;
              const bool isPoint
                  = !state.walk.start.hasPlane && corners[0].position == corners[2].position;
-             // Exact numbers are the plane's, which has P0's values in a point.
-             inHand.formula = isPoint && read(state).isRational()
-                 ? QStringLiteral("%1 ← %2").arg(inHand.title,
+             // Exact numbers are the plane's, which in a point has P0's values.
+             current.formula = isPoint && read(state).isRational()
+                 ? QStringLiteral("%1 ← %2").arg(current.title,
                                                  value + vertexDigits[state.walk.digits[0]])
-                 : walkNames().boundFormula(state.walk, bound, inHand.title, value, rate);
+                 : walkNames().boundFormula(state.walk, bound, current.title, value, rate);
          }});
 }
 
-/// What an edge has where it meets the column, and the change from row to row.
+/// The values of an edge where it meets the column, and the change from row to row.
 void appendBounds(NumberTable<ShadedSpanState> &table, const QString &name, const QString &unit,
                   std::size_t channel)
 {

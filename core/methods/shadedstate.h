@@ -6,7 +6,7 @@
 #include "core/methods/edgewalkstate.h"
 #include "core/number/widequantity.h"
 #include "core/scan/scansettings.h"
-#include "core/trace/stepinhand.h"
+#include "core/trace/currentstep.h"
 
 #include <array>
 #include <memory>
@@ -15,16 +15,15 @@
 /// serves every arithmetic.
 namespace pixelplumb {
 
-/// What a run of shaded triangles carries: of all its batches together, since a table has one
-/// heading.
+/// What a run of shaded triangles carries, over all its batches, since a table has one heading.
 struct ShadedScope {
     InterpolationForm form = InterpolationForm::Bilinear;
     EffectSet effects;
     Antialiasing antialiasing = Antialiasing::None;
     ByteRounding rounding = ByteRounding::Nearest;
-    std::uint32_t greatestDepth = 0; ///< level of the depth's format; 0: it keeps numbers
+    std::uint32_t greatestDepth = 0; ///< level of the depth format; 0: it keeps numbers
     bool isFiltered = false; ///< some material reads four texels
-    /// Its lights, its viewer and its materials; null where no sample is lit.
+    /// Its lights, its viewer and its materials; null if no sample is lit.
     std::shared_ptr<const Appearance> appearance = nullptr;
 };
 
@@ -34,14 +33,14 @@ using OfAxes = std::array<Quantity, 3>; ///< x, y, z
 
 struct ShadedSetUpState {
     std::array<int, 3> order = {0, 1, 2};
-    /// What the digits in names stand for.
+    /// Decides what the digits in names stand for.
     InterpolationForm form = InterpolationForm::Bilinear;
     OfVertices<LatticePoint> position;
     EffectSet effects; ///< of the triangle
     bool zeroArea = false; ///< its segment is drawn
-    PerChannel<OfVertices<Quantity>> given; ///< as the vertices have them
+    PerChannel<OfVertices<Quantity>> given; ///< as the vertices give them
     OfVertices<Quantity> w;
-    PerChannel<OfVertices<Quantity>> linear; ///< as they are interpolated: divided by w
+    PerChannel<OfVertices<Quantity>> linear; ///< as interpolated: divided by w
     /// What each column adds along an edge, by SortedEdge; none where the edge is vertical.
     std::array<Quantity, 3> slope;
     std::array<PerChannel<Quantity>, 3> rate; ///< of the bilinear form
@@ -74,18 +73,18 @@ ShadedLightState lightStateOf(const SampleLightTerm<Real> &term)
 
 struct ShadedSampleState {
     std::int64_t x = 0, y = 0;
-    bool startsRun = false; ///< adding begins here
+    bool startsRun = false; ///< the additions begin here
     bool isWritten = false;
     bool isBlended = false; ///< and has an alpha
     EffectSet effects; ///< of the triangle
-    SampleMean mean; ///< of what stands in the pixel's samples: then none of the rest is there
+    SampleMean mean; ///< of the pixel's samples; with a mean, none of the rest is set
     std::uint16_t samplesWritten = 0;
     bool isBeyondHorizon = false; ///< 1/w is not positive there
     PerChannel<Quantity> linear; ///< divided by w where perspective is corrected
     OfVertices<Quantity> weight;
     PerChannel<Quantity> value; ///< the quotient by 1/w
     std::array<Quantity, 2> affine; ///< u, v as if w were equal
-    Quantity depth, nearest; ///< z or its level, and what stood there; none: nothing did
+    Quantity depth, nearest; ///< z or its level, and what was stored before; none: nothing was
     Colour interpolated; ///< as a byte
     std::array<std::int32_t, 2> textureSize = {};
     TextureWrap wrap = TextureWrap::Repeat;
@@ -95,7 +94,7 @@ struct ShadedSampleState {
         = {}; ///< of four: lower left, lower right, upper left, upper right
     std::array<Quantity, 2> fraction;
     Colour texel, textured;
-    Quantity normalLength; ///< of the normal as it is interpolated
+    Quantity normalLength; ///< of the interpolated normal
     OfAxes normal; ///< of length 1
     OfAxes toViewer; ///< V
     std::array<ShadedLightState, mostLights> lights;
@@ -105,9 +104,9 @@ struct ShadedSampleState {
     Quantity area;
     Colour before, after;
 
-    /// 4 or 16 where the pixel is a mean of them.
+    /// 4 or 16 where the pixel is the mean of that many, else 0.
     int samples() const { return int(mean.samples().size()); }
-    /// A channel as the effects take it: the quotient where there is one.
+    /// A channel as the effects read it: the quotient where there is one.
     const Quantity &interpolatedIn(std::size_t channel) const
     {
         return value[channel].isNone() ? linear[channel] : value[channel];
@@ -153,8 +152,8 @@ struct ShadedQuantities<ExactShading<Integer>> {
     {
         if (!perspective)
             return;
-        // The kernel has a·w_j·w_k for a/w_i: the product of all three is too much, and the powers
-        // of two that they had in common are missing.
+        // The kernel has a·w_j·w_k for a/w_i: too much by the product of all three w, and without
+        // the powers of two that they have in common.
         std::int64_t bits = 0;
         std::array<std::int64_t, 3> w = {};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -187,7 +186,7 @@ struct ShadedQuantities<ExactShading<Integer>> {
         return isDivided(channel) ? quotientOf(BigInteger(value) * scale, unitOf(channel) * product)
                                   : quotientOf(BigInteger(value), unitOf(channel));
     }
-    /// What a rise over `run` > 0 lattice units is for a column.
+    /// A rise over `run` > 0 lattice units, per column.
     Quantity rate(std::size_t channel, const Integer &rise, Lattice run) const
     {
         const BigInteger above = BigInteger(rise) * unitsPerPixel;

@@ -9,7 +9,7 @@
 
 namespace pixelplumb {
 
-/// What the vertices have in a channel, in units of one.
+/// A vertex's value in a channel, in units of one.
 inline Quantity givenValue(const Vertex &vertex, const VertexAttributes &attributes,
                            Channel channel)
 {
@@ -18,8 +18,8 @@ inline Quantity givenValue(const Vertex &vertex, const VertexAttributes &attribu
                                                                                  : attributeOne);
 }
 
-/// What each column adds to y along the edges, as it is walked, and in the bilinear form to the
-/// channels; exact ones are what the plane of the channel has along the edge.
+/// Sets what each column adds along the edges: to y, as it is walked, and in the bilinear form to
+/// the channels; exact rates are those of the channel's plane along the edge.
 template <class N, class A>
 void setSlopes(const ShadedSetUpRead<N> &setUp, ShadedSetUpState &state)
 {
@@ -80,8 +80,8 @@ ShadedSetUpState shadedStateOf(const ShadedSetUpRead<N> &setUp)
     return state;
 }
 
-/// What an edge has where it meets the column: in floating numbers as it was walked, in exact ones
-/// what the plane has there.
+/// Sets an edge's values where it meets the column: in floating numbers as walked, in exact ones as
+/// the plane has them.
 template <class N, class A>
 void setBounds(const ShadedSetUpRead<N> &setUp, const BoundedColumn<N, A> &column,
                const ShadedQuantities<N> &quantities, ShadedSpanState &state)
@@ -109,10 +109,10 @@ void setBounds(const ShadedSetUpRead<N> &setUp, const BoundedColumn<N, A> &colum
     });
 }
 
-/// How a column's walk along the edges is told, as the edge walks tell theirs. In the forms that
-/// are not bilinear digits name the vertices as they are given.
+/// A column's walk along the edges, described as the edge walks describe theirs. In forms that are
+/// not bilinear digits name the vertices in the order given.
 template <class N, class A>
-EdgeWalkSpanState shadedWalkOf(const SpanInHand<ShadedSetUpRead<N>, BoundedColumn<N, A>> &step)
+EdgeWalkSpanState shadedWalkOf(const CurrentSpan<ShadedSetUpRead<N>, BoundedColumn<N, A>> &step)
 {
     const ShadedSetUpRead<N> &setUp = step.setUp;
     const BoundedColumn<N, A> &column = step.span;
@@ -142,7 +142,7 @@ EdgeWalkSpanState shadedWalkOf(const SpanInHand<ShadedSetUpRead<N>, BoundedColum
 }
 
 template <class N, class A>
-ShadedSpanState shadedStateOf(const SpanInHand<ShadedSetUpRead<N>, BoundedColumn<N, A>> &step)
+ShadedSpanState shadedStateOf(const CurrentSpan<ShadedSetUpRead<N>, BoundedColumn<N, A>> &step)
 {
     const BoundedColumn<N, A> &column = step.span;
     ShadedSpanState state;
@@ -159,7 +159,7 @@ ShadedSpanState shadedStateOf(const SpanInHand<ShadedSetUpRead<N>, BoundedColumn
     if (step.setUp.form != InterpolationForm::Bilinear)
         return state;
     if constexpr (!N::isExact) {
-        // As the channels use them; what is covered may be decided by exact ones.
+        // As the channels use them; coverage may be decided by exact ones.
         state.lower = Quantity::of(column.yBottom);
         state.upper = Quantity::of(column.yTop);
     }
@@ -192,7 +192,7 @@ std::array<Quantity, 2> affineTexture(const ShadedSetUpRead<N> &setUp, std::int6
     return texture;
 }
 
-/// How far the sample lies from a texel's centre to the next one's: exactly, where its place is
+/// How far the sample lies from a texel's centre to the next one's: exactly, if its position is
 /// exact.
 inline Quantity texelFraction(const ShadedSampleState &state, std::size_t side,
                               const Quantity &used)
@@ -207,7 +207,7 @@ inline Quantity texelFraction(const ShadedSampleState &state, std::size_t side,
     return quotientOf(rest < 0 ? BigInteger(rest + below) : rest, below);
 }
 
-/// Inside of a triangle whose areas are covered an opaque one is not blended, and has no alpha.
+/// With area coverage, an opaque sample inside a triangle is not blended and has no alpha.
 template <class N>
 bool isBlended(const ShadedSetUpRead<N> &setUp, const ShadedSample<N> &sample)
 {
@@ -219,7 +219,7 @@ bool isBlended(const ShadedSetUpRead<N> &setUp, const ShadedSample<N> &sample)
 
 template <class N, class A>
 ShadedSampleState shadedStateOf(
-    const SampleInHand<ShadedSetUpRead<N>, BoundedColumn<N, A>, ShadedSample<N>> &step)
+    const CurrentSample<ShadedSetUpRead<N>, BoundedColumn<N, A>, ShadedSample<N>> &step)
 {
     const ShadedSample<N> &sample = step.sample;
     const ShadedSetUpRead<N> &setUp = step.setUp;
@@ -252,7 +252,7 @@ ShadedSampleState shadedStateOf(
     state.isBeyondHorizon = setUp.effects.perspective
         && sample.value[indexOf(Channel::Reciprocal)] <= typename N::Number(0);
     if (state.isBeyondHorizon)
-        return state; // nothing else was asked
+        return state; // nothing else was computed
     if (setUp.effects.depth == DepthTest::Number) {
         state.depth = quantities.depth(sample.depth.now);
         state.nearest = quantities.depth(sample.depth.before);

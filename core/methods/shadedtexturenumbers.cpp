@@ -9,8 +9,8 @@ namespace pixelplumb {
 
 namespace {
 
-/// Where a sample lies along a side of the texture, in texels from the first one's, or from its
-/// centre where four are read: "32·u − ½".
+/// Where a sample lies along a side of the texture, in texels from the first one's edge, or from
+/// its centre where four are read: "32·u − ½".
 QString placeText(const ShadedSampleState &state, std::size_t side)
 {
     return QStringLiteral("%1·%2%3")
@@ -19,8 +19,8 @@ QString placeText(const ShadedSampleState &state, std::size_t side)
         .arg(state.isFiltered ? QStringLiteral(" − ½") : QString());
 }
 
-/// That place as a number; none where nothing is read, and where a float's kernel gives up: it
-/// takes texel 0 beyond ±2^30.
+/// That place as a number; none if nothing is read, or beyond ±2^30, where a float kernel gives up
+/// and takes texel 0.
 std::optional<double> placeOf(const ShadedSampleState &state, std::size_t side)
 {
     const Quantity &value = state.interpolatedIn(indexOf(Channel::U) + side);
@@ -33,7 +33,7 @@ std::optional<double> placeOf(const ShadedSampleState &state, std::size_t side)
 
 bool liesInside(double place, std::int32_t size) { return place >= 0 && place < size; }
 
-/// "i = ⌊32·u⌋", and how an index beyond the texture is brought back.
+/// "i = ⌊32·u⌋", and how an index outside the texture is brought back.
 QString indexFormula(const ShadedSampleState &state, std::size_t side, const QString &index)
 {
     const std::optional<double> place = placeOf(state, side);

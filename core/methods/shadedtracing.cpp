@@ -10,7 +10,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// What some triangle of the plan does.
+/// What any triangle of the plan does.
 ShadedScope scopeOf(InterpolationForm form, const Primitives &primitives,
                     const ScanSettings &settings, const EffectPlan &plan)
 {

@@ -20,15 +20,16 @@ QString depthText(const ShadedSampleState &state)
 {
     const QString z = term(state.depth);
     if (!state.isWritten)
-        return QStringLiteral("Refused: its depth %1 lies behind %2, which stands there.")
+        return QStringLiteral("Refused: its depth %1 lies behind the stored depth %2.")
             .arg(z, term(state.nearest));
     if (state.nearest.isNone())
-        return QStringLiteral("Nothing stands there yet: depth %1 is kept.").arg(z);
-    return QStringLiteral("Depth %1 is not behind %2, which stood there: it is written and kept.")
+        return QStringLiteral("No depth is stored here yet: %1 is kept.").arg(z);
+    return QStringLiteral(
+               "Depth %1 is not behind the stored %2: the sample is written and its depth kept.")
         .arg(z, term(state.nearest));
 }
 
-/// How much of the pixel is the triangle's; empty where all is.
+/// How much of the pixel the triangle covers; empty if all.
 QString shareText(const ShadedSampleState &state)
 {
     if (!state.isWritten || !state.isBlended || state.blendedAlpha == 255)
@@ -38,9 +39,8 @@ QString shareText(const ShadedSampleState &state)
                                                     .arg(state.alpha)
                                                     .arg(state.blendedAlpha);
     return share
-        + QStringLiteral(
-              ": so many of 255 parts are its own colour %1, the others the %2 that stood "
-              "there.")
+        + QStringLiteral(": that many parts in 255 come from its own colour %1, the rest from the "
+                         "%2 already there.")
               .arg(levelsText(state.source), levelsText(state.before));
 }
 

@@ -159,7 +159,7 @@ void appendStrokeSource(NumberTable<StrokeSampleState> &table)
         });
 }
 
-/// How a pixel's byte comes about.
+/// How a pixel's byte is computed.
 QString writtenFormula(Antialiasing antialiasing)
 {
     if (antialiasing == Antialiasing::Area)

@@ -8,7 +8,7 @@
 /// The numbers and the words of strokes.
 namespace pixelplumb {
 
-/// What the numbers of a pixel read: it and what it belongs to.
+/// What the numbers of a pixel read: the sample and what it belongs to.
 struct StrokeSampleState {
     const StrokeSetUp &setUp;
     const StrokeSample &sample;
@@ -24,7 +24,7 @@ struct StrokeSampleState {
 
 const NumberTable<StrokeSetUp> &strokeSetUpNumbers();
 const NumberTable<StrokeColumn> &strokeColumnNumbers();
-/// Of a run with this antialiasing: by area, or by 1, 4 or 16 samples.
+/// For a run with this antialiasing: by area, or by 1, 4 or 16 samples.
 NumberTable<StrokeSampleState> strokeSampleNumbers(Antialiasing antialiasing);
 
 void tellStroke(StepWords &words, const StrokeSetUp &setUp);

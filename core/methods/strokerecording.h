@@ -6,7 +6,7 @@
 
 namespace pixelplumb {
 
-/// How the numbers of strokes become records. A pixel depends on what it held, so columns are not
+/// How the numbers of strokes become records. A pixel depends on what it held, so columns cannot be
 /// walked again: samples are kept.
 struct StrokeRecording : StrokeNumbers {
     static const auto &setUpNumbers(Antialiasing = Antialiasing::Area)
@@ -22,9 +22,9 @@ struct StrokeRecording : StrokeNumbers {
         return strokeSampleNumbers(antialiasing);
     }
 
-    static const SetUp &stateOf(const SetUpInHand<SetUp> &step) { return step.setUp; }
-    static const Span &stateOf(const SpanInHand<SetUp, Span> &step) { return step.span; }
-    static StrokeSampleState stateOf(const SampleInHand<SetUp, Span, Sample> &step)
+    static const SetUp &stateOf(const CurrentSetUp<SetUp> &step) { return step.setUp; }
+    static const Span &stateOf(const CurrentSpan<SetUp, Span> &step) { return step.span; }
+    static StrokeSampleState stateOf(const CurrentSample<SetUp, Span, Sample> &step)
     {
         return {step.setUp, step.sample, step.settings.rounding, step.y};
     }
@@ -46,8 +46,8 @@ struct StrokeRecording : StrokeNumbers {
         record.endDrawn = column.endRow;
     }
     static void record(const Sample &sample, SampleRecord &record) { record.level = sample.level; }
-    /// The colours are of the set-up too: this has what the sample alone knows.
-    static void record(const SampleInHand<SetUp, Span, Sample> &step, SampleRecord &record)
+    /// The colours depend on the set-up too: this records what the sample alone knows.
+    static void record(const CurrentSample<SetUp, Span, Sample> &step, SampleRecord &record)
     {
         const StrokeSampleState state = stateOf(step);
         for (std::size_t channel = 0; channel < 3; ++channel)

@@ -6,8 +6,8 @@
 /// How an edge walk becomes a method that can be given variants.
 namespace pixelplumb {
 
-/// The same walk with the departures of the settings; exact in 128 bits always, which hold the
-/// products that departures have.
+/// An edge walk with the departures of the settings; its exact numbers always have 128 bits, which
+/// hold the products of departures.
 template <EdgeWalkForm form>
 struct VariedEdgeWalkKernel : EdgeWalkKernel<form> {
     template <class Function>
@@ -26,15 +26,15 @@ struct VariedEdgeWalkKernel : EdgeWalkKernel<form> {
     }
 };
 
-/// What an edge walk can be given.
+/// The variants that an edge walk accepts.
 inline std::vector<Variant> edgeWalkVariants()
 {
     return {Variant::NoColourPreStep, Variant::NoEdgePreStep, Variant::DivisorMinusOne,
             Variant::DivisorPlusOne, Variant::UnsortedColours};
 }
 
-/// How a method whose kernel has another type for departures draws and traces: by that only where
-/// the settings ask for some.
+/// Draws and traces a method that has a second kernel type for departures: uses it only if the
+/// settings ask for some.
 template <auto right, auto varied>
 void drawVaried(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
 {

@@ -7,15 +7,16 @@
 
 namespace pixelplumb {
 
-/// A fraction, not in lowest terms, that meets only integers and fractions of its own denominator,
-/// so that adding needs no common multiple: all weights of a triangle have its doubled area below.
+/// A fraction, not in lowest terms, that is only ever combined with integers and with fractions of
+/// the same denominator, so adding needs no common multiple: all weights of a triangle have its
+/// doubled area as denominator.
 template <class Integer>
 struct FractionOf {
     Integer numerator = 0;
     Integer denominator = 1; ///< > 0
 
     constexpr Integer floor() const { return floorDivide<Integer>(numerator, denominator); }
-    /// The nearest integer; the upper one of two that are equally near.
+    /// The nearest integer; the upper one in a tie.
     constexpr Integer nearest() const
     {
         return floorDivide<Integer>(2 * numerator + denominator, 2 * denominator);

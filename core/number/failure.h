@@ -9,8 +9,8 @@
 
 namespace pixelplumb {
 
-/// Does a part of a longer work: what it throws ends that part alone. What was thrown; none where
-/// nothing was.
+/// Runs one part of a longer job; an exception ends that part alone. Returns the exception's
+/// message, or none where nothing was thrown.
 template <class Work>
 std::optional<QString> failureOf(const Work &work)
 {

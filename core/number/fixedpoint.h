@@ -9,8 +9,8 @@
 namespace pixelplumb {
 
 /// Binary fixed point: value = raw / 2^FractionBits. Products and quotients are rounded to nearest
-/// (halves up), sums are exact, and whatever leaves the range wraps modulo 2^bits, as the integer
-/// registers of the machines that this arithmetic comes from do. No operation is undefined.
+/// (halves up), sums are exact, and whatever leaves the range wraps modulo 2^bits, as in the
+/// integer registers of the machines that this arithmetic comes from. No operation is undefined.
 template <class Raw, class Product, int FractionBits>
 class FixedPoint {
 public:
@@ -30,7 +30,7 @@ public:
     {
         return fromRaw(wrapped(Product(integer) * one));
     }
-    /// numerator / denominator with a power of two as denominator that divides 2^FractionBits.
+    /// numerator / denominator; the denominator is a power of two that divides 2^FractionBits.
     static constexpr FixedPoint fromBinaryFraction(std::int64_t numerator, std::int64_t denominator)
     {
         return fromRaw(wrapped(Product(numerator) * (one / denominator)));

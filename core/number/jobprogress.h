@@ -7,7 +7,7 @@
 
 namespace pixelplumb {
 
-/// What a long job is doing just now, for a person who waits.
+/// What a long job is doing at the moment, for the person waiting.
 enum class JobPhase {
     Reading, ///< counts bytes
     Projecting, ///< solids; counts faces
@@ -15,11 +15,11 @@ enum class JobPhase {
     Recording, ///< counts spans, or runs where there are several
     RecordingExactly, ///< the same run in exact arithmetic; counts spans
     Judging, ///< draws the truth; counts rows
-    Explaining, ///< where pictures part; counts columns
+    Explaining, ///< explains where pictures differ; counts columns
     Measuring, ///< counts samples of time
     Writing, ///< counts spans
     Checking, ///< counts methods
-    Shrinking, ///< a scene; counts those that are simpler
+    Shrinking, ///< simplifies a scene; counts the simpler scenes tried
 };
 
 constexpr std::string_view nameOf(JobPhase phase)
@@ -55,15 +55,15 @@ constexpr std::string_view nameOf(JobPhase phase)
 struct JobProgress {
     JobPhase phase = JobPhase::Drawing;
     std::int64_t done = 0;
-    std::int64_t total = 0; ///< 0: nobody knows
+    std::int64_t total = 0; ///< 0: unknown
 
     friend bool operator==(const JobProgress &, const JobProgress &) = default;
 };
 
-/// Hears now and then, in the job's thread, how far it is; returning false ends the job.
+/// Called now and then, in the job's thread, with its progress; returning false ends the job.
 using ProgressListener = std::function<bool(const JobProgress &progress)>;
 
-/// Tells the listener, where there is one. False when the job is to end.
+/// Reports progress to the listener, if there is one. False when the job is to end.
 inline bool goesOn(const ProgressListener &listener, const JobProgress &progress)
 {
     return !listener || listener(progress);

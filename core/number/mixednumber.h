@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/number/numbersbeside.h"
+#include "core/number/companiontypes.h"
 
 namespace pixelplumb {
 
@@ -27,7 +27,7 @@ struct MixedNumber {
 
     static constexpr MixedNumber fromWhole(std::int64_t whole) { return {whole, 0, 1}; }
 
-    /// Adds a rate that has this number's denominator.
+    /// Adds a rate with the same denominator as this number.
     constexpr void advance(const MixedNumber &rate)
     {
         whole += rate.whole;

@@ -3,7 +3,7 @@
 
 namespace pixelplumb {
 
-/// base^exponent by squaring, exponent >= 0: the same in every library.
+/// base^exponent by squaring, exponent >= 0; every standard library gives the same result.
 template <class Number>
 Number naturalPower(Number base, int exponent)
 {

@@ -14,13 +14,13 @@ namespace pixelplumb {
 
 namespace {
 
-/// In whatever terms.
+/// A fraction, not necessarily in lowest terms.
 struct WideFraction {
     BigInteger numerator;
     BigInteger denominator; ///< > 0
 };
 
-/// Of what is finite.
+/// The exact value of a finite quantity.
 WideFraction exactlyOf(const Quantity &quantity)
 {
     if (quantity.isRational())
@@ -33,12 +33,12 @@ WideFraction exactlyOf(const Quantity &quantity)
             BigInteger(1) << std::max(-exponent, 0)};
 }
 
-/// Rounded once.
+/// The nearest double, rounded only once.
 double nearestDouble(const WideFraction &fraction)
 {
     if (fraction.numerator == 0)
         return 0;
-    // Two bits more than a double has, or three, and a last one that stands for all that follow.
+    // Two or three bits more than a double has, with the last one standing for all that follow.
     const BigInteger size = abs(fraction.numerator);
     const int shift
         = std::numeric_limits<double>::digits + 2 + int(msb(fraction.denominator)) - int(msb(size));
@@ -129,8 +129,8 @@ Quantity productOf(const Quantity &a, const Quantity &b)
 
 namespace {
 
-/// toText() of floating point without a power of ten, filled up with zeros; empty where it has more
-/// places.
+/// toText() of floating point written without an exponent, padded with zeros; empty if it has more
+/// places or an exponent.
 QString filledDecimal(const Quantity &quantity, int places)
 {
     QString text = quantity.isRational() ? QString() : toText(quantity);
@@ -146,7 +146,7 @@ QString filledDecimal(const Quantity &quantity, int places)
 
 CutDecimal cutDecimal(const Quantity &quantity, int places)
 {
-    constexpr int mostPlaces = 40; ///< a double's neighbour of 1 has 16
+    constexpr int mostPlaces = 40; ///< the double next to 1 needs 16
     if (const QString whole = filledDecimal(quantity, places); !whole.isEmpty())
         return {whole, false};
     const auto [numerator, denominator] = exactlyOf(quantity);
@@ -210,7 +210,7 @@ QString shortestDecimal(Float value)
     return QString::fromLatin1(text.data(), end - text.data());
 }
 
-/// Sign, whole part towards zero, then the fraction: −2 1/3, not −3 2/3.
+/// Sign, then the whole part towards zero, then the fraction: −2 1/3, not −3 2/3.
 QString mixedText(Int128 numerator, Int128 denominator)
 {
     const Int128 magnitude = absolute(numerator);

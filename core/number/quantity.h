@@ -11,9 +11,9 @@
 
 namespace pixelplumb {
 
-/// A number as a kernel held it, in one shape for tables, formulas and files: a rational (exact and
-/// fixed-point arithmetic) or a binary floating-point value. Nothing is lost on the way in but the
-/// sign of a zero, which no formula has.
+/// A number as a kernel held it, in one form for tables, formulas and files: a rational (exact and
+/// fixed-point arithmetic) or a binary floating-point value. Nothing is lost in the conversion but
+/// the sign of a zero, which no formula uses.
 class Quantity {
 public:
     enum class Kind { None, Rational, Float32, Float64 };
@@ -47,9 +47,9 @@ public:
     Int128 numerator() const { return m_numerator; } ///< of a rational
     Int128 denominator() const { return m_denominator; } ///< of a rational, > 0
 
-    /// The nearest double; for drawing, for plots and for files, never for a decision.
+    /// The nearest double; for drawing, plots and files, never for a decision.
     double toDouble() const;
-    /// An integer in the exact sense: 17, but not 17.0000001.
+    /// Whether it is exactly an integer: 17, but not 17.0000001.
     bool isInteger() const;
 
     friend bool operator==(const Quantity &, const Quantity &) = default;
@@ -61,34 +61,33 @@ private:
     double m_binary = 0;
 };
 
-/// used − exact, the double nearest to it: 0 where they are equal, and nowhere else.
+/// used − exact as the nearest double: 0 if and only if they are equal.
 double errorOf(const Quantity &used, const Quantity &exact);
 
-/// a · b: exact where both are rational and 128 bits hold it, else in double. Of numbers that are
-/// there.
+/// a · b: exact where both are rational with numerators and denominators up to 2^62, else in
+/// double. Neither may be none.
 Quantity productOf(const Quantity &a, const Quantity &b);
 
 /// The one spelling of a quantity in tables, files and on the command line: rationals as "17 3/8",
 /// floating point as the shortest decimal that reads back as the same value, none as "".
 QString toText(const Quantity &quantity);
 
-/// The same in decimals with a fixed number of digits after the point ("17.375000"), for columns of
-/// figures; C locale.
+/// The quantity in decimals with a fixed number of digits after the point ("17.375000"), for
+/// columns of figures; C locale.
 QString toDecimal(const Quantity &quantity, int digits);
 
-/// Digits of a decimal that goes on, or not.
+/// The digits of a decimal, and whether more follow.
 struct CutDecimal {
     QString digits; ///< "-2.33"
-    bool isCut = false; ///< others than 0 follow
+    bool isCut = false; ///< digits other than 0 follow
 };
 
-/// The decimal of a finite number, cut and not rounded, after so many digits behind the point: of
-/// floating point that of toText() where it ends within them. Where these are all 0 and the number
-/// is no whole one it goes on to the first that is not, so that a number whose ceiling is 13 is not
-/// shown as 12.
+/// The decimal of a finite number, cut, not rounded, after `places` digits; for floating point,
+/// that of toText() if it ends within them. If those digits are all 0 and the number is not whole,
+/// it continues to the first other digit, so that a number whose ceiling is 13 is not shown as 12.
 CutDecimal cutDecimal(const Quantity &quantity, int places);
 
-/// A text for people: its negative numbers and exponents have minus signs, not hyphens.
+/// A text for people: its negative numbers and exponents get minus signs instead of hyphens.
 QString withMinus(QString text);
 
 /// A 128-bit integer in decimal.

@@ -6,9 +6,9 @@
 
 namespace pixelplumb {
 
-/// {function(0), function(1), function(2)}: of three edges, three vertices, three channels. Written
-/// out, because compilers keep in memory what a loop indexes, and these are a kernel's innermost
-/// numbers; inlined by order for the same reason.
+/// {function(0), function(1), function(2)}: for three edges, vertices or channels. Written out
+/// because compilers keep in memory what a loop indexes, and these are a kernel's innermost
+/// numbers; force-inlined for the same reason.
 template <class Function>
 [[gnu::always_inline]] constexpr auto threeOf(const Function &function)
 {

@@ -6,11 +6,11 @@
 
 namespace pixelplumb {
 
-/// Beyond every frame, every coordinate and every level, and safe to convert.
+/// Larger than every frame, coordinate and level, and safe to convert.
 inline constexpr std::int64_t largestWhole = std::int64_t(1) << 40;
 
-/// ⌊value⌋, within ±2^40; the lower limit for NaN. Compilers for every x86-64 make a call of
-/// std::floor, which costs more than the pixel that it is for.
+/// ⌊value⌋, clamped to ±2^40; the lower limit for NaN. Compiling for every x86-64 turns std::floor
+/// into a call, which costs more than the pixel it serves.
 template <std::floating_point Float>
 constexpr std::int64_t floorOf(Float value)
 {

@@ -5,12 +5,12 @@
 
 namespace pixelplumb {
 
-/// For comparisons and quotients of what 128 bits cannot hold: squares of products of lattice
+/// For comparisons and quotients of numbers too wide for 128 bits: squares of products of lattice
 /// coordinates (154 bits), products along two edges (236 bits).
 using Int256 = boost::multiprecision::int256_t;
 
-/// For what no fixed width bounds well: a curve halved until its pixels are decided. It allocates
-/// beyond 128 bits alone.
+/// For numbers with no good fixed bound: a curve halved until its pixels are decided. It allocates
+/// only beyond 128 bits.
 using BigInteger = boost::multiprecision::cpp_int;
 /// In lowest terms.
 using BigRational = boost::multiprecision::cpp_rational;

@@ -6,7 +6,7 @@
 
 namespace pixelplumb {
 
-/// numerator/denominator in lowest terms; the nearest double where 128 bits do not hold it. The
+/// numerator/denominator in lowest terms; the nearest double where that does not fit 128 bits. The
 /// denominator is not 0.
 Quantity quotientOf(const BigInteger &numerator, const BigInteger &denominator);
 

@@ -6,7 +6,7 @@
 
 namespace pixelplumb {
 
-/// The integers that hold products of two of these.
+/// Maps an integer type to the one that holds products of two of its values.
 template <class Integer>
 struct WiderInteger;
 template <>

@@ -11,14 +11,14 @@ namespace pixelplumb::oracle {
 
 namespace {
 
-/// Whether a product of two numbers is at most that of two others.
+/// Whether one product is at most the other.
 template <class Wide>
 bool isAtMost(const std::array<Int128, 2> &product, const std::array<Int128, 2> &other)
 {
     return Wide(product[0]) * Wide(product[1]) <= Wide(other[0]) * Wide(other[1]);
 }
 
-/// The arcs along one axis: `a` is the radius along it, `b` the one across.
+/// The arcs along one axis: `a` is the radius along it, `b` the radius across.
 struct Arcs {
     Lattice a = 0;
     Lattice b = 0;
@@ -33,7 +33,8 @@ struct Arcs {
         return isProductAtMost({Int128(a) * height, Int128(a) * height},
                                {Int128(b) * (a - along), Int128(b) * (a + along)});
     }
-    /// Whether the arcs with |slope| <= 1, which end at a²/√(a² + b²), come nearest to this column.
+    /// Whether this column is among those nearest to the arcs with |slope| <= 1, which end at
+    /// a²/√(a² + b²).
     bool haveColumn(Lattice along) const
     {
         if (along > a)
@@ -43,7 +44,7 @@ struct Arcs {
             || isProductAtMost({beyond * beyond, Int128(a) * a + Int128(b) * b},
                                {Int128(a) * a, Int128(a) * a});
     }
-    /// Whether the pixel is the one nearest to the upper or to the lower arc on its column.
+    /// Whether the pixel is the nearest one to the upper or lower arc on its column.
     bool hold(Lattice along, Lattice across) const
     {
         const auto isNearest = [&](Lattice height) {
@@ -53,7 +54,7 @@ struct Arcs {
     }
 
 private:
-    /// The products have up to 156 bits; as long as their factors have 62, 128 hold them.
+    /// The products have up to 156 bits; if all factors fit 62 bits, 128 hold them.
     static bool isProductAtMost(const std::array<Int128, 2> &product,
                                 const std::array<Int128, 2> &other)
     {

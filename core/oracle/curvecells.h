@@ -11,13 +11,13 @@
 
 namespace pixelplumb::oracle {
 
-/// One coordinate of a Bézier curve's control points. Each halving of a curve of degree n makes its
+/// One coordinate of a Bézier curve's control points. Each halving of a curve of degree n makes the
 /// unit 2^n times smaller, so that nothing is ever rounded.
 class CurveControls {
 public:
     using Integer = boost::multiprecision::cpp_int;
 
-    /// Three control points or four, in units.
+    /// Three or four control points, in units.
     CurveControls(std::array<Integer, 4> points, std::size_t count)
         : m_points(std::move(points))
         , m_count(count)
@@ -34,7 +34,7 @@ public:
         return std::is_sorted(m_points.begin(), end())
             || std::is_sorted(m_points.begin(), end(), std::greater<>());
     }
-    /// Whether the two coordinates grow, or one grows as the other falls, alike.
+    /// Whether both coordinates change by equal amounts, in the same or in opposite directions.
     bool runsAlike(const CurveControls &other) const
     {
         const auto agrees = [&](int sign) {
@@ -48,7 +48,7 @@ public:
         return agrees(1) || agrees(-1);
     }
 
-    /// De Casteljau's averages of averages, as sums.
+    /// De Casteljau's repeated averages, kept as sums.
     CurveControls leftHalf() const
     {
         CurveControls half = *this;
@@ -86,7 +86,7 @@ struct CellRange {
     bool isOne() const { return first == last; }
 };
 
-/// Where one coordinate of a piece of a curve lies among the cells, whose size is the pixel's.
+/// Where one coordinate of a piece of a curve lies among cells of the pixel's size.
 class CurveExtent {
 public:
     using Integer = CurveControls::Integer;
@@ -100,7 +100,7 @@ public:
         const Integer low = controls.lowest();
         const Integer high = controls.highest();
         m_cells.first = cellOf(low, pixel);
-        // A curve comes up to its highest control point at an end alone, unless it is constant.
+        // A curve reaches its highest control point only at an end, unless it is constant.
         m_cells.last = std::max({m_atFirst, m_atLast, cellOf(high - 1, pixel)});
         m_isLowOnBorder = low % pixel == 0;
         m_isConstant = low == high;
@@ -112,7 +112,7 @@ public:
     bool isFirstOnBorder() const { return m_isFirstOnBorder; }
     bool isLastOnBorder() const { return m_isLastOnBorder; }
     bool isClearOfLowBorder() const { return !m_isLowOnBorder; }
-    /// Of a piece that crosses or touches one border at most.
+    /// For a piece that crosses or touches at most one border.
     bool meetsBorder() const { return !m_cells.isOne() || (m_isConstant && m_isLowOnBorder); }
 
 private:

@@ -11,7 +11,7 @@ namespace {
 
 using Integer = CurveControls::Integer;
 
-/// The window of pixels that are asked for. Pixels are counted from its first one.
+/// The window of requested pixels. Pixels are counted from its first one.
 struct Window {
     std::int64_t firstColumn = 0;
     std::int64_t firstRow = 0;
@@ -19,7 +19,7 @@ struct Window {
     std::int64_t rows = 0;
 };
 
-/// A piece of the curve in a = x + y and b = y − x, moved by ½ px, so that the squares begin at
+/// A piece of the curve in a = x + y and b = y − x, moved by ½ px so that the squares begin at
 /// whole pixels.
 struct Piece {
     CurveControls a, b;
@@ -30,9 +30,9 @@ struct Piece {
     Piece rightHalf() const { return {a.rightHalf(), b.rightHalf(), depth + 1}; }
 };
 
-/// After so many halvings what looks like one parameter value is one. Counted from any border that
-/// a coordinate meets, the power coefficients are at most 8 times its extent in all (their norm is
-/// M's bound), the product of two has n ≤ 6, and 6^4/√3 < 2^10.
+/// The number of halvings after which parameter values that look equal are equal. Counted from any
+/// border that a coordinate meets, the power coefficients are at most 8 times its extent in all
+/// (their norm bounds M), the product of two has n ≤ 6, and 6^4/√3 < 2^10.
 int deepest(const CurveControls &a, const CurveControls &b)
 {
     const auto bits = [](const CurveControls &controls) {
@@ -42,7 +42,7 @@ int deepest(const CurveControls &a, const CurveControls &b)
     return 10 + 5 * (bits(a) + bits(b));
 }
 
-/// Calls a function with every pixel of the curve in a window, and some twice.
+/// Calls a function with every pixel of the curve in a window, some of them twice.
 template <class Function>
 class CurveWalk {
 public:
@@ -76,22 +76,22 @@ public:
     }
 
 private:
-    /// x = (a − b)/2 and y = (a + b)/2; a corner may tell of a pixel one further.
+    /// x = (a − b)/2 and y = (a + b)/2; a corner may report a pixel one further.
     bool isFar(const CellRange &a, const CellRange &b) const
     {
         return a.last - b.first < -2 || a.first - b.last > 2 * m_window.columns
             || a.last + b.last < -2 || a.first + b.first > 2 * m_window.rows;
     }
 
-    /// One coordinate goes through its cells while the other stays within one: with the other clear
-    /// of its border, no corner is on the way but at the ends.
+    /// One coordinate moves through its cells while the other stays in one: with the other clear of
+    /// its border, there is no corner on the way except at the ends.
     static bool isSimple(const CurveControls &moving, const CurveExtent &across,
                          const CurveExtent &other)
     {
         return other.cells().isOne()
             && (across.cells().isOne() || (moving.isMonotone() && other.isClearOfLowBorder()));
     }
-    /// Both cross the first border that they come to, and are as far from it all the time.
+    /// Both cross their first border, and are equally far from it all the time.
     static bool meetAtOnce(const Piece &piece, const CurveExtent &a, const CurveExtent &b)
     {
         const auto crossesOne = [](const CurveExtent &extent) {
@@ -111,8 +111,9 @@ private:
         tell(a.atFirst(), b.atFirst(), a.isFirstOnBorder() && b.isFirstOnBorder());
         tell(a.atLast(), b.atLast(), a.isLastOnBorder() && b.isLastOnBorder());
     }
-    /// A square that the curve visits, perhaps at its lowest corner, which is the left corner of
-    /// the square below in b. Every second square is a pixel's, the others lie between four.
+    /// Reports a square that the curve visits, perhaps at its lowest corner, which is the left
+    /// corner of the square below in b. Every second square is a pixel's, the others lie between
+    /// four pixels.
     void tell(std::int64_t a, std::int64_t b, bool isAtCorner) const
     {
         if ((a + b) % 2 == 0)

@@ -11,7 +11,7 @@ namespace pixelplumb::oracle {
 
 namespace {
 
-/// The lattice points around a triangle.
+/// The bounding box of a triangle, in lattice units.
 struct TriangleBox {
     explicit TriangleBox(const Triangle &triangle)
     {
@@ -22,8 +22,8 @@ struct TriangleBox {
         greatest = {right, high};
     }
 
-    // Whether a pixel of the row, of the column, may show the triangle: its square meets it as one
-    // of the pixel's samples sees it, half a pixel from where it is.
+    // Whether a pixel of the row or column may show the triangle: its square meets the triangle as
+    // seen by one of the pixel's samples, up to half a pixel away.
     bool isNearRow(std::int64_t y) const { return isNear(y * unitsPerPixel, least.y, greatest.y); }
     bool isNearColumn(std::int64_t x) const
     {
@@ -55,7 +55,7 @@ struct Surface {
     bool isUndecided = false;
 };
 
-/// Draws all triangles on one sample after another, row by row.
+/// Draws all triangles, sample by sample, row by row.
 class Painter {
 public:
     Painter(const Primitives &primitives, const ScanSettings &settings, const EffectTruth &what,
@@ -79,7 +79,7 @@ public:
         }
     }
 
-    /// What a pixel of the row holds in the end.
+    /// The final content of a pixel of the row.
     Surface pixel(std::int64_t x, const Colour &before) const
     {
         if (m_offsets.size() == 1 || !isOnEdge(x))
@@ -117,14 +117,14 @@ private:
             const Triangle &triangle = m_primitives.triangles[index];
             if (!m_boxes[index].isNearColumn(x))
                 continue;
-            // A segment paints all samples of a pixel whose own lies on it.
+            // A segment paints all samples of a pixel whose own sample lies on it.
             const bool isSegment = doubledArea(triangle) == 0;
             paint(surface, index, isSegment ? triangle : movedBy(triangle, offset), x, m_row);
         }
         return surface;
     }
 
-    /// One triangle over what the sample holds.
+    /// Draws one triangle over the sample's content.
     void paint(Surface &surface, std::size_t index, const Triangle &triangle, std::int64_t x,
                std::int64_t y) const
     {
@@ -157,7 +157,7 @@ private:
     std::vector<LatticePoint> m_offsets;
     std::vector<TriangleBox> m_boxes; ///< of all triangles
     std::int64_t m_row = 0;
-    std::vector<std::size_t> m_near; ///< the triangles that the row may show, in order
+    std::vector<std::size_t> m_near; ///< the triangles that the row may show, in drawing order
 };
 
 } // namespace

@@ -23,7 +23,7 @@ std::array<Quantity, Count> quantitiesOf(const std::array<WideFraction, Count> &
     return quantities;
 }
 
-/// Of numbers of Attribute's format, the numbers themselves.
+/// Converts numbers in Attribute's format to the numbers themselves.
 template <std::size_t Count>
 std::array<Quantity, Count> plainQuantities(std::array<WideFraction, Count> attributes)
 {

@@ -11,7 +11,7 @@
 
 namespace pixelplumb::oracle {
 
-/// A texel that is read at a sample.
+/// A texel read at a sample.
 struct TexelTruth {
     std::int32_t i = 0; ///< wrapped or clamped into the picture
     std::int32_t j = 0;
@@ -19,37 +19,37 @@ struct TexelTruth {
     Colour colour;
 };
 
-/// The true numbers of a triangle at a sample, to stand beside those that a kernel used. Rational
-/// where 128 bits hold numerator and denominator, else the nearest double.
+/// The true numbers of a triangle at a sample, for comparison with a kernel's. Rational where
+/// numerator and denominator fit 128 bits, else the nearest double.
 struct EffectSample {
     Quantity area; ///< of the pixel's square that the triangle covers, 0 … 1
     std::array<Quantity, 3> weights; ///< barycentric, of the three vertices; sum 1
     Quantity z;
-    Quantity depth; ///< what the depth buffer keeps of it
+    Quantity depth; ///< z as the depth buffer stores it
     Quantity reciprocalW; ///< 1/w
-    std::array<Quantity, 3> levels; ///< of the vertices' colours
-    Colour interpolated; ///< their bytes
+    std::array<Quantity, 3> levels; ///< interpolated from the vertices' colours
+    Colour interpolated; ///< the bytes of the levels
     std::array<Quantity, 2> texture; ///< u, v
     std::array<Quantity, 2> affineTexture; ///< as if all w were equal
     std::vector<TexelTruth> texels; ///< one, or four in the order of texelsAt; none without texture
-    Colour textured; ///< modulated by them
-    // Where there is light.
+    Colour textured; ///< modulated by the texels
+    // Only with light.
     std::array<Quantity, 3> normal; ///< not of unit length
     std::array<Quantity, 3> place;
     std::optional<LitColour> lit; ///< none without light
-    Colour colour; ///< after all of it
+    Colour colour; ///< after texture and light
     Quantity alphaLevel;
     std::uint8_t alpha = 255; ///< its byte
-    std::uint8_t sharedAlpha = 255; ///< times the area where that is asked for, else the same
+    std::uint8_t sharedAlpha = 255; ///< alpha times the area with area antialiasing, else alpha
 };
 
-/// Inside and outside of the triangle. None beyond the horizon of its plane (hasPerspective).
+/// Valid inside and outside the triangle. None beyond the horizon of its plane (hasPerspective).
 std::optional<EffectSample> effectSampleAt(const Primitives &primitives, std::size_t triangle,
                                            ByteRounding rounding, const EffectTruth &what,
                                            std::int64_t x, std::int64_t y);
 
-/// R, G and B of that alone: what is interpolated of the vertices' colours, before texture, light
-/// and blending; the first vertex's where the truth is not smooth.
+/// R, G and B interpolated from the vertices' colours, before texture, light and blending; the
+/// first vertex's where the truth is not smooth.
 std::array<Quantity, 3> colourLevelsAt(const Primitives &primitives, std::size_t triangle,
                                        const EffectTruth &what, std::int64_t x, std::int64_t y);
 

@@ -8,7 +8,7 @@ namespace pixelplumb::oracle {
 
 namespace {
 
-/// Whether the three vertices have not all the same.
+/// Whether the value differs between the three vertices.
 template <class Vertices, class Value>
 bool differ(const Vertices &vertices, const Value &value)
 {
@@ -17,8 +17,8 @@ bool differ(const Vertices &vertices, const Value &value)
     });
 }
 
-/// Whether light is another at another place: it shines from a place, or its highlight is seen
-/// from one.
+/// Whether light depends on the place: a light shines from a place, or its highlight is seen from
+/// one.
 bool isLightOfPlaces(const Appearance &appearance, const Material *material)
 {
     const auto isPositional

@@ -5,23 +5,23 @@
 
 namespace pixelplumb::oracle {
 
-/// What of its appearance a true picture has. All that the scene says unless a person switched it
-/// off: what the scene does not call for changes no pixel.
+/// Which effects a true picture has: all that the scene asks for, unless a person switched them
+/// off. An effect that the scene does not call for changes no pixel.
 struct EffectTruth {
-    bool smooth = true; ///< else the colour of the first vertex
+    bool smooth = true; ///< else the first vertex's colour
     bool perspective = true; ///< else all attributes are linear in the frame
     bool texture = true;
     bool light = true;
     bool blending = true; ///< else as if every alpha were 255
-    bool depth = true; ///< else in drawing order
+    bool depth = true; ///< else drawing order decides
     Antialiasing antialiasing = Antialiasing::None;
 };
 
-/// What the appearance says, and what was forced off.
+/// The effects that the appearance asks for, without those forced off.
 EffectTruth truthOf(const Appearance &appearance);
 
-/// Whether w differs between the vertices, and something that is divided by it and seen does too.
-/// Only then has the triangle's plane a horizon: what is the same everywhere is so beyond it.
+/// Whether w differs between the vertices along with something visible that is divided by it. Only
+/// then does the triangle's plane have a horizon: what is constant stays the same beyond it.
 bool hasPerspective(const Primitives &primitives, std::size_t triangle, const EffectTruth &what);
 
 /// Whether the triangle is lit at every sample.

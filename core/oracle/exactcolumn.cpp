@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/oracle/oracle.h"
 
-/// A column of a triangle in exact numbers, each from the vertices alone.
+/// A column of a triangle in exact numbers, each computed from the vertices alone.
 namespace pixelplumb::oracle {
 
 namespace {
@@ -55,7 +55,7 @@ Quantity verticalRate(const Triangle &triangle, std::size_t channel)
     const Int128 area = doubledArea(triangle);
     Int128 numerator = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        // The weight of a vertex changes with y as the opposite edge's extent in x.
+        // A vertex's weight changes with y in proportion to the opposite edge's extent in x.
         const Lattice from = triangle.vertices[(i + 1) % 3].position.x;
         const Lattice to = triangle.vertices[(i + 2) % 3].position.x;
         numerator += Int128(triangle.vertices[i].colour.channels[channel]) * (to - from);

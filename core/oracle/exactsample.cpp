@@ -5,13 +5,13 @@ namespace pixelplumb::oracle {
 
 namespace {
 
-/// Of a number of Attribute's format, as the number itself.
+/// Converts a number in Attribute's format to the number itself.
 WideFraction plainly(const WideFraction &attribute)
 {
     return {attribute.numerator, attribute.denominator * attributeOne};
 }
 
-/// One number of each of the three vertices.
+/// One number from each of the three vertices.
 template <class Vertices, class Reader>
 std::array<std::int64_t, 3> each(const Vertices &vertices, const Reader &read)
 {

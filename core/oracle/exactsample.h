@@ -9,39 +9,40 @@
 
 namespace pixelplumb::oracle {
 
-/// All that a triangle's plane has at a sample, from its attributes to its byte; inside and
-/// outside.
+/// Everything a triangle's plane has at a sample, from attributes to byte; inside and outside.
 struct ExactSample {
     PlaneWeights weights; ///< barycentric
-    PlaneWeights attributeWeights; ///< those of perspective, where it is there; else the same
+    PlaneWeights attributeWeights; ///< perspective weights where there is perspective, else the
+                                   ///< same as `weights`
     WideFraction z; ///< linear in the frame
-    std::array<WideFraction, 3> levels; ///< of the vertices' colours
-    Colour interpolated; ///< their bytes
+    std::array<WideFraction, 3> levels; ///< interpolated from the vertices' colours
+    Colour interpolated; ///< the bytes of the levels
     std::array<WideFraction, 2> texture; ///< u, v
     std::vector<WeightedTexel> texels; ///< none without texture
-    Colour textured; ///< modulated by them
-    // Where there is light, in units of an Attribute.
+    Colour textured; ///< modulated by the texels
+    // Only with light, in units of an Attribute.
     std::array<WideFraction, 3> normal; ///< not of unit length
     std::array<WideFraction, 3> place;
     std::optional<LitColour> lit; ///< none without light
-    Colour colour; ///< after all of it
+    Colour colour; ///< after texture and light
     WideFraction alphaLevel;
     std::uint8_t alpha = 255;
 };
 
-/// None beyond the horizon of the triangle's plane. Of a triangle without area, what its segment
-/// has. `moved` is the triangle of that index, or the same at another place.
+/// None beyond the horizon of the triangle's plane. A triangle without area has the values of its
+/// segment. `moved` is that triangle, possibly displaced.
 std::optional<ExactSample> exactSampleAt(const Primitives &primitives, std::size_t triangle,
                                          const Triangle &moved, ByteRounding rounding,
                                          const EffectTruth &what, std::int64_t x, std::int64_t y);
 
-/// What a depth buffer of this format keeps: z itself, or ⌊z·(2ⁿ − 1) + ½⌋ with z clamped to 0 … 1.
+/// A depth as a buffer of this format stores it: z itself, or ⌊z·(2ⁿ − 1) + ½⌋ with z clamped to 0
+/// … 1.
 WideFraction keptDepth(const WideFraction &z, DepthFormat format);
 
-/// ⌊α·A + ½⌋, A the area of the pixel's square that is covered, 0 … 1.
+/// ⌊α·A + ½⌋, with A the covered area of the pixel's square, 0 … 1.
 std::uint8_t sharedAlpha(std::uint8_t alpha, const BigRational &area);
 
-/// Whether a depth passes the test against one that stands: a <= b.
+/// Whether depth a passes the depth test against the stored depth b: a <= b.
 bool isNoFarther(const WideFraction &a, const WideFraction &b);
 
 } // namespace pixelplumb::oracle

@@ -13,10 +13,10 @@ namespace pixelplumb::oracle {
 
 namespace {
 
-/// 39 bits of a coordinate and its displacement, and three for each halving of a cubic.
+/// A coordinate and its displacement need 39 bits, and each halving of a cubic three more.
 constexpr int deepestPathCut = 28;
 
-/// One coordinate of a piece's control points, in units that halving makes smaller.
+/// One coordinate of a piece's control points, in units that shrink with each halving.
 struct PathControls {
     std::array<Int128, 4> points = {};
     std::size_t count = 0;
@@ -27,7 +27,7 @@ struct PathControls {
     Int128 lowest() const { return *std::ranges::min_element(std::span(points).first(count)); }
     Int128 highest() const { return *std::ranges::max_element(std::span(points).first(count)); }
 
-    /// De Casteljau's averages of averages, as sums.
+    /// De Casteljau's repeated averages, kept as sums.
     PathControls firstHalf() const
     {
         PathControls half = *this;
@@ -66,7 +66,7 @@ PathPiece pathPieceOf(std::span<const Vertex> controls)
     return piece;
 }
 
-/// The curves and, between them, the straight edges.
+/// The curves and the straight edges between them.
 std::vector<PathPiece> pathPiecesOf(const Shape &path)
 {
     std::vector<PathPiece> pieces;
@@ -88,13 +88,13 @@ std::vector<PathPiece> pathPiecesOf(const Shape &path)
     return pieces;
 }
 
-/// From a column on, the winding number of a row is another one.
+/// The winding number of a row changes by `by` from a column on.
 struct Turn {
     std::int64_t column = 0;
     int by = 0;
 };
 
-/// Appends what a piece adds on a row.
+/// Appends a piece's contribution to a row.
 class RowTurns {
 public:
     RowTurns(std::int64_t row, FrameOrigin origin)
@@ -133,12 +133,12 @@ public:
     }
 
 private:
-    /// Displaced down as seen, a sample is below what is level with it.
+    /// Displaced down on screen, a sample lies below whatever is level with it.
     bool isAbove(const Int128 &y, const Int128 &height) const
     {
         return m_origin == FrameOrigin::TopLeft ? y > height : y >= height;
     }
-    /// The first column whose sample is where the chord of a piece crosses the row, or right of it.
+    /// The first column whose sample lies where a piece's chord crosses the row, or right of that.
     std::int64_t columnOfChord(const PathPiece &piece) const
     {
         using Wide = boost::multiprecision::cpp_int;

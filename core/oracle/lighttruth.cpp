@@ -22,7 +22,7 @@ Direction numeratorsOf(const std::array<WideFraction, 3> &vector)
     return {vector[0].numerator, vector[1].numerator, vector[2].numerator};
 }
 
-/// From a place of fractions to a whole one, as many times as long as the denominator.
+/// From a place in fractions to a target in whole numbers, multiplied by the denominator.
 Direction towards(const std::array<Attribute, 3> &target, const std::array<WideFraction, 3> &place)
 {
     Direction direction;
@@ -45,9 +45,10 @@ Direction towardsViewer(const Appearance &appearance, const std::array<WideFract
     return {appearance.viewer[0], appearance.viewer[1], appearance.viewer[2]};
 }
 
-/// max(0, N·H) for directions with N·L > 0 and H = unit(L/|L| + V/|V|). With h = |V|·L + |L|·V:
-/// N·h = |V|·(N·L) + |L|·(N·V) and |h|² = 2·|L||V|·(|L||V| + L·V). Where a sum would cancel it is
-/// (a² − b²)/(a − b), whose numerator is a whole number: every term is right to 160 bits.
+/// max(0, N·H) for directions with N·L > 0 and H = unit(L/|L| + V/|V|). With h = |V|·L + |L|·V: N·h
+/// = |V|·(N·L) + |L|·(N·V) and |h|² = 2·|L||V|·(|L||V| + L·V). Where a sum would cancel, it is
+/// computed as (a² − b²)/(a − b), whose numerator is a whole number: every term is right to 160
+/// bits.
 Real highlightCosine(const Direction &normal, const Direction &light, const Direction &viewer)
 {
     const BigInteger lightSquare = dot(light, light);
@@ -72,7 +73,7 @@ Real highlightCosine(const Direction &normal, const Direction &light, const Dire
         const BigInteger squares = lightSquare * viewerSquare - lightViewer * lightViewer;
         sum = Real(squares) / (lengths - Real(lightViewer));
     }
-    if (sum == 0) // no viewer, or exactly opposite to the light
+    if (sum == 0) // no viewer, or exactly opposite the light
         return 0;
     return along / sqrt(Real(dot(normal, normal)) * 2 * lengths * sum);
 }
@@ -110,7 +111,7 @@ LitColour litColour(const Colour &colour, const std::array<WideFraction, 3> &nor
         result.lights.push_back({cosines.back().diffuse.convert_to<double>(),
                                  cosines.back().highlight.convert_to<double>()});
     }
-    // Beyond the errors of all roots, powers and sums of levels below 2^13.
+    // More than the errors of all roots, powers and sums for levels below 2^13.
     const Real smallest = ldexp(Real(1), -120);
     for (std::size_t channel = 0; channel < 3; ++channel) {
         Real diffuse = appearance.ambient.channels[channel];

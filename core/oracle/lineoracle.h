@@ -7,17 +7,17 @@
 
 #include <optional>
 
-/// The truth of points and lines, by one division for each pixel.
+/// The truth of points and lines, by one division per pixel.
 namespace pixelplumb::oracle {
 
-/// The pixel nearest to a lattice point; the upper, the right one of two that are equally near.
+/// The pixel nearest to a lattice point; in a tie the upper or right one.
 LatticePoint nearestPixel(const LatticePoint &position);
 
-/// A line as one equation. A line is steep where |Δy| ≥ |Δx| (Rasterization slides, "DDA
-/// Line-Drawing Algorithm": iterate along x if |m| < 1, otherwise along y). It has one pixel for
-/// each column, each row where it is steep, that lies between its end points, both included: the
-/// pixel nearest to it there, the upper (the right) one of two that are equally near. Its colour
-/// changes evenly along that axis from end to end. Nothing depends on which end is named first.
+/// A line as one equation. It is steep where |Δy| ≥ |Δx| (Rasterization slides, "DDA Line-Drawing
+/// Algorithm": iterate along x if |m| < 1, otherwise along y). It has one pixel for each column
+/// (row where it is steep) between its end points, both included: the nearest one there, and in a
+/// tie the upper (right) one. Its colour changes evenly along that axis from end to end. The order
+/// of the ends makes no difference.
 class TrueLine {
 public:
     TrueLine(const Vertex &a, const Vertex &b);
@@ -26,14 +26,14 @@ public:
     /// The first column (row where it is steep) of the line and one past the last.
     std::int64_t first() const { return ceilPixel(m_a.position.x); }
     std::int64_t end() const { return floorPixel(m_b.position.x) + 1; }
-    /// The row (column where it is steep) of its pixel; `along` within [first, end).
+    /// The row (column where it is steep) of the line's pixel; `along` within [first, end).
     std::int64_t nearestAt(std::int64_t along) const;
-    /// Whether the line lies midway between two pixels there, of which that is the greater.
+    /// Whether the line lies midway between two pixels at `along`; nearestAt() is the greater.
     bool isMidwayAt(std::int64_t along) const;
     Colour colourAt(std::int64_t along, ByteRounding rounding) const;
 
 private:
-    /// 2·ΔX·S·(y + ½) there.
+    /// 2·ΔX·S·(y + ½) at `along`.
     Int128 scaledAt(std::int64_t along) const;
 
     bool m_isSteep = false;

@@ -29,7 +29,7 @@ public:
         m_area = signedArea * m_sign;
     }
 
-    /// Doubled, without sign; the sum of the three values at any point.
+    /// Doubled, unsigned; the sum of the three values at any point.
     Integer area() const { return m_area; }
 
     /// The function of the edge from corner `edge` to the next, in square lattice units.
@@ -38,7 +38,7 @@ public:
         return m_sign * function(edge, sample);
     }
 
-    /// Whether a sample exactly on the edge's line counts as inside: the sign of the function's
+    /// Whether a sample exactly on the edge's line counts as inside: by the sign of the function's
     /// change under the rule's infinitely small displacement.
     bool ownsBoundary(std::size_t edge, const BoundaryRule &rule) const
     {
@@ -51,7 +51,7 @@ public:
             return true;
         case FillRule::HalfOpenColumn: // (+ε², +ε)
             return perY != 0 ? perY > 0 : perX > 0;
-        case FillRule::TopLeft: // (+ε, ε² down as seen)
+        case FillRule::TopLeft: // (+ε, ε² down on screen)
             if (perX != 0)
                 return perX > 0;
             return rule.origin == FrameOrigin::TopLeft ? perY > 0 : perY < 0;
@@ -126,7 +126,7 @@ std::uint8_t byteOf(Integer numerator, Integer denominator, ByteRounding roundin
     return std::uint8_t(std::clamp<Integer>(level, 0, 255));
 }
 
-/// The level's numerator over the doubled area: barycentric weights times the vertices' levels.
+/// The level's numerator over the doubled area: barycentric weights times vertex levels.
 template <class Integer>
 Integer levelNumerator(const Triangle &triangle, std::size_t channel,
                        const std::array<Integer, 3> &values)

@@ -7,8 +7,8 @@
 #include "core/number/wideinteger.h"
 #include "core/scan/scansettings.h"
 
-/// What is interpolated over a triangle, as fractions of whole numbers of any size: nothing
-/// overflows, nothing is rounded.
+/// Interpolation over a triangle in fractions of whole numbers of any size: nothing overflows,
+/// nothing is rounded.
 namespace pixelplumb::oracle {
 
 using WideFraction = FractionOf<BigInteger>;
@@ -25,17 +25,18 @@ struct PlaneWeights {
     }
 };
 
-/// Barycentric weights: the areas opposite to the vertices. `whole` is the doubled area without
-/// sign, in square lattice units; 0 where the triangle has none.
+/// Barycentric weights: the areas opposite the vertices. `whole` is the unsigned doubled area in
+/// square lattice units; 0 for a triangle without area.
 PlaneWeights barycentricWeights(const Triangle &triangle, std::int64_t x, std::int64_t y);
 
-/// The same of a triangle without area: along its segment, by x, or by y where all lies in one
-/// column; the vertex between the ends weighs nothing, and of a point all is its first one's.
+/// Weights along the segment of a triangle without area, by x, or by y where it lies in one column;
+/// the vertex between the ends weighs nothing, and in a point the first vertex has all the weight.
 PlaneWeights segmentWeights(const Triangle &triangle, std::int64_t x, std::int64_t y);
 
-/// Those of a/w and 1/w, linear in the frame, and their quotient: each barycentric weight by the
-/// other two w. `whole` has the sign of 1/w at the sample: where it is not above 0, the sample lies
-/// on the horizon of the triangle's plane or beyond it, and nothing is seen there.
+/// Weights for perspective, the quotient of a/w and 1/w, which are linear in the frame: each
+/// barycentric weight times the other two w. `whole` has the sign of 1/w at the sample: where it is
+/// not above 0, the sample lies on the horizon of the triangle's plane or beyond it, and nothing is
+/// visible there.
 PlaneWeights perspectiveWeights(const PlaneWeights &barycentric,
                                 const std::array<VertexAttributes, 3> &vertices);
 

@@ -9,14 +9,14 @@ namespace pixelplumb::oracle {
 
 namespace {
 
-/// An edge from its lower end to its upper one.
+/// An edge from its lower to its upper end.
 struct UpwardEdge {
     LatticePoint low;
     LatticePoint high;
     int turn = 0; ///< +1 where the contour runs upward, −1 where it runs downward
 
-    /// Displaced down as seen, a sample level with the end that is lower as seen is below the edge,
-    /// and one level with the other end is not above it.
+    /// Displaced down on screen, a sample level with the lower end on screen is below the edge, and
+    /// one level with the other end is not above it.
     bool crossesHeight(Lattice y, FrameOrigin origin) const
     {
         return origin == FrameOrigin::TopLeft ? low.y <= y && y < high.y : low.y < y && y <= high.y;
@@ -115,7 +115,7 @@ void drawPolygon(const Shape &polygon, FrameView frame)
     const std::vector<UpwardEdge> edges = upwardEdgesOf(polygon);
     std::vector<UpwardEdge> atHeight;
     for (std::int64_t y = frame.firstRow; y < frame.endRow(); ++y) {
-        // Only the edges that any sample of this row can cross, so that thousands cost little.
+        // Only the edges that a ray of this row can cross, so that thousands of edges cost little.
         atHeight.clear();
         std::ranges::copy_if(edges, std::back_inserter(atHeight), [&](const UpwardEdge &edge) {
             return edge.crossesHeight(y * unitsPerPixel, frame.origin);

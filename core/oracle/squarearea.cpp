@@ -8,7 +8,7 @@ namespace pixelplumb::oracle {
 
 namespace {
 
-/// In lattice units from the square's centre: the square reaches from −halfPixel to halfPixel.
+/// Lattice units from the square's centre; the square extends from −halfPixel to halfPixel.
 using RationalPoint = std::array<BigRational, 2>;
 
 std::array<LatticePoint, 3> cornersFrom(const Triangle &triangle, std::int64_t x, std::int64_t y)
@@ -22,7 +22,7 @@ std::array<LatticePoint, 3> cornersFrom(const Triangle &triangle, std::int64_t x
     return corners;
 }
 
-/// On which sides of the line from a to b the square has corners.
+/// On which sides of the line from a to b the square's corners lie.
 struct SquareSides {
     bool left = false;
     bool right = false;
@@ -43,7 +43,7 @@ SquareSides sidesOf(const LatticePoint &a, const LatticePoint &b)
     return sides;
 }
 
-/// What of the polygon lies where sign·coordinate <= halfPixel.
+/// The part of the polygon with sign·coordinate <= halfPixel.
 std::vector<RationalPoint> clipped(const std::vector<RationalPoint> &polygon, std::size_t axis,
                                    int sign)
 {

@@ -6,11 +6,11 @@
 
 namespace pixelplumb::oracle {
 
-/// How much of the square [x − ½, x + ½] × [y − ½, y + ½] the triangle covers, 0 … 1: by
-/// clipping it at the four sides (Sutherland and Hodgman 1974) in rational numbers.
+/// The area of the square [x − ½, x + ½] × [y − ½, y + ½] that the triangle covers, 0 … 1: by
+/// clipping at its four sides (Sutherland and Hodgman 1974) in rational numbers.
 BigRational areaInSquare(const Triangle &triangle, std::int64_t x, std::int64_t y);
 
-/// Whether an edge of the triangle, its ends included, meets that square, its sides included.
+/// Whether an edge of the triangle, ends included, meets that square, sides included.
 bool edgeMeetsSquare(const Triangle &triangle, std::int64_t x, std::int64_t y);
 
 } // namespace pixelplumb::oracle

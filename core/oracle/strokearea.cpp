@@ -7,8 +7,8 @@ namespace pixelplumb::oracle {
 
 namespace {
 
-/// ∫ y dx of the edge within the square around the origin, y held between its sides; the edge goes
-/// to the right, and meets the square's columns.
+/// ∫ y dx of the edge within the square around the origin, y clamped between its sides; the edge
+/// runs to the right, and meets the square's columns.
 BigRational integralOf(const OutlinePoint &a, const OutlinePoint &b)
 {
     const std::int64_t left = std::max(a.x, -halfSquare);
@@ -66,10 +66,10 @@ int strokeWinding(const std::vector<OutlineEdge> &edges, const OutlinePoint &poi
         const OutlinePoint &b = goesRight ? edge.to : edge.from;
         if (a.x > point.x || b.x <= point.x)
             continue;
-        // Above the edge's line: positive.
+        // Positive above the edge's line.
         const Int128 above
             = Int128(point.y - a.y) * (b.x - a.x) - Int128(point.x - a.x) * (b.y - a.y);
-        // To the right of a point of the line it is above where the line does not rise.
+        // On the line, the displacement to the right leads above it where the line does not rise.
         if (above > 0 || (above == 0 && b.y <= a.y))
             winding += goesRight ? 1 : -1;
     }

@@ -13,7 +13,7 @@ namespace pixelplumb::oracle {
 
 namespace {
 
-/// The byte of a line's colour at a point, by the foot of the perpendicular; a curve has one.
+/// The byte colour of a line at a point, by the foot of the perpendicular; a curve has one colour.
 Colour strokeColourAt(const Shape &stroke, const OutlinePoint &point, ByteRounding rounding)
 {
     const Vertex &first = stroke.vertices.front();

@@ -11,7 +11,7 @@ struct OutlineExact {
     BigRational x, y; ///< 2^-16 px
 };
 
-/// A point of the curve, and ½ px to its left.
+/// A point of the curve, and the offset of ½ px to its left.
 struct SideJoint {
     OutlinePoint at, half;
 
@@ -30,7 +30,7 @@ std::int64_t nearestUnit(const BigRational &value)
     return std::int64_t(roundedDown(value + BigRational(1, 2)));
 }
 
-/// The largest n with n − ½ <= 2^15·|part|/√squares, by bisection, with the sign of the part.
+/// The largest n with n − ½ <= 2^15·|part|/√squares, by bisection, with the sign of `part`.
 std::int64_t halfPartOf(const BigRational &part, const BigRational &squares)
 {
     std::int64_t low = 0;
@@ -61,8 +61,8 @@ OutlineExact onOutlines(const LatticePoint &point)
 /// The largest distance of a chord from its curve.
 BigRational allowedSagitta() { return BigRational(outlinePixel, 1024); }
 
-/// One of the four quarters of an ellipse, counterclockwise from the right end, as the turn of
-/// another: t = k/2^m.
+/// An ellipse by quarters, counterclockwise from the right end, each the mirror image of its
+/// neighbour: t = k/2^m.
 class EllipseSides {
 public:
     static constexpr int parts = 4;
@@ -147,7 +147,7 @@ public:
     }
 
 private:
-    /// Averages of averages.
+    /// Repeated averages.
     OutlineExact pointAt(std::int64_t k) const
     {
         const BigRational t(k, m_pieces);
@@ -162,7 +162,7 @@ private:
     }
 
     std::vector<OutlineExact> m_control;
-    BigRational m_bend = 0; ///< the largest distance of the curve from the chord of all of it
+    BigRational m_bend = 0; ///< upper bound for the curve's distance from the chord of the whole
     std::int64_t m_pieces = 0;
 };
 
@@ -175,7 +175,8 @@ struct OutlineWindow {
     {
     }
 
-    /// Whether all within a distance of the box of two points is on one side of it.
+    /// Whether everything within a distance of the box of two points lies to one side of the
+    /// window.
     bool isBeside(const OutlinePoint &a, const OutlinePoint &b, std::int64_t distance) const
     {
         return std::max(a.x, b.x) + distance < left || std::min(a.x, b.x) - distance > right

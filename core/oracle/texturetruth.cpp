@@ -5,7 +5,7 @@ namespace pixelplumb::oracle {
 
 namespace {
 
-/// An index beside the picture, into it.
+/// Moves an index outside the picture into it.
 std::int32_t wrapped(const BigInteger &index, std::int32_t size, TextureWrap wrap)
 {
     if (wrap == TextureWrap::Repeat) {
@@ -17,13 +17,13 @@ std::int32_t wrapped(const BigInteger &index, std::int32_t size, TextureWrap wra
     return index < size ? index.convert_to<std::int32_t>() : size - 1;
 }
 
-/// Between which texels a texture coordinate lies: the first, and how far towards the next.
+/// The texels around a texture coordinate: the first, and how far it is towards the next.
 struct TexelPlace {
     BigInteger first;
     WideFraction towardsNext; ///< 0 … 1
 };
 
-/// At t·size − ½.
+/// The texels around t·size − ½.
 TexelPlace placeBetween(const WideFraction &t, std::int32_t size)
 {
     const WideFraction place = {2 * size * t.numerator - t.denominator, 2 * t.denominator};

@@ -8,7 +8,7 @@
 
 namespace pixelplumb::oracle {
 
-/// A texel that is read, and how much of it.
+/// A texel that is read, with its weight.
 struct WeightedTexel {
     std::int32_t i = 0; ///< wrapped or clamped into the picture
     std::int32_t j = 0;
@@ -18,14 +18,14 @@ struct WeightedTexel {
 
 /// The texels that the material's filter reads at (u, v): one, or four whose weights sum to 1, in
 /// the order (left, lower), (right, lower), (left, upper), (right, upper). None where the material
-/// has no texture, or one without all its texels.
+/// has no texture, or an incomplete one.
 std::vector<WeightedTexel> texelsAt(const Material &material, const WideFraction &u,
                                     const WideFraction &v);
 
-/// Their mean, ⌊· + ½⌋ a channel; of one texel or more.
+/// The weighted mean of one texel or more, ⌊· + ½⌋ for each channel.
 Colour textureByte(const std::vector<WeightedTexel> &texels);
 
-/// ⌊c·t/255 + ½⌋ a channel.
+/// ⌊c·t/255 + ½⌋ for each channel.
 Colour modulated(const Colour &colour, const Colour &by);
 
 } // namespace pixelplumb::oracle

@@ -10,7 +10,7 @@ namespace pixelplumb::oracle {
 
 namespace {
 
-/// Every shape in its first vertex's colour, but points, which have each their own.
+/// Gives every shape its first vertex's colour, except points, which each keep their own.
 Primitives inOneColour(Primitives primitives)
 {
     for (Shape &shape : primitives.shapes) {

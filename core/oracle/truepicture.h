@@ -8,10 +8,10 @@
 
 namespace pixelplumb::oracle {
 
-/// Draws the true picture of all primitives: the triangles with their effects where there is a plan
-/// beyond colour, then the shapes, lines and curves among them antialiased where the appearance
-/// asks for it. Opaque pixels, as oracle::draw. The frame may be a band of the
-/// one that was planned for.
+/// Draws the true picture of all primitives, in opaque pixels as oracle::draw does: the triangles
+/// with their effects where there is a plan beyond colour, then the shapes, with lines and curves
+/// antialiased where the appearance asks for it. The frame may be a band of the one that was
+/// planned for.
 void drawPicture(const Primitives &primitives, const ScanSettings &settings,
                  const std::optional<EffectPlan> &plan, FrameView frame);
 

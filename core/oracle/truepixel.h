@@ -6,7 +6,7 @@
 
 namespace pixelplumb::oracle {
 
-/// Writes one pixel of a true picture; nothing where it lies outside the frame.
+/// Writes one pixel of a true picture; does nothing outside the frame.
 inline void writeTruePixel(FrameView frame, std::int64_t x, std::int64_t y, const Colour &colour)
 {
     if (!frame.contains(x, y))

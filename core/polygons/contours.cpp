@@ -35,7 +35,7 @@ ContourBox boxAround(std::span<const ContourEdge> edges)
     if (edges.empty())
         return box;
     box.first = box.last = edges.front().from;
-    // Every vertex is where some edge begins.
+    // Every vertex begins an edge.
     for (const ContourEdge &edge : edges) {
         box.first = {std::min(box.first.x, edge.from.x), std::min(box.first.y, edge.from.y)};
         box.last = {std::max(box.last.x, edge.from.x), std::max(box.last.y, edge.from.y)};

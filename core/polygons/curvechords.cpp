@@ -12,7 +12,7 @@ Shape chordsOf(const Shape &path)
     Shape polygon;
     polygon.kind = PrimitiveKind::Polygon;
     polygon.fill = path.fill;
-    // A pen whose font unit is the lattice unit.
+    // A pen whose font units are lattice units.
     GlyphPen pen({{0, 0}, 1, 1}, {{}, path.vertices.front().colour}, polygon);
     const auto point = [&](std::size_t index) {
         const LatticePoint &position = path.vertices[index].position;

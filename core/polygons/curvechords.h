@@ -5,13 +5,13 @@
 
 namespace pixelplumb {
 
-/// A closed path of Bézier pieces as a polygon on the lattice, of one contour: each piece a chain
-/// of chords that leave it by 1/32 px at most (of pieces that bend by more than 680,000 px, 4096
-/// chords), their ends at the nearest lattice points, as those of a glyph are. Where a piece does
-/// not begin at the end of the one before, an edge joins them.
+/// A closed path of Bézier pieces as a polygon of one contour on the lattice. Each piece becomes a
+/// chain of chords that deviate from it by at most 1/32 px (or 4096 chords, for pieces that bend by
+/// more than 680,000 px), with ends at the nearest lattice points, as for glyphs. An edge joins
+/// pieces that do not meet.
 Shape chordsOf(const Shape &path);
 
-/// The Bézier pieces of a path.
+/// The number of Bézier pieces of a path.
 std::size_t pieceCount(const Shape &path);
 
 } // namespace pixelplumb

@@ -8,7 +8,7 @@ namespace pixelplumb {
 namespace {
 
 // A double holds every lattice coordinate, and the predicates are exact. No point is ever
-// constructed: edges that cross between vertices are refused by the library with an exception.
+// constructed: the library throws an exception for edges that cross between vertices.
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = ConstrainedMesh<Kernel, CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
@@ -18,8 +18,8 @@ LatticePoint cornerOf(const Mesh::Face_handle &face, int corner)
     return {Lattice(point.x()), Lattice(point.y())};
 }
 
-/// Whether a triangle that no edge enters is inside: by the crossings to the left of its centre,
-/// whose coordinates are whole numbers of thirds of a lattice unit.
+/// Whether a triangle that no edge enters is inside, by the crossings to the left of its centre;
+/// the centre's coordinates are multiples of a third of a lattice unit.
 FaceSide sideOf(const Contours &contours, const Mesh::Face_handle &face)
 {
     LatticePoint centre; // times 3
@@ -34,7 +34,7 @@ FaceSide sideOf(const Contours &contours, const Mesh::Face_handle &face)
     });
 }
 
-/// Whether the inner parts of two edges cross.
+/// Whether the interiors of two edges cross.
 bool cross(const ContourEdge &a, const ContourEdge &b)
 {
     const auto parts = [](const ContourEdge &edge, const LatticePoint &p, const LatticePoint &q) {
@@ -45,7 +45,7 @@ bool cross(const ContourEdge &a, const ContourEdge &b)
     return parts(a, b.from, b.to) && parts(b, a.from, a.to);
 }
 
-/// Where an edge ends: the next vertex, or its contour's first one.
+/// The index of an edge's end: the next vertex, or its contour's first one.
 std::size_t endOf(const Contours &contours, std::size_t edge)
 {
     const LatticePoint &end = contours.edges[edge].to;
@@ -57,7 +57,7 @@ std::size_t endOf(const Contours &contours, std::size_t edge)
     return first;
 }
 
-/// The ends of the first edge that crosses a later one, and of that.
+/// The ends of the first edge that crosses edge `later`, then the ends of `later`.
 std::vector<std::size_t> crossingBefore(const Contours &contours, std::size_t later)
 {
     for (std::size_t edge = 0; edge < later; ++edge) {

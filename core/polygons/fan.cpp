@@ -5,7 +5,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The numbers of the contours' vertices, one of several that follow one another in one place.
+/// The indices of the contours' vertices, one for each run of equal neighbours.
 std::vector<std::size_t> distinctVertices(const Contours &contours)
 {
     std::vector<std::size_t> vertices;
@@ -26,7 +26,7 @@ std::vector<LatticePoint> positionsOf(const Contours &contours,
     return positions;
 }
 
-/// Positive of a contour that goes round counter-clockwise.
+/// Twice the signed area: positive for a counter-clockwise contour.
 Int128 areaOf(const std::vector<LatticePoint> &vertices)
 {
     Int128 area = 0;
@@ -37,7 +37,7 @@ Int128 areaOf(const std::vector<LatticePoint> &vertices)
 
 int signOf(Int128 value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-/// The first vertex at which the contour turns against the way that it goes round, or back.
+/// The first vertex where the contour turns the wrong way, or straight back.
 std::optional<std::size_t> wrongTurn(const std::vector<LatticePoint> &vertices)
 {
     int turn = signOf(areaOf(vertices));
@@ -56,8 +56,8 @@ std::optional<std::size_t> wrongTurn(const std::vector<LatticePoint> &vertices)
     return std::nullopt;
 }
 
-/// A contour that turns one way goes round once if it changes between leftward and rightward twice.
-/// A pentagram turns one way and goes round two times.
+/// A contour that turns one way goes round once if it changes twice between leftward and rightward.
+/// A pentagram turns one way but goes round twice.
 bool goesRoundOnce(const std::vector<LatticePoint> &vertices)
 {
     int first = 0;

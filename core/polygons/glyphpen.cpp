@@ -8,11 +8,11 @@ namespace pixelplumb {
 
 namespace {
 
-/// The farthest that a chord may leave its curve, lattice units.
+/// The farthest that a chord may deviate from its curve, lattice units.
 constexpr double farthestFromCurve = double(unitsPerPixel) / 32;
 constexpr std::int64_t mostChords = 4096;
 
-/// A curve leaves n equal steps of its chords by |second difference| · d(d − 1)/(8 n²) at most,
+/// n equal steps of chords deviate from a curve by at most |second difference| · d(d − 1)/(8 n²),
 /// where d is its degree.
 template <std::size_t Count>
 std::int64_t chordsFor(const std::array<FontPoint, Count> &points, double unitsPerFontUnit)
@@ -66,7 +66,7 @@ void GlyphPen::curveTo(const std::array<FontPoint, Count> &points)
     const double unitsPerFontUnit = std::abs(double(m_scale.height)) / double(m_scale.unitsPerEm);
     const std::int64_t chords = chordsFor(points, unitsPerFontUnit);
     for (std::int64_t step = 1; step <= chords; ++step) {
-        // De Casteljau's construction at step / chords, without the divisions.
+        // De Casteljau's construction at step / chords, without divisions.
         std::array<Int128, Count> x;
         std::array<Int128, Count> y;
         for (std::size_t i = 0; i < Count; ++i) {

@@ -13,15 +13,15 @@ struct FontPoint {
     std::int64_t y = 0;
 };
 
-/// How a font's units become lattice units: the start of the baseline, and the em's size.
+/// Maps a font's units to lattice units: the start of the baseline, and the em's size.
 struct FontScale {
     LatticePoint start;
     Lattice height = 0; ///< of one em; negative where y grows downward
     std::int64_t unitsPerEm = 1;
 };
 
-/// Draws outlines: takes a glyph's curves in the font's units and appends contours of lattice
-/// points to a polygon.
+/// Draws outlines: takes a glyph's curves in font units and appends contours of lattice points to a
+/// polygon.
 class GlyphPen {
 public:
     GlyphPen(const FontScale &scale, const Vertex &pattern, Shape &polygon)
@@ -31,7 +31,7 @@ public:
     {
     }
 
-    /// Where the next glyph's origin is, font units from the start of the baseline.
+    /// Sets the next glyph's origin, in font units from the start of the baseline.
     void setOrigin(std::int64_t x) { m_origin = x; }
 
     void moveTo(const FontPoint &point);
@@ -39,15 +39,15 @@ public:
     void quadraticTo(const FontPoint &control, const FontPoint &end);
     void cubicTo(const FontPoint &control1, const FontPoint &control2, const FontPoint &end);
 
-    /// False when a point left the lattice's range; it and all later ones are left out.
+    /// False once a point has left the lattice's range; it and all later ones are dropped.
     bool isWithinRange() const { return m_isWithinRange; }
 
 private:
-    /// The chords of a Bézier curve of the degree Count − 1 that begins at the pen.
+    /// Appends the chords of a Bézier curve of degree Count − 1 that begins at the pen.
     template <std::size_t Count>
     void curveTo(const std::array<FontPoint, Count> &points);
-    /// numerator / denominator in font units, to the nearest lattice point, from the middle between
-    /// two to the greater.
+    /// Appends the lattice point nearest to numerator / denominator in font units; ties go to the
+    /// greater.
     void append(Int128 x, Int128 y, Int128 denominator);
 
     FontScale m_scale;

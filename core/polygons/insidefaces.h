@@ -8,14 +8,14 @@
 
 #include <algorithm>
 
-/// The faces of a constrained triangulation that are inside under the contours' fill: what the
-/// sources that use CGAL share.
+/// The faces of a constrained triangulation that are inside under the contours' fill; shared by the
+/// sources that use CGAL.
 namespace pixelplumb {
 
 enum class FaceSide { Unknown, Inside, Outside };
 
-/// A constrained Delaunay triangulation whose faces know their side; the tag says what becomes of
-/// edges that cross.
+/// A constrained Delaunay triangulation whose faces know their side; the tag says how crossing
+/// edges are treated.
 template <class Kernel, class IntersectionTag>
 using ConstrainedMesh = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel,
@@ -28,11 +28,11 @@ using ConstrainedMesh = CGAL::Constrained_Delaunay_triangulation_2<
 template <class Mesh>
 typename Mesh::Point meshPointAt(const LatticePoint &point)
 {
-    return {double(point.x), double(point.y)}; // which hold every lattice coordinate
+    return {double(point.x), double(point.y)}; // exact for every lattice coordinate
 }
 
-/// By the crossings to the left of a place: leftOf(low, high) of an edge that the row through the
-/// place crosses, from its lower end to its upper one, is true where the edge is to the left of it.
+/// The side of a point by the edges that its row crosses to its left: isCrossedLeftOf(low, high),
+/// with an edge's lower and upper end, says whether it is one of them.
 template <class CrossedLeftOf>
 FaceSide sideBy(const Contours &contours, const CrossedLeftOf &isCrossedLeftOf)
 {
@@ -49,7 +49,7 @@ FaceSide sideBy(const Contours &contours, const CrossedLeftOf &isCrossedLeftOf)
     return isInside ? FaceSide::Inside : FaceSide::Outside;
 }
 
-/// Marks a face and all that can be reached from it without crossing a contour.
+/// Marks a face and all faces reachable from it without crossing a contour.
 template <class Mesh>
 void spreadSide(const Mesh &mesh, typename Mesh::Face_handle start, FaceSide side)
 {
@@ -69,8 +69,8 @@ void spreadSide(const Mesh &mesh, typename Mesh::Face_handle start, FaceSide sid
     }
 }
 
-/// The triangles of the faces that are inside, counter-clockwise from their smallest corner, in
-/// ascending order. sideOf(face) tells the side of one face, cornerOf(face, corner) a corner.
+/// The triangles of the inside faces, counter-clockwise from their smallest corner, in ascending
+/// order. sideOf(face) gives a face's side, cornerOf(face, corner) a corner.
 template <class Mesh, class SideOf, class CornerOf>
 std::vector<std::array<LatticePoint, 3>> insideTriangles(const Mesh &mesh, const SideOf &sideOf,
                                                          const CornerOf &cornerOf)

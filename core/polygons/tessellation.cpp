@@ -9,16 +9,16 @@ namespace pixelplumb {
 
 namespace {
 
-// Crossings are constructed, as exact fractions.
+// Crossings are constructed as exact fractions.
 using ExactKernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using CrossingMesh = ConstrainedMesh<ExactKernel, CGAL::Exact_intersections_tag>;
 using Fraction = ExactKernel::FT;
 
-/// To the nearest whole number; a half goes up.
+/// The nearest whole number; ties go up.
 Lattice nearestTo(const Fraction &value)
 {
     Lattice nearest = std::llround(CGAL::to_double(value));
-    // Which is right to the last place of a double.
+    // llround() is right only to a double's last place.
     while (2 * value < 2 * double(nearest) - 1)
         --nearest;
     while (2 * value >= 2 * double(nearest) + 1)
@@ -31,7 +31,7 @@ LatticePoint nearestTo(const ExactKernel::Point_2 &point)
     return {nearestTo(point.x()), nearestTo(point.y())};
 }
 
-/// How far a point is from the lattice, lattice units.
+/// A point's distance to its nearest lattice point, lattice units.
 double displacementOf(const ExactKernel::Point_2 &point)
 {
     return std::hypot(CGAL::to_double(point.x() - double(nearestTo(point.x()))),
@@ -50,7 +50,7 @@ FaceSide sideOf(const Contours &contours, const CrossingMesh::Face_handle &face)
     });
 }
 
-/// Counts the vertices of the mesh that are none of the contours', and how far they move.
+/// Counts the mesh vertices that are not vertices of the contours, and measures how far they move.
 void measureCrossings(const CrossingMesh &mesh, const Contours &contours,
                       Triangulation &triangulation)
 {

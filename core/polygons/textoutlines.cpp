@@ -27,8 +27,7 @@ struct FaceDone {
 using Library = std::unique_ptr<FT_LibraryRec_, LibraryDone>;
 using Face = std::unique_ptr<FT_FaceRec_, FaceDone>;
 
-/// A library and a face of one's own: FreeType shares nothing between two of them, so threads need
-/// no lock.
+/// Its own library and face: FreeType shares nothing between libraries, so threads need no lock.
 struct Font {
     Library library;
     Face face;
@@ -83,7 +82,7 @@ int cubicTo(const FT_Vector *control1, const FT_Vector *control2, const FT_Vecto
 
 QString textFontFile()
 {
-    // As Debian, Fedora and Arch name the folder.
+    // The folder's names on Debian, Fedora and Arch.
     const QStringList folders = {QStringLiteral("truetype/dejavu"),
                                  QStringLiteral("dejavu-sans-fonts"), QStringLiteral("TTF")};
     for (const QString &folder : folders) {

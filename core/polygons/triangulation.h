@@ -9,34 +9,33 @@
 
 namespace pixelplumb {
 
-/// A polygon broken into triangles whose corners are vertices of the polygon, or crossings of its
-/// edges (Scan Conversion slides, "From Polygons to Triangles"; Rasterization slides,
-/// "Triangulation"). They tile what the polygon covers; some may have no area.
+/// A polygon split into triangles whose corners are its vertices or crossings of its edges (Scan
+/// Conversion slides, "From Polygons to Triangles"; Rasterization slides, "Triangulation"). The
+/// triangles tile what the polygon covers; some may have no area.
 struct Triangulation {
     std::vector<std::array<LatticePoint, 3>> triangles;
-    std::size_t crossingCount = 0; ///< corners where edges cross: vertices of no contour
-    double largestMove = 0; ///< the farthest that one of these was moved onto the lattice, px
-    std::optional<Rejection> rejection; ///< then there are no triangles
+    std::size_t crossingCount = 0; ///< corners where edges cross, not vertices of a contour
+    double largestMove = 0; ///< the farthest that a crossing was moved onto the lattice, px
+    std::optional<Rejection> rejection; ///< if set, there are no triangles
 };
 
-/// The triangles from the first vertex to each edge that does not touch it. Only of a polygon of
-/// one contour that turns one way and goes round once; collinear vertices may be among its own.
+/// The triangles from the first vertex to each edge that does not touch it. Requires one contour
+/// that turns one way and goes round once; collinear vertices are allowed.
 Triangulation fanOf(const Contours &contours);
 
-/// The constrained Delaunay triangulation of the contours: every edge of theirs is an edge of it,
-/// and otherwise no vertex lies in the circle around a triangle from which it can be seen. Of its
-/// triangles those that are inside under the contours' fill. Contours may be concave, lie within
-/// one another, touch and overlap; where two edges cross between vertices, the polygon is rejected,
-/// because the crossing is no lattice point and no vertex can stand there.
-/// The triangles go counter-clockwise from their smallest corner, in ascending order, so that they
+/// The constrained Delaunay triangulation of the contours, reduced to the triangles that are inside
+/// under their fill: every contour edge is an edge of it, and otherwise no vertex lies in the
+/// circumcircle of a triangle from which it is visible. Contours may be concave, nest, touch and
+/// overlap; where two edges cross between vertices, the polygon is rejected, because the crossing
+/// is no lattice point and no vertex can stand there.
+/// The triangles run counter-clockwise from their smallest corner, in ascending order, so that they
 /// are the same in every version of the library that makes them.
 Triangulation delaunayOf(const Contours &contours);
 
-/// The same of any contours: where edges cross, the crossing becomes a vertex, first as an exact
-/// fraction, by which the triangles are found, and then the nearest point of the lattice, at most
-/// √2/512 px away (both to a half up). That tilts the edges that meet there: a sample nearer to one
-/// than that may change its side, so that the triangles cover what the polygon covers but for such
-/// samples.
+/// Like delaunayOf(), but for any contours. A crossing of edges becomes a vertex: first an exact
+/// fraction, which determines the triangles, then the nearest lattice point, at most √2/512 px away
+/// (ties go up on both axes). This tilts the edges that meet there: a sample closer than that to
+/// one of them may change its side; otherwise the triangles cover what the polygon covers.
 Triangulation tessellationOf(const Contours &contours);
 
 } // namespace pixelplumb

@@ -3,8 +3,8 @@
 
 namespace pixelplumb {
 
-/// Whether a view tells what lies ahead of its position in a run: a secret where a student
-/// foretells it.
+/// Whether a view shows what lies ahead of its position in a run: hidden where a student predicts
+/// it.
 enum class Ahead { Shown, Hidden };
 
 } // namespace pixelplumb

@@ -14,9 +14,9 @@ namespace {
 constexpr std::array channelSubjects
     = {NumberSubject::Red, NumberSubject::Green, NumberSubject::Blue};
 
-/// "⌊R + ½⌋", with the clamp where it was needed; % stands for the channel. A float's kernel cuts
-/// towards zero: below zero its level is 0 where the floor is −1.
-/// `bias` is what the kernel adds, in symbols; mostly nothing.
+/// "⌊R + ½⌋", with the clamp where it was needed; % stands for the channel. A float kernel
+/// truncates towards zero: below zero its level is 0 where the floor is −1. `bias` is what the
+/// kernel adds, in symbols; usually nothing.
 QString byteFormula(ByteRounding rounding, const Quantity &channel, std::int64_t level,
                     const QString &bias)
 {
@@ -31,7 +31,7 @@ QString byteFormula(ByteRounding rounding, const Quantity &channel, std::int64_t
     return level > 255 ? QStringLiteral("min(255, ") + rounded + u')' : rounded;
 }
 
-/// The sample's number with this title; none where there is no such number.
+/// The sample's number with this title; none if there is none.
 Quantity numberTitled(const QString &title, const std::vector<NumberDescription> &columns,
                       const std::vector<Quantity> &used)
 {
@@ -40,14 +40,14 @@ Quantity numberTitled(const QString &title, const std::vector<NumberDescription>
     return place < used.size() ? used[place] : Quantity();
 }
 
-/// What the kernel adds to levels before it cuts them; none where it adds nothing.
+/// What the kernel adds to levels before it truncates them; none if it adds nothing.
 Quantity biasIn(const WrittenSample &written)
 {
     const Quantity bias = numberTitled(colourBiasTitle(), written.numbers, written.sample.cells);
     return !bias.isNone() && bias.toDouble() != 0 ? bias : Quantity();
 }
 
-/// So many digits that the sum can be believed.
+/// Enough digits for the reader to check the sum.
 int placesOfSum(const Quantity &level, const Quantity &bias)
 {
     return bias.isNone()
@@ -63,8 +63,8 @@ Quantity byteOf(const Quantity &level, ByteRounding rounding)
     return Quantity::integer(std::clamp<Int128>(byte, 0, 255));
 }
 
-/// What the last stage of a sample's effects made of the colour: "r", "s", "mod"; empty where none
-/// did anything to it.
+/// The last stage of a sample's effects that changed the colour: "r", "s", "mod"; empty if none
+/// did.
 QString lastStage(const std::vector<NumberDescription> &columns, const std::vector<Quantity> &used)
 {
     for (const QString &stage : {QStringLiteral("mean"), QStringLiteral("r"), QStringLiteral("s"),
@@ -75,7 +75,7 @@ QString lastStage(const std::vector<NumberDescription> &columns, const std::vect
     return {};
 }
 
-/// The bytes that stand in the pixel: those of the last stage.
+/// The bytes written to the pixel: those of the last stage.
 void appendStage(Explanation &explanation, const QString &stage, QRgb pixel)
 {
     const Colour colour = unpacked(pixel);
@@ -90,7 +90,7 @@ void appendStage(Explanation &explanation, const QString &stage, QRgb pixel)
     }
 }
 
-/// The bytes of the levels, and the levels themselves where no column describes them.
+/// The bytes of the levels, and the levels themselves if no column describes them.
 void appendRounding(Explanation &explanation, ByteRounding rounding, const WrittenSample &written)
 {
     const SampleRecord &sample = written.sample;

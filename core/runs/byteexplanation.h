@@ -18,11 +18,11 @@ struct WrittenSample {
     const std::vector<NumberDescription> &numbers;
     const SampleRecord &sample;
     const ExactSample &exact;
-    QRgb pixel; ///< what stands there afterwards
+    QRgb pixel; ///< the pixel afterwards
 };
 
-/// A line for the byte of each channel: how it comes of the sample's level, or of the last effect
-/// that changed the colour.
+/// Appends a line for each channel's byte: how it follows from the sample's level, or from the last
+/// effect that changed the colour.
 void appendBytes(Explanation &explanation, const TracedScene &traced, const WrittenSample &written);
 
 } // namespace pixelplumb

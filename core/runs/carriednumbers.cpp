@@ -11,7 +11,7 @@ std::vector<std::size_t> carriedNumbers(const TracedScene &traced, std::size_t p
         = {QStringLiteral("z"),   QStringLiteral("w"),   QStringLiteral("u"),  QStringLiteral("v"),
            QStringLiteral("N_x"), QStringLiteral("N_y"), QStringLiteral("N_z")};
     const Primitives &primitives = traced.primitives;
-    // Effects compute what they call for of every triangle; lines and circles have other u and v.
+    // Effects compute what they call for on every triangle; u and v of lines and circles differ.
     const bool isGiven
         = primitives.isTriangle(primitive) && (traced.plan || primitives.attributesOf(primitive));
     std::vector<std::size_t> places;

@@ -5,8 +5,9 @@
 
 namespace pixelplumb {
 
-/// Where z, w, u, v and N stand among the numbers of a run's samples, as far as it computes them of
-/// a primitive. What the primitive is not given, it does not carry, though others of the scene do.
+/// The positions of z, w, u, v and N among the numbers of a run's samples, as far as it computes
+/// them for a primitive. A primitive carries only what it is given, whatever others in the scene
+/// carry.
 std::vector<std::size_t> carriedNumbers(const TracedScene &traced, std::size_t primitive);
 
 } // namespace pixelplumb

@@ -26,7 +26,7 @@ std::vector<bool> isThereIn(const ScanTrace &trace, std::size_t first, std::size
     return isThere;
 }
 
-/// Leaves those that have one value in the primitive's spans.
+/// Keeps only those that have one value in the primitive's spans.
 void keepConstant(std::vector<bool> &candidates, const ScanTrace &trace, std::size_t primitive)
 {
     std::vector<Quantity> values(candidates.size());

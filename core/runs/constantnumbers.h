@@ -8,8 +8,8 @@ namespace pixelplumb {
 
 struct TracedScene;
 
-/// Of the cells of a span's primitive (SpanRecord::cells): whether they are the same in all of its
-/// spans that have them, but for rounding, and an earlier span than this one has them already.
+/// For each cell of a span's primitive (SpanRecord::cells): whether all of its spans that have it
+/// agree, but for rounding, and an earlier span than this one already has it.
 std::vector<bool> constantNumbersBefore(const TracedScene &traced, std::size_t span);
 
 } // namespace pixelplumb

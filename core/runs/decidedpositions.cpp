@@ -34,7 +34,7 @@ void DecidedPositions::decidePlaces(const ScanTrace &trace, const FrameSpec &fra
         return;
     const bool byColumn = m_axis == SpanAxis::Column;
     m_firstPlace = byColumn ? frame.firstColumn : frame.firstRow;
-    // A column or row that the kernel never entered is decided when everything is drawn.
+    // A column or row that the kernel never entered is decided at the end.
     m_places.assign(std::size_t(byColumn ? frame.width : frame.height), m_end);
     for (std::size_t span = 0; span < trace.spanCount(); ++span) {
         const std::int64_t place = trace.placeOf(span).coordinate - m_firstPlace;
@@ -46,14 +46,14 @@ void DecidedPositions::decidePlaces(const ScanTrace &trace, const FrameSpec &fra
 
 void DecidedPositions::decideOwnPixels(const ScanTrace &trace, const DifferenceMap &differences)
 {
-    // Some visits more than pixels, so that many visits of few pixels take no memory.
+    // Somewhat more visits than pixels, so that many visits of few pixels take no memory.
     std::size_t most = 2 * std::size_t(differences.total()) + 1024;
     for (std::size_t span = 0; span < trace.spanCount(); ++span) {
         const std::size_t first = trace.firstSampleOf(span);
         for (std::size_t sample = first; sample < trace.endSampleOf(span); ++sample) {
             const PixelChange &change = trace.changes()[sample];
             const Difference kind = differences.at(change.x, change.y);
-            // What is missing was never written: refusals decide it.
+            // A missing pixel was never written: refusals decide it.
             const bool isOwn = kind == Difference::None
                 ? m_axis == SpanAxis::Free && change.isWritten()
                 : kind == Difference::Missing || change.isWritten();

@@ -8,11 +8,11 @@
 
 namespace pixelplumb {
 
-/// From which position of a run on it is decided what becomes of a pixel. Of a pixel that is wrong
-/// in the end and that the run came to: just after the step that wrote it last, or that refused it
-/// last where none wrote it. Where spans are neither columns nor rows, steps of lines or circles:
-/// just after the step that wrote it last. Of all others: the end of the last span on their column
-/// or row, or of the whole run where spans are neither or none is there.
+/// The position of a run from which a pixel's outcome is decided. For a pixel that is wrong in the
+/// end and that the run visited: just after the step that wrote it last, or that refused it last if
+/// none wrote it. Where spans are neither columns nor rows, but steps of lines or circles: just
+/// after the step that wrote it last. For all others: the end of the last span on their column or
+/// row, or of the whole run if spans are neither or there is none.
 class DecidedPositions {
 public:
     DecidedPositions() = default;
@@ -22,7 +22,7 @@ public:
     std::size_t at(std::int64_t x, std::int64_t y) const;
 
 private:
-    /// A pixel that is decided by itself.
+    /// A pixel with a position of its own.
     struct OwnPixel {
         std::int32_t y = 0;
         std::int32_t x = 0;
@@ -34,7 +34,7 @@ private:
     void keepLastVisits();
 
     std::size_t m_end = 0;
-    SpanAxis m_axis = SpanAxis::Free; ///< what all spans are
+    SpanAxis m_axis = SpanAxis::Free; ///< of all spans
     std::int64_t m_firstPlace = 0;
     std::vector<std::size_t> m_places; ///< by x − firstColumn or y − firstRow; empty where Free
     std::vector<OwnPixel> m_own; ///< ascending by (y, x)

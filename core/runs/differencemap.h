@@ -33,7 +33,7 @@ public:
     }
     /// The pixels of a row of the frame, from its first column on.
     std::span<const Difference> row(std::int64_t y) const { return m_kinds.row(y); }
-    /// Takes all differences back and keeps the memory.
+    /// Clears all differences and keeps the memory.
     void clear()
     {
         if (total() > 0)

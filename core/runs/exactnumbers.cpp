@@ -12,7 +12,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Where the exact run is at the same place as a span of the trace.
+/// The span of the exact run at the same place as a span of the trace.
 std::optional<std::size_t> twinOf(const TracedScene &traced, std::size_t span)
 {
     if (!traced.exactTrace)
@@ -24,12 +24,12 @@ std::optional<std::size_t> twinOf(const TracedScene &traced, std::size_t span)
     return traced.exactTrace->spanOn(primitive, place.axis, place.coordinate);
 }
 
-/// A row of another run, with what its cells are.
+/// A row of another run, with the descriptions of its cells.
 struct CellsOfRun {
     const std::vector<NumberDescription> &numbers;
     const std::vector<Quantity> &cells;
 
-    /// The number with this id, which mostly stands at the same place.
+    /// The number with this id, which is usually at the same place.
     Quantity numberAt(std::size_t place, const QString &id) const
     {
         if (place >= numbers.size() || numbers[place].id != id)
@@ -39,8 +39,8 @@ struct CellsOfRun {
     }
 };
 
-/// Those of the exact cells that stand beside rounded ones. What another arithmetic draws may call
-/// for other effects, and so have other numbers.
+/// The exact cells that are shown next to rounded ones. What another arithmetic draws may call for
+/// other effects, and so have other numbers.
 std::vector<Quantity> compared(const std::vector<NumberDescription> &numbers,
                                const CellsOfRun &exact)
 {
@@ -52,8 +52,8 @@ std::vector<Quantity> compared(const std::vector<NumberDescription> &numbers,
     return cells;
 }
 
-/// The same of an exact run's own cells: what it had to round, a root or a power, has no exact
-/// number in it.
+/// Like compared(), for an exact run's own cells: what it had to round, a root or a power, has no
+/// exact number in it.
 std::vector<Quantity> comparedOfItself(const std::vector<NumberDescription> &numbers,
                                        const std::vector<Quantity> &own)
 {
@@ -78,7 +78,7 @@ std::uint64_t keyOf(const SampleRecord &sample)
     return std::uint64_t(sample.x) << 32 | std::uint32_t(sample.y);
 }
 
-/// The exact run walks the span once, however many of its samples are asked for.
+/// The exact run walks the span once, however many of its samples are needed.
 SamplesByPixel twinSamples(const TracedScene &traced, std::size_t span)
 {
     SamplesByPixel samples;
@@ -89,7 +89,7 @@ SamplesByPixel twinSamples(const TracedScene &traced, std::size_t span)
     return samples;
 }
 
-/// Where the levels stand among a sample's numbers, too.
+/// Copies the levels to their places among a sample's numbers.
 void showLevels(ExactSample &exact, const std::vector<NumberDescription> &numbers)
 {
     for (std::size_t channel = 0; channel < exact.colour.size(); ++channel) {
@@ -137,7 +137,7 @@ std::vector<Quantity> exactSpanCells(const TracedScene &traced, std::size_t span
     const SpanRecord exact = traced.exactTrace->span(*twin);
     std::vector<Quantity> cells
         = compared(numbers, {traced.exactTrace->numbers().span, exact.cells});
-    // The levels of two first samples are the same level only where the samples are the same.
+    // The levels of two first samples can be compared only if the samples are the same.
     if (exact.firstDrawn != traced.trace->span(span).firstDrawn) {
         for (std::size_t i = 0; i < cells.size(); ++i) {
             if (numbers[i].group == NumberGroup::FirstColour)
@@ -166,7 +166,7 @@ std::vector<ExactSample> exactSamplesOf(const TracedScene &traced, std::size_t s
             exact[i].cells = compared(numbers, {traced.exactTrace->numbers().sample, twin->cells});
         else
             exact[i].cells.resize(numbers.size());
-        // A mean of samples, or what depth refused, has no levels of its own.
+        // A mean of samples, or a sample refused by depth, has no levels of its own.
         if (!traced.plan || !sample.colour[0].isNone())
             exact[i].colour = exactLevelsAt(traced, primitive, sample.x, sample.y);
         if (traced.plan)

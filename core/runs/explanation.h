@@ -10,7 +10,7 @@
 
 namespace pixelplumb {
 
-/// One formula of the step in hand: in symbols, with the numbers put in, and what came out.
+/// One formula of the current step: in symbols, with the numbers filled in, and its result.
 struct FormulaLine {
     NumberSubject subject = NumberSubject::General;
     QString symbols; ///< "y_B ← y_B + m₀₁"
@@ -19,8 +19,8 @@ struct FormulaLine {
     Quantity exact; ///< what it would be without rounding; none where there is nothing to compare
 };
 
-/// One stage of a vertex's way from space to the frame, or of a corner of the polygon that clipping
-/// makes. A number that is given stands alone in its symbols.
+/// One stage of a vertex's way from space to the frame, or of a polygon corner that clipping makes.
+/// A given number stands alone in its symbols.
 struct StageFormulas {
     QString stage; ///< "Clip coordinates"
     QString point; ///< "V₀", "C₁"
@@ -28,13 +28,13 @@ struct StageFormulas {
     std::vector<FormulaLine> lines;
 };
 
-/// What the step in hand does, in words and in numbers; all numbers are those of the trace.
+/// What the current step does, in words and in numbers; all numbers are those of the trace.
 struct Explanation {
     QString heading; ///< "Column 27, second half"
     QString sentence; ///< one sentence that a screen reader can speak
     QString event; ///< what has just changed for the steps to come: "L₁₂ takes over from L₀₁"
     std::vector<FormulaLine> lines;
-    /// Of a triangle that a camera made of a solid, when it begins: its way to the frame.
+    /// For a triangle that a camera made of a solid, when it begins: its way to the frame.
     std::vector<StageFormulas> stages = {};
 };
 

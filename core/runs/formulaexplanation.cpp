@@ -65,18 +65,18 @@ Explanation explainBeginning(const TracedScene &traced, std::size_t primitive)
     return explanation;
 }
 
-/// `visited`: its samples that the kernel came to; `antialiasing`: of a triangle's.
+/// `visited`: the span's samples that the kernel visited; `antialiasing`: the triangle's.
 QString spanSentence(const SpanRecord &span, std::size_t visited, FillRule rule,
                      Antialiasing antialiasing)
 {
     const QString others
         = span.place.axis == SpanAxis::Column ? QStringLiteral("rows") : QStringLiteral("columns");
-    // Antialiasing has samples beside the pixels' centres, between which the bounds may lie.
+    // Antialiasing has samples besides the pixels' centres, and the bounds may lie between them.
     if (span.drawnSamples() == 0)
         return visited == 0
             ? (rule == FillRule::Closed
                    ? QStringLiteral("No sample of the frame lies here.")
-                   : QStringLiteral("No sample of the frame lies here that the fill rule takes."))
+                   : QStringLiteral("The fill rule takes no sample of the frame here."))
             : QStringLiteral("No pixel's centre lies here, but other samples of %1 may.")
                   .arg(visited == 1 ? QStringLiteral("1 pixel")
                                     : QStringLiteral("%1 pixels").arg(visited));
@@ -90,15 +90,14 @@ QString spanSentence(const SpanRecord &span, std::size_t visited, FillRule rule,
     const QString pattern = antialiasing == Antialiasing::None
         ? QStringLiteral("The bounds %1 and %2 cover the %3.")
         : antialiasing == Antialiasing::Area
-        ? QStringLiteral(
-            "At the pixels' centres the bounds are %1 and %2; what the triangle has of "
-            "the pixels is worked out on the %3.")
-        : QStringLiteral("Of the pixels' centres the bounds %1 and %2 cover the %3; other samples "
-                         "may lie in the triangle beside them.");
+        ? QStringLiteral("At the pixels' centres the bounds are %1 and %2; the area that the "
+                         "triangle covers is computed on the %3.")
+        : QStringLiteral("The bounds %1 and %2 cover the pixel centres of the %3; other samples "
+                         "next to them may lie in the triangle.");
     return pattern.arg(term(span.lower), term(span.upper), range);
 }
 
-/// A span with the one before it on the same primitive.
+/// A span with the previous one of the same primitive.
 struct SpanPair {
     SpanPair(const ScanTrace &trace, std::size_t index)
         : current(trace.span(index))
@@ -143,8 +142,8 @@ Explanation explainSpan(const TracedScene &traced, const TraceStep &step)
     return explanation;
 }
 
-/// What a sample has on which effects were done and no formula tells or names: u as it would be
-/// without perspective, how many of the pixel's samples were written.
+/// A sample's numbers that no formula computes or names, if effects ran: u as it would be without
+/// perspective, how many of the pixel's samples were written.
 void appendGiven(Explanation &explanation, const std::vector<NumberDescription> &columns,
                  const std::vector<Quantity> &used)
 {
@@ -158,7 +157,7 @@ void appendGiven(Explanation &explanation, const std::vector<NumberDescription> 
     }
 }
 
-/// Whether samples lie in it or not; pixels of the others are chosen step by step along them.
+/// Whether it covers samples; the pixels of other kinds are chosen step by step along them.
 bool isCovering(PrimitiveKind kind)
 {
     return kind == PrimitiveKind::Triangle || kind == PrimitiveKind::Polygon
@@ -169,7 +168,7 @@ QString writtenSentence(const TracedScene &traced, std::size_t primitive,
                         const SampleRecord &sample)
 {
     if (!isCovering(traced.primitives.kindOf(primitive)))
-        return QStringLiteral("The pixel is one of this step's, and written.");
+        return QStringLiteral("The pixel belongs to this step and is written.");
     if (traced.trace->setUp(primitive).zeroArea)
         return QStringLiteral("The sample is drawn: the triangle has no area, and %1.")
             .arg(segmentText(traced.primitives.triangles[primitive], sample.x, sample.y));
@@ -192,7 +191,7 @@ Explanation explainSample(const TracedScene &traced, const TraceStep &step)
     FormulaNames names = ofSpan;
     names.add(QStringLiteral("x"), Quantity::integer(sample.x));
     names.add(QStringLiteral("y"), Quantity::integer(sample.y));
-    // The step of a line or a circle is its one sample: the numbers stand in the span.
+    // The step of a line or a circle is its one sample: the numbers are in the span.
     const bool isStep = traced.trace->numbers().sample.empty() && samples.size() == 1;
     for (std::size_t channel = 0; channel < 3 && !isStep; ++channel)
         names.add(QString(channelLetters[channel]), sample.colour[channel],

@@ -11,7 +11,7 @@ namespace pixelplumb {
 class ScanTrace;
 struct TracedScene;
 
-/// Whether there is an earlier step from which a formula goes on.
+/// Whether a formula continues from an earlier step.
 enum class FormulaStart { Fresh, Continued };
 
 /// Formulas start afresh in each part of a primitive, and with the first sample of a span.
@@ -21,7 +21,8 @@ inline FormulaStart startOfSample(std::size_t place)
     return place == 0 ? FormulaStart::Fresh : FormulaStart::Continued;
 }
 
-/// The formula by which a step has a number, described as in that step; empty where it has none.
+/// The formula by which a step computes a number, described as in that step; empty if there is
+/// none.
 QString formulaInForce(const NumberDescription &number, const Quantity &used, FormulaStart start);
 
 /// A step of any method, explained by the formulas of its numbers with the trace's values put in.

@@ -13,7 +13,7 @@ bool isSubscript(QChar character)
     return (code >= 0x2080 && code <= 0x209C) || (code >= 0x1D62 && code <= 0x1D6A);
 }
 
-/// Whether a character can be part of a name. To QChar a square and a half are numbers.
+/// Whether a character can be part of a name. QChar takes ² and ½ for numbers.
 bool belongsToName(QChar character)
 {
     if (character == u'²' || character == u'½')
@@ -21,7 +21,7 @@ bool belongsToName(QChar character)
     return character.isLetterOrNumber() || character == u'_' || isSubscript(character);
 }
 
-/// What stands to the right of the arrow or the equals sign.
+/// The part to the right of the arrow or the equals sign.
 QString rightSideOf(const QString &formula)
 {
     for (const QChar sign : {QChar(u'←'), QChar(u'=')}) {
@@ -52,7 +52,7 @@ const FormulaNames::Entry *FormulaNames::nameAt(const QString &text, qsizetype p
         const qsizetype end = place + entry.title.size();
         if (entry.title == ownTitle && (end >= text.size() || text[end] != prime))
             continue;
-        // Of the same name twice, the later one.
+        // Of two equal names, the later one.
         if (QStringView(text).sliced(place).startsWith(entry.title)
             && (end == text.size() || !belongsToName(text[end]))
             && (!longest || entry.title.size() >= longest->title.size()))

@@ -10,8 +10,8 @@
 
 namespace pixelplumb {
 
-/// The numbers that formulas name, by the titles of their columns. What is added later is found
-/// first, so that a sample's name hides a span's.
+/// The numbers that formulas name, by the titles of their columns. Later additions are found first,
+/// so that a sample's name hides a span's.
 class FormulaNames {
 public:
     void add(const QString &title, const Quantity &value,
@@ -22,10 +22,10 @@ public:
     void add(const std::vector<NumberDescription> &columns, const std::vector<Quantity> &cells,
              const std::vector<Quantity> *earlier = nullptr);
 
-    /// The right side of a number's formula with each known name replaced by its value, a name with
-    /// a prime by the value one step earlier. Without a value a name is left standing. The number's
-    /// own title is no name there: ⌈y_B⌉ is worked out from y_B. Long values have so many digits
-    /// after the point.
+    /// The right side of a number's formula with each known name replaced by its value, and a name
+    /// with a prime by the value one step earlier. A name without a value stays. So does the
+    /// number's own title: ⌈y_B⌉ is computed from y_B. Long values have `places` digits after the
+    /// point.
     QString substituted(const QString &formula, const QString &title,
                         int places = usualPlaces) const;
 
@@ -36,7 +36,7 @@ private:
         std::optional<Quantity> earlier;
     };
 
-    /// The longest name that stands at a place of the text; null where there is none.
+    /// The longest name at a position of the text; null if there is none.
     const Entry *nameAt(const QString &text, qsizetype place, const QString &ownTitle) const;
 
     std::vector<Entry> m_entries;

@@ -11,15 +11,14 @@ namespace pixelplumb {
 
 namespace {
 
-/// Whether a shape's levels are the bytes of its vertices: a line alone has levels between those of
-/// its two ends.
+/// Whether a shape's levels are its vertices' bytes: only a line has levels between its two ends'.
 bool hasWholeLevels(const Shape &shape)
 {
     return shape.kind != PrimitiveKind::Line
         || shape.vertices.front().colour == shape.vertices.back().colour;
 }
 
-/// Whether the method draws something of the scene, and no level of it lies between two bytes.
+/// Whether the method draws something of the scene and none of its levels lies between two bytes.
 bool drawsWholeLevels(const Method &method, const Scene &scene)
 {
     const bool hasTriangles = !scene.triangles.empty() || !scene.solids.empty();

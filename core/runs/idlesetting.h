@@ -5,12 +5,12 @@
 
 namespace pixelplumb {
 
-/// What a person chooses of how a scene is drawn, beside the method.
+/// What a user chooses about drawing a scene, besides the method.
 enum class DrawingSetting { Arithmetic, FillRule, Rounding };
 
 /// Why no other choice of a setting would change the scene's picture, to be read after the method's
-/// name: "keeps the fill rule “closed” alone: …". Empty where one may, and where the scene's method
-/// does not exist.
+/// name: "keeps the fill rule “closed” alone: …". Empty if one may, and if the scene's method does
+/// not exist.
 QString idleReason(DrawingSetting setting, const Scene &scene);
 
 } // namespace pixelplumb

@@ -12,8 +12,8 @@ namespace pixelplumb {
 
 namespace {
 
-/// The first step whose pixel is not told by the numbers of the step in hand: a step of a line has
-/// its pixel among its numbers.
+/// The first step whose pixel the current step's numbers do not reveal: a line's step has its pixel
+/// among its numbers.
 std::size_t firstUntold(const ScanTrace &trace, std::size_t position)
 {
     if (position == 0 || !trace.numbers().sample.empty())
@@ -24,7 +24,7 @@ std::size_t firstUntold(const ScanTrace &trace, std::size_t position)
     return isOnePixel ? position + 1 : position;
 }
 
-/// The step's index.
+/// The index of the step that writes next.
 std::optional<std::size_t> nextWriteAfter(const ScanTrace &trace, std::size_t position)
 {
     for (std::size_t index = firstUntold(trace, position); index < trace.stepCount(); ++index) {
@@ -35,8 +35,8 @@ std::optional<std::size_t> nextWriteAfter(const ScanTrace &trace, std::size_t po
     return std::nullopt;
 }
 
-/// Why a pixel is written: what decides about each sample, of a triangle its tests, of a polygon
-/// the ray; else what the span does.
+/// Why a pixel is written: what decides each sample, in a triangle its tests, in a polygon the ray;
+/// else what the span does.
 QString reasonFor(const TracedScene &traced, const TraceStep &step)
 {
     const ScanTrace &trace = *traced.trace;
@@ -99,7 +99,7 @@ QString wrongPixelText(const TracedScene &traced, std::size_t position, const QP
         return QStringLiteral("It has been drawn already, in step %1.")
             .arg(trace.indexOfSample(*visit) + 1);
     if (trace.indexOfSample(*visit) < *index)
-        return QStringLiteral("It is the pixel of the step in hand: which one follows it?");
+        return QStringLiteral("It is the pixel of the current step: which one follows it?");
     const std::size_t span = trace.spanOf(*visit);
     return span == next.span
         ? QStringLiteral("Its turn comes later in the same span: where does the method begin?")

@@ -34,14 +34,14 @@ void judge(PixelAttempt &attempt, const TracedScene &traced, std::int64_t x, std
     }
 }
 
-/// Behind the last step of a primitive.
+/// The position after the last step of a primitive.
 std::size_t endOf(const ScanTrace &trace, std::size_t primitive)
 {
     return primitive + 1 < trace.primitiveCount() ? trace.indexOfSetUp(primitive + 1)
                                                   : trace.stepCount();
 }
 
-/// What the run did there.
+/// What the run did at the pixel.
 void recall(PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x, std::int64_t y)
 {
     attempt.decided = trace.stepCount();
@@ -67,7 +67,7 @@ void recall(PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x, std::
     }
 }
 
-/// Beside what the run used at the sample that it visited, the exact numbers.
+/// Adds the exact numbers for those that the run used at the visited sample.
 void recallExactly(PixelAttempt &attempt, const TracedScene &traced)
 {
     if (!attempt.sample)
@@ -85,7 +85,7 @@ void recallExactly(PixelAttempt &attempt, const TracedScene &traced)
     }
 }
 
-/// Whether the truth or the run may have painted the pixel; false is sure, and quick to find.
+/// Whether the truth or the run may have painted the pixel; false is certain, and quick to find.
 bool mayHavePainted(const TracedScene &traced, std::size_t primitive, std::int64_t x,
                     std::int64_t y)
 {
@@ -160,7 +160,7 @@ bool leaveOutAhead(BriefPixelHistory &history, std::size_t position)
         return attempt.decided > position;
     });
     if (hasSome)
-        history.furtherRefusals = 0; // those are behind the ones that are ahead
+        history.furtherRefusals = 0; // those come after the ones that are ahead
     return hasSome;
 }
 

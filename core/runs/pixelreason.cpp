@@ -23,14 +23,23 @@ QString distanceText(const oracle::EdgeVerdict &edge, const ScanTrace &trace)
     const auto [exact, axis] = scanDistance(edge, trace);
     if (exact.isNone())
         return QStringLiteral("at no distance: the edge is a point");
-    return QStringLiteral("%1 px measured along the %2 (%3 px square to the edge)")
+    return QStringLiteral("%1 px measured along the %2 (%3 px perpendicular to the edge)")
         .arg(toText(exact),
              axis == SpanAxis::Column ? QStringLiteral("column") : QStringLiteral("row"),
              QString::number(edge.distance, 'g', 6));
 }
 
-/// What the step says by which the kernel passed over a sample; empty where it says nothing, and of
-/// a sample that was written or not visited.
+/// Whether a method that tests the samples of a box did not come to this one.
+bool isUntested(const PixelAttempt &attempt, const ScanTrace &trace)
+{
+    const auto isOfBox = [](const NumberDescription &number) {
+        return number.id == QStringLiteral("x_min") || number.id == QStringLiteral("y_min");
+    };
+    return !attempt.sample && !trace.isCut() && std::ranges::any_of(trace.numbers().span, isOfBox);
+}
+
+/// What the step in which the kernel passed over a sample says; empty if it says nothing, or if the
+/// sample was written or not visited.
 QString passingText(const PixelAttempt &attempt, const ScanTrace &trace)
 {
     if (!attempt.sample || attempt.written)
@@ -39,8 +48,8 @@ QString passingText(const PixelAttempt &attempt, const ScanTrace &trace)
     return trace.sampleWords(step.span, step.sample - trace.firstSampleOf(step.span)).sentence;
 }
 
-/// "exactly on P₀P₁, and the rule …; it lies exactly on …": the edges on which the sample lies, of
-/// those that are asked for; empty where it lies on none.
+/// "exactly on P₀P₁, and the rule …; it lies exactly on …": the requested edges on which the sample
+/// lies; empty if it lies on none.
 template <class IsAskedFor>
 QString tiesText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
                  std::int64_t y, const IsAskedFor &isAskedFor)
@@ -56,7 +65,7 @@ QString tiesText(const PixelAttempt &attempt, const TracedScene &traced, std::in
     return ties.join(QStringLiteral("; it lies "));
 }
 
-/// Which edge keeps the sample out, by how much, under which rule; of shapes, what the kernel
+/// Which edge keeps the sample out, by how much, under which rule; for shapes, what the kernel
 /// found.
 QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
                     std::int64_t y)
@@ -95,16 +104,20 @@ QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std:
                            return !each.accepts;
                        }));
     }
-    // Its samples, or its area, have decided; the centre's place is told for orientation.
+    // Its samples, or its area, have decided; the centre's place is given for orientation.
     if (!noPart.isEmpty())
         return start
             + QStringLiteral("T%1 lies beyond %2, at %3.")
                   .arg(sample.sliced(1), edge, distanceText(*refusing, *traced.trace));
-    const bool isOfTruthAlone = attempt.written || isDecidedByOutline(attempt, *traced.trace);
-    return QStringLiteral("%1 %2: %3 is at %4, under the rule %5.")
-               .arg(isOfTruthAlone ? QStringLiteral("The truth refuses it by")
-                                   : QStringLiteral("Refused by"),
-                    edge, sample, distanceText(*refusing, *traced.trace), nameText(nameOf(rule)))
+    const bool isBesideBox = isUntested(attempt, *traced.trace);
+    const bool isOfTruthAlone
+        = attempt.written || isBesideBox || isDecidedByOutline(attempt, *traced.trace);
+    return (isBesideBox ? QStringLiteral("Not tested: it lies outside of the box of the vertices. ")
+                        : QString())
+        + QStringLiteral("%1 %2: %3 is at %4, under the rule %5.")
+              .arg(isOfTruthAlone ? QStringLiteral("The truth refuses it by")
+                                  : QStringLiteral("Refused by"),
+                   edge, sample, distanceText(*refusing, *traced.trace), nameText(nameOf(rule)))
         + stepBesideText(attempt, *traced.trace, x, y);
 }
 
@@ -122,11 +135,11 @@ QString writtenText(const PixelAttempt &attempt)
                        .arg(channelText(attempt, 0, u'R'), channelText(attempt, 1, u'G'),
                             channelText(attempt, 2, u'B'));
     if (attempt.sample->clamped)
-        text += QStringLiteral(" A level left 0 … 255 and was clamped.");
+        text += QStringLiteral(" A level went outside 0 … 255 and was clamped.");
     return text;
 }
 
-/// On which edges, or that of a triangle without an area, a sample lies that was written, and why
+/// The edges, or the segment of a triangle without area, on which a written sample lies, and why
 /// they are the triangle's own; empty where no rule gives an edge to one of its sides.
 QString keptTiesText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
                      std::int64_t y)
@@ -142,7 +155,7 @@ QString keptTiesText(const PixelAttempt &attempt, const TracedScene &traced, std
     return ties.isEmpty() ? ties : QStringLiteral(" The sample lies %1.").arg(ties);
 }
 
-/// By which numbers the kernel refused a sample of a triangle.
+/// The numbers by which the kernel refused a sample of a triangle.
 QString deciderText(const PixelAttempt &attempt, const TracedScene &traced)
 {
     if (attempt.kind != PrimitiveKind::Triangle)
@@ -151,7 +164,7 @@ QString deciderText(const PixelAttempt &attempt, const TracedScene &traced)
     return u' ' + refusalSentence(traced, attempt.primitive, *attempt.sample, decisions);
 }
 
-/// By which numbers the kernel took a sample of a triangle that the truth refuses; empty where it
+/// The numbers by which the kernel took a sample of a triangle that the truth refuses; empty if it
 /// tests no samples.
 QString acceptingText(const PixelAttempt &attempt, const TracedScene &traced)
 {
@@ -189,8 +202,8 @@ QString missedText(const PixelAttempt &attempt, const TracedScene &traced, std::
     const SpanRecord &span = *attempt.span;
     const std::int64_t place = span.place.axis == SpanAxis::Column ? y : x;
     if (span.lower.isNone() && (place < span.firstSample || place >= span.endSample))
-        return QStringLiteral("Missing: the truth covers it, but of this %1 the kernel tests the "
-                              "samples %2 … %3 alone.")
+        return QStringLiteral("Missing: the truth covers it, but in this %1 the kernel tests only "
+                              "the samples %2 … %3.")
             .arg(span.place.axis == SpanAxis::Column ? QStringLiteral("column")
                                                      : QStringLiteral("row"))
             .arg(span.firstSample)
@@ -205,7 +218,7 @@ QString missedText(const PixelAttempt &attempt, const TracedScene &traced, std::
         .arg(span.endSample - 1);
 }
 
-/// What became of a sample on which more than coverage and colour were decided.
+/// What became of a sample that more than coverage and colour decided.
 QString shadedText(const PixelAttempt &attempt, const TracedScene &traced)
 {
     const ScanTrace &trace = *traced.trace;
@@ -222,7 +235,7 @@ QString shadedText(const PixelAttempt &attempt, const TracedScene &traced)
     if (!told.isEmpty())
         text += u' ' + told;
     if (attempt.sample->clamped)
-        text += QStringLiteral(" A level left 0 … 255 and was clamped.");
+        text += QStringLiteral(" A level went outside 0 … 255 and was clamped.");
     return text;
 }
 
@@ -239,7 +252,7 @@ ScanDistance scanDistance(const oracle::EdgeVerdict &edge, const ScanTrace &trac
 
 namespace {
 
-/// Of any attempt.
+/// The sentences for any attempt.
 QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
                     std::int64_t y)
 {
@@ -270,7 +283,7 @@ QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced, std:
             + refusalText(attempt, traced, x, y).trimmed() + acceptingText(attempt, traced)
             + variantText(attempt, traced, x, y) + approximation();
     if (attempt.kind != PrimitiveKind::Triangle)
-        return text + stepOfPixelText(attempt, *traced.trace);
+        return text + stepOfPixelText(attempt, *traced.trace) + variantText(attempt, traced, x, y);
     text += keptTiesText(attempt, traced, x, y);
     const Colour exact
         = oracle::byteColourAt(traced.primitives.triangles[attempt.primitive], attempt.change.x,

@@ -14,11 +14,11 @@ namespace pixelplumb {
 
 namespace {
 
-// Relative.
-constexpr double readingError = 1e-9; ///< of a fraction that is read as a double
+// Relative errors.
+constexpr double readingError = 1e-9; ///< of a fraction read as a double
 constexpr double float32Error = 0x1p-22; ///< of a fraction beside a float32: its last two places
 
-/// The number that a formula computes: what stands before "←" or "=".
+/// The number that a formula computes: the part before "←" or "=".
 QString assignedIn(const QString &symbols)
 {
     const qsizetype end
@@ -26,7 +26,7 @@ QString assignedIn(const QString &symbols)
     return symbols.left(end);
 }
 
-/// A formula may name in words what it computes, and what stands for it behind that.
+/// A formula may name what it computes in words, followed by the symbol for it.
 QString askedFor(const QString &symbols)
 {
     const QString assigned = assignedIn(symbols);
@@ -36,7 +36,7 @@ QString askedFor(const QString &symbols)
     return QStringLiteral("the %1, %2").arg(assigned, name);
 }
 
-/// "p_k ← p_k₊₁′": it stands in the row before, under another name.
+/// "p_k ← p_k₊₁′": it is in the previous row under another name.
 bool isTakenOver(const QString &symbols)
 {
     const QString computed = symbols.sliced(symbols.lastIndexOf(u' ') + 1);
@@ -44,8 +44,8 @@ bool isTakenOver(const QString &symbols)
         && symbols == assignedIn(symbols) + QStringLiteral(" ← ") + computed;
 }
 
-/// What need not be asked: a count of spans, which the question itself names, and what has been the
-/// same since an earlier span, from which it could be copied.
+/// What need not be asked: a count of spans, which the question itself names, and what has not
+/// changed since an earlier span, from which it could be copied.
 bool isGiven(const std::vector<NumberDescription> &numbers, const std::vector<bool> &constant,
              const QString &title)
 {
@@ -64,7 +64,7 @@ const FormulaLine *lineOf(const Explanation &explanation, const FormulaLine &lik
     return found != explanation.lines.end() ? &*found : nullptr;
 }
 
-/// A number that words name goes by what stands for it: "⌈y_B⌉", not "first row".
+/// A number named in words goes by its symbol: "⌈y_B⌉", not "first row".
 QString titleOf(const QString &symbols)
 {
     const QString assigned = assignedIn(symbols);
@@ -80,13 +80,13 @@ QString reasonOf(const FormulaLine &line)
         : line.symbols + QStringLiteral(" = ") + line.substituted;
 }
 
-/// A decimal comma is a point; several commas are no decimal's.
+/// Reads a decimal comma as a point; several commas are no decimal.
 QString withPoint(QString typed)
 {
     return typed.count(u',') == 1 ? typed.replace(u',', u'.') : typed;
 }
 
-/// How many digits stand behind the point; none of what is no decimal.
+/// How many digits follow the point; 0 if it is not a decimal.
 int placesOf(const QString &typed)
 {
     const qsizetype point = typed.indexOf(u'.');
@@ -98,7 +98,7 @@ bool isSame(double typed, double value, double error = readingError)
     return std::abs(typed - value) <= error * std::max(1.0, std::abs(value));
 }
 
-/// Whether a fraction is the number that the kernel computes, as exactly as it does, or the one
+/// Whether a fraction is the number that the kernel computes, to the kernel's precision, or the one
 /// that it would compute without rounding.
 bool isFractionOf(double typed, const Prediction &prediction)
 {
@@ -114,7 +114,7 @@ bool isRounded(double typed, double value, int places)
     return std::abs(typed - value) <= half + readingError * std::max(1.0, std::abs(value));
 }
 
-/// Without what follows the last place.
+/// Whether the value was truncated after its last place.
 bool isCutOff(double typed, double value, int places)
 {
     const double scale = std::pow(10.0, places);
@@ -156,7 +156,7 @@ std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t 
     std::vector<Prediction> predictions;
     for (const FormulaLine &line : next.lines) {
         if (isGiven(numbers, constant, titleOf(line.symbols)) || isTakenOver(line.symbols))
-            continue; // the question itself, or a step before, tells it
+            continue; // the question itself, or an earlier step, reveals it
         const FormulaLine *earlier = before ? lineOf(*before, line) : nullptr;
         predictions.push_back({next.heading, titleOf(line.symbols), askedFor(line.symbols),
                                line.used, earlier ? earlier->used : Quantity(), line.symbols,

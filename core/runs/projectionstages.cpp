@@ -15,7 +15,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The decimal of a number without rounding, as far as 128 bits hold it; none of an empty text.
+/// The decimal of a number without rounding, as far as 128 bits hold it; none for an empty text.
 Quantity exactQuantity(const QString &text)
 {
     if (text.isEmpty())
@@ -43,7 +43,7 @@ Quantity exactQuantity(const QString &text)
                         : Quantity::integer(numerator * power);
 }
 
-/// What the numbers of a point have been called so far, with what they were.
+/// The names of a point's numbers so far, with their values.
 class PointNames {
 public:
     void add(const QString &title, const Quantity &value)
@@ -60,7 +60,7 @@ public:
     }
     QString substituted(const StageNumber &number) const
     {
-        // So many digits that a rounding to 2⁻²⁴ can be believed.
+        // Enough digits to check a rounding to 2⁻²⁴.
         constexpr int placesOfRounding = 14;
         return m_names.substituted(number.formula, number.name,
                                    number.formula.contains(u'⌊') ? placesOfRounding : usualPlaces);
@@ -85,7 +85,7 @@ public:
         }
     }
 
-    /// Of a plain triangle, whose stages are its light alone.
+    /// For a plain triangle, whose only stages are its light.
     explicit StageReader(const FaceStages &stages)
         : m_stages(stages)
         , m_vertices{faceVertexName(0), faceVertexName(1), faceVertexName(2)}
@@ -136,8 +136,8 @@ private:
         return line;
     }
 
-    /// Every point may name the numbers of the vertices in space, of the camera and of the lights,
-    /// a corner those of the vertices that it is made of.
+    /// Every point may name the numbers of the vertices in space, of the camera and of the lights;
+    /// a corner also those of the vertices that it is made of.
     PointNames &namesOf(const QString &point)
     {
         const auto [entry, isNew] = m_names.try_emplace(point);
@@ -192,7 +192,7 @@ private:
     std::vector<StageFormulas> m_formulas;
 };
 
-/// How a triangle of the scene was lit before scan conversion; empty where it was not.
+/// How a triangle of the scene was lit before scan conversion; empty if it was not.
 std::vector<StageFormulas> lightFormulas(const TracedScene &traced, std::size_t primitive)
 {
     const Primitives &primitives = traced.primitives;

@@ -10,8 +10,8 @@ namespace pixelplumb {
 struct TracedScene;
 
 /// The way of a triangle's three corners from space to the lattice, stage by stage, with the
-/// formulas of its numbers: as they were used, in double, beside those without rounding. Empty for
-/// a triangle that the scene gives in the frame.
+/// formulas of its numbers: as used, in double, next to those without rounding. Empty for a
+/// triangle that the scene gives in the frame.
 std::vector<StageFormulas> stageFormulas(const TracedScene &traced, std::size_t primitive);
 
 } // namespace pixelplumb

@@ -9,12 +9,12 @@ namespace pixelplumb {
 
 namespace {
 
-/// Rows by which rounded increments may leave a triangle's bounding box, amply: float32 adds some
-/// 2^13 columns of at most 2^12 px with errors of at most 2^-13 px each.
+/// How many rows rounded increments may leave a triangle's bounding box by, amply: float32 adds
+/// some 2^13 columns of at most 2^12 px with errors of at most 2^-13 px each.
 constexpr std::int64_t rowsOfError = 4;
 constexpr Lattice largestOfSmallError = (Lattice(1) << 12) * unitsPerPixel;
 
-/// More triangles are not kept for comparison: they take 72 bytes each.
+/// More triangles are not kept for comparison: each takes 72 bytes.
 constexpr std::size_t mostCompared = std::size_t(1) << 20;
 
 bool staysNearItsBox(const Triangle &triangle)
@@ -56,7 +56,7 @@ Triangle onSamples(Triangle triangle, Lattice offset)
 
 bool isDrawnByRows(const Scene &scene, const Method &method)
 {
-    // To any row: what wraps, and edges that run past their ends.
+    // These reach any row: what wraps, and edges that run past their ends.
     const bool leaves
         = scene.settings.arithmetic == Arithmetic::Fixed16 || !scene.settings.variants.isEmpty();
     return method.drawFast && !leaves && scene.shapes.empty() && !mayCallForEffects(scene)

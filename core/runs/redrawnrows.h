@@ -15,17 +15,17 @@ struct FrameRows {
 };
 
 FrameRows allRowsOf(const FrameSpec &frame);
-/// All that rounding may make of a triangle, in sample coordinates; also outside of the frame.
+/// The rows that a triangle may reach by rounding, in sample coordinates; also outside the frame.
 FrameRows rowsReachedBy(const Triangle &triangle);
 
 /// Moves a scene's triangle to sample coordinates, by its frame's offset (sampleOffset).
 Triangle onSamples(Triangle triangle, Lattice offset);
 
-/// Whether rows can be drawn by themselves: where it is known which triangles reach into them.
+/// Whether rows can be drawn separately: it must be known which triangles reach into them.
 bool isDrawnByRows(const Scene &scene, const Method &method);
 
-/// The rows in which the pictures of two scenes that are drawn by rows may differ: all of them
-/// where the scenes differ in more than the places and colours of triangles.
+/// The rows in which the pictures of two scenes that are drawn by rows may differ: all of them if
+/// the scenes differ in more than the positions and colours of triangles.
 FrameRows rowsThatDiffer(const Scene &scene, const Scene &other);
 
 } // namespace pixelplumb

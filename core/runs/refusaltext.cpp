@@ -19,8 +19,8 @@ oracle::SampleVerdict verdictOn(const Triangle &triangle, const TracedScene &tra
     return oracle::judge(triangle, boundaryRuleOf(traced.scene), x, y);
 }
 
-/// The triangle turned by half a turn about the middle of an edge: it has the edge, and its inside
-/// on the other side.
+/// The triangle rotated by half a turn about the middle of an edge: it shares the edge, with its
+/// inside on the other side.
 Triangle acrossEdge(const Triangle &triangle, const oracle::EdgeVerdict &edge)
 {
     Triangle turned = triangle;
@@ -40,7 +40,7 @@ Quantity edgeFunctionAt(const LatticePoint &from, const LatticePoint &to, const 
     return Quantity::rational(-doubledArea(from, to, point), squareUnitsPerPixel);
 }
 
-/// Whether the method's set-up has a number of its own of this kind for each edge: "s_0".
+/// Whether the method's set-up has its own number of this kind for each edge: "s_0".
 bool hasForEachEdge(const TracedScene &traced, const char *id)
 {
     return std::ranges::count(traced.trace->numbers().setUp,
@@ -49,8 +49,8 @@ bool hasForEachEdge(const TracedScene &traced, const char *id)
         > 0;
 }
 
-/// On which sides of an edge the off-screen point and the triangle lie, in the numbers of the
-/// method: whether f_bc(a)·f_bc(r) > 0.
+/// On which sides of an edge the off-screen point and the triangle lie, in the method's numbers:
+/// whether f_bc(a)·f_bc(r) > 0.
 QString sidesText(const TracedScene &traced, std::size_t index, const oracle::EdgeVerdict &edge)
 {
     const Triangle &triangle = traced.primitives.triangles[index];
@@ -63,7 +63,7 @@ QString sidesText(const TracedScene &traced, std::size_t index, const oracle::Ed
     };
     const Quantity product = productOf(functionAt(facing), functionAt(offScreenPoint));
     const bool isOnSameSide = product.numerator() > 0;
-    // A solved system has equations of another scale, one for each edge.
+    // A solved system's equations are scaled differently, each edge on its own.
     if (hasForEachEdge(traced, "q"))
         return (isOnSameSide
                     ? QStringLiteral("the off-screen point %1 lies on the side of the vertex that "
@@ -71,7 +71,7 @@ QString sidesText(const TracedScene &traced, std::size_t index, const oracle::Ed
                     : QStringLiteral("the off-screen point %1 does not lie on the side of the "
                                      "vertex that faces it"))
             .arg(pointText(offScreenPoint));
-    // Exchanged sides make a function positive inside.
+    // Swapped sides make a function positive inside.
     const bool isExchanged = hasForEachEdge(traced, "s") && functionAt(facing).numerator() < 0;
     const Quantity sign = Quantity::integer(isExchanged ? -1 : 1);
     return QStringLiteral("the edge's function is %1 at the off-screen point %2 and %3 at the "
@@ -81,7 +81,7 @@ QString sidesText(const TracedScene &traced, std::size_t index, const oracle::Ed
              isOnSameSide ? QStringLiteral("above") : QStringLiteral("not above"));
 }
 
-/// On which side of an edge its triangle lies, as top-left and half-open-column ask it.
+/// On which side of an edge its triangle lies, as top-left and half-open-column need it.
 QString placeText(const TracedScene &traced, const Triangle &triangle,
                   const oracle::EdgeVerdict &edge)
 {
@@ -93,9 +93,9 @@ QString placeText(const TracedScene &traced, const Triangle &triangle,
     const bool isAtLargerX = isCounterClockwise == (to.y < from.y);
     const bool isAtLargerY = isCounterClockwise == (to.x > from.x);
     if (traced.scene.settings.fillRule == FillRule::TopLeft && from.y != to.y)
-        return isAtLargerX ? QStringLiteral("the triangle lies at larger x of the edge, a left one")
-                           : QStringLiteral("the triangle lies at smaller x of the edge, a right "
-                                            "one");
+        return isAtLargerX
+            ? QStringLiteral("the triangle lies at larger x, so the edge is a left one")
+            : QStringLiteral("the triangle lies at smaller x, so the edge is a right one");
     if (traced.scene.settings.fillRule == FillRule::TopLeft) {
         const bool isBelow = isAtLargerY == (traced.scene.frame.origin == FrameOrigin::TopLeft);
         return isBelow ? QStringLiteral("the edge is level, and the triangle lies below it")
@@ -139,7 +139,7 @@ QString tieText(const TracedScene &traced, std::size_t triangle, const oracle::E
 
 namespace {
 
-/// Which weight is too large for a listing that asks for weights of at most 1: "0 ≤ α ≤ 1".
+/// Which weight is too large for a listing that requires weights of at most 1: "0 ≤ α ≤ 1".
 QString aboveOneText(const TracedScene &traced, std::span<const SampleDecision> decisions)
 {
     const bool isBounded
@@ -199,8 +199,8 @@ QString refusalSentence(const TracedScene &traced, std::size_t triangle, const S
     if (!ties.isEmpty())
         return QStringLiteral("Refused: the sample lies %1.")
             .arg(ties.join(QStringLiteral("; it lies ")));
-    return QStringLiteral("Refused by rounding: no test is negative, and by exact numbers no edge "
-                          "refuses the sample.");
+    return QStringLiteral("Refused by rounding: no test is negative, and in exact arithmetic no "
+                          "edge refuses the sample.");
 }
 
 QString noPartText(const TracedScene &traced)
@@ -212,7 +212,7 @@ QString noPartText(const TracedScene &traced)
     case Antialiasing::Samples16:
         return QStringLiteral("No sample of the pixel lies in the triangle.");
     case Antialiasing::Area:
-        return QStringLiteral("The triangle has no part of the pixel's square.");
+        return QStringLiteral("The triangle covers no part of the pixel's square.");
     }
     return {};
 }

@@ -17,7 +17,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Whether nothing was written of a primitive that was recorded whole.
+/// Whether nothing was written of a completely recorded primitive.
 bool wroteNothing(const ScanTrace &trace, std::size_t primitive)
 {
     for (std::size_t span = trace.firstSpanOf(primitive); span < trace.endSpanOf(primitive);
@@ -38,7 +38,7 @@ SampledFrame drawnSamplesOf(const Primitives &primitives, const Scene &scene)
             triangleAntialiasing(primitives, scene.settings, frame)};
 }
 
-/// What bounds a primitive, or is it.
+/// The edges that bound a primitive, or that it consists of.
 std::vector<ContourEdge> edgesOf(const Primitives &primitives, std::size_t index)
 {
     if (primitives.isTriangle(index)) {
@@ -70,7 +70,7 @@ std::vector<ContourEdge> edgesOf(const Primitives &primitives, std::size_t index
     }
 }
 
-/// Where a primitive lies of which no sample is drawn.
+/// Where a primitive lies if no sample of it is drawn.
 PrimitiveRejection missOf(const Primitives &primitives, std::size_t index, const FrameView &frame)
 {
     const FrameSquare square(frame, unitsPerPixel);
@@ -83,7 +83,7 @@ PrimitiveRejection missOf(const Primitives &primitives, std::size_t index, const
         : PrimitiveRejection::OutsideFrame;
 }
 
-/// What a kernel gave for its reason, decided.
+/// A kernel's reason, made precise.
 Rejection decided(const Rejection &rejection, const Primitives &primitives, std::size_t index,
                   const Scene &scene)
 {
@@ -126,7 +126,7 @@ std::vector<RejectedPrimitive> rejectedPrimitives(const Scene &scene)
             continue;
         }
         const Primitives one = aloneOf(primitives, index);
-        // Cancelled, and so null, where a span was entered.
+        // Cancelled, and so null, if a span was entered.
         auto trace = method.trace(one, scene.settings, frame.view(), untilTheFirstSpan);
         if (!trace && primitives.isTriangle(index) && reachOf(one.triangles[0], where).isEmpty()) {
             trace = method.trace(one, scene.settings, frame.view(), {});

@@ -19,13 +19,13 @@ struct RejectedPrimitive {
     friend bool operator==(const RejectedPrimitive &, const RejectedPrimitive &) = default;
 };
 
-/// Why a recorded run drew nothing of a primitive that its method rejected: of one without a sample
-/// of the frame, whether it lies outside of it or reaches into it. None of any other.
+/// Why a recorded run drew nothing of a primitive that its method rejected; for one without a
+/// sample in the frame, whether it lies outside it or reaches into it. None for any other.
 std::optional<Rejection> rejectionOf(const TracedScene &traced, std::size_t primitive);
 
-/// What the scene's method rejects, in drawing order, without a recording. The kernel is asked
-/// itself, primitive by primitive, and stopped before it writes the first pixel; of a triangle that
-/// lies between the samples it tries all.
+/// What the scene's method rejects, in drawing order, without a recording. It runs the kernel
+/// itself, primitive by primitive, and stops it before it writes the first pixel; for a triangle
+/// between the samples the kernel tries all of them.
 std::vector<RejectedPrimitive> rejectedPrimitives(const Scene &scene);
 
 /// What was rejected in a recorded run, and which triangles lie between the samples.

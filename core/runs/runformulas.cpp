@@ -42,10 +42,10 @@ public:
 
 private:
     std::vector<QStringList> m_found; ///< by number
-    std::vector<bool> m_hasOthers; ///< values that a step has by none
+    std::vector<bool> m_hasOthers; ///< values that a step has without a formula
 };
 
-/// Nothing of them is written yet.
+/// Asks before any of them is written.
 bool goesOnBefore(const ProgressListener &progress, std::size_t spans)
 {
     return goesOn(progress, {JobPhase::Writing, 0, std::int64_t(spans)});

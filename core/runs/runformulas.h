@@ -9,9 +9,9 @@ namespace pixelplumb {
 
 struct TracedScene;
 
-// By which formulas a recorded run computed its numbers: for each number of a level those that
-// explainStep() has for it, each once, in the order in which the run came to them, as "a; b". Empty
-// where there is none, or where progress ended the search.
+// The formulas by which a recorded run computed its numbers: for each number of a level those of
+// explainStep(), each once, in the order of the run, as "a; b". Empty if there is none, or if
+// progress ended the search.
 
 QStringList setUpFormulas(const TracedScene &traced);
 QStringList spanFormulas(const TracedScene &traced, const ProgressListener &progress);

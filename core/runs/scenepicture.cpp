@@ -13,7 +13,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Of two words that are not the same.
+/// Compares two words that differ.
 Difference differenceBetween(QRgb drawn, QRgb twin)
 {
     if (qAlpha(drawn) == 0)
@@ -81,7 +81,7 @@ bool ScenePicture::draw(const std::shared_ptr<const Scene> &scene, const Progres
     return true;
 }
 
-/// Those that differ from the picture as it is.
+/// The rows that differ from the current picture.
 FrameRows ScenePicture::rowsToDraw(const Scene &scene, const Method &method) const
 {
     const bool knowsRows = m_scene && isDrawnByRows(scene, method);
@@ -114,7 +114,7 @@ bool ScenePicture::drawAll(const Scene &scene, const Method &method,
     return true;
 }
 
-/// Triangles may depend on those before them: both pictures at one piece, one after the other.
+/// Triangles may depend on earlier ones: draws both pictures in one piece, one after the other.
 bool ScenePicture::drawWhole(const Scene &scene, const Method &method,
                              const ProgressListener &listener)
 {
@@ -136,8 +136,8 @@ bool ScenePicture::drawWhole(const Scene &scene, const Method &method,
                ->drawInPieces(*primitives, exactSettingsOf(scene), m_twin->view(), tell);
 }
 
-/// Draws the triangles that may reach into the rows, and puts back what they paint outside: in a
-/// window of these rows alone, rounded increments would begin anew at its first row.
+/// Draws the triangles that may reach into the rows, and restores what they paint outside: in a
+/// window of only these rows, rounded increments would start afresh at its first row.
 bool ScenePicture::drawRows(FrameRows rows, const Scene &scene, const Method &method,
                             const ProgressListener &listener)
 {
@@ -176,7 +176,7 @@ void ScenePicture::drawPiece(const Scene &scene, const Method &method)
     methodNamed(u"column-scan")->drawFastest(m_piece, exactSettingsOf(scene), m_twin->view());
 }
 
-/// Those that are drawn into.
+/// The frames that are drawn into.
 std::vector<const FrameBuffer *> ScenePicture::frames() const
 {
     std::vector<const FrameBuffer *> frames = {&m_drawn};
@@ -211,7 +211,7 @@ void ScenePicture::takePiece(const Scene &scene, std::size_t first, std::size_t 
         attributes.triangle -= first;
 }
 
-/// Notes what differs and makes the background opaque, in one walk over the frames.
+/// Notes what differs and makes the background opaque, in one pass over the frames.
 void ScenePicture::compareRows(FrameRows rows)
 {
     const FrameView drawn = m_drawn.view();

@@ -12,15 +12,15 @@
 
 namespace pixelplumb {
 
-/// The finished picture of a scene and its differences from its exact twin, without a record of how
-/// it came about: by the fastest way that the scene's method has. Its memory serves one drawing
-/// after another, because fresh pages for frames cost as much as drawing a scene of 10,000
-/// triangles; of a scene that differs from the last one in a few triangles, as in a drag, only the
-/// rows that these touch are drawn anew.
+/// The finished picture of a scene and its differences from its exact twin, without a recording,
+/// drawn the fastest way that the scene's method has. Its memory serves one drawing after another,
+/// because fresh pages for frames cost as much as drawing a scene of 10,000 triangles. If a scene
+/// differs from the last one in a few triangles, as in a drag, only the rows that these touch are
+/// redrawn.
 ///
-/// It is not held to the oracle, which judges every pixel by itself and takes its time, but to its
-/// exact twin: the column scan in exact arithmetic by its fast kernels. That this is the truth is
-/// what tests show (the fast kernels draw the plain one's pictures, the plain one the oracle's).
+/// It is not compared with the oracle, which judges every pixel by itself and takes its time, but
+/// with its exact twin: the column scan in exact arithmetic by its fast kernels. Tests show that
+/// this is the truth (the fast kernels draw the plain one's pictures, the plain one the oracle's).
 class ScenePicture {
 public:
     explicit ScenePicture(const FrameSpec &frame);
@@ -28,14 +28,13 @@ public:
     const FrameSpec &spec() const { return m_drawn.spec(); }
     const FrameBuffer &drawn() const { return m_drawn; }
     /// Null where only the oracle knows the truth: under fill rules that the column scan does not
-    /// keep, and of shapes that a method draws with no proof that they are true.
+    /// support, and for shapes whose method has no proof that its pictures are true.
     const FrameBuffer *exactTwin() const;
     /// None where there is no exact twin.
     const DifferenceMap &differences() const { return m_differences; }
 
-    /// Draws a scene with this frame, whose method must be able to (objectionTo).
-    /// False when the listener, who hears of each piece of the scene, ended it: the picture is
-    /// then worth nothing.
+    /// Draws a scene with this frame, whose method must be able to (objectionTo). False if the
+    /// listener, called for each piece of the scene, ended it: the picture is then invalid.
     bool draw(const std::shared_ptr<const Scene> &scene, const ProgressListener &listener);
 
 private:
@@ -60,10 +59,10 @@ private:
     void noteDifferences(std::int64_t y, const QRgb *drawnRow, const QRgb *twinRow);
 
     FrameBuffer m_drawn;
-    std::unique_ptr<FrameBuffer> m_twin; ///< from the first comparison on
+    std::unique_ptr<FrameBuffer> m_twin; ///< allocated at the first comparison
     Twin m_twinKind = Twin::None;
     DifferenceMap m_differences;
-    std::shared_ptr<const Scene> m_scene; ///< whose picture it is; null where it is nothing whole
+    std::shared_ptr<const Scene> m_scene; ///< whose picture it is; null if it is incomplete
     Primitives m_piece; ///< of the scene that is being drawn, in sample coordinates
 };
 

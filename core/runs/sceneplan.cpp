@@ -12,7 +12,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Whether the method can all that there is: then nobody needs to know what the scene calls for.
+/// Whether the method supports everything: then it does not matter what the scene calls for.
 bool canAll(const Method &method, const ScanSettings &settings)
 {
     const std::vector<Arithmetic> &shading = method.shadingArithmetics;
@@ -22,7 +22,7 @@ bool canAll(const Method &method, const ScanSettings &settings)
         && (shading.empty() || std::ranges::find(shading, settings.arithmetic) != shading.end());
 }
 
-/// Of those that reach the frame.
+/// The objection to those shapes that reach the frame.
 QString objectionToShapes(const Method &method, const Scene &scene)
 {
     const SampledFrame where

@@ -6,7 +6,7 @@
 
 namespace pixelplumb {
 
-/// What the scene's triangles, its solids' among them, and its shapes need, and what is run: of
+/// What the scene's triangles, including its solids', and its shapes need, and what is run: for
 /// those that its method draws.
 EffectPlan planOf(const Scene &scene);
 
@@ -14,7 +14,7 @@ EffectPlan planOf(const Scene &scene);
 /// runs, to be read after the method's name; empty when it can. The method must exist.
 QString objectionTo(const Scene &scene);
 
-/// Whether the scene's method draws one of its primitives, or there is none to be drawn.
+/// Whether the scene's method draws any of its primitives, or there are none to draw.
 bool drawsAnyOf(const Scene &scene);
 
 } // namespace pixelplumb

@@ -10,7 +10,7 @@ namespace pixelplumb {
 struct TracedScene;
 
 /// What is said of a primitive before it is drawn: where it is, then the method's own words, which
-/// of a triangle name its vertices themselves; and whether its coordinates are the scene's.
+/// name a triangle's vertices themselves; and whether its coordinates are the scene's.
 QString setUpSentence(const TracedScene &traced, std::size_t primitive, const QString &words);
 
 } // namespace pixelplumb

@@ -21,7 +21,7 @@ bool isOn(const ContourEdge &edge, const LatticePoint &sample)
     return first <= sample && sample <= last && doubledArea(first, last, sample) == 0;
 }
 
-/// That the fill rule alone keeps out a sample; empty where none of the polygon's edges has it.
+/// Says that only the fill rule keeps a sample out; empty if none of the polygon's edges has it.
 QString tieOfPolygonText(const Shape &polygon, FillRule rule, const LatticePoint &sample)
 {
     const auto edges = contoursOf(polygon).edges;
@@ -34,8 +34,8 @@ QString tieOfPolygonText(const Shape &polygon, FillRule rule, const LatticePoint
               .arg(nameText(nameOf(rule)));
 }
 
-/// That the line is as near to the pixel as to the one beside it; empty where it is not, and where
-/// the truth has neither.
+/// Says that the line is equally near to the pixel and to the one beside it; empty if it is not, or
+/// if the truth has neither.
 QString tieOfLineText(const Shape &line, std::int64_t x, std::int64_t y)
 {
     const oracle::TrueLine truth(line.vertices[0], line.vertices[1]);
@@ -61,7 +61,7 @@ QString stepText(const ScanTrace &trace, std::size_t span)
     return told.isEmpty() ? told : QStringLiteral(" %1: %2").arg(spanHeading(trace, span), told);
 }
 
-/// Whether the steps of a primitive walk along it, as those of a curve do, and of a line by t.
+/// Whether the steps of a primitive walk along it, as a curve's do, and those of a line by t.
 bool isWalkedAlong(const PixelAttempt &attempt, const ScanTrace &trace)
 {
     constexpr std::array walked = {PrimitiveKind::Line, PrimitiveKind::Circle,
@@ -72,7 +72,7 @@ bool isWalkedAlong(const PixelAttempt &attempt, const ScanTrace &trace)
         && trace.placeOf(first).axis == SpanAxis::Free;
 }
 
-/// The first of the written samples of a primitive that are nearest to a pixel; none where it wrote
+/// The first of a primitive's written samples that are nearest to a pixel; none if it wrote
 /// nothing.
 std::optional<std::size_t> nearestWritten(const ScanTrace &trace, std::size_t primitive,
                                           std::int64_t x, std::int64_t y)
@@ -92,8 +92,8 @@ std::optional<std::size_t> nearestWritten(const ScanTrace &trace, std::size_t pr
     return nearest;
 }
 
-/// The steps that wrote the four pixels next to this one tell where a curve goes; where it passes
-/// none of them, the step that wrote the nearest.
+/// The steps that wrote the four pixels next to this one show where a curve goes; if it passes none
+/// of them, the step that wrote the nearest.
 QString stepsNextToText(const ScanTrace &trace, std::size_t primitive, std::int64_t x,
                         std::int64_t y)
 {

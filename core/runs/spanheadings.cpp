@@ -20,7 +20,7 @@ QString placeText(const SpanPlace &place)
     return QStringLiteral("Step %1").arg(place.coordinate);
 }
 
-/// The noun by which a span's numbers count the parts of a primitive; empty where none does.
+/// The noun by which a span's numbers count the parts of a primitive; empty if none does.
 QString countedPart(const ScanTrace &trace)
 {
     const auto has = [&trace](const QString &id) {
@@ -38,7 +38,7 @@ std::vector<NumberDescription> spanHeadings(const TracedScene &traced)
     std::vector<NumberDescription> headings = traced.trace->numbers().span;
     if (traced.trace->spanCount() == 0)
         return headings;
-    // Some titles follow the settings, and so does every span of a run.
+    // Some titles follow the settings, which all spans of a run share.
     const std::vector<NumberDescription> inForce = traced.trace->spanWords(0).numbers;
     for (std::size_t i = 0; i < inForce.size(); ++i) {
         if (inForce[i].title != headings[i].title)

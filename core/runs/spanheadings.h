@@ -5,19 +5,18 @@
 
 namespace pixelplumb {
 
-/// What the numbers of a run's spans are called where they head columns: true of all rows, under
-/// the rule in force.
+/// The column headings for the numbers of a run's spans: true of all rows, under the current rule.
 std::vector<NumberDescription> spanHeadings(const TracedScene &traced);
 
-/// What the part of its primitive is called to which a span belongs: as the numbers of the span
-/// count it, "triangle 1", "edge 7", from 0; where none does, "part 2".
+/// The name of the part of its primitive that a span belongs to: as the span's numbers count it,
+/// "triangle 1", "edge 7", from 0; if they do not, "part 2".
 QString partName(const ScanTrace &trace, std::size_t span);
 
-/// What a span is called: "Column 27, second half", "Row 3".
+/// The name of a span: "Column 27, second half", "Row 3".
 QString spanHeading(const ScanTrace &trace, std::size_t span);
 
-/// That of all spans of a run; Free where they differ, as those of steep and of flat edges do, and
-/// where there are none.
+/// The axis of all spans of a run; Free if they differ, as those of steep and flat edges do, or if
+/// there are none.
 SpanAxis commonAxis(const ScanTrace &trace);
 
 } // namespace pixelplumb

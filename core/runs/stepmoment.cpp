@@ -48,7 +48,7 @@ bool isSegment(const ScanTrace &trace, std::size_t primitive)
     return primitive < trace.primitiveCount() && trace.setUp(primitive).zeroArea;
 }
 
-/// With the line that lights the vertices before anything is scanned.
+/// Adds the line that lights the vertices before anything is scanned.
 Pseudocode litCode(Pseudocode code, const TracedScene &traced)
 {
     if (traced.plan && traced.plan->vertexLight)

@@ -8,12 +8,12 @@ namespace pixelplumb {
 class ScanTrace;
 struct TracedScene;
 
-/// What the step with an index in 0 … stepCount() − 1 is in the pseudocode of its method: the lines
+/// The step with an index in 0 … stepCount() − 1 as a moment of its method's pseudocode: the lines
 /// that list it are what the step does.
 Moment momentOf(const ScanTrace &trace, std::size_t stepIndex);
 
-/// The lines that run for a primitive under the scene's variants and fill rule: of effects, those
-/// of its batch alone.
+/// The lines that run for a primitive under the scene's variants and fill rule: of effects, only
+/// those of its batch.
 Pseudocode pseudocodeOf(const TracedScene &traced, std::size_t primitive);
 
 } // namespace pixelplumb

@@ -46,7 +46,7 @@ bool drawByBands(FrameView frame, const ProgressListener &listener, const DrawBa
     return true;
 }
 
-/// The truth's alpha tells what it covers (pixelrows.h).
+/// The truth's alpha says what it covers (pixelrows.h).
 DifferenceMap differencesBetween(const FrameBuffer &drawn, const CoverageMask &drawnCoverage,
                                  const FrameBuffer &truth)
 {
@@ -69,8 +69,8 @@ DifferenceMap differencesBetween(const FrameBuffer &drawn, const CoverageMask &d
     return differences;
 }
 
-/// The spans of the same run in exact arithmetic, to stand beside a rounding trace. Gives up
-/// without a word at the limits: the exact numbers are then none.
+/// The spans of the same run in exact arithmetic, to compare with a rounding trace. Gives up
+/// silently at the limits: the exact numbers are then none.
 std::unique_ptr<const ScanTrace> exactTwinOf(const TracedScene &traced, const TraceOptions &options)
 {
     const Scene &scene = traced.scene;
@@ -80,7 +80,7 @@ std::unique_ptr<const ScanTrace> exactTwinOf(const TracedScene &traced, const Tr
     ScanSettings exact = scene.settings;
     exact.arithmetic = Arithmetic::Exact;
     TraceOptions spansAlone = options;
-    // Where samples depend on what their pixels held, spans alone could not tell them.
+    // Where samples depend on what their pixels held, spans alone could not give them.
     if (!traced.plan)
         spansAlone.detail = TraceDetail::Spans;
     spansAlone.progress = [&options](const JobProgress &progress) {

@@ -28,8 +28,8 @@ struct TraceMark {
     friend bool operator==(const TraceMark &, const TraceMark &) = default;
 };
 
-/// A scene, drawn and recorded by its method, beside the truth. A value that views receive whole
-/// and never change; built beside the GUI thread.
+/// A scene, drawn and recorded by its method, with the truth. A value that views receive whole and
+/// never change; built outside the GUI thread.
 struct TracedScene {
     TracedScene(const Scene &whole, Primitives onSamples, const Method *drawnBy)
         : scene(whole)
@@ -43,13 +43,13 @@ struct TracedScene {
     Scene scene;
     Primitives primitives; ///< in sample coordinates: what the kernel was given
     const Method *method = nullptr;
-    /// What ran, where the scene called for more than colour.
+    /// What ran, if the scene called for more than colour.
     std::optional<EffectPlan> plan;
     /// How the pixels of triangles were sampled.
     Antialiasing antialiasing() const { return plan ? plan->antialiasing : Antialiasing::None; }
     std::unique_ptr<const ScanTrace> trace;
-    /// The spans of the same method in exact arithmetic; null where the trace itself is exact or
-    /// the method has no exact arithmetic.
+    /// The spans of the same method in exact arithmetic; null if the trace itself is exact or the
+    /// method has no exact arithmetic.
     std::unique_ptr<const ScanTrace> exactTrace;
     FrameBuffer truth; ///< the oracle's picture
     DifferenceMap differences; ///< of the finished picture
@@ -57,11 +57,11 @@ struct TracedScene {
 
     DecidedPositions decided;
 
-    /// The index through the scene's triangles and shapes of a primitive that was drawn; none of a
-    /// solid's triangle.
+    /// A drawn primitive's index among the scene's triangles and shapes; none for a solid's
+    /// triangle.
     std::optional<std::size_t> indexInScene(std::size_t primitive) const;
 
-    /// The position from which on a pixel's difference is decided (see DecidedPositions).
+    /// The position from which a pixel's difference is decided (see DecidedPositions).
     std::size_t decidedAt(std::int64_t x, std::int64_t y) const { return decided.at(x, y); }
 
     struct WrongPixel {
@@ -69,24 +69,24 @@ struct TracedScene {
         std::int64_t y = 0;
         std::size_t decidedAt = 0;
     };
-    /// The first one that is decided, in the order of drawing; none where the picture is true.
+    /// The first to be decided, in drawing order; none if the picture is true.
     std::optional<WrongPixel> firstWrongPixel() const;
 };
 
-/// The exact numbers for which the cells of a set-up or a span stand, in the same order; none where
-/// there is nothing to compare.
+/// The exact values of the cells of a set-up or a span, in the same order; none where there is
+/// nothing to compare.
 std::vector<Quantity> exactSetUpCells(const TracedScene &traced, std::size_t primitive);
 std::vector<Quantity> exactSpanCells(const TracedScene &traced, std::size_t span);
-/// R, G and B that a triangle interpolates at (x, y), before texture, light and blending, exactly:
-/// by the truth of what the run's plan does. Inside and outside of the triangle; none of a shape,
-/// and beyond the horizon of the triangle's plane. Whatever view shows a level as exact has it from
+/// The exact R, G and B that a triangle interpolates at (x, y), before texture, light and blending,
+/// by the truth of what the run's plan does. Inside and outside the triangle; none for a shape, and
+/// beyond the horizon of the triangle's plane. Every view that shows a level as exact takes it from
 /// here.
 std::array<Quantity, 3> exactLevelsAt(const TracedScene &traced, std::size_t primitive,
                                       std::int64_t x, std::int64_t y);
 /// The exact numbers of samples of one span.
 struct ExactSample {
     std::array<Quantity, 3> colour; ///< exactLevelsAt(); none where the run has no levels there
-    std::vector<Quantity> cells; ///< for which the sample's cells stand
+    std::vector<Quantity> cells; ///< exact values of the sample's cells
 };
 std::vector<ExactSample> exactSamplesOf(const TracedScene &traced, std::size_t span,
                                         std::span<const SampleRecord> samples);

@@ -29,8 +29,8 @@ std::int64_t distanceFrom(const SpanPlace &place, const Vertex &vertex)
     return std::abs(placeAcross(place.axis, vertex) - place.coordinate * unitsPerPixel);
 }
 
-/// Whether a vertex of the triangle lies beside a span: where the frame ends a walk, none does. A
-/// whole pixel away lies one alone that the span does not take in.
+/// Whether a vertex of the triangle lies next to a span: where the frame ends a walk, none does. A
+/// vertex exactly a pixel away is one whose own column or row is not scanned.
 bool isAtVertex(const Triangle &triangle, const SpanPlace &place)
 {
     const auto across = [&place](const Vertex &vertex) { return placeAcross(place.axis, vertex); };
@@ -60,8 +60,8 @@ std::optional<std::size_t> spanAtVertex(const ScanTrace &trace, std::size_t prim
     return nearest;
 }
 
-/// Of vertices within a part: methods that walk a triangle in one part pass the middle vertex so,
-/// and those that visit every pixel of the frame all three.
+/// Marks vertices within a part: methods that walk a triangle in one part pass the middle vertex
+/// there, and those that visit every pixel of the frame all three.
 void appendVerticesWithinParts(std::vector<TraceMark> &marks, const ScanTrace &trace,
                                const Triangle &triangle, std::size_t primitive,
                                const std::vector<std::size_t> &ends)
@@ -90,7 +90,7 @@ void appendSpanMarks(std::vector<TraceMark> &marks, const TracedScene &traced,
     const bool isLine = traced.primitives.kindOf(primitive) == PrimitiveKind::Line;
     const Triangle upright = isTriangle ? traced.primitives.triangles[primitive] : Triangle();
     const Triangle lying = mirrored(upright);
-    std::vector<std::size_t> ends; // of parts, at vertices
+    std::vector<std::size_t> ends; // of parts, and at vertices
     int part = trace.placeOf(first).part;
     for (std::size_t span = first; span < end; ++span) {
         const SpanPlace &place = trace.placeOf(span);

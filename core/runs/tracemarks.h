@@ -5,7 +5,7 @@
 
 namespace pixelplumb {
 
-/// The marks of a traced scene whose trace, truth and differences stand.
+/// The marks of a traced scene whose trace, truth and differences are complete.
 std::vector<TraceMark> marksOf(const TracedScene &traced);
 
 } // namespace pixelplumb

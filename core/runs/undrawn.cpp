@@ -17,7 +17,7 @@ bool isDrawn(const Primitives &primitives, std::size_t primitive, const Method &
 
 namespace {
 
-/// "line"; "circle (outline)" where the method does draw circles, but no such ones.
+/// "line"; "circle (outline)" if the method draws circles, but not these.
 QString undrawnKind(const Primitives &primitives, std::size_t primitive, const Method &method)
 {
     const PrimitiveKind kind = primitives.kindOf(primitive);

@@ -20,8 +20,8 @@ QRgb pixelOf(std::size_t primitive, const TracedScene &traced, VariantSet varian
     return *frame.view().at(x, y);
 }
 
-/// Those variants without which the primitive would leave the pixel otherwise. All, where only
-/// several together make the difference or the frame is too large to ask each.
+/// The variants without which the primitive would treat the pixel differently. All, if only several
+/// together make the difference or the frame is too large to test each.
 std::vector<Variant> variantsToBlame(const PixelAttempt &attempt, const TracedScene &traced,
                                      std::int64_t x, std::int64_t y)
 {

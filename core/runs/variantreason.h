@@ -5,7 +5,7 @@
 
 namespace pixelplumb {
 
-/// To what a run that departs from the right algorithm may owe a wrong pixel; empty of others.
+/// What may make a pixel wrong in a run that departs from the correct algorithm; else empty.
 QString variantText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
                     std::int64_t y);
 

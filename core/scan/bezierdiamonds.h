@@ -6,17 +6,17 @@
 #include <functional>
 #include <optional>
 
-/// Which pixels a piece of a curve has. A point of the curve has the pixel to which it is nearer
-/// than ½ px, distance being |Δx| + |Δy|: the pixel's diamond. With a = x + y + ½ and b = y − x + ½
-/// diamonds are unit squares that begin at whole numbers; as on a chess board every second square
-/// is a diamond, the others are gaps between four.
+/// The pixels of a piece of a Bézier curve. A point of the curve belongs to the pixel nearer than ½
+/// px to it in the distance |Δx| + |Δy|: the pixel's diamond. In a = x + y + ½ and b = y − x + ½
+/// diamonds are unit squares with whole-number corners; as on a chessboard, every second square is
+/// a diamond, the others are gaps between four.
 namespace pixelplumb {
 
-/// One of the coordinates a and b of a piece's control points among the squares.
+/// One of the coordinates a and b of a piece's control points, in squares.
 struct DiamondExtent {
     std::int64_t atFirst = 0, atLast = 0; ///< the squares of the piece's two ends
     std::int64_t lowest = 0, highest = 0; ///< of all control points
-    bool firstOnBorder = false, lastOnBorder = false; ///< where squares begin
+    bool firstOnBorder = false, lastOnBorder = false; ///< whether an end lies where a square begins
     bool lowOnBorder = false;
     bool isMonotone = false;
     bool isConstant = false;
@@ -30,7 +30,7 @@ struct DiamondExtent {
         atFirst = squareOf(controls[0]);
         atLast = squareOf(controls[count - 1]);
         lowest = squareOf(*low);
-        // A curve comes up to its highest control point at an end alone.
+        // A curve reaches its highest control point only at an end.
         highest = std::max({atFirst, atLast, squareOf(*high - 1)});
         firstOnBorder = controls[0] % pixel == 0;
         lastOnBorder = controls[count - 1] % pixel == 0;
@@ -42,7 +42,7 @@ struct DiamondExtent {
 
     bool isWithinOne() const { return lowest == highest; }
     bool passesOneBorder() const { return highest == lowest + 1 && isMonotone; }
-    /// Where it is another's turn to pass a border, no corner is passed.
+    /// While the other coordinate passes a border, no corner is passed.
     bool isClearOfBorders() const { return isWithinOne() && !lowOnBorder; }
     bool runsAlongBorder() const { return isConstant && lowOnBorder; }
 };
@@ -55,7 +55,7 @@ enum class BezierVerdict {
     ThroughCorner, ///< it meets a point where four squares meet, or touches a border
 };
 
-/// A piece among the diamonds.
+/// Where a piece lies among the diamonds.
 class BezierDiamonds {
 public:
     explicit BezierDiamonds(const BezierPiece &piece)
@@ -63,8 +63,8 @@ public:
     {
     }
 
-    /// Decided by halving no further. Only where the curve touches a border or meets two at once
-    /// that may never come; there the borders may be known to meet without it.
+    /// The verdict without further halving. Where the curve touches a border or meets two at once,
+    /// halving may never decide; there it may be known without halving that the borders meet.
     BezierVerdict verdict(const BezierPiece &piece) const
     {
         if (m_a.isWithinOne() && m_b.isWithinOne())
@@ -90,8 +90,8 @@ public:
     {
         return owner(m_a.atLast, m_b.atLast, m_a.lastOnBorder && m_b.lastOnBorder);
     }
-    /// Where the two borders cross that a piece through a corner meets, or the border that the
-    /// smallest piece touches.
+    /// The pixel at the corner that a ThroughCorner piece meets, or at the border that the smallest
+    /// piece touches.
     std::optional<LatticePoint> cornerPixel() const
     {
         return owner(m_a.highest, m_b.highest, meetsBorder(m_a) && meetsBorder(m_b));
@@ -119,7 +119,7 @@ private:
         return b;
     }
 
-    /// Straight along x = m + ½ or y = m + ½, where a and b meet their borders together.
+    /// Whether it is straight along x = m + ½ or y = m + ½, where a and b meet borders together.
     static bool runsBetweenPixels(const BezierPiece &piece)
     {
         const auto isHalf = [&](const BezierControls &controls) {
@@ -136,8 +136,8 @@ private:
         return !extent.isWithinOne() || extent.lowOnBorder;
     }
 
-    /// The pixel whose diamond is a square, or has the lowest corner of a gap as its left one: at
-    /// exactly ½ px the upper pixel owns a point, then the right one.
+    /// The pixel whose diamond this square is or, at the lowest corner of a gap, whose diamond has
+    /// that corner on its left: at exactly ½ px the upper pixel owns a point, then the right one.
     static std::optional<LatticePoint> owner(std::int64_t a, std::int64_t b, bool isAtCorner)
     {
         if ((a + b) % 2 != 0 && !isAtCorner)

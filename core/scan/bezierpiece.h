@@ -23,7 +23,7 @@ struct BezierPiece {
     BigInteger part = 0; ///< the piece runs from t = part/2^depth to (part + 1)/2^depth
 
     int degree() const { return int(count) - 1; }
-    /// What 1 px is in the units of the control points.
+    /// 1 px in the units of the control points.
     BigInteger pixel() const { return BigInteger(unitsPerPixel) << (degree() * depth); }
     bool isFirst() const { return part == 0; }
     bool isLast() const { return part + 1 == BigInteger(1) << depth; }

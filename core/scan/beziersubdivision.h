@@ -6,11 +6,11 @@
 #include "core/scan/flatpixel.h"
 #include "core/scan/scanobserver.h"
 
-/// A quadratic or cubic Bézier curve by recursive subdivision: de Casteljau's algorithm cuts the
-/// curve in its middle, again and again, until the pixels of a piece are decided: those of its two
-/// ends are all it has. The curve is one of the "other curves" (Rasterization slides, "Output
-/// Primitives") and of the splines (Scan Conversion slides, "Polygons"). All numbers are exact, so
-/// that no rounding of a piece's ends moves the curve.
+/// A quadratic or cubic Bézier curve by recursive subdivision: de Casteljau's algorithm halves the
+/// curve again and again, until a piece's pixels are decided: only those of its two ends. The curve
+/// is one of the "other curves" (Rasterization slides, "Output Primitives") and of the splines
+/// (Scan Conversion slides, "Polygons"). All numbers are exact, so that no rounding of a piece's
+/// ends moves the curve.
 namespace pixelplumb {
 
 struct BezierSetUp {
@@ -23,9 +23,9 @@ struct BezierStep {
     std::int64_t number = 0;
     BezierPiece piece;
     BezierVerdict verdict = BezierVerdict::Undecided;
-    /// Of a decided piece, where there are any: the pixels of its two ends, px.
+    /// The pixels of a decided piece's two ends, if they have any, px.
     std::optional<LatticePoint> from, to;
-    std::optional<LatticePoint> corner; ///< of a piece through a corner
+    std::optional<LatticePoint> corner; ///< if the piece passes through a corner
 };
 
 struct BezierNumbers {
@@ -34,7 +34,7 @@ struct BezierNumbers {
     using Sample = FlatSample;
 };
 
-/// After so many cuts a piece meets what it meets at one parameter (resources/numerics.md, 3.6).
+/// After this many cuts a piece meets borders at one parameter only (resources/numerics.md, 3.6).
 inline int deepestCut(const BezierPiece &whole)
 {
     const auto bits = [&](int sign) {
@@ -107,7 +107,7 @@ private:
             step.verdict = BezierVerdict::ThroughCorner;
         if (step.verdict == BezierVerdict::Undecided)
             return step;
-        // An end of the curve has its nearest pixel even between diamonds.
+        // An end of the curve gets its nearest pixel even in a gap.
         step.from = piece.isFirst() ? nearest(m_curve.vertices.front()) : diamonds.firstPixel();
         step.to = piece.isLast() ? nearest(m_curve.vertices.back()) : diamonds.lastPixel();
         if (step.verdict == BezierVerdict::ThroughCorner)
@@ -138,7 +138,7 @@ private:
     Observer m_observer;
     std::int64_t m_steps = 0;
     int m_deepest = 0;
-    std::optional<LatticePoint> m_last; ///< so that where two pieces meet is written once
+    std::optional<LatticePoint> m_last; ///< so that the pixel where two pieces meet is written once
 };
 
 } // namespace pixelplumb

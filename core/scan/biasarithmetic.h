@@ -41,9 +41,9 @@ constexpr bool containsNarrow(const Triangle &triangle) { return containsPlane(t
 
 /// The column scan's numbers in float64 with half-quantum bias: y = y₀ + (x − x₀)·m, a multiple of
 /// 1/(ΔX·S) px, with β = 1/(2·ΔX·S); and colours from the plane c₀ + g_x·Δx + g_y·Δy, multiples of
-/// 1/A, with 1/(4A), because ⌊v + 1/2⌋ asks for halves too (resources/numerics.md, 3.2 and 3.3 c).
-/// With BiasNumber for triangles in the proved domain alone; with BiasOrExactNumber for any: edges
-/// and planes beyond it are computed in integers. Where both can, their numbers are the same.
+/// 1/A, with 1/(4A), because ⌊v + 1/2⌋ looks at halves too (resources/numerics.md, 3.2 and 3.3 c).
+/// BiasNumber serves only triangles in the proved domain; BiasOrExactNumber serves any: edges and
+/// planes outside the domain are computed in integers. Inside it both give the same numbers.
 template <class AnyNumber>
 struct BiasArithmetic {
     using Number = AnyNumber;
@@ -54,7 +54,7 @@ struct BiasArithmetic {
 
     static constexpr bool represents(const LatticePoint &) { return true; }
 
-    /// The way from a vertex to a column, lattice units.
+    /// The distance from a vertex to a column, lattice units.
     static Lattice runTo(std::int64_t column, const Vertex &a)
     {
         return column * unitsPerPixel - a.position.x;
@@ -188,7 +188,7 @@ struct BiasArithmetic {
         }
 
     private:
-        /// What the exact plane asks of a column; the colours only where there is no plane.
+        /// What the exact plane reads of a column; the colours only where there is no plane.
         struct ExactPlace {
             std::int64_t x;
             std::array<MixedNumber<Int128>, 3> colourBottom;
@@ -198,7 +198,7 @@ struct BiasArithmetic {
             return threeOf([&](std::size_t channel) { return Number(exact[channel]); });
         }
 
-        /// Of a triangle of zero area: all samples lie on one column.
+        /// For a triangle of zero area: whether all samples lie on one column.
         bool isVertical() const
         {
             return m_p0->position.x == m_p2->position.x && m_p0->position.y != m_p2->position.y;
@@ -211,7 +211,7 @@ struct BiasArithmetic {
 
         const Vertex *m_p0;
         const Vertex *m_p2;
-        std::optional<Exact::ColourRamp> m_exact; ///< beyond the proved domain
+        std::optional<Exact::ColourRamp> m_exact; ///< outside the proved domain
         bool m_hasPlane = false;
         double m_bias = 0; ///< of the plane, levels
         std::array<double, 3> m_origin = {}; ///< levels of P0
@@ -223,13 +223,13 @@ private:
     static double inPixels(Lattice units) { return double(units) / double(unitsPerPixel); }
     static const BiasNumber &biasedOf(const BiasNumber &number) { return number; }
     static const BiasNumber &biasedOf(const BiasOrExactNumber &number) { return number.biased; }
-    /// px per column; 0 of a vertical edge.
+    /// px per column; 0 for a vertical edge.
     static double slopeOf(const Vertex &a, const Vertex &b)
     {
         const Lattice width = b.position.x - a.position.x;
         return width == 0 ? 0 : double(b.position.y - a.position.y) / double(width);
     }
-    /// Levels per column; 0 of a vertical edge.
+    /// Levels per column; 0 for a vertical edge.
     static double colourRateOf(const Vertex &a, const Vertex &b, std::size_t channel)
     {
         const Lattice width = b.position.x - a.position.x;

@@ -26,7 +26,7 @@ struct BiasNumber {
 inline Quantity quantityOf(const BiasNumber &number) { return Quantity::of(number.value()); }
 inline Quantity biasOf(const BiasNumber &number) { return Quantity::of(number.bias); }
 
-/// The same, or an integer quotient and remainder where it is not proved.
+/// A BiasNumber, or an integer quotient and remainder where the bias is not proved.
 struct BiasOrExactNumber {
     bool isExact = false;
     BiasNumber biased;

@@ -6,11 +6,11 @@
 
 namespace pixelplumb {
 
-/// A fill rule with what it looks at: who owns a sample on an edge may depend on the frame. A rule
-/// by itself is that of a frame whose y points up and whose first pixel is (0, 0).
+/// A fill rule and what it depends on: which triangle owns a sample on an edge may depend on the
+/// frame. A rule alone assumes a frame whose y points up and whose first pixel is (0, 0).
 struct BoundaryRule {
     FillRule rule = FillRule::Closed;
-    FrameOrigin origin = FrameOrigin::BottomLeft; ///< top-left displaces down as seen
+    FrameOrigin origin = FrameOrigin::BottomLeft; ///< TopLeft displaces down on the screen
     LatticePoint offScreenPoint = latticePixel(-1, -1); ///< sample coordinates
 
     constexpr BoundaryRule(FillRule ofRule)
@@ -28,7 +28,7 @@ struct BoundaryRule {
     {
     }
 
-    /// The step of y that goes down as seen.
+    /// The step of y that goes down on the screen.
     constexpr int down() const { return origin == FrameOrigin::TopLeft ? 1 : -1; }
 };
 

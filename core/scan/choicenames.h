@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-/// The names of settings (nameOf in scansettings.h and its fellows) as Qt's texts.
+/// The names of settings (nameOf() in scansettings.h and similar headers) as QStrings.
 namespace pixelplumb {
 
 inline QString nameText(std::string_view name)

@@ -17,7 +17,7 @@ namespace pixelplumb {
 template <class A>
 struct ExplicitRoot;
 
-/// There is no exact root; its part in whole lattice units decides every rounding.
+/// The exact root may be irrational; its whole part in lattice units decides every rounding.
 template <class Integer>
 struct ExplicitRoot<ExactArithmetic<Integer>> {
     using Number = Lattice;
@@ -65,7 +65,7 @@ struct ExplicitRoot<RoundedArithmetic<Float>> {
 
 template <class A>
 struct CircleExplicitStep {
-    std::int64_t number = 0; ///< of the column from the leftmost one
+    std::int64_t number = 0; ///< counts columns from the leftmost one
     std::int64_t x = 0; ///< px
     Lattice distance = 0; ///< from the centre, lattice units
     typename ExplicitRoot<A>::Number root = {}; ///< px; lattice units in exact arithmetic

@@ -12,8 +12,8 @@ namespace pixelplumb {
 
 struct CircleFillRow {
     std::int64_t y = 0; ///< px
-    Lattice left = 0; ///< x_L up to the lattice: the first lattice point inside
-    Lattice right = 0; ///< x_R down to the lattice
+    Lattice left = 0; ///< x_L rounded up to the lattice: the first lattice point inside
+    Lattice right = 0; ///< x_R rounded down to the lattice
     std::int64_t firstSample = 0, endSample = 0; ///< ⌈x_L⌉ and one past ⌊x_R⌋
     std::int64_t firstDrawn = 0, endDrawn = 0; ///< the same, clipped to the frame
     Colour colour;

@@ -9,23 +9,23 @@
 #include <vector>
 
 /// The midpoint circle and ellipse: Bresenham's idea on the implicit form (Scan Conversion slides,
-/// "Lines and Curves: Implicit", F(x, y) = x² + y² − r²; Rasterization slides, "Résumé":
-/// adaptable to circles, other curves). From the top, each step goes one column along, and the sign
-/// of F half-way between two rows tells which of them is nearer. What is found in one octant of a
-/// circle is mirrored into all eight; an ellipse has two kinds of arcs, each mirrored into four.
-/// Centre and radii are whole pixels.
+/// "Lines and Curves: Implicit", F(x, y) = x² + y² − r²; Rasterization slides, "Résumé": adaptable
+/// to circles, other curves). From the top, each step goes one column along, and the sign of F
+/// half-way between two rows tells which of them is nearer. One octant of a circle is mirrored into
+/// all eight; an ellipse has two kinds of arcs, each mirrored into four. Centre and radii are whole
+/// pixels.
 namespace pixelplumb {
 
-/// An arc from where it crosses an axis to where its slope is ±1, seen so that it is flat.
-/// F(x, y) = b²x² + a²y² − a²b²; decisions are 4·F, which is an integer between two rows.
+/// An arc from an axis to where its slope is ±1, with x and y exchanged if steep so that it is
+/// flat. F(x, y) = b²x² + a²y² − a²b²; decisions are 4·F, which is an integer between two rows.
 template <class Integer>
 struct MidpointArcOf {
     std::int64_t a = 0; ///< radius along the arc, px
     std::int64_t b = 0; ///< radius across, px
     Integer aa = Integer(a) * a; ///< a²
     Integer bb = Integer(b) * b; ///< b²
-    /// The largest decision that stays: 0. As a whole number p counts from ¼ of a circle's F on, so
-    /// that p ≤ 0 stays up to a decision of r².
+    /// The largest decision that stays in the row: 0. With StayAtZero a circle's p = F − ¼ is an
+    /// integer, and p ≤ 0 stays: up to a decision of r².
     Integer mostStay = 0;
 
     /// 4·F(x, y − 1/2): positive where the midpoint below row y is outside, so that y − 1 is
@@ -35,7 +35,7 @@ struct MidpointArcOf {
         const Integer between = 2 * Integer(y) - 1;
         return 4 * bb * x * x + aa * between * between - 4 * aa * bb;
     }
-    /// Whether the arc comes nearest to this column: up to x = a²/√(a² + b²), rounded.
+    /// Whether the arc reaches this column: up to x = a²/√(a² + b²), rounded.
     bool reaches(std::int64_t x) const
     {
         const Integer beyond = 2 * Integer(x) - 1;
@@ -57,7 +57,7 @@ struct MidpointSetUp {
     std::int64_t radiusX = 0; ///< px
     std::int64_t radiusY = 0;
 
-    bool staysAtZero = false; ///< where p = 0, with p = F − ¼ of a circle
+    bool staysAtZero = false; ///< stays where p = 0; p = F − ¼ for a circle
     bool isCircle() const { return radiusX == radiusY; }
     template <class Integer = Int128>
     MidpointArcOf<Integer> arc(int number) const
@@ -77,13 +77,13 @@ struct MidpointStepOf {
     std::int64_t x = 0; ///< x_k from the centre along the arc, px
     std::int64_t y = 0; ///< y_k from the centre across the arc, px
     bool hasDecision = false; ///< a decision led here: not at an arc's first step
-    std::int64_t down = 0; ///< rows that the decision led inwards
+    std::int64_t down = 0; ///< rows that the decision moved inwards
     Integer decision = 0; ///< p_k−1 in units of decisionUnit
     Integer nextDecision = 0; ///< p_k
-    /// What 1 is in a decision: 4, and 4·r² of a circle, whose F is x² + y² − r².
+    /// The decision that stands for F = 1: 4, or 4·r² for a circle, whose F is x² + y² − r².
     Int128 decisionUnit = 4;
 
-    /// Whether decisions are of F = x² + y² − r², not of F = b²x² + a²y² − a²b².
+    /// Whether decisions use F = x² + y² − r² instead of F = b²x² + a²y² − a²b².
     bool isScaled() const { return decisionUnit != 4; }
 };
 using MidpointStep = MidpointStepOf<Int128>;
@@ -96,7 +96,7 @@ struct MidpointNumbersOf {
 };
 using MidpointNumbers = MidpointNumbersOf<Int128>;
 
-/// A step of the arc without the ones before it: the row by bisection.
+/// A step of the arc, computed without those before it: its row by bisection.
 template <class Integer>
 MidpointStepOf<Integer> midpointStepAt(const MidpointArcOf<Integer> &arc, int number,
                                        std::int64_t x)
@@ -113,8 +113,8 @@ MidpointStepOf<Integer> midpointStepAt(const MidpointArcOf<Integer> &arc, int nu
     return step;
 }
 
-/// One column on; a row down while the midpoint is outside. Past slope 1 and on slim ellipses it
-/// may be more than one.
+/// Goes one column along, and a row down while the midpoint is outside. Past slope 1 and on slim
+/// ellipses that can be several rows.
 template <class Integer>
 void advance(const MidpointArcOf<Integer> &arc, MidpointStepOf<Integer> &step)
 {

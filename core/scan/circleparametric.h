@@ -11,15 +11,15 @@
 #include <numbers>
 
 /// The parametric form of the circle, x = r·cos θ and y = r·sin θ (Scan Conversion slides, "Lines
-/// and Curves: Parametric"), in steps of 1/r: one pixel of arc. An ellipse goes in steps of one
-/// over its larger radius, which are at most as long.
+/// and Curves: Parametric"), in steps of 1/r: one pixel of arc. An ellipse takes steps of one over
+/// its larger radius, at most one pixel long.
 namespace pixelplumb {
 
 template <class Float>
 struct CircleParametricSetUp {
     Round round;
     Float angleStep = 0; ///< radians
-    std::int64_t steps = 1; ///< once around
+    std::int64_t steps = 1; ///< for a full turn
 };
 
 template <class Float>
@@ -56,9 +56,9 @@ CircleParametricStep<Float> parametricStepAt(const CircleParametricSetUp<Float> 
     return step;
 }
 
-/// Walks the steps [first, end). A run of steps whose middle is farther from the frame than the
-/// run is long draws nothing and is left out, so that the part of a huge circle that passes the
-/// frame is found by halving.
+/// Walks the steps [first, end). A run of steps whose middle is farther from the frame than the run
+/// is long draws nothing and is skipped: halving finds the part of a huge circle that passes the
+/// frame.
 template <FloatingNumber Float, class Observer>
 void walkParametricSteps(const CircleParametricSetUp<Float> &setUp, std::int64_t first,
                          std::int64_t end, const Colour &colour, FrameView frame,
@@ -69,7 +69,8 @@ void walkParametricSteps(const CircleParametricSetUp<Float> &setUp, std::int64_t
     [[maybe_unused]] const WorkScope work(observer, WorkStage::Span);
     const std::int64_t middle = first + (end - first) / 2;
     const CircleParametricStep<Float> step = parametricStepAt(setUp, middle);
-    // Arc is never shorter than chord; the rounding of huge coordinates is granted as much again.
+    // An arc is never shorter than its chord; the rounding of huge coordinates is allowed as much
+    // again.
     const std::int64_t reach = 2 * (end - first) + 2;
     const bool isNear = step.x >= frame.firstColumn - reach && step.x < frame.endColumn() + reach
         && step.y >= frame.firstRow - reach && step.y < frame.endRow() + reach;

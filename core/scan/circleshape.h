@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry/shape.h"
-#include "core/number/numbersbeside.h"
+#include "core/number/companiontypes.h"
 #include "core/number/widerinteger.h"
 #include "core/scan/linestep.h"
 
@@ -32,7 +32,7 @@ struct Round {
     {
         return {ceilPixel(centre.y - radiusY), floorPixel(centre.y + radiusY) + 1};
     }
-    /// Whether a pixel that is nearest to the curve or inside can lie in the frame.
+    /// Whether a pixel nearest to the curve or inside it can lie in the frame.
     bool mayTouch(FrameView frame) const
     {
         const auto widened = [](StepRange range) {
@@ -44,9 +44,8 @@ struct Round {
 };
 
 /// ⌊b·√(1 − (d/a)²)⌋ in lattice units for |d| <= a: half the chord at a distance d from the centre.
-/// Whether a lattice point lies beyond the chord's end depends on this integer alone. A double is
-/// off by less than 1 (its error is some 2^-50 of less than 2^39); squares in integers put it
-/// right.
+/// This integer alone decides whether a lattice point lies beyond the chord's end. A double is off
+/// by less than 1 (its error is about 2^-50 of less than 2^39); integer squares correct it.
 template <class Integer = Int128>
 Lattice halfChord(Lattice a, Lattice b, Lattice distance)
 {

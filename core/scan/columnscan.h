@@ -17,16 +17,16 @@
 
 /// Column-wise scan conversion of a smoothly shaded triangle (Assignment (Borst), "The Triangle
 /// Awakens"). Walk the columns from left to right; on each, the triangle is the interval from y_B
-/// to y_T between two edges; colour its samples. From column to column y and the colour of each
-/// edge change by adding an increment, from row to row the colour does. What begins a column is
-/// computed anew: which rows it covers, the colour's increment (Δcolour/Δy, a division) and the
-/// colour of its first row. An edge is begun anew at its first column.
+/// to y_T between two edges; colour its samples. Increments carry y and the colour of each edge
+/// from column to column, and the colour from row to row. Each column computes anew which rows it
+/// covers, the colour's increment (Δcolour/Δy, a division) and the colour of its first row. Each
+/// edge starts anew at its first column.
 ///
-/// This is the traced and the plain drawing. Untraced pictures in exact arithmetic and in float32
+/// This code draws traced and plain pictures. Untraced pictures in exact arithmetic and in float32
 /// come from core/fast, whose kernels are tested to write the same bytes.
 namespace pixelplumb {
 
-/// Colours the rows of one column, bottom to top. The column's state is all it reads, so that a
+/// Colours the rows of one column, bottom to top. It reads only the column's state, so that a
 /// column can be drawn again, alone, with the same numbers.
 template <class A, class View, class Observer>
 [[gnu::always_inline]] inline void fillColumn(const ColumnState<A> &column, ByteRounding rounding,
@@ -50,9 +50,9 @@ template <class A, class View, class Observer>
     }
 }
 
-/// The scan of one triangle into one frame under one rule. The view is a FrameView, or one that
-/// shows a frame turned, so that its rows are scanned as columns. The form is RightScan, or the
-/// departures of a VariedScan.
+/// Scans one triangle into one frame under one fill rule. The view is a FrameView, or a turned
+/// view, whose columns are the frame's rows. The form is RightScan, or a VariedScan with its
+/// departures from the algorithm.
 template <class A, ScanObserver<ColumnScanNumbers<A>> Observer, class View = FrameView,
           class Form = RightScan>
 class ColumnScan {
@@ -103,7 +103,7 @@ public:
 private:
     using Ramp = typename Form::template Ramp<A>;
     static constexpr bool walksColours = Ramp::readsEdges || readsNumbers<Observer>;
-    /// In a triangle that has area.
+    /// For triangles that have area.
     using Walker
         = EdgeWalker<A, std::conditional_t<walksColours, EdgeColours<A>, NoEdgeColours<A>>>;
 
@@ -137,7 +137,7 @@ private:
         return Walker(edge.a, edge.b, column);
     }
 
-    /// With the quotients that the walkers start with, for who reads them.
+    /// Includes the quotients that the walkers start with, if the observer reads numbers.
     ColumnSetUp<A> setUp() const
     {
         ColumnSetUp<A> setUp{m_range, {}, {}};
@@ -154,7 +154,7 @@ private:
         return setUp;
     }
 
-    /// Asked of one vertex after the other: mostly the first one answers.
+    /// Tests one vertex after another: usually the first one decides.
     bool isAboveOrBelowFrame() const
     {
         const auto all = [&](const auto &isThere) {
@@ -164,9 +164,9 @@ private:
             || all([&](Lattice y) { return y < m_frame.firstRow * unitsPerPixel; });
     }
 
-    /// Zero area, closed rule: both bounds of every column are L₀₂; a vertical segment, where every
-    /// edge stays at its first vertex, is the one column from P0 to P2. Where x₀ = x₁ there is no
-    /// first half.
+    /// Zero area, closed rule: both bounds of every column are L₀₂. A vertical segment is the one
+    /// column from P0 to P2, since its edges stay at their first vertices. Where x₀ = x₁ there is
+    /// no first half.
     [[gnu::noinline]] static void scanSegment(ColumnScan scan, std::int64_t first, std::int64_t end)
     {
         const Vertex &p0 = scan.m_p0;
@@ -177,8 +177,8 @@ private:
         scan.scanHalf(half, first, end, EdgeWalker<A>(p0, p2, first), longEdge);
     }
 
-    /// The columns [first, end) between L₀₂ and the short edge of this half. L₀₂ is not started
-    /// again at x₁: it goes on adding its slope.
+    /// Scans the columns [first, end) between L₀₂ and the short edge of this half. L₀₂ is not
+    /// restarted at x₁: it goes on adding its slope.
     template <class AnyWalker>
     [[gnu::always_inline]] void scanHalf(ColumnHalf half, std::int64_t first, std::int64_t end,
                                          AnyWalker shortEdge, AnyWalker &longEdge)
@@ -191,9 +191,9 @@ private:
         }
     }
 
-    /// The assignment has y_B ≤ y_T in each column: where rounding has taken the edges past each
-    /// other, as it does near the last vertex, the column reaches from the one to the other all the
-    /// same. Under the other rules such a column holds no sample.
+    /// The assignment has y_B ≤ y_T in each column: where rounding makes the edges cross, as it
+    /// does near the last vertex, the column still reaches from one to the other. Under the other
+    /// rules such a column holds no sample.
     template <class AnyWalker>
     LongEdge sideOfLongEdge(const AnyWalker &shortEdge, const AnyWalker &longEdge) const
     {

@@ -76,7 +76,7 @@ struct Fragment {
     }
 };
 
-/// The numbers of the column scan in one arithmetic, as its observers hear them.
+/// The numbers of the column scan in one arithmetic, as its observers receive them.
 template <class A>
 struct ColumnScanNumbers {
     using SetUp = ColumnSetUp<A>;

@@ -19,7 +19,7 @@ struct RoundedFraction {
 
 template <class Raw, class Product, int FractionBits>
 struct RoundedFraction<FixedPoint<Raw, Product, FractionBits>> {
-    /// |numerator| < 2^66, so that the scaled one fits; what the number cannot hold wraps.
+    /// numerator| < 2^66, so that the scaled one fits; a result out of range wraps.
     static FixedPoint<Raw, Product, FractionBits> of(Int128 numerator, Int128 denominator)
     {
         const Int128 scaled = numerator * (Int128(1) << FractionBits);
@@ -29,10 +29,10 @@ struct RoundedFraction<FixedPoint<Raw, Product, FractionBits>> {
     }
 };
 
-/// The assignment's increments with one change: ΔR is not taken anew from each column's two
-/// drifting bounds, where thin triangles divide rounding errors by almost nothing, but once from
-/// the plane through the three vertices, of which it is the same for all columns
-/// (resources/numerics.md, 3.3).
+/// The assignment's increments with one change: ΔR is computed once, from the plane through the
+/// three vertices, where it is the same for all columns (resources/numerics.md, 3.3). Taken anew
+/// from each column's two drifting bounds, it divides rounding errors by almost nothing in thin
+/// triangles.
 template <class Base>
 struct ConstantRateArithmetic : Base {
     using typename Base::Number;
@@ -62,7 +62,7 @@ struct ConstantRateArithmetic : Base {
             }
         }
 
-        /// A triangle of zero area has no plane and keeps its columns' own rates.
+        /// A triangle of zero area has no plane and keeps each column's own rate.
         template <class ColumnState>
         [[gnu::always_inline]] std::array<Number, 3> rates(const ColumnState &column) const
         {
@@ -82,7 +82,7 @@ struct ConstantRateArithmetic : Base {
     };
 };
 
-/// The exact column scan has its ΔR from the plane already.
+/// The exact column scan already takes its ΔR from the plane.
 template <class Integer>
 struct ConstantRateArithmetic<ExactArithmetic<Integer>> : ExactArithmetic<Integer> {
 };

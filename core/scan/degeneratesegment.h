@@ -8,8 +8,8 @@
 namespace pixelplumb {
 
 /// What a triangle of zero area covers under the closed rule: the segment L₀₂ between its extreme
-/// vertices in (x, y) order, or one point. Edge functions cannot tell it (all weights are 0/0), so
-/// methods that live by them decide it here, in integers, whatever their arithmetic.
+/// vertices in (x, y) order, or one point. Edge functions cannot describe it (all weights are 0/0),
+/// so methods based on them decide it here, in integers, whatever their arithmetic.
 class DegenerateSegment {
 public:
     DegenerateSegment() = default;

@@ -8,9 +8,9 @@
 
 namespace pixelplumb {
 
-/// How the line through two vertices becomes an equation. In exact numbers all are the same; they
-/// differ in what rounding leaves of them. Absolute: Scan Conversion slides, "Implicit Equation for
-/// a 2D line". Solved: Rasterization slides, "Given 2 points, compute A,B,C". CommonVertex:
+/// How the line through two vertices becomes an equation. In exact numbers all forms are equal;
+/// they differ in how they round. Absolute: Scan Conversion slides, "Implicit Equation for a 2D
+/// line". Solved: Rasterization slides, "Given 2 points, compute A,B,C". CommonVertex:
 /// Rasterization slides, "Cramer's Rule".
 enum class LineForm {
     Absolute, ///< a·x + b·y + c with c computed from the coordinates
@@ -22,9 +22,9 @@ enum class LineForm {
 
 inline constexpr Int128 squareUnitsPerPixel = Int128(unitsPerPixel) * unitsPerPixel;
 
-/// The line through two vertices as a function of the plane: 0 on the line, of one sign on each of
-/// its sides. A = y₁ − y₀, B = x₀ − x₁, C = x₁y₀ − x₀y₁ (Scan Conversion slides, "Implicit
-/// Equation for a 2D line", its misprint put right), times `sign`.
+/// The equation of the line through two vertices: 0 on the line, one sign on each side. A = y₁ −
+/// y₀, B = x₀ − x₁, C = x₁y₀ − x₀y₁ (Scan Conversion slides, "Implicit Equation for a 2D line", its
+/// misprint corrected), times `sign`.
 template <class A>
 struct EdgeLine {
     using Number = typename A::Number;
@@ -34,7 +34,7 @@ struct EdgeLine {
     Number c = {}; ///< the value at (0, 0), where the form has it
     LatticePoint origin; ///< (u, v), where the form has it
     Number determinant = {}; ///< x₀y₁ − y₀x₁, of the solved form
-    WideBeside<Number> unit = squareUnitsPerPixel; ///< of an exact value: what stands for 1
+    WideBeside<Number> unit = squareUnitsPerPixel; ///< the exact value that stands for 1
     int sign = 1; ///< −1 after a flip
 
     EdgeLine() = default;
@@ -66,7 +66,7 @@ struct EdgeLine {
     }
 
     /// The value at a point. The stable forms subtract on the lattice, where nothing rounds; the
-    /// literal one subtracts the rounded coordinates.
+    /// slides' CommonVertex subtracts the rounded coordinates.
     template <LineForm form>
     [[gnu::always_inline]] Number valueAt(const LatticePoint &point) const
     {
@@ -83,7 +83,7 @@ struct EdgeLine {
     /// multiplication by −1").
     void flip()
     {
-        // Not −a, which would make a negative zero of a zero.
+        // Not −a, which would turn 0 into −0.
         a = Number(0) - a;
         b = Number(0) - b;
         c = Number(0) - c;

@@ -11,13 +11,13 @@
 
 namespace pixelplumb {
 
-/// The column scan's set-up, with what a reader of its numbers asks of the triangle and the frame.
+/// The column scan's set-up, with what readers of its numbers need of the triangle and the frame.
 template <class A>
 struct EdgeWalkSetUp {
     ColumnSetUp<A> scan;
     std::array<Vertex, 3> corners; ///< P0, P1, P2 as the frame sees them
-    ScanIntervals intervals; ///< what the fill rule makes of bounds
-    std::int64_t firstOfFrame = 0; ///< where the frame's columns (or rows) of samples begin, px
+    ScanIntervals intervals; ///< which bounds the fill rule includes
+    std::int64_t firstOfFrame = 0; ///< the first sample along the frame's columns (or rows), px
 };
 
 template <class A>
@@ -27,7 +27,7 @@ struct EdgeWalkNumbers {
     using Sample = Fragment<A>;
 };
 
-/// Hears a column scan and tells it on as an edge walk along the columns or rows of the frame.
+/// Receives a column scan and reports it as an edge walk along the frame's columns or rows.
 template <class A, SpanAxis axis, class Observer>
 class EdgeWalkListener {
 public:
@@ -44,7 +44,7 @@ public:
     {
         EdgeWalkSetUp<A> walk{setUp, {}, m_intervals, m_firstOfFrame};
         std::array<int, 3> &order = walk.scan.order;
-        // turned() has laid the vertex between a segment's ends on one of them: it is still P1.
+        // betweenExtremes() has moved the middle vertex of a segment onto an end: it is still P1.
         if (isTurned && setUp.zeroArea)
             std::swap(order[1], *std::ranges::find(order, sortedByColumn(*m_triangle)[1]));
         for (std::size_t corner = 0; corner < 3; ++corner)
@@ -99,12 +99,12 @@ void walkEdges(const Triangle &triangle, const ScanSettings &settings, FrameView
             .run();
     };
     if constexpr (std::is_same_v<Observer, NullObserver>)
-        scan(observer); // there is nothing to tell on
+        scan(observer); // nobody listens
     else
         scan(EdgeWalkListener<A, axis, Observer>(triangle, intervals, view.firstRow, observer));
 }
 
-/// The same with the departures of the settings. Nothing departs in a triangle that has no area.
+/// Like walkEdges(), with the departures of the settings. A triangle of zero area has none.
 template <class A, SpanAxis axis, class Observer>
 void walkVariedEdges(const Triangle &triangle, const ScanSettings &settings, FrameView frame,
                      Observer observer)

@@ -28,7 +28,7 @@ struct EdgeColours {
     void showAt(std::array<typename A::Number, 3> &bound) const { bound = colour; }
 };
 
-/// In its place where nobody reads it: columns get their colours from the plane of the triangle.
+/// Replaces EdgeColours where nobody reads them: columns take colours from the triangle's plane.
 template <class A>
 struct NoEdgeColours {
     template <class Run>
@@ -39,14 +39,14 @@ struct NoEdgeColours {
     void showAt(const std::array<typename A::Number, 3> &) const { }
 };
 
-/// One edge under way: y and the colour where it meets the current column.
+/// One edge during the walk: y and the colour where it meets the current column.
 template <class A, class Colours = EdgeColours<A>>
 struct EdgeWalker : Colours {
     typename A::Number y;
     typename A::Number slope; ///< px per column
 
     /// The edge from a to b where it meets a column: at a itself, or after a pre-step when a lies
-    /// between columns or outside the frame. A jump costs what a step costs.
+    /// between columns or outside the frame. A jump costs no more than a step.
     [[gnu::always_inline]] EdgeWalker(const Vertex &a, const Vertex &b, std::int64_t column)
         : slope(A::edgeSlope(a, b))
     {

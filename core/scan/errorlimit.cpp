@@ -18,8 +18,8 @@ double floatErrorLimit(double additions, double largest, double extent)
                 - double(number))
             / 2;
     };
-    // Five roundings make the pre-step times the slope, three of them the slope: with what they
-    // multiply of each other below one per mille.
+    // Five roundings make the pre-step times the slope, three of them make the slope; the products
+    // of these errors add less than one per mille.
     const double slope = 5.005 * unit * extent;
     // Errors may take the number past a power of two, where an ulp is twice as long.
     const double reached = largest + additions * halfUlp(largest) + slope;

@@ -5,10 +5,10 @@
 
 namespace pixelplumb {
 
-/// What an edge walked by its rounded slope may err by, px (resources/numerics.md, 2.2).
-/// `additions`: those of the slope and the one of the start; `largest`: the magnitude that no
-/// vertex exceeds along the edge's values; `extent`: the largest distance of two vertices along
-/// them.
+/// The largest error of an edge walked by its rounded slope, px (resources/numerics.md, 2.2).
+/// `additions`: those of the slope and the one of the start; `largest`: the largest magnitude of a
+/// vertex in the coordinate that the edge computes; `extent`: the largest distance of two vertices
+/// in it.
 double errorLimit(Arithmetic arithmetic, double additions, double largest, double extent);
 
 } // namespace pixelplumb

@@ -18,10 +18,10 @@ struct ExactArithmetic {
     /// Whether rounding can take the two bounds of a column past each other.
     static constexpr bool boundsMayCross = false;
 
-    /// Every lattice point is an integer; which width holds the products is chosen by the caller.
+    /// Every lattice point is an integer; the caller chooses the width that holds the products.
     static constexpr bool represents(const LatticePoint &) { return true; }
 
-    /// The way from a vertex to a column, lattice units.
+    /// The distance from a vertex to a column, lattice units.
     static constexpr Integer runTo(std::int64_t column, const Vertex &a)
     {
         return Integer(column) * unitsPerPixel - a.position.x;

@@ -11,7 +11,7 @@ struct FlatSample {
     Colour colour;
 };
 
-/// Writes one pixel where the frame holds it.
+/// Writes one pixel if the frame contains it.
 template <class Observer>
 void writeFlat(std::int64_t x, std::int64_t y, const Colour &colour, FrameView frame,
                Observer observer)

@@ -163,7 +163,7 @@ void setWeight(InterpolationSetUp<Float, channelsInAll> &setUp, std::size_t vert
     setUp.weight[vertex] = {line.k * line.a, line.k * line.b, line.k * line.c};
 }
 
-/// What a vertex has in its channels, to be weighted.
+/// The channel values of a vertex, to be weighted.
 template <class Number, std::size_t channelsInAll>
 void setWeighted(InterpolationSetUp<Number, channelsInAll> &setUp, std::size_t vertex)
 {

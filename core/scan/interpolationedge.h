@@ -6,8 +6,8 @@
 
 namespace pixelplumb {
 
-/// An edge under way in the bilinear form: y and all channels where it meets the current column,
-/// each changed by adding a rate.
+/// An edge of the bilinear form during the walk: y and all channels where it meets the current
+/// column, each changed by adding a rate.
 template <class Number, std::size_t channelsInAll = channelCount>
 struct ChannelEdge : CarriedCount<channelsInAll> {
     using Vertex = VertexOfChannels<channelsInAll>;
@@ -31,7 +31,7 @@ struct ChannelEdge : CarriedCount<channelsInAll> {
     }
 
 private:
-    static constexpr std::size_t yChannel = 0; ///< y counts in the units of colours
+    static constexpr std::size_t yChannel = 0; ///< y has the units of colours
 
     /// A number's values at a and b, in the units of its channel.
     struct Ends {
@@ -105,7 +105,7 @@ void interpolateColumn(const ChannelEdge<FractionOf<Integer>, channelsInAll> &bo
     }
 }
 
-/// The same to the letter, in numbers that round; 0 where y_B = y_T.
+/// The formulas taken literally, in numbers that round; the rate is 0 where y_B = y_T.
 template <FloatingNumber Float, std::size_t channelsInAll>
 void interpolateColumn(const ChannelEdge<Float, channelsInAll> &bottom,
                        const ChannelEdge<Float, channelsInAll> &top, Int128,

@@ -10,7 +10,7 @@
 /// How an interpolation colours one column.
 namespace pixelplumb {
 
-/// The values of a triangle of zero area at a sample: along L₀₂, the only line that it has.
+/// A channel of a triangle of zero area at a sample: along L₀₂, its only line.
 template <class Number, std::size_t channelsInAll>
 Number alongSegment(const InterpolationSetUp<Number, channelsInAll> &setUp, std::size_t channel,
                     std::int64_t x, std::int64_t y)
@@ -19,7 +19,7 @@ Number alongSegment(const InterpolationSetUp<Number, channelsInAll> &setUp, std:
     const Corner &a = setUp.vertices[std::size_t(setUp.order[0])];
     const Corner &b = setUp.vertices[std::size_t(setUp.order[2])];
     const bool isVertical = a.position.x == b.position.x;
-    // ChannelEdge walks along x; a vertical segment is mirrored.
+    // ChannelEdge walks along x; for a vertical segment y takes its place.
     const auto along = [&](const Corner &vertex) {
         Corner result = vertex;
         result.position.x = isVertical ? vertex.position.y : vertex.position.x;
@@ -29,7 +29,7 @@ Number alongSegment(const InterpolationSetUp<Number, channelsInAll> &setUp, std:
         .channel[channel];
 }
 
-/// Computes a sample's channels from its place. The bilinear ones are added up instead.
+/// Computes a sample's channels from its position. Bilinear channels are added up instead.
 template <InterpolationForm Form, class Number, std::size_t channelsInAll>
 void evaluate(const InterpolationSetUp<Number, channelsInAll> &setUp, std::int64_t x,
               std::int64_t y, InterpolationSample<Number, channelsInAll> &sample)
@@ -45,8 +45,8 @@ void evaluate(const InterpolationSetUp<Number, channelsInAll> &setUp, std::int64
     }
 }
 
-/// Colours the rows of one column, bottom to top, with what `setSample(y, sample)` makes of each.
-/// Inlined by order, as what calls it is: a call would keep the column's numbers in memory.
+/// Colours the rows of one column, bottom to top, with the values that `setSample(y, sample)` sets.
+/// Forced inline, like its callers: a call would keep the column's numbers in memory.
 template <class Number, std::size_t channelsInAll, class View, class Observer, class SetSample>
 [[gnu::always_inline]] inline void colourColumn(
     const InterpolationColumn<Number, channelsInAll> &column, ByteRounding rounding, View frame,
@@ -68,7 +68,7 @@ template <class Number, std::size_t channelsInAll, class View, class Observer, c
     }
 }
 
-/// The same in a triangle that has area, by the form.
+/// Colours one column of a triangle that has area, as the form computes it.
 template <InterpolationForm Form, class Number, std::size_t channelsInAll, class View,
           class Observer>
 [[gnu::always_inline]] inline void fillInterpolated(
@@ -91,7 +91,7 @@ template <InterpolationForm Form, class Number, std::size_t channelsInAll, class
     }
 }
 
-/// The same in one that has none.
+/// Colours one column of a triangle of zero area.
 template <class Number, std::size_t channelsInAll, class View, class Observer>
 void fillSegment(const InterpolationSetUp<Number, channelsInAll> &setUp,
                  const InterpolationColumn<Number, channelsInAll> &column, ByteRounding rounding,
@@ -104,8 +104,7 @@ void fillSegment(const InterpolationSetUp<Number, channelsInAll> &setUp,
     });
 }
 
-/// Fills a column once more, alone, with the same numbers: the set-up and the column are all that
-/// it reads.
+/// Fills a column again, alone, with the same numbers: it reads only the set-up and the column.
 template <InterpolationForm Form, class Number, std::size_t channelsInAll, class View,
           class Observer>
 void fillAgain(const InterpolationSetUp<Number, channelsInAll> &setUp,

@@ -11,8 +11,8 @@
 
 #include <algorithm>
 
-/// What the forms of interpolation over a triangle compute with: R G B, z, u v, N_x N_y N_z,
-/// all alike, as far as they are carried.
+/// The numbers that interpolation over a triangle computes with: the channels R G B, z, u v, N_x
+/// N_y N_z, as far as they are carried, all treated alike.
 namespace pixelplumb {
 
 enum class InterpolationForm {
@@ -32,17 +32,17 @@ constexpr SpanAxis axisOf(InterpolationForm form)
 }
 
 inline constexpr std::size_t channelCount = 9;
-/// R G B, the first ones: all that a picture needs.
+/// R G B, the first channels: all that a picture needs.
 inline constexpr std::size_t colourChannelCount = 3;
 
-/// What the integers of a channel count: 1/256 of a level, 2^-24 of an attribute.
+/// How many units make 1 in a channel: 256 for a level, 2^24 for an attribute.
 constexpr std::int64_t unitsOfChannel(std::size_t channel)
 {
     return channel < colourChannelCount ? unitsPerPixel : attributeOne;
 }
 
-/// What triangles carry beside R G B, which all do. Only this is interpolated: it follows R G B,
-/// without gaps, in the order z, u v, N_x N_y N_z.
+/// What triangles carry besides R G B, which all do. Only carried channels are interpolated: they
+/// follow R G B, without gaps, in the order z, u v, N_x N_y N_z.
 struct CarriedChannels {
     bool depth = false; ///< z
     bool texture = false; ///< u, v
@@ -52,7 +52,7 @@ struct CarriedChannels {
     {
         return colourChannelCount + (depth ? 1 : 0) + (texture ? 2 : 0) + (normal ? 3 : 0);
     }
-    /// The place among all nine of a channel that has a place among those that are carried.
+    /// The channel, among all nine, at a place among the carried ones.
     constexpr std::size_t at(std::size_t place) const
     {
         std::size_t channel = place;
@@ -64,8 +64,8 @@ struct CarriedChannels {
     }
 };
 
-/// How many channels there are, the first ones of an array: known when it is compiled where it has
-/// room for R G B alone.
+/// The number of carried channels, the first ones of an array; known at compile time where the
+/// array has room for R G B alone.
 template <std::size_t channelsInAll>
 struct CarriedCount {
     std::size_t carried = channelsInAll;
@@ -75,7 +75,7 @@ struct CarriedCount<colourChannelCount> {
     static constexpr std::size_t carried = colourChannelCount;
 };
 
-/// A vertex with what is interpolated, in the channels' units.
+/// A vertex with the values to interpolate, in the channels' units.
 template <std::size_t channelsInAll>
 struct VertexOfChannels : CarriedCount<channelsInAll> {
     LatticePoint position;
@@ -83,7 +83,7 @@ struct VertexOfChannels : CarriedCount<channelsInAll> {
 };
 using ChannelVertex = VertexOfChannels<channelCount>;
 
-/// Attributes that are not there are zeros.
+/// Missing attributes are zero.
 template <std::size_t channelsInAll>
 constexpr VertexOfChannels<channelsInAll> channelVertex(const Vertex &vertex,
                                                         const VertexAttributes *attributes,
@@ -108,13 +108,13 @@ constexpr VertexOfChannels<channelsInAll> channelVertex(const Vertex &vertex,
     return result;
 }
 
-/// What a channel's units are in floating numbers. A level and a place have the same units.
+/// A channel's units as a floating number. A level and a position have the same units.
 template <FloatingNumber Float>
 Float realValue(std::int64_t units, std::size_t channel)
 {
     if (channel < colourChannelCount)
         return NumberTraits<Float>::fromLattice(units);
-    return Float(double(units) / double(attributeOne)); // the division leaves the digits alone
+    return Float(double(units) / double(attributeOne)); // exact: it divides by a power of two
 }
 
 /// A value that is a floating number already.
@@ -124,7 +124,7 @@ Float realValue(Float value, std::size_t)
     return value;
 }
 
-/// What a vertex has in a channel, as weights multiply it: its units in exact numbers.
+/// A vertex's value in a channel, as weights multiply it: its units in exact numbers.
 template <class Number>
 struct VertexValue {
     using Type = std::int64_t;
@@ -150,7 +150,7 @@ struct InterpolationSetUp {
     std::array<std::array<Number, 3>, channelsInAll> plane = {};
     /// Barycentric coordinates: weight = a·x + b·y + c, [vertex].
     std::array<std::array<Number, 3>, 3> weight = {};
-    /// What they weight, [channel][vertex].
+    /// The values that the weights multiply, [channel][vertex].
     std::array<std::array<typename VertexValue<Number>::Type, 3>, channelsInAll> weighted = {};
 
     constexpr std::size_t carried() const { return vertices[0].carried; }
@@ -162,9 +162,9 @@ struct InterpolationColumn {
     std::int64_t x = 0;
     ColumnHalf half = ColumnHalf::First;
     MixedNumber<WideBeside<Number>> lower, upper; ///< where the edges meet the column, exactly, px
-    std::int64_t firstRow = 0, endRow = 0; ///< covered: between the two
+    std::int64_t firstRow = 0, endRow = 0; ///< covered: between the two edges
     std::int64_t firstDrawn = 0, endDrawn = 0; ///< the same, clipped to the frame
-    Number yBottom = {}, yTop = {}; ///< px; of the bilinear form, as it has them
+    Number yBottom = {}, yTop = {}; ///< px, as the bilinear form computes them
     std::array<Number, channelsInAll> bottom = {}, top = {}; ///< on the two edges
     std::array<Number, channelsInAll> rate = {}; ///< per row
     std::array<Number, channelsInAll> first = {}; ///< at firstDrawn

@@ -12,13 +12,13 @@
 #include <type_traits>
 
 /// Interpolation during scan conversion (Scan Conversion slides, "Interpolation During Scan
-/// Conversion"): forms that are the same in exact numbers. What is covered is decided
-/// exactly, column by column, whatever the channels are computed in, so that forms and arithmetics
-/// differ in their values alone.
+/// Conversion"): forms that are equal in exact numbers. Coverage is decided exactly, column by
+/// column, whatever the channels are computed in, so that forms and arithmetics differ only in
+/// their values.
 namespace pixelplumb {
 
-/// The scan of one triangle, turned where the form goes by rows, into one frame. What is covered is
-/// decided in `Integer`: std::int64_t up to 2^15 px, Int128 beyond.
+/// Scans one triangle, turned if the form goes by rows, into one frame. Coverage is decided in
+/// `Integer`: std::int64_t up to 2^15 px, Int128 beyond.
 template <InterpolationForm Form, class Number, class Integer, std::size_t channelsInAll,
           ScanObserver<InterpolationNumbers<Number, channelsInAll>> Observer>
 class InterpolationScan {
@@ -85,7 +85,7 @@ private:
         return m_setUp.vertices[indexAt(corner)];
     }
 
-    /// Asked of one vertex after the other: mostly the first one answers.
+    /// Tests one vertex after another: usually the first one decides.
     bool isAboveOrBelowFrame() const
     {
         const auto all
@@ -111,7 +111,7 @@ private:
         }
     }
 
-    /// What the other forms walk along edges.
+    /// Replaces ChannelEdge in forms that walk no channels along edges.
     struct NoChannels {
         template <class Corner>
         NoChannels(const Corner &, const Corner &, std::int64_t)
@@ -120,7 +120,7 @@ private:
         void stepToNextColumn() { }
     };
 
-    /// An edge's exact y, which decides what is covered, and its channels.
+    /// An edge's exact y, which decides coverage, and its channels.
     struct Walker {
         MixedNumber<Integer> y, slope;
         std::conditional_t<isBilinear(Form), ChannelEdge<Number, channelsInAll>, NoChannels>
@@ -133,8 +133,8 @@ private:
         }
     };
 
-    /// Inlined by order: an edge that is returned through memory, or copied there, is read in other
-    /// words than it was stored in, and waits until every pixel before is stored.
+    /// Forced inline: an edge returned or copied through memory is read in words of another size
+    /// than it was stored in, and waits until every earlier pixel is stored.
     [[gnu::always_inline]] Walker walkerOn(const Corners &edge, std::int64_t column) const
     {
         const Vertex &a = m_triangle.vertices[indexAt(edge[0])];
@@ -162,7 +162,7 @@ private:
             scan.scanColumn(half, scan.m_intervals.rows, x, lower, upper, fill);
     }
 
-    /// Which rows belong to the columns between the long edge and a short one.
+    /// The row interval of the columns between the long edge and a short one.
     Interval rowsBeside(const Corners &shortEdge) const
     {
         if (axisOf(Form) == SpanAxis::Row)

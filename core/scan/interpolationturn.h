@@ -9,14 +9,14 @@
 
 #include <type_traits>
 
-/// How a form of interpolation that goes by rows is scanned by columns of the
-/// plane turned to (u, v) = (−y, x), as row edge walking is (rowwalk.h).
+/// A form of interpolation that goes by rows is scanned by columns of the plane turned to (u, v) =
+/// (−y, x), like row edge walking (rowwalk.h).
 namespace pixelplumb {
 
 template <InterpolationForm form>
 using ViewOfForm = std::conditional_t<axisOf(form) == SpanAxis::Row, TurnedView, FrameView>;
 
-/// Tells of the pixels where they are; spans and set-ups stay turned.
+/// Reports pixels at their true positions; spans and set-ups stay turned.
 template <class Observer>
 class TurnedListener {
 public:
@@ -58,8 +58,7 @@ private:
 template <class Observer>
 inline constexpr bool readsNumbers<TurnedListener<Observer>> = readsNumbers<Observer>;
 
-/// What a form hears with: the observer itself where nothing is turned or
-/// nobody listens.
+/// What a form reports to: the observer itself where nothing is turned or nobody listens.
 template <InterpolationForm form, class Observer>
 auto listenerFor(Observer observer)
 {
@@ -69,9 +68,8 @@ auto listenerFor(Observer observer)
         return TurnedListener<Observer>(observer);
 }
 
-/// A triangle as a form scans it, with what it carries. Of one without area
-/// whose vertices coincide, the turned one lies between the same two as the
-/// triangle itself.
+/// A triangle as a form scans it, with its attributes. If two vertices coincide, the turned
+/// triangle lies between the same two extremes as the original.
 template <InterpolationForm form>
 struct FormTriangle {
     FormTriangle(const Triangle &of, const TriangleAttributes *carried)

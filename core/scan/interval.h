@@ -6,7 +6,7 @@
 
 namespace pixelplumb {
 
-/// Which of its two bounds belong to an interval.
+/// Which of an interval's two bounds belong to it.
 enum class Interval { Closed, ClosedOpen, OpenClosed, Open };
 
 constexpr bool ownsFirst(Interval interval)
@@ -29,15 +29,15 @@ constexpr std::int64_t endSampleAt(Lattice coordinate, Interval interval)
     return ownsLast(interval) ? floorPixel(coordinate) + 1 : ceilPixel(coordinate);
 }
 
-/// What a column scan makes of a fill rule: the columns from the triangle's first vertex to its
-/// last, and the rows of a column from y_B to y_T.
+/// How a column scan applies a fill rule: to the columns from the triangle's first vertex to its
+/// last, and to the rows of a column from y_B to y_T.
 struct ScanIntervals {
     Interval columns = Interval::Closed;
     Interval rows = Interval::Closed;
 };
 
-/// Of the columns from left to right; closed, open or half-open-column. Of top-left the columns
-/// alone: its rows depend on the edges.
+/// For columns from left to right; closed, open or half-open-column. For top-left only the columns
+/// hold: its rows depend on the edges.
 constexpr ScanIntervals columnIntervals(FillRule rule)
 {
     if (rule == FillRule::Closed)
@@ -48,9 +48,9 @@ constexpr ScanIntervals columnIntervals(FillRule rule)
 }
 
 /// The rows of a column between two edges, whose rises from left to right are given. Only top-left
-/// looks at these: displaced to the right, a sample on a falling edge lies above it, on a rising
-/// one below; on a level edge the smaller displacement, down as seen, decides. The columns are
-/// those of columnIntervals().
+/// looks at the rises: displaced to the right, a sample on a falling edge lies above it, on a
+/// rising one below; on a level edge the smaller displacement, down on the screen, decides. The
+/// columns are those of columnIntervals().
 constexpr Interval rowsBetween(const BoundaryRule &rule, Lattice lowerRise, Lattice upperRise)
 {
     if (rule.rule != FillRule::TopLeft)
@@ -62,8 +62,8 @@ constexpr Interval rowsBetween(const BoundaryRule &rule, Lattice lowerRise, Latt
     return ownsUpper ? Interval::OpenClosed : Interval::Open;
 }
 
-/// Of the rows from the highest y to the lowest, which then are columns; closed, open or top-left.
-/// Down as seen is onward where y points up and back where it points down.
+/// For rows from the highest y to the lowest, scanned as columns; closed, open or top-left. Down on
+/// the screen is forward where y points up and backward where it points down.
 constexpr ScanIntervals rowIntervals(const BoundaryRule &rule)
 {
     ScanIntervals intervals = columnIntervals(rule.rule);

@@ -7,9 +7,9 @@
 #include "core/scan/roundedarithmetic.h"
 #include "core/scan/scansettings.h"
 
-/// What kernels compute in. Each of these parts of a kernel (see kernelmethod.h) says which
-/// integers hold the exact products of one primitive, and calls a function's template with the type
-/// of the numbers that the settings ask for.
+/// The numbers that kernels compute in. Each of these parts of a kernel (see kernelmethod.h) says
+/// which integers hold the exact products of one primitive, and calls a function template with the
+/// number type that the settings ask for.
 namespace pixelplumb {
 
 template <class Numbers>
@@ -24,12 +24,12 @@ template <template <class> class Outer, template <class> class Numbers>
 struct WidestOfNumbers<Outer<Numbers<std::int64_t>>> {
     using Type = Outer<Numbers<Int128>>;
 };
-/// The same numbers in 128 bits where these are exact in 64: the values are equal, and what is not
-/// timed is compiled for one of the two.
+/// Numbers in 128 bits in place of exact ones in 64: the values are equal, and code that is not
+/// timed is compiled for only one of them.
 template <class Numbers>
 using WidestOf = typename WidestOfNumbers<Numbers>::Type;
 
-/// Every arithmetic; exact in 64 bits where they suffice, which gives the same numbers.
+/// Every arithmetic; exact numbers in 64 bits where they suffice, with the same values.
 struct InAnyArithmetic {
     template <class Geometry>
     static IntegerWidth widthFor(const Geometry &geometry, const FrameView &)
@@ -58,7 +58,8 @@ struct InAnyArithmetic {
     }
 };
 
-/// Exact numbers, in 64 bits and in 128, and the two floating ones, as types of the kernel's own.
+/// Exact numbers, in 64 bits and in 128, and the two floating ones, each a type of the kernel's
+/// own.
 template <class Narrow, class Wide, class Float32, class Float64>
 struct InExactOrFloat {
     template <class Geometry>
@@ -86,7 +87,7 @@ struct InExactOrFloat {
     }
 };
 
-/// Integers alone: the kernel has no other numbers.
+/// Integers only: the kernel has no other numbers.
 struct InIntegers {
     template <class Geometry>
     static IntegerWidth widthFor(const Geometry &, const FrameView &)

@@ -9,15 +9,14 @@
 
 /// Bresenham's line in all octants (Rasterization slides, "Bresenham's Line Algorithm"): each step
 /// goes one pixel along the line, and the sign of an integer, the decision parameter p, tells
-/// whether it also goes one across. A tie, p = 0, goes across, as in the slides' table (their rule
-/// prints p
-/// <= 0 for staying; resources/misprints.md). Lines are walked from their left end ("Store left
-/// line endpoint in (x₀, y₀)"), steep ones, whose x and y are exchanged, from the end with the
-/// smaller y; so a line has the same pixels whichever of its ends is given first.
+/// whether it also goes one across. A tie, p = 0, goes across, as in the slides' table (their
+/// printed rule stays for p <= 0; resources/misprints.md). Lines are walked from their left end
+/// ("Store left line endpoint in (x₀, y₀)"). Steep ones, whose x and y are exchanged, start at the
+/// end with the smaller y; so a line has the same pixels whichever end is given first.
 namespace pixelplumb {
 
-/// Everything that does not change along the line; x and y exchanged where it is steep, and both
-/// counted from the start in the direction of the line, so that 0 <= Δy <= Δx.
+/// Everything that does not change along the line. x and y are exchanged where it is steep, and
+/// both are counted from the start in the line's direction, so that 0 <= Δy <= Δx.
 template <class Integer>
 struct BresenhamSetUpOf {
     LineAxis axis = LineAxis::X;
@@ -34,13 +33,13 @@ struct BresenhamSetUpOf {
 };
 using BresenhamSetUp = BresenhamSetUpOf<std::int64_t>;
 
-/// One pixel of the line: the one after the decision p_k; the start comes before any.
+/// One pixel of the line: the one after the decision p_k; the start precedes all decisions.
 template <class Integer>
 struct BresenhamStepOf {
     LinePlace place;
     std::int64_t k = -1; ///< the decision's number; −1 at the start
-    Integer decision = 0; ///< p_k; of the start, none
-    Integer increment = 0; ///< what makes p_k the next one
+    Integer decision = 0; ///< p_k; none at the start
+    Integer increment = 0; ///< added to p_k to give p_k+1
     Integer nextDecision = 0; ///< p_k+1
 
     bool isStart() const { return k < 0; }
@@ -71,7 +70,7 @@ constexpr BresenhamSetUpOf<Integer> bresenhamSetUp(const LatticePoint &from, con
     return setUp;
 }
 
-/// From the pixel of a step to the next one.
+/// Goes on to the next pixel.
 template <class Integer>
 constexpr void advance(const BresenhamSetUpOf<Integer> &setUp, BresenhamStepOf<Integer> &step)
 {
@@ -87,9 +86,9 @@ constexpr void advance(const BresenhamSetUpOf<Integer> &setUp, BresenhamStepOf<I
     step.nextDecision = step.decision + step.increment;
 }
 
-/// The pixel with a number from the start, 0 … Δx: where advance() comes to in as many steps, at
-/// the cost of one. After n steps the line has gone ⌊n·Δy/Δx + 1/2⌋ across; where p = 0 stays, a
-/// half is not rounded up.
+/// The pixel with a number from the start, 0 … Δx: where that many calls of advance() lead, at the
+/// cost of one. After n steps the line has gone ⌊n·Δy/Δx + 1/2⌋ across; where p = 0 stays, a half
+/// is not rounded up.
 template <class Integer>
 constexpr BresenhamStepOf<Integer> bresenhamStepAt(const BresenhamSetUpOf<Integer> &setUp,
                                                    std::int64_t pixel)
@@ -113,8 +112,8 @@ constexpr BresenhamStepOf<Integer> bresenhamStepAt(const BresenhamSetUpOf<Intege
     return step;
 }
 
-/// The pixels of the line, by their numbers from the start, that lie on the frame's columns (rows
-/// where it is steep).
+/// The line's pixels, by their numbers from the start, in the frame's columns (rows where it is
+/// steep).
 template <class Integer>
 constexpr StepRange bresenhamPixelsIn(const BresenhamSetUpOf<Integer> &setUp, FrameView frame)
 {
@@ -145,7 +144,7 @@ struct BresenhamNumbersOf {
 };
 using BresenhamNumbers = BresenhamNumbersOf<std::int64_t>;
 
-/// The pixel nearest to a vertex, with the vertex' colour: the algorithm knows whole pixels alone.
+/// The pixel nearest to a vertex, with its colour: the algorithm knows only whole pixels.
 constexpr Vertex onPixel(Vertex vertex)
 {
     vertex.position = latticePixel(floorPixel(vertex.position.x + unitsPerPixel / 2),

@@ -4,16 +4,15 @@
 #include "core/scan/columnscan.h"
 #include "core/scan/linestep.h"
 
-/// The digital differential analyzer (Rasterization slides, "DDA Line-Drawing Algorithm"): along
-/// the longer side from pixel to pixel, the other coordinate by adding the slope, rounded for each
-/// pixel.
+/// The digital differential analyzer (Rasterization slides, "DDA Line-Drawing Algorithm"): walk the
+/// longer side pixel by pixel, add the slope to the other coordinate and round it for each pixel.
 namespace pixelplumb {
 
 template <class A>
 struct DdaSetUp {
     LineAxis axis = LineAxis::X;
     Vertex start, end; ///< exchanged; start.position.x <= end.position.x
-    VariantSet variants; ///< by which the slope departs from theirs
+    VariantSet variants; ///< departures that change the slope
     typename A::Number slope = {}; ///< m: px across the line per step
     std::array<typename A::Number, 3> colourRate = {}; ///< levels per step
 };
@@ -21,7 +20,7 @@ struct DdaSetUp {
 template <class A>
 struct DdaStep {
     LinePlace place;
-    typename A::Number ordinate = {}; ///< v: where the line is, across it, px; not rounded
+    typename A::Number ordinate = {}; ///< v: the line's position across, px; not rounded
     std::array<typename A::Number, 3> colour = {}; ///< levels
 };
 
@@ -65,7 +64,7 @@ void scanLineByDda(const Shape &line, const ScanSettings &settings, FrameView fr
     const auto [lowest, highest] = std::minmax(a.position.y, b.position.y);
     StepRange reached = StepRange{floorPixel(lowest), ceilPixel(highest) + 1}.clippedTo(
         StepRange::across(frame, setUp.axis));
-    if (!settings.variants.isEmpty()) // which may lead past the ends
+    if (!settings.variants.isEmpty()) // variants may lead past the ends
         reached = StepRange::across(frame, setUp.axis);
     if (steps.isEmpty() || reached.isEmpty()) {
         observer.primitiveRejected(PrimitiveRejection::OutsideFrame);

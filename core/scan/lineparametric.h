@@ -7,15 +7,15 @@
 #include "core/scan/workstage.h"
 
 /// The parametric form of the line, P(t) = P₀ + t·(P₁ − P₀) for t from 0 to 1 (Scan Conversion
-/// slides, "Lines and Curves: Parametric"): t = i/N in N steps, of which each goes one pixel along
-/// the longer side at most, and the pixel nearest to each point. "Not unique!": P(kt) for t from 0
-/// to 1/k is the same line; with the step of t left as it is, its points are k times as far apart.
+/// slides, "Lines and Curves: Parametric"): t = i/N in N steps, each at most one pixel along the
+/// longer side; each point draws its nearest pixel. "Not unique!": P(kt) for t from 0 to 1/k is the
+/// same line; with the same step of t its points are k times as far apart.
 namespace pixelplumb {
 
 template <class A>
 struct ParametricLineSetUp {
     Vertex start, end; ///< as they are given
-    std::int64_t steps = 1; ///< N: of t, from 0 to 1
+    std::int64_t steps = 1; ///< N, from t = 0 to 1
     std::int64_t pace = 1; ///< k
 };
 
@@ -40,7 +40,7 @@ inline std::int64_t paceOf(VariantSet variants)
         * (variants.contains(Variant::FiveT) ? 5 : 1);
 }
 
-/// The steps whose points lie in the frame's columns (rows of a steep line), or a pixel beside.
+/// The steps whose points lie in the frame's columns (rows of a steep line), or one pixel outside.
 template <class A>
 StepRange parametricStepsIn(const ParametricLineSetUp<A> &setUp, FrameView frame)
 {
@@ -74,7 +74,7 @@ void scanLineParametrically(const Shape &line, const ScanSettings &settings, Fra
         1, ceilPixel(std::max(absolute(p1.x - p0.x), absolute(p1.y - p0.y))));
     observer.primitiveBegun(setUp);
 
-    // x and y over i are lines by themselves, from (0, x₀) to (N, x₁).
+    // x and y over i are lines themselves, from (0, x₀) to (N, x₁).
     const auto over
         = [&](const Vertex &vertex, Lattice LatticePoint::*coordinate, std::int64_t step) {
               return Vertex{{step * unitsPerPixel, vertex.position.*coordinate}, vertex.colour};

@@ -7,10 +7,10 @@
 #include "core/scan/roundedarithmetic.h"
 #include "core/scan/scanobserver.h"
 
-/// The line equation to the letter (Rasterization slides, "Line-Drawing Algorithms"): y = m·x + b
-/// for each column, and (int)(y + 1/2), which is what a C program writes for rounding and which
-/// rounds negative numbers the wrong way. One pixel a column: a line with |m| > 1 has gaps, a
-/// vertical one has no m.
+/// The line equation taken literally (Rasterization slides, "Line-Drawing Algorithms"): y = m·x + b
+/// for each column, and (int)(y + 1/2), which is how a C program rounds and which rounds negative
+/// numbers the wrong way. One pixel per column: a line with |m| > 1 has gaps, a vertical one has no
+/// m.
 namespace pixelplumb {
 
 /// m, b and y in one arithmetic.

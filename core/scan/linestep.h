@@ -29,7 +29,7 @@ constexpr Vertex exchanged(Vertex vertex, LineAxis axis)
     return vertex;
 }
 
-/// The part of the frame's columns (of its rows for the axis Y) that steps may enter.
+/// A range of steps: of the frame's columns, or of its rows for the axis Y.
 struct StepRange {
     std::int64_t first = 0;
     std::int64_t end = 0; ///< one past the last
@@ -56,7 +56,7 @@ struct LinePlace {
     LineAxis axis = LineAxis::X;
     std::int64_t along = 0; ///< px
     std::int64_t across = 0; ///< px
-    bool isInFrame = false; ///< as the last findIn() saw it
+    bool isInFrame = false; ///< set by findIn()
 
     void findIn(FrameView frame) { isInFrame = frame.contains(x(), y()); }
     std::int64_t x() const { return axis == LineAxis::X ? along : across; }

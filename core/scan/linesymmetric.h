@@ -3,10 +3,10 @@
 
 #include "core/scan/linebresenham.h"
 
-/// Bresenham's line with a rule for ties that does not know slopes, and from any lattice point to
-/// any other. It is always walked along growing coordinates, and of two pixels that are equally
-/// near it takes the upper one (the right one where the line is steep). The decision parameter is
-/// the same number as Bresenham's, in units of 1/S² so that it stays an integer between pixels.
+/// Bresenham's line between any two lattice points, with a tie rule that ignores slopes. It is
+/// always walked along growing coordinates, and of two equally near pixels it takes the upper one
+/// (the right one where the line is steep). The decision parameter is Bresenham's, in units of
+/// 1/S², so that it stays an integer between pixels.
 namespace pixelplumb {
 
 template <class Integer>
@@ -15,22 +15,22 @@ struct SymmetricSetUpOf {
     Vertex start, end; ///< exchanged; start.position.x <= end.position.x
     int acrossStep = 1; ///< +1 or −1: where a step across leads
     Lattice deltaX = 0; ///< Δx >= 0, lattice units
-    Lattice deltaY = 0; ///< Δy, without its sign
+    Lattice deltaY = 0; ///< Δy|
     Integer stayIncrement = 0; ///< 2Δy·S
     Integer moveIncrement = 0; ///< (2Δy − 2Δx)·S
 
-    /// S²: what 1 is in a decision parameter.
+    /// S²: the value of a decision parameter that stands for 1.
     static constexpr Int128 decisionUnit() { return Int128(unitsPerPixel) * unitsPerPixel; }
 };
 using SymmetricSetUp = SymmetricSetUpOf<Int128>;
 
-/// One pixel, and what decides about the next one.
+/// One pixel, and the numbers that decide the next one.
 template <class Integer>
 struct SymmetricStepOf {
     LinePlace place;
     bool isFirst = true; ///< placed by a division: no decision led here
     std::int64_t k = -1; ///< the number of the decision that led here
-    Integer decision = 0; ///< p_k; of the first pixel, none
+    Integer decision = 0; ///< p_k; none at the first pixel
     Integer increment = 0;
     Integer nextDecision = 0;
     std::array<MixedNumber<Integer>, 3> colour = {}; ///< levels
@@ -65,13 +65,13 @@ constexpr SymmetricSetUpOf<Integer> symmetricSetUp(const Shape &line)
     return setUp;
 }
 
-/// The pixel on a column of the line, by one division, and the decision about the next column's:
-/// p = 2·s·(y(x + 1) − y_k)·Δx·S² − Δx·S², s the sign of the slope.
+/// The pixel on a column of the line, by one division, and the decision about the next column: p =
+/// 2·s·(y(x + 1) − y_k)·Δx·S² − Δx·S², s the sign of the slope.
 template <class Integer>
 constexpr SymmetricStepOf<Integer> symmetricStepAt(const SymmetricSetUpOf<Integer> &setUp,
                                                    std::int64_t along)
 {
-    const Integer width = setUp.deltaX == 0 ? 1 : setUp.deltaX; // of a point: any
+    const Integer width = setUp.deltaX == 0 ? 1 : setUp.deltaX; // any width serves a point
     const Integer rise = Integer(setUp.acrossStep) * setUp.deltaY;
     const LatticePoint &start = setUp.start.position;
     // y·ΔX·S, the line's ordinate at this column and at the next.
@@ -86,8 +86,8 @@ constexpr SymmetricStepOf<Integer> symmetricStepAt(const SymmetricSetUpOf<Intege
     return step;
 }
 
-/// From the pixel of a step to the next one. A tie, p = 0, goes up: it moves where the line rises
-/// and stays where it falls.
+/// Goes on to the next pixel. A tie, p = 0, goes up: it moves where the line rises and stays where
+/// it falls.
 template <class Integer>
 constexpr void advance(const SymmetricSetUpOf<Integer> &setUp, SymmetricStepOf<Integer> &step)
 {

@@ -8,15 +8,15 @@
 
 /// "Use Midpoint Algorithm for edges and fill in?" (Triangles slides): the three edges as lines of
 /// whole pixels, by the midpoint algorithm, which is Bresenham's, and each column filled from the
-/// lowest pixel of the outline to the highest. Colours are those of the lines there, and between
-/// them change evenly. A pixel of the outline is the nearest to an edge, on whichever side: the
+/// outline's lowest pixel to its highest. These two have the colours of their lines; between them
+/// colours change evenly. An outline pixel is the nearest to an edge, on whichever side: the
 /// picture is not the truth, and two triangles that share an edge both paint it.
 namespace pixelplumb {
 
 /// One edge of the outline, walked from its left end, a steep one from its lower end.
 struct OutlineEdge {
     BresenhamSetUp line;
-    std::array<std::size_t, 2> ends = {}; ///< which corners these are
+    std::array<std::size_t, 2> ends = {}; ///< indices of its two corners
 };
 
 struct OutlineFillSetUp {
@@ -24,7 +24,7 @@ struct OutlineFillSetUp {
     std::array<OutlineEdge, 3> edges; ///< P₀P₁, P₁P₂, P₂P₀
 };
 
-/// A pixel of the outline in the column in hand.
+/// A pixel of the outline in the current column.
 struct OutlinePixel {
     std::int64_t row = 0; ///< px
     std::size_t edge = 0;
@@ -34,7 +34,7 @@ struct OutlinePixel {
 template <class A>
 struct OutlineFillSpan {
     OutlinePixel low, high;
-    ColumnState<A> column; ///< from the one to the other
+    ColumnState<A> column; ///< from low to high
 };
 
 template <class A>
@@ -63,8 +63,8 @@ inline OutlineFillSetUp outlineFillSetUp(const Triangle &triangle)
     return setUp;
 }
 
-/// The pixels of a line in a column, by their numbers: those that its decisions lead to, without
-/// the ones before. After n pixels a line has gone ⌊n·Δy/Δx + 1/2⌋ across.
+/// The pixels of a line in a column, by their numbers, found without stepping through those before.
+/// After n pixels a line has gone ⌊n·Δy/Δx + 1/2⌋ across.
 inline StepRange outlinePixelsIn(const BresenhamSetUp &line, std::int64_t column)
 {
     const StepRange whole = {0, line.deltaX + 1};
@@ -81,8 +81,8 @@ inline StepRange outlinePixelsIn(const BresenhamSetUp &line, std::int64_t column
     return StepRange{firstAt(2 * across - 1), firstAt(2 * across + 1)}.clippedTo(whole);
 }
 
-/// The lowest and the highest pixel of the outline in a column; of several on one row the first
-/// edge's. None where the outline does not reach the column.
+/// The lowest and the highest pixel of the outline in a column; if several edges share the row, the
+/// first edge's. None where the outline does not reach the column.
 inline std::optional<std::array<OutlinePixel, 2>> outlineIn(const OutlineFillSetUp &setUp,
                                                             std::int64_t column)
 {
@@ -115,7 +115,7 @@ void setColours(const OutlineFillSetUp &setUp, OutlineFillSpan<A> &span)
     const auto lengthOf = [&](const OutlinePixel &pixel) -> Integer {
         return std::max<std::int64_t>(1, setUp.edges[pixel.edge].line.deltaX);
     };
-    /// Over the edge's length.
+    /// The numerator over the edge's length.
     const auto levelAt = [&](const OutlinePixel &pixel, std::size_t channel) -> Integer {
         const auto &ends = setUp.edges[pixel.edge].ends;
         const Integer from = setUp.corners[ends[0]].colour.channels[channel];

@@ -27,7 +27,7 @@ struct ExactPlane {
     {
         return NarrowBeside<Integer>(to) - from;
     }
-    /// What numbers are divided by: not 0.
+    /// A divisor other than 0.
     struct Divisor {
         Number sign;
         Number size; ///< > 0
@@ -39,7 +39,7 @@ struct ExactPlane {
         }
     };
     static constexpr Ratio ratio(const Number &a, const Divisor &b) { return {a * b.sign, b.size}; }
-    /// Of a sample's value or weight; 0 is inside where its tie is owned.
+    /// Tests a sample's value or weight; 0 is inside if its tie is owned.
     static constexpr bool isInside(const Number &number, bool ownsTie)
     {
         return number >= Number(ownsTie ? 0 : 1);
@@ -57,7 +57,7 @@ struct ExactPlane {
         return std::int64_t(rounding == ByteRounding::Truncate ? level.floor() : level.nearest());
     }
 
-    /// What a number stands for, by what stands for 1; and a change for each step of a pixel.
+    /// A number as a quantity, given what stands for 1; and a change per pixel as one.
     static Quantity quantityOf(Number number, Int128 unit)
     {
         return Quantity::rational(number, unit);
@@ -72,7 +72,7 @@ struct ExactPlane {
     }
 };
 
-/// The same in pixels, in a number that rounds.
+/// Edge functions and weights in pixels, in a number that rounds.
 template <std::floating_point Float>
 struct FloatPlane {
     using Number = Float;
@@ -82,7 +82,7 @@ struct FloatPlane {
         = sizeof(Float) == sizeof(float) ? Arithmetic::Float32 : Arithmetic::Float64;
 
     static Number length(Lattice units) { return Float(units) / Float(unitsPerPixel); }
-    /// Subtracted on the lattice, where nothing rounds.
+    /// Subtracts on the lattice, where nothing rounds.
     static Number distance(Lattice from, Lattice to) { return length(to - from); }
     using Divisor = Float;
     static Ratio ratio(Number a, Divisor b) { return a / b; }

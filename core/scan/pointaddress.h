@@ -19,10 +19,10 @@ struct PointSetUp {
 
 struct PointStep {
     std::int64_t number = 0; ///< of the point, from 0
-    std::int64_t x = 0; ///< the nearest pixel; the upper, the right one of two
+    std::int64_t x = 0; ///< the nearest pixel; ties go right and up
     std::int64_t y = 0;
     bool isInFrame = false;
-    std::int64_t address = 0; ///< meaningful in the frame
+    std::int64_t address = 0; ///< meaningful only in the frame
 };
 
 struct PointNumbers {
@@ -31,7 +31,7 @@ struct PointNumbers {
     using Sample = FlatSample;
 };
 
-/// Of a pixel in the frame.
+/// The address of a pixel in the frame.
 template <class Integer>
 std::int64_t addressOf(std::int64_t x, std::int64_t y, FrameView frame)
 {
@@ -51,7 +51,7 @@ void plotPoints(const Shape &points, FrameView frame, Observer observer)
         step.isInFrame = frame.contains(step.x, step.y);
         step.address = step.isInFrame ? addressOf<Integer>(step.x, step.y, frame) : 0;
         observer.spanEntered(step);
-        // The memory's own layout may pad its rows: the pixel is found from the address alone.
+        // The real memory may pad its rows: the pixel is found from the address alone.
         if (step.isInFrame)
             writeFlat(frame.firstColumn + step.address % frame.width,
                       frame.firstRow + step.address / frame.width, vertex.colour, frame, observer);

@@ -8,9 +8,9 @@
 
 namespace pixelplumb {
 
-/// The edge table: all edges but the horizontal ones, from their lower ends to their upper ends, by
-/// the first row that they cross. A sample is taken as if displaced to the right and, less, down as
-/// seen, so an edge crosses the rows of rowsCrossed().
+/// The edge table: all edges but the horizontal ones, from lower to upper end, sorted by the first
+/// row that they cross. A sample counts as displaced to the right and, less, down on the screen, so
+/// an edge crosses the rows of rowsCrossed().
 template <class A>
 class EdgeTable {
 public:
@@ -33,11 +33,11 @@ public:
     }
 
     std::size_t size() const { return m_entries.size(); }
-    /// None is crossed before this row; meaningful when there are edges.
+    /// No edge is crossed before this row; meaningful when there are edges.
     std::int64_t firstRow() const { return m_entries.front().firstRow; }
 
-    /// Moves the edges that cross a row for the first time into the active list; rows must ascend.
-    /// An edge that began on an earlier row, under the frame, starts here by a longer pre-step.
+    /// Moves the edges that first cross this row into the active list; rows must ascend. An edge
+    /// that began on an earlier row, below the frame, starts here with a longer pre-step.
     void activate(std::int64_t row, std::vector<Crossing<A>> &active)
     {
         for (; m_next < m_entries.size() && m_entries[m_next].firstRow <= row; ++m_next) {
@@ -83,18 +83,18 @@ private:
             return A::Traits::fromLattice(units);
     }
 
-    std::vector<Entry> m_entries; ///< ascending in their first row
-    std::size_t m_next = 0; ///< the first that has not been active yet
+    std::vector<Entry> m_entries; ///< ascending by first row
+    std::size_t m_next = 0; ///< the first entry not yet activated
 };
 
-/// The edges that the current row crosses, ascending in x: what one row leaves to the next.
+/// The edges that the current row crosses, ascending in x: the state passed from row to row.
 template <class A>
 class ActiveEdges {
 public:
     const std::vector<Crossing<A>> &crossings() const { return m_crossings; }
 
-    /// Takes the edges in that begin on the row, and puts all in order. Edges change places only
-    /// where they cross.
+    /// Adds the edges that begin on the row and restores the order. Edges change places only where
+    /// they cross.
     void enterRow(std::int64_t row, EdgeTable<A> &table)
     {
         table.activate(row, m_crossings);
@@ -124,7 +124,7 @@ private:
             return A::Traits::fromInteger(1);
     }
 
-    /// A strict weak order whatever the numbers are: what is not a number comes first.
+    /// A strict weak order whatever the numbers are: NaN comes first.
     static bool isLeft(const Crossing<A> &a, const Crossing<A> &b)
     {
         if constexpr (A::arithmetic == Arithmetic::Exact) {

@@ -4,11 +4,10 @@
 #include "core/polygons/contours.h"
 #include "core/scan/linesymmetric.h"
 
-/// The outline of a polygon: each edge of its contours as a line, one after the other, by
-/// Bresenham's decisions from any lattice point to any other (linesymmetric.h). The pixel of a
-/// whole-pixel vertex is written by both of its edges. Where a vertex lies between pixels each edge
-/// ends with the last column, or row, before it, so that the nearest pixel to a corner may be left
-/// out.
+/// The outline of a polygon: each edge of its contours in turn as a line between any two lattice
+/// points, by Bresenham's decisions (linesymmetric.h). The pixel of a whole-pixel vertex is written
+/// by both of its edges. Where a vertex lies between pixels, each edge ends at the last column, or
+/// row, before it, so that the pixel nearest to a corner may be missing.
 namespace pixelplumb {
 
 struct PolygonOutlineSetUp {
@@ -19,7 +18,7 @@ struct PolygonOutlineSetUp {
 /// One pixel of an edge.
 template <class Integer>
 struct PolygonOutlineStepOf : SymmetricStepOf<Integer> {
-    std::size_t edge = 0; ///< its place in the contours, from 0
+    std::size_t edge = 0; ///< its index in the contours, from 0
     SymmetricSetUpOf<Integer> line; ///< that edge's own set-up
 };
 
@@ -30,8 +29,8 @@ struct PolygonOutlineNumbersOf {
     using Sample = Fragment<ExactArithmetic<Integer>>;
 };
 
-/// Hears the line of one edge and tells it as a part of the outline. That the edge lies outside the
-/// frame is left to the outline to judge.
+/// Receives the line of one edge and reports it as part of the outline. It drops the rejection of
+/// an edge outside the frame: the outline judges that.
 template <class Integer, class Observer>
 class EdgeListener {
 public:

@@ -22,10 +22,9 @@ inline std::vector<ContourEdge> edgesOf(const Triangulation &triangulation)
     return all;
 }
 
-/// The scan of a polygon that is broken into triangles: the rows of one triangle after the other,
-/// each between its left and its right edge. A sample on an edge of two triangles belongs to the
-/// one on the side of its displacement, right and a little down, so none is left out and none is
-/// drawn twice.
+/// Scans a polygon that is broken into triangles: the rows of one triangle after another, each
+/// between its left and right edge. A sample on an edge of two triangles belongs to the one on the
+/// side of its displacement, right and a little down, so none is left out or drawn twice.
 template <class A, ScanObserver<PolygonNumbers<A>> Observer>
 void scanTriangles(const Contours &contours, const Triangulation &triangulation, FrameView frame,
                    Observer observer)

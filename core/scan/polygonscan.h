@@ -10,7 +10,7 @@
 /// first row, and an active edge moves by adding its slope.
 namespace pixelplumb {
 
-/// What a polygon is before its rows are walked.
+/// A polygon's set-up, before its rows are walked.
 inline PolygonSetUp polygonSetUpFor(const Contours &contours, FrameOrigin origin)
 {
     PolygonSetUp setUp;
@@ -75,7 +75,7 @@ void scanRows(std::span<const ContourEdge> edges, const PolygonSetUp &setUp, int
     }
 }
 
-/// The scan of one polygon into one frame.
+/// Scans one polygon into one frame.
 template <class A, ScanObserver<PolygonNumbers<A>> Observer>
 void scanPolygon(const Contours &contours, FrameView frame, Observer observer)
 {

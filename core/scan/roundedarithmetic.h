@@ -32,7 +32,7 @@ struct NumberTraits<FixedPoint<Raw, Product, FractionBits>> {
     static constexpr Arithmetic arithmetic
         = FractionBits == 16 ? Arithmetic::Fixed16 : Arithmetic::Fixed32;
 
-    /// The coordinate itself must fit; what is computed from it may still wrap.
+    /// Tests the coordinate itself; what is computed from it may still wrap.
     static bool represents(Lattice units)
     {
         constexpr int integerBits = int(8 * sizeof(Raw)) - 1 - FractionBits;
@@ -47,9 +47,9 @@ struct NumberTraits<FixedPoint<Raw, Product, FractionBits>> {
     static std::int64_t ceil(Fixed value) { return value.ceil(); }
 };
 
-/// The assignment's increments to the letter in a number that rounds: slope and colour rates are
-/// precomputed quotients, each column adds them, ΔR = (R_T − R_B)/(y_T − y_B), and R starts at
-/// R_B + (⌈y_B⌉ − y_B)·ΔR.
+/// The assignment's increments taken literally in a number that rounds: slope and colour rates are
+/// precomputed quotients, which each column adds, ΔR = (R_T − R_B)/(y_T − y_B), and R starts at R_B
+/// + (⌈y_B⌉ − y_B)·ΔR.
 template <class Value>
 struct RoundedArithmetic {
     using Number = Value;
@@ -112,7 +112,7 @@ struct RoundedArithmetic {
 
         ColourRamp(const Vertex &, const Vertex &, const Vertex &) { }
 
-        /// 0 where y_B = y_T: such a column has one sample at most and nothing to share out.
+        /// 0 where y_B = y_T: such a column has at most one sample and no change to spread.
         template <class ColumnState>
         [[gnu::always_inline]] std::array<Number, 3> rates(const ColumnState &column) const
         {

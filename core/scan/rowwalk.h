@@ -13,8 +13,8 @@ namespace pixelplumb {
 
 constexpr LatticePoint turned(const LatticePoint &point) { return {-point.y, point.x}; }
 
-/// A triangle of zero area keeps the two vertices that design says it lies between, the extreme
-/// ones in (x, y) order: turned, their order could be another where vertices coincide.
+/// Keeps only the extreme vertices, in (x, y) order, of a triangle of zero area, which lies between
+/// them by design: where vertices coincide, turning could change their order.
 constexpr Triangle betweenExtremes(const Triangle &triangle)
 {
     Triangle result = triangle;
@@ -33,7 +33,7 @@ constexpr Triangle turned(const Triangle &triangle)
     return result;
 }
 
-/// A frame seen in (u, v): each row of it is a column, the highest row first.
+/// A frame seen in (u, v): each row of the frame is a column, the highest row first.
 struct TurnedView {
     FrameView frame;
     std::int64_t firstColumn = 0; ///< −(the highest row)

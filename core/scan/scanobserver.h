@@ -10,10 +10,10 @@
 
 namespace pixelplumb {
 
-/// What hears a kernel at work: a closed list of events, each announced before the change that it
-/// names. A span is the run of samples that a kernel walks together: a column, a row, or one step
-/// of a curve. `Numbers` names the kernel's SetUp, Span and Sample. Observers are passed by value
-/// and return nothing; one that does nothing compiles to nothing.
+/// An observer of a kernel: it receives a closed list of events, each announced before the change
+/// that it names. A span is the run of samples that a kernel walks together: a column, a row, or
+/// one step of a curve. `Numbers` names the kernel's SetUp, Span and Sample. Observers are passed
+/// by value and return nothing; one that does nothing compiles to nothing.
 template <class Observer, class Numbers>
 concept ScanObserver = std::copy_constructible<Observer> && requires(
     Observer observer, const typename Numbers::SetUp &setUp, const typename Numbers::Span &span,
@@ -36,7 +36,7 @@ concept ScanObserver = std::copy_constructible<Observer> && requires(
         } -> std::same_as<void>;
 };
 
-/// Hears nothing: plain drawing.
+/// Ignores every event: plain drawing.
 struct NullObserver {
     template <class SetUp>
     void primitiveBegun(const SetUp &)
@@ -57,7 +57,7 @@ struct NullObserver {
     }
 };
 
-/// Whether an observer reads the numbers that it hears of. For one that does not, a kernel need not
+/// Whether an observer reads the numbers in its events. For one that does not, a kernel need not
 /// compute what the picture does not show.
 template <class Observer>
 inline constexpr bool readsNumbers = true;

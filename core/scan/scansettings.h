@@ -9,16 +9,16 @@
 
 namespace pixelplumb {
 
-/// Who owns a sample that lies exactly on an edge. All rules but the closed and the open one take
-/// the sample as if it were displaced by an infinitely small vector, so that every sample of a mesh
-/// has exactly one owner; under the rule of the off-screen point, which displaces towards a point,
-/// only where no edge's line passes through that point.
+/// Which triangle owns a sample that lies exactly on an edge. All rules but the closed and the open
+/// one displace the sample by an infinitely small vector, so that every sample of a mesh has
+/// exactly one owner. The off-screen point's rule, which displaces towards that point, ensures this
+/// only where no edge's line passes through the point.
 enum class FillRule {
     Closed, ///< not displaced: the boundary belongs to the triangle (the assignment)
     HalfOpenColumn, ///< (+ε², +ε): rows ⌈y_B⌉ … ⌈y_T⌉−1, columns ⌈x₀⌉ … ⌈x₂⌉−1
-    TopLeft, ///< (+ε, ε² down as seen): Direct3D, and the slides' "left or top edge"
+    TopLeft, ///< (+ε, ε² down on the screen): Direct3D, and the slides' "left or top edge"
     OffScreenPoint, ///< towards a chosen off-screen point (Triangles slides)
-    Open, ///< not displaced: the boundary belongs to nobody, E > 0 (the slides' printed tests)
+    Open, ///< not displaced: no triangle owns the boundary, E > 0 (the slides' printed tests)
 };
 
 /// What the increments are computed in.
@@ -49,12 +49,12 @@ std::optional<FillRule> fillRuleNamed(std::string_view name);
 std::optional<Arithmetic> arithmeticNamed(std::string_view name);
 std::optional<ByteRounding> byteRoundingNamed(std::string_view name);
 
-/// The choices under which one method draws.
+/// The settings under which a method draws.
 struct ScanSettings {
     Arithmetic arithmetic = Arithmetic::Exact;
     FillRule fillRule = FillRule::Closed;
     ByteRounding rounding = ByteRounding::Nearest;
-    VariantSet variants = {}; ///< departures, of a method that does not object to them
+    VariantSet variants = {}; ///< departures that the method accepts
 
     friend bool operator==(const ScanSettings &, const ScanSettings &) = default;
 };

@@ -58,7 +58,9 @@ constexpr VariantWords roundedBox = {
     "Triangle Rasterization slides, “Triangle rasterization implementation guidelines”",
     "With centres at halves, samples exactly on the box's sides of least x and y are never tested; "
     "with centres on whole numbers the last column and row are not, where the box ends less than "
-    "half a pixel behind them.",
+    "half a pixel behind them. At negative coordinates (int) cuts upwards: there the first column "
+    "or "
+    "row of the box may be left out.",
 };
 constexpr VariantWords stayAtZero = {
     "p ≤ 0 stays",
@@ -100,7 +102,8 @@ constexpr VariantWords divisorMinusOne = {
     "own; a count of pixels taken for one of steps, as in the Rasterization slides' “(Δx − 1) "
     "times”",
     "Increments are too large: an edge reaches its other end a pixel early and runs past it, and "
-    "its colour leaves the vertices' range.",
+    "its colour leaves the vertices' range. Where Δ − 1 is not above 0 nothing is divided: what is "
+    "so short keeps its first value.",
 };
 constexpr VariantWords divisorPlusOne = {
     "Increments by Δ + 1",
@@ -163,7 +166,7 @@ constexpr VariantWords unsortedColoursInRows = {
     unsortedColours.fault,
 };
 
-/// Null where there is no other word for rows.
+/// Null where rows need no words of their own.
 const VariantWords *wordsInRows(Variant variant)
 {
     switch (variant) {

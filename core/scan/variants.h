@@ -11,18 +11,18 @@
 
 namespace pixelplumb {
 
-/// A departure from the right algorithm, such as a text prints it or as programs get it wrong. It
-/// is a parameter of the ordinary kernels: all else of the run stays as it is, so that its picture
-/// shows what this one line does. The slides' E > 0 is none of these, but the fill rule Open.
+/// A departure from the correct algorithm, as a text prints it or as programs get it wrong. It is a
+/// parameter of the ordinary kernels: all else in the run stays the same, so that the picture shows
+/// what this one line does. The slides' E > 0 is not a variant but the fill rule Open.
 enum class Variant : std::uint8_t {
     RoundedBox, ///< the box of samples is (int)(x_min + ½) … (int)(x_max − ½), as printed
     StayAtZero, ///< a decision p = 0 stays: p ≤ 0 in place of p < 0
     OneStepShort, ///< Bresenham's step 4 is done Δx − 1 times
     NoColourPreStep, ///< a span's first sample takes the edge's colour as it is
-    NoEdgePreStep, ///< an edge has its vertex' values where it meets its first column or row
+    NoEdgePreStep, ///< an edge starts at its first column or row with its vertex's values
     DivisorMinusOne, ///< increments along an edge or line are divided by Δ − 1
     DivisorPlusOne, ///< by Δ + 1
-    UnsortedColours, ///< vertices are sorted, colours stay in the order in which they were given
+    UnsortedColours, ///< vertices are sorted, colours stay in the order given
     TwiceT, ///< P(2t) in place of P(t): "not unique", the same line in half the steps
     FiveT, ///< P(5t)
 };
@@ -33,7 +33,7 @@ inline constexpr std::array allVariants = {Variant::RoundedBox,     Variant::Sta
                                            Variant::DivisorPlusOne, Variant::UnsortedColours,
                                            Variant::TwiceT,         Variant::FiveT};
 
-/// Any of them together; none, which is the right algorithm, by default.
+/// Any combination of them; by default none, which is the correct algorithm.
 struct VariantSet {
     std::uint32_t bits = 0; ///< 1 << the variant
 
@@ -54,11 +54,11 @@ struct VariantSet {
 /// The members of a set, in the order of allVariants.
 std::vector<Variant> variantsIn(VariantSet set);
 
-/// What a person reads of a variant.
+/// How a variant is described to the user.
 struct VariantWords {
     std::string_view title; ///< "Rounded box"
     std::string_view printed; ///< the line in question
-    std::string_view right; ///< what stands there otherwise
+    std::string_view right; ///< the correct line
     std::string_view source; ///< where it is printed or seen, as resources/sources.md names it
     std::string_view fault; ///< what it does to the picture: a sentence
 };
@@ -66,8 +66,8 @@ struct VariantWords {
 /// The names in files and on the command line: "rounded-box", …
 std::string_view nameOf(Variant variant);
 std::optional<Variant> variantNamed(std::string_view name);
-/// What it is in a method that fills triangles along that axis: Free, which fills none, says
-/// columns.
+/// The words for a method that fills triangles along this axis; Free, which fills none, gets those
+/// for columns.
 const VariantWords &wordsOf(Variant variant, SpanAxis axis);
 
 } // namespace pixelplumb

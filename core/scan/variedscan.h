@@ -7,11 +7,11 @@
 
 #include <algorithm>
 
-/// What the column scan is told of departures from it (scansettings.h): nothing, which costs
-/// nothing, or a set of them.
+/// How the column scan is given departures (scansettings.h): none, which costs nothing, or a set of
+/// them.
 namespace pixelplumb {
 
-/// The column scan as it is right.
+/// The correct column scan.
 struct RightScan {
     template <class A>
     using Ramp = typename A::ColourRamp;
@@ -44,8 +44,8 @@ struct RightScan {
     }
 };
 
-/// R of a column by the assignment's letter, ΔR = (R_T − R_B)/(y_T − y_B) and R_B + (row − y_B)·ΔR,
-/// whatever bounds and colours there are: departures have no plane through the three vertices.
+/// R of a column as the assignment literally has it, ΔR = (R_T − R_B)/(y_T − y_B) and R_B + (row −
+/// y_B)·ΔR, whatever the bounds and colours: departures have no plane through the three vertices.
 template <class A>
 class LiteralRamp : public A::ColourRamp {
     using Base = typename A::ColourRamp;
@@ -57,7 +57,7 @@ public:
     static bool represents(const LatticePoint &) { return true; }
     static Number wholeRow(std::int64_t row) { return NumberTraits<Number>::fromInteger(row); }
 
-    /// R G B at a row, if they are the lower bound's at `from`, px.
+    /// R G B at a row, if the lower bound's colours hold at `from`, px.
     template <class Column>
     std::array<Number, 3> startsFrom(const Number &from, const Column &column,
                                      std::int64_t row) const
@@ -69,9 +69,9 @@ public:
     }
 };
 
-/// The same in integers, for coordinates of up to 2^15 px. A bound is y = Y/(d·S) with the colour
-/// c/d there, so that ΔR = (c_T·d_B − c_B·d_T)·S/h with h = Y_T·d_B − Y_B·d_T. Written over d_B·h,
-/// as R is, adding it needs no division. |h| < 2^80 and d < 2^25.
+/// LiteralRamp in integers, for coordinates of up to 2^15 px. A bound is y = Y/(d·S) with the
+/// colour c/d there, so that ΔR = (c_T·d_B − c_B·d_T)·S/h with h = Y_T·d_B − Y_B·d_T. Written over
+/// d_B·h, like R, it is added without division. |h| < 2^80 and d < 2^25.
 template <>
 class LiteralRamp<ExactArithmetic<Int128>> {
     using Number = MixedNumber<Int128>;
@@ -84,7 +84,7 @@ public:
     static bool represents(const LatticePoint &point) { return isNarrow(point); }
     static Number wholeRow(std::int64_t row) { return Number::fromWhole(row); }
 
-    /// 0 where y_B = y_T: such a column has one sample at most and nothing to share out.
+    /// 0 where y_B = y_T: such a column has at most one sample and no change to spread.
     template <class Column>
     std::array<Number, 3> rates(const Column &column) const
     {
@@ -136,8 +136,8 @@ private:
     }
 };
 
-/// The column scan with departures from it, of triangles that have area. The same functions as
-/// RightScan's.
+/// The column scan with departures, for triangles that have area. It has the same functions as
+/// RightScan.
 struct VariedScan {
     template <class A>
     using Ramp = LiteralRamp<A>;
@@ -157,8 +157,8 @@ struct VariedScan {
     }
 
     /// Divided by Δ ∓ 1, an edge has the slope of one whose other end is a pixel nearer or farther;
-    /// an edge without pre-step is one that begins at its first column. An edge of at most a pixel,
-    /// of which Δ − 1 leaves nothing, stays at its first vertex; one along the column has no slope.
+    /// without a pre-step it is one that begins at its first column. An edge of at most a pixel,
+    /// where Δ − 1 leaves nothing, stays at its first vertex; one along the column has no slope.
     constexpr Edge edge(const Vertex &a, const Vertex &b) const
     {
         Edge edge{a, b};
@@ -188,7 +188,7 @@ struct VariedScan {
                                   : a.remainder * b.denominator < b.remainder * a.denominator;
     }
 
-    /// R_B belongs to y_B; without a pre-step it is taken for the colour of the first row.
+    /// R_B belongs to y_B; without a pre-step it serves as the colour of the first row.
     template <class AnyRamp, class Column>
     auto starts(const AnyRamp &ramp, const Column &column) const
     {
@@ -198,8 +198,8 @@ struct VariedScan {
     }
 };
 
-/// The triangle with the colours left in the order in which they were given, while its vertices are
-/// sorted: the i-th vertex in the order gets the i-th colour.
+/// The triangle with sorted vertices but colours in the order given: the i-th vertex in sorted
+/// order gets the i-th colour.
 constexpr Triangle withUnsortedColours(const Triangle &triangle, const std::array<int, 3> &order)
 {
     Triangle result = triangle;

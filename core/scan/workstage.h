@@ -12,8 +12,8 @@ enum class WorkStage {
     Pixel, ///< one sample
 };
 
-/// An observer that also wants to know what the kernel's operations are for, by enter(stage), which
-/// returns the stage that was left. Every other observer pays nothing for it.
+/// An observer that also wants to know what the kernel's operations are for, through enter(stage),
+/// which returns the stage that was left. Other observers pay nothing for it.
 template <class Observer>
 concept HearsStages = requires(Observer observer, WorkStage stage)
 {
@@ -22,7 +22,7 @@ concept HearsStages = requires(Observer observer, WorkStage stage)
         } -> std::same_as<WorkStage>;
 };
 
-/// To the end of its block a kernel works for a stage.
+/// Marks a kernel's work until the end of the block as belonging to a stage.
 template <class Observer>
 class WorkScope {
 public:

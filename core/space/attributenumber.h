@@ -10,14 +10,14 @@
 
 namespace pixelplumb {
 
-/// The nearest integer; the upper one of two that are equally near. |value| < 2^62.
+/// The nearest integer; a tie goes up. |value| < 2^62.
 inline std::int64_t nearestWhole(double value)
 {
     const double whole = std::floor(value);
     return std::int64_t(whole) + (value - whole >= 0.5 ? 1 : 0);
 }
 
-/// The nearest attribute; none beyond largestAttributeValue and for what is not a number.
+/// The nearest attribute; none beyond largestAttributeValue and for NaN.
 inline std::optional<Attribute> nearestAttribute(double value)
 {
     if (!(std::abs(value) <= double(largestAttributeValue)))
@@ -25,15 +25,14 @@ inline std::optional<Attribute> nearestAttribute(double value)
     return nearestWhole(value * double(attributeOne));
 }
 
-/// The same, at most largestAttributeValue from 0; 0 for what is not a number.
+/// Like nearestAttribute(), but clamped to ±largestAttributeValue; 0 for NaN.
 inline Attribute clampedAttribute(double value)
 {
     const auto limit = double(largestAttributeValue);
     return std::isnan(value) ? 0 : nearestAttribute(std::clamp(value, -limit, limit)).value();
 }
 
-/// The nearest point of the lattice to a place in px; none beyond ±2^30 px and for what is not a
-/// number.
+/// The lattice coordinate nearest to a value in px; none beyond ±2^30 px and for NaN.
 inline std::optional<Lattice> nearestLattice(double pixels)
 {
     if (!(std::abs(pixels) <= double(largestPixel)))

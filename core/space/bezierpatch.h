@@ -16,7 +16,7 @@ std::array<Number, 4> bernstein(const Number &t)
     return {s * s * s, 3 * t * s * s, 3 * t * t * s, t * t * t};
 }
 
-/// Their derivatives.
+/// The derivatives of the Bernstein polynomials.
 template <class Number>
 std::array<Number, 4> bernsteinSlopes(const Number &t)
 {
@@ -44,8 +44,8 @@ public:
         return sum(bernstein(u), bernstein(v));
     }
 
-    /// ∂P/∂u × ∂P/∂v, of length 1. Where the tangents span nothing, at a parameter a little nearer
-    /// to the middle; 0 where they span nothing there either.
+    /// ∂P/∂u × ∂P/∂v, normalized. Where the tangents span no plane, the normal at a parameter
+    /// slightly nearer to the middle; 0 where they span none there either.
     SpaceVector<Number> normal(const Number &u, const Number &v) const
     {
         const SpaceVector<Number> normal = tangentsCross(u, v);
@@ -69,7 +69,7 @@ private:
     {
         return cross(alongU(u, v), alongV(u, v));
     }
-    /// What rounding leaves of nothing, beside the size of the control net.
+    /// Whether rounding alone explains the length, given the size of the control net.
     bool isTiny(const SpaceVector<Number> &normal) const
     {
         return lengthOf(normal) <= m_squaredSize / (Number(1 << 20) * Number(1 << 20));

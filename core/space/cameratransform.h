@@ -6,8 +6,8 @@
 
 namespace pixelplumb {
 
-/// Clip coordinates: the frame's sides are at x, y = ±w, the near plane at z = 0, the far one at
-/// z = w.
+/// Clip coordinates: the frame's sides are at x, y = ±w, the near plane is at z = 0, the far plane
+/// at z = w.
 template <class Number>
 struct ClipPoint {
     Number x = Number(0);
@@ -16,12 +16,12 @@ struct ClipPoint {
     Number w = Number(1);
 };
 
-/// The numbers of a camera and a frame, by which a point comes from the scene's space to sample
-/// coordinates (Scan Conversion slides, "Projective Rendering Pipeline").
+/// Transforms points from the scene's space to sample coordinates, by a camera and a frame (Scan
+/// Conversion slides, "Projective Rendering Pipeline").
 ///
 /// View space is right-handed: x to the right, y up, the eye at the origin, looking along −z.
 /// Clip coordinates of a perspective: x·c/aspect, y·c with c = cot(fieldOfView/2), w = −z and
-/// z_clip = (w − near)·far/(far − near); of an orthographic projection x·2/(height·aspect),
+/// z_clip = (w − near)·far/(far − near); of an orthographic projection: x·2/(height·aspect),
 /// y·2/height, w = 1 and z_clip = (−z − near)/(far − near).
 template <class Number>
 class CameraTransform {
@@ -69,16 +69,16 @@ public:
                 m_projection == Projection::Perspective ? depth : Number(1)};
     }
 
-    /// Of every point on the near plane.
+    /// The w of every point on the near plane.
     Number wAtNear() const { return m_projection == Projection::Perspective ? m_near : Number(1); }
 
-    /// (x/w, y/w, z/w); for w > 0.
+    /// (x/w, y/w, z/w); requires w > 0.
     static Vector divided(const ClipPoint<Number> &clip)
     {
         return {clip.x / clip.w, clip.y / clip.w, clip.z / clip.w};
     }
 
-    /// Sample coordinates in px: the frame reaches half a pixel beyond its outermost samples.
+    /// Sample coordinates in px: the frame extends half a pixel beyond its outermost samples.
     std::array<Number, 2> toFrame(const Vector &device) const
     {
         const Number half = Number(1) / 2;
@@ -87,7 +87,7 @@ public:
                 m_firstRow + (y + 1) * half * m_height - half};
     }
 
-    /// What toFrame() maps to a sample.
+    /// The inverse of toFrame(): the device coordinates of a sample.
     std::array<Number, 2> deviceAt(const Number &x, const Number &y) const
     {
         const Number half = Number(1) / 2;
@@ -96,7 +96,8 @@ public:
                 m_origin == FrameOrigin::BottomLeft ? upward : -upward};
     }
 
-    /// How far the frame reaches from the middle, sideways and upward, in the plane at a depth.
+    /// How far the frame extends from its middle, sideways and upward, in the plane at a view
+    /// depth.
     std::array<Number, 2> halfFrameAt(const Number &depth) const
     {
         const Number w = m_projection == Projection::Perspective ? depth : Number(1);
@@ -104,7 +105,7 @@ public:
     }
 
     const Vector &eye() const { return m_eye; }
-    /// What of clip coordinates a length in view space is, sideways, upward and in depth.
+    /// Clip coordinates per unit of view space, sideways, upward and in depth.
     Vector scale() const { return {m_scaleX, m_scaleY, m_scaleZ}; }
     const Vector &right() const { return m_right; }
     const Vector &up() const { return m_up; }

@@ -5,14 +5,14 @@
 
 namespace pixelplumb {
 
-/// The point of the unit circle at an angle.
+/// The point at some angle on the unit circle.
 template <class Number>
 struct CirclePoint {
     Number cosine = Number(1);
     Number sine = Number(0);
 };
 
-/// At part/whole of a full turn; exact at quarters, so that poles and seams meet.
+/// The point at part/whole of a full turn; exact at quarter turns, so that poles and seams meet.
 template <class Number>
 CirclePoint<Number> circlePoint(const Number &part, const Number &whole)
 {

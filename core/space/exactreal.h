@@ -5,8 +5,8 @@
 
 namespace pixelplumb {
 
-/// 50 decimal digits: what a double of projection or light would be without rounding, with 1e-40 to
-/// spare. The doubles of a scene are taken at their word.
+/// 50 decimal digits: what a double of projection or light would be without rounding, to within
+/// 1e-40. The scene's own doubles count as exact.
 using ExactReal = boost::multiprecision::cpp_bin_float_50;
 
 } // namespace pixelplumb

@@ -8,7 +8,7 @@
 
 namespace pixelplumb {
 
-/// What is seen, and through what.
+/// The scene to project, with its camera and frame.
 struct SpaceScene {
     const Camera &camera;
     std::span<const Solid> solids;
@@ -16,24 +16,24 @@ struct SpaceScene {
     const FrameSpec &frame;
 };
 
-/// One face on its way from space to the frame, in one kind of number: its vertices, and the
-/// corners of the polygon that clipping makes of it. Lists match by index within each.
+/// One face on its way from space to the frame, in one number type: its vertices, and the corners
+/// of its clipped polygon. The lists of vertices match by index, and so do those of corners.
 template <class Number>
 struct ProjectedFace {
-    std::vector<std::size_t> indices; ///< of the vertices in the solid
+    std::vector<std::size_t> indices; ///< of its vertices in the solid
     std::vector<SpaceVertex<Number>> vertices;
-    SpaceVector<Number> normal; ///< the face's own, of length 1, or 0
+    SpaceVector<Number> normal; ///< the face's own, normalized, or 0
     std::vector<SpaceVector<Number>> views;
     std::vector<ClipVertex<Number>> polygon;
-    /// What light was computed of: each vertex (Gouraud), the centre (flat), or nothing.
+    /// The points that light was computed at: each vertex (Gouraud), the centre (flat), or none.
     std::vector<LitColour<Number>> lit;
 
     std::vector<ClippedCorner<Number>> clipped;
-    std::vector<SpaceVector<Number>> devices; ///< after the division
+    std::vector<SpaceVector<Number>> devices; ///< after the perspective division
     std::vector<std::array<Number, 2>> places; ///< in the frame, px
 };
 
-/// The sum of the cross products of the fan: twice the area vector of a flat polygon.
+/// The sum of the fan's cross products: twice the area vector of a flat polygon.
 template <class Number>
 SpaceVector<Number> fanArea(const std::vector<SpaceVertex<Number>> &vertices)
 {
@@ -44,7 +44,7 @@ SpaceVector<Number> fanArea(const std::vector<SpaceVertex<Number>> &vertices)
     return area;
 }
 
-/// Projects the faces of one solid; what it returns is overwritten by the next face.
+/// Projects the faces of one solid; the next face overwrites the result.
 template <class Number>
 class FaceProjector {
 public:
@@ -122,7 +122,7 @@ private:
         return tinted(m_face.vertices[i].colour, m_material.diffuse);
     }
 
-    /// The means of the vertices' places and colours, and the face's own normal.
+    /// The mean position and colour of the vertices, with the face's own normal.
     LitColour<Number> faceCentre() const
     {
         const std::size_t count = m_face.vertices.size();

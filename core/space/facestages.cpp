@@ -12,7 +12,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The stages of one face, from its projection in doubles and without rounding.
+/// Writes the stages of one face from its projections in doubles and without rounding.
 class StageWriter {
 public:
     StageWriter(const SpaceScene &scene, const Solid &solid, std::size_t face, int wExponent)
@@ -79,7 +79,7 @@ private:
 
     static QString faceNormalName(QChar axis) { return QStringLiteral("face_") + axis; }
 
-    /// The face's own normal.
+    /// Writes the face's own normal.
     void writeFace(StagePoint &point)
     {
         StageNumberWriter numbers(point.numbers);
@@ -235,7 +235,7 @@ private:
         }
     }
 
-    /// Here the error is the snap's displacement.
+    /// Here the error is the displacement by snapping.
     void writeLattice()
     {
         const QString depthUnit = m_wExponent == 0
@@ -262,7 +262,7 @@ private:
         return ExactCorner{m_exact.clipped[at].vertex, m_exact.places[at], m_exact.devices[at].z};
     }
 
-    /// The same corner without rounding; none where a vertex so near to the plane changed sides.
+    /// The matching unrounded corner; none where a vertex very near the plane changed sides.
     std::optional<std::size_t> exactPlaceOf(const ClippedCorner<double> &corner) const
     {
         for (std::size_t i = 0; i < m_exact.clipped.size(); ++i) {

@@ -8,20 +8,19 @@
 
 namespace pixelplumb {
 
-/// A number of a stage: what was used, beside what the same code gives without rounding.
+/// A number of a stage: the value used, and the value of the same code without rounding.
 struct StageNumber {
-    QString name; ///< "x", "z_clip"; an underscore lowers what follows it
+    QString name; ///< "x", "z_clip"; an underscore makes what follows a subscript
     double used = 0;
-    QString exact; ///< 20 digits; empty where there is no such number without rounding
-    double error = 0; ///< used − exact; NaN where there is none
-    /// What it is worked out from, the numbers of this point and of the camera by their names,
-    /// those of a stage before under the same name with a prime: "x_clip/w"; empty where it is
-    /// given.
+    QString exact; ///< 20 digits; empty where no unrounded value exists
+    double error = 0; ///< used − exact; NaN where there is no exact value
+    /// How it is computed, by the names of the numbers of this point and of the camera; a prime
+    /// marks a number of the same name from the previous stage: "x_clip/w". Empty for a given
+    /// number.
     QString formula = {};
 };
 
-/// A vertex V₀, V₁, … of the face, a corner C₀, C₁, … of the polygon that clipping makes of it, or
-/// the face's centre.
+/// A vertex V₀, V₁, … of the face, a corner C₀, C₁, … of its clipped polygon, or the face's centre.
 struct StagePoint {
     QString name;
     QString note; ///< "kept: at or beyond the near plane", "cuts V₁V₂"
@@ -36,14 +35,14 @@ struct ProjectionStage {
     std::vector<StagePoint> points;
 };
 
-/// The whole way of one face, computed again by the code that draws.
+/// All stages of one face, recomputed by the code that draws.
 struct FaceStages {
     std::vector<ProjectionStage> stages;
-    ProjectedFace<double> face; ///< as it was used
-    std::vector<SnappedCorner> corners; ///< of the clipped polygon, as kernels get them
+    ProjectedFace<double> face; ///< as used for drawing
+    std::vector<SnappedCorner> corners; ///< of the clipped polygon, as the kernels get them
 };
 
-/// source: a face of the scene; its piece does not matter.
+/// The stages of a face. `source` names the face; its piece is ignored.
 FaceStages stagesOf(const SpaceScene &scene, const TriangleSource &source, int wExponent);
 
 } // namespace pixelplumb

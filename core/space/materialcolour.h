@@ -3,8 +3,8 @@
 
 #include "core/geometry/appearance.h"
 
-/// What a triangle is made of, and how a colour is multiplied by another: by a material's diffuse
-/// one at the vertices, by a texel at the samples.
+/// A triangle's material, and the multiplication of two colours: by the material's diffuse colour
+/// at the vertices, by a texel at the samples.
 namespace pixelplumb {
 
 /// ⌊c·d/255 + ½⌋, exactly.
@@ -18,7 +18,7 @@ constexpr Colour tinted(const Colour &colour, const Colour &tint)
              tinted(colour.blue(), tint.blue())}};
 }
 
-/// A triangle's or a solid's material, by its index; a white one where there is none of it.
+/// The material of a triangle or solid by its index; a white one where the index names none.
 const Material &materialOf(const Appearance &appearance, int material);
 
 } // namespace pixelplumb

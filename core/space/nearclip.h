@@ -8,7 +8,7 @@
 
 namespace pixelplumb {
 
-/// A face's vertex with all that is interpolated.
+/// A face's vertex with everything that is interpolated.
 template <class Number>
 struct ClipVertex {
     ClipPoint<Number> clip;
@@ -22,19 +22,19 @@ struct ClipVertex {
     bool isOnPlane() const { return clip.z == 0; }
 };
 
-/// A corner of the polygon that clipping makes: a vertex that is kept, or where an edge is cut.
+/// A corner of the clipped polygon: a kept vertex, or the cut of an edge.
 template <class Number>
 struct ClippedCorner {
     ClipVertex<Number> vertex;
-    std::size_t inside = 0; ///< the vertex, or the edge's end that is kept
-    std::size_t outside = 0; ///< the same, or the edge's other end
+    std::size_t inside = 0; ///< the vertex, or the kept end of the cut edge
+    std::size_t outside = 0; ///< the same vertex, or the other end of the edge
     Number t = Number(0); ///< from the inside end to the outside one
 
     bool isCut() const { return inside != outside; }
 };
 
-/// Where the edge crosses the near plane. Taken from the inside end whichever way the edge runs, so
-/// that both faces of an edge get the same point; z and w are those of the plane.
+/// The edge's intersection with the near plane. It is computed from the inside end whichever way
+/// the edge runs, so that both faces at an edge get the same point; z and w are those of the plane.
 template <class Number>
 ClippedCorner<Number> cutEdge(const std::vector<ClipVertex<Number>> &polygon, std::size_t inside,
                               std::size_t outside, const Number &wAtNear)
@@ -55,8 +55,8 @@ ClippedCorner<Number> cutEdge(const std::vector<ClipVertex<Number>> &polygon, st
 }
 
 /// The part of a convex polygon at or beyond the near plane, edge by edge [Sutherland 1974]. Only
-/// this plane: beyond it w > 0, and the frame clips what leaves it sideways by its rows and
-/// columns. A vertex on the plane is a corner by itself: none of its edges is cut there again.
+/// this plane is needed: beyond it w > 0, and the frame's rows and columns clip the rest. A vertex
+/// on the plane is itself a corner: its edges are not cut there again.
 template <class Number>
 void clipAtNear(const std::vector<ClipVertex<Number>> &polygon, const Number &wAtNear,
                 std::vector<ClippedCorner<Number>> &clipped)

@@ -7,16 +7,16 @@
 
 namespace pixelplumb {
 
-/// What corners in space make.
+/// The shape that corners in space form.
 enum class PolygonShape : std::uint8_t {
     Convex,
-    Flattened, ///< they stand on one line
-    Bent, ///< they are not in one plane
-    Concave, ///< or it crosses itself
+    Flattened, ///< the corners are collinear
+    Bent, ///< the corners are not coplanar
+    Concave, ///< or self-intersecting
 };
 
-/// Three corners or more. Planes and turns are judged within 10^-9 of the polygon's extent, since
-/// corners in an inclined plane are rounded.
+/// Needs at least three corners. Planarity and turns are judged within 10^-9 of the polygon's
+/// extent, since corners in an inclined plane are rounded.
 PolygonShape shapeOf(std::span<const SolidCorner> corners);
 
 } // namespace pixelplumb

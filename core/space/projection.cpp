@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Sets attributes, and remembers whether one could not be.
+/// Sets attributes, and remembers whether one did not fit.
 class AttributeSetter {
 public:
     void set(Attribute &attribute, double value)
@@ -31,7 +31,7 @@ private:
     bool m_fits = true;
 };
 
-/// Triangles as they come.
+/// Collects the triangles of faces.
 class TriangleCollector {
 public:
     TriangleCollector(ProjectedSolids &projected, int material)
@@ -82,7 +82,7 @@ private:
 
     ProjectedSolids &m_projected;
     int m_material;
-    bool m_isCut = false; ///< the face
+    bool m_isCut = false; ///< the current face
     std::vector<SnappedCorner> m_corners;
 };
 

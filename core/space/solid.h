@@ -11,7 +11,7 @@
 
 namespace pixelplumb {
 
-/// What a primitive in three dimensions is (Rasterization slides, "Output Primitives"; Scan
+/// The kinds of primitives in three dimensions (Rasterization slides, "Output Primitives"; Scan
 /// Conversion slides, "Polygons").
 enum class SolidKind : std::uint8_t {
     Triangle3, ///< three corners
@@ -33,9 +33,9 @@ struct SolidCorner {
     friend bool operator==(const SolidCorner &, const SolidCorner &) = default;
 };
 
-/// The triangles of a mesh's file, read once.
+/// The triangles of a mesh file, read once.
 struct Mesh {
-    std::string name; ///< the file, as the scene says it
+    std::string name; ///< the file, as the scene names it
     std::vector<SolidCorner> corners;
     std::vector<std::array<std::uint32_t, 3>> faces; ///< indices of corners
 
@@ -49,14 +49,14 @@ struct Solid {
     double radius = 1; ///< of a sphere
     std::array<int, 2> segments = {16, 8}; ///< of a sphere and a patch
     std::shared_ptr<const Mesh> mesh; ///< of a mesh
-    Vector3 at = {}; ///< of a mesh: where its origin stands
+    Vector3 at = {}; ///< of a mesh: the position of its origin
     double scale = 1; ///< of a mesh
     Vector3 rotate = {}; ///< of a mesh: degrees about x, then y, then z
     int material = noMaterial;
-    /// Of a sphere, a patch, a plane and a mesh; white where the file gives it none.
+    /// Of a sphere, patch, plane or mesh; white unless the file says otherwise.
     Colour colour = {{255, 255, 255}};
     std::uint8_t alpha = 255;
-    bool isHidden = false; ///< kept, and not drawn: it has no faces
+    bool isHidden = false; ///< kept but not drawn: it has no faces
 
     friend bool operator==(const Solid &a, const Solid &b)
     {

@@ -8,7 +8,7 @@ namespace {
 std::size_t around(const Solid &solid) { return std::size_t(solid.segments[0]); }
 std::size_t along(const Solid &solid) { return std::size_t(solid.segments[1]); }
 
-/// The index of the grid's vertex in column i of row j.
+/// The index of the grid vertex in column i of row j.
 std::size_t gridVertex(const Solid &solid, std::size_t i, std::size_t j)
 {
     return j * (around(solid) + 1) + i;

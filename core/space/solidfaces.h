@@ -5,16 +5,17 @@
 
 namespace pixelplumb {
 
-/// A solid is drawn as faces, convex polygons in one plane, each a list of the solid's vertices,
+/// The number of a solid's faces: convex, flat polygons, each a list of the solid's vertices,
 /// counter-clockwise seen from outside, in drawing order. A cell of a sphere's segments is one
-/// face, at the poles a triangle; a cell of a patch, which is not flat, is two triangles.
+/// face, a triangle at the poles; a cell of a patch, which is not flat, is two triangles.
 std::size_t faceCount(const Solid &solid);
 
-/// The indices of the face's vertices; a buffer that is used again and again.
+/// Writes the indices of the face's vertices to a reusable buffer.
 void takeFace(const Solid &solid, std::size_t face, std::vector<std::size_t> &vertices);
 
-/// Of a sphere and a patch: a grid of segments[0] + 1 by segments[1] + 1, row by row: a sphere's
-/// first row is its upper pole, a patch's v = 0. Of the others: as many as they have corners.
+/// A sphere or patch has a grid of segments[0] + 1 by segments[1] + 1 vertices, row by row: a
+/// sphere's first row is its upper pole, a patch's is v = 0. Other solids have a vertex for each
+/// corner.
 std::size_t vertexCount(const Solid &solid);
 
 } // namespace pixelplumb

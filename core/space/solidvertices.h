@@ -14,14 +14,14 @@ namespace pixelplumb {
 template <class Number>
 struct SpaceVertex {
     SpaceVector<Number> position;
-    SpaceVector<Number> normal; ///< of length 1, or 0: the face's own
+    SpaceVector<Number> normal; ///< normalized, or 0: the face's own
     std::array<Number, 2> texture = {};
-    Colour colour; ///< before the material's
+    Colour colour; ///< without the material's
     std::uint8_t alpha = 255;
 };
 
-/// The vertices of a solid, each computed when it is asked for, and the same however often. The
-/// solid must outlive it.
+/// The vertices of a solid, computed on request and always with the same result. The solid must
+/// outlive it.
 template <class Number>
 class SolidVertices {
 public:
@@ -131,7 +131,7 @@ private:
         return vertex;
     }
 
-    /// About x, then y, then z.
+    /// Rotates about x, then y, then z.
     Vector turned(const Vector &point) const
     {
         const auto &[x, y, z] = m_turns;
@@ -146,7 +146,7 @@ private:
     const Solid &m_solid;
     Vector m_at;
     std::array<CirclePoint<Number>, 3> m_turns;
-    // Of a sphere, by column and by row; empty where few vertices are asked for.
+    // A sphere's, by column and by row; empty unless computed in double.
     std::vector<CirclePoint<Number>> m_around;
     std::vector<CirclePoint<Number>> m_down;
 };

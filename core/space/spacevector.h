@@ -8,8 +8,8 @@
 
 namespace pixelplumb {
 
-/// A point or a direction in space, in numbers of which double is what is used and a wider one
-/// gives what it would be without rounding.
+/// A point or direction in space. Drawing uses double; a wider number type gives the result without
+/// rounding.
 template <class Number>
 struct SpaceVector {
     Number x = Number(0);
@@ -64,7 +64,7 @@ Number lengthOf(const SpaceVector<Number> &a)
     return sqrt(dot(a, a));
 }
 
-/// Of length 1; 0 where the vector has no length.
+/// The normalized vector; 0 for a vector without length.
 template <class Number>
 SpaceVector<Number> unit(const SpaceVector<Number> &a)
 {

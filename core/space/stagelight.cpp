@@ -18,14 +18,14 @@ void addUnit(StageNumberWriter &numbers, const QString &subscript, const SpaceVe
     numbers.add(subscript, used, &exact, unitOf(used, component));
 }
 
-/// "S_0" where a light stands, "d_0" the direction in which it shines.
+/// "S_0" for the position of a light, "d_0" for the direction in which it shines.
 QString sourceName(const Light &light, std::size_t index)
 {
     return (light.kind == Light::Kind::Positional ? QStringLiteral("S_%1") : QStringLiteral("d_%1"))
         .arg(index);
 }
 
-/// From the point to a place, or the direction itself.
+/// The vector from the point to a position, or the direction itself.
 Component wayTo(Light::Kind kind, const QString &name)
 {
     return [=](QChar axis) {
@@ -71,7 +71,7 @@ void writeLights(StagePoint &point, const Appearance &appearance, const Material
     }
 }
 
-/// How a colour comes about on which light falls, by its name.
+/// The formula of a lit colour, by its name.
 using BaseFormula = std::function<QString(const QString &base)>;
 
 void writeLightAt(StagePoint &point, const Appearance &appearance, const Material &material,
@@ -166,7 +166,7 @@ ProjectionStage lightStageOf(const LitPart &part, const std::vector<LitColour<do
     for (std::size_t i = 0; i < used.size(); ++i) {
         StagePoint &point = stage.points.emplace_back(
             StagePoint{isFlat ? QStringLiteral("centre") : faceVertexName(i), {}, {}});
-        if (isFlat) { // a vertex's stand in the stage before
+        if (isFlat) { // a vertex has them in the previous stage
             StageNumberWriter numbers(point.numbers);
             numbers.add(QString(), used[i].point.place, &exact[i].point.place, part.centrePlace);
             numbers.add(QStringLiteral("_N"), used[i].point.normal, &exact[i].point.normal,

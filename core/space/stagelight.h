@@ -5,7 +5,7 @@
 #include "core/space/facestages.h"
 #include "core/space/stagevectors.h"
 
-/// What the points of a face's light are described by, as used and without rounding.
+/// Writes the points of a face's light stage, with and without rounding.
 namespace pixelplumb {
 
 /// What light falls on: a face or a plain triangle.
@@ -13,24 +13,24 @@ struct LitPart {
     const Appearance &appearance;
     const Material &material;
     std::size_t vertices = 0;
-    // How the centre of flat shading comes about, its place and its normal.
+    // The formulas of the position and the normal of flat shading's centre.
     Component centrePlace;
     Component centreNormal;
 };
 
-/// How light falls on a face's vertices or its centre: what all points share, the viewer, the
-/// lights and what the material does with them; then at each point n, L, V and H of length 1, the
-/// terms of each light, the levels and their bytes. `used` and `exact` are of the same points; in
-/// Gouraud shading their places and normals are told before.
+/// The light stage of a face's vertices or centre. Shared by all points: the viewer, the lights and
+/// how the material reflects them. At each point: n, L, V and H, normalized, the terms of each
+/// light, the levels and their bytes. `used` and `exact` describe the same points; in Gouraud
+/// shading their positions and normals are in the previous stage.
 ProjectionStage lightStageOf(const LitPart &part, const std::vector<LitColour<double>> &used,
                              const std::vector<LitColour<ExactReal>> &exact);
 
-/// A vertex's own colour c, and base, which has the material's multiplied in.
+/// A vertex's own colour c, and base, its product with the material's diffuse colour.
 void writeTint(StagePoint &point, const Colour &given, const Colour &diffuse);
 
-/// The light that a plain triangle with normals has before scan conversion, computed again by the
-/// code that lights it: its corners, and how light falls on them, or in flat shading on their mean.
-/// `given`: as the scene has it.
+/// The stages of light on a plain triangle with normals before scan conversion, recomputed by the
+/// code that lights it: its corners, and the light on them, or in flat shading on their mean.
+/// `given`: the triangle as in the scene.
 std::vector<ProjectionStage> lightStagesOf(const Triangle &given,
                                            const TriangleAttributes &attributes,
                                            const Appearance &appearance);

@@ -5,26 +5,26 @@
 
 #include <cstddef>
 
-/// What the points of a face's stages are called, and the numbers of one in the formulas of
-/// another.
+/// The names of the points of a face's stages, and of their numbers in the formulas of other
+/// points.
 namespace pixelplumb {
 
-/// "V₀": the name of a face's vertex; "C₀": of a clipped polygon's corner.
+/// "V₀" names a face's vertex, "C₀" a corner of the clipped polygon.
 QString faceVertexName(std::size_t vertex);
 QString clippedCornerName(std::size_t corner);
 
-/// The points that have the camera's own numbers, those of the lights and the face's own normal.
+/// The points that hold the camera's own numbers, the lights' and the face's own normal.
 QString cameraPointName();
 QString lightsPointName();
 QString facePointName();
-/// Whether a point is one of these, whose numbers every point's formulas may name.
+/// Whether a point is one of these, whose numbers may appear in any point's formulas.
 bool isShared(const QString &point);
 
-/// "V₁_y", "V₁_base_R": a number of a vertex in space, as the formulas of other points call it.
+/// "V₁_y", "V₁_base_R": a number of a vertex in space, as named in the formulas of other points.
 QString ofVertex(std::size_t vertex, const QString &number);
 
-/// "x_V₁", "R_V₁": a clip coordinate of a vertex, its level or its place in the texture, as the
-/// polygon's formulas call it.
+/// "x_V₁", "R_V₁": a vertex's clip coordinate, level or texture coordinate, as named in the
+/// polygon's formulas.
 QString clipName(QChar coordinate, std::size_t vertex);
 
 } // namespace pixelplumb

@@ -9,7 +9,7 @@
 
 namespace pixelplumb {
 
-/// Writes numbers as they were used, each beside the one without rounding where there is one.
+/// Writes numbers as used, each with its unrounded value where there is one.
 class StageNumberWriter {
 public:
     explicit StageNumberWriter(std::vector<StageNumber> &numbers)
@@ -32,8 +32,7 @@ public:
     {
         add(name, used, &exact, formula);
     }
-    /// The three components of a vector, which `name` calls, with their formulas where there are
-    /// any.
+    /// The three components of a vector, named by `name`, with their formulas if any.
     void add(const Component &name, const SpaceVector<double> &used,
              const SpaceVector<ExactReal> *exact, const Component &formula = {})
     {

@@ -102,7 +102,7 @@ void writeSnappedPoint(StagePoint &point, const SnappedCorner &corner,
                 QStringLiteral("⌊256·y′ + ½⌋/256"));
     numbers.add(QStringLiteral("z"), value(attributes.z), exact ? &exact->z : nullptr,
                 QStringLiteral("⌊16777216·z_device + ½⌋/16777216"));
-    // 2^24 and the power by which w is written.
+    // 2^24 times the scale of w.
     const int power = attributeFractionBits + wExponent;
     const QString scaled = power < 0
         ? QStringLiteral("w′/%1").arg(std::ldexp(1.0, -power), 0, 'f', 0)

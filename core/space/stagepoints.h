@@ -6,25 +6,25 @@
 
 #include <optional>
 
-/// What single points of a face's stages are described by, as used and without rounding.
+/// Writes single points of a face's stages, with and without rounding.
 namespace pixelplumb {
 
-/// The camera's own numbers, from which those of all stages are worked out.
+/// The camera's own numbers, from which all stages are computed.
 void writeCameraPoint(StagePoint &point, const SpaceScene &scene);
 
-/// What a corner of the clipped polygon has of its vertex, or of the two ends of the edge that is
-/// cut: u, v, the levels and the alpha.
+/// What a corner of the clipped polygon takes from its vertex, or from both ends of the cut edge:
+/// u, v, the levels and alpha.
 void writeCarried(StagePoint &point, const ClippedCorner<double> &corner,
                   const ClippedCorner<ExactReal> *exact);
 
-/// A corner of the clipped polygon without rounding.
+/// An unrounded corner of the clipped polygon.
 struct ExactCorner {
     const ClipVertex<ExactReal> &vertex;
     const std::array<ExactReal, 2> &place; ///< px
     const ExactReal &z; ///< after the division
 };
 
-/// A corner on the lattice; beside it where it was before: none where there is no such corner.
+/// A corner on the lattice, and the exact corner before snapping; none where that does not exist.
 void writeSnappedPoint(StagePoint &point, const SnappedCorner &corner,
                        const std::optional<ExactCorner> &exact, int wExponent);
 

@@ -11,7 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// What a line holds of them.
+/// The most that fit on a line.
 constexpr std::size_t mostSummands = 12;
 constexpr std::size_t mostFanVertices = 4;
 

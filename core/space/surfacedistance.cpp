@@ -7,7 +7,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The distance of a segment to the origin.
+/// The distance from a segment to the origin.
 double distanceOfSegment(const SpaceVector<double> &a, const SpaceVector<double> &b)
 {
     const SpaceVector<double> along = b - a;
@@ -20,7 +20,7 @@ double distanceOfSegment(const SpaceVector<double> &a, const SpaceVector<double>
 
 double sphereDistance(double radius, const std::array<int, 2> &segments)
 {
-    // In the half-plane of a row's middle lines: x from the axis, y along it.
+    // In the half-plane of a row's middle lines: x is the distance from the axis, y runs along it.
     const double shrinking = circlePoint(0.5, double(segments[0])).cosine;
     const auto middle = [&](int row) {
         const CirclePoint<double> down = circlePoint(double(row), 2.0 * segments[1]);
@@ -34,7 +34,7 @@ double sphereDistance(double radius, const std::array<int, 2> &segments)
 
 double patchDistance(const Solid &patch)
 {
-    constexpr int samples = 8; // a side of a cell
+    constexpr int samples = 8; // along a side of a cell
     const BezierPatch<double> surface(patch);
     const auto columns = double(patch.segments[0]);
     const auto rows = double(patch.segments[1]);
@@ -49,7 +49,7 @@ double patchDistance(const Solid &patch)
         for (int sample = 0; sample <= samples * (samples + 2); ++sample) {
             const double s = double(sample % (samples + 1)) / samples;
             const double t = double(sample / (samples + 1)) / samples; // NOLINT: whole rows
-            // Of the triangle below the diagonal from the first corner, or above it.
+            // On the triangle below the diagonal from the first corner, or above it.
             const SpaceVector<double> flat = s >= t
                 ? corners[0] + s * (corners[1] - corners[0]) + t * (corners[2] - corners[1])
                 : corners[0] + t * (corners[3] - corners[0]) + s * (corners[2] - corners[3]);

@@ -7,7 +7,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The same surface in one kind of number.
+/// A Surface in one number type.
 template <class Number>
 struct SurfaceNumbers {
     using Vector = SpaceVector<Number>;
@@ -56,14 +56,14 @@ struct SurfaceNumbers {
         return dot(from, from) - radius * radius;
     }
 
-    /// Whether the last coordinate is a function of the others at all.
+    /// Whether the last coordinate is a function of the others.
     bool isExplicit() const
     {
         return (kind != SurfaceKind::Line || first.x != 0)
             && (kind != SurfaceKind::Plane || normal.z != 0);
     }
 
-    /// y of a curve, z of a surface, from the other coordinates and the branch of the root.
+    /// y of a curve or z of a surface, from the other coordinates and the branch of the root.
     Number explicitly(const Vector &at) const
     {
         using std::sqrt;

@@ -11,7 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The vector of length 1 towards a light or the viewer: from the point to a place, or a direction.
+/// The unit vector towards a light or the viewer: from the point to a position, or a direction.
 template <class Number>
 SpaceVector<Number> towards(Light::Kind kind, const SpaceVector<Number> &at,
                             const SpaceVector<Number> &point)
@@ -19,7 +19,7 @@ SpaceVector<Number> towards(Light::Kind kind, const SpaceVector<Number> &at,
     return unit(kind == Light::Kind::Positional ? at - point : at);
 }
 
-/// The unit vector towards the light, against the direction in which a directional one shines.
+/// The unit vector towards the light, opposite to the direction in which a directional one shines.
 template <class Number>
 SpaceVector<Number> towardsLight(const Light &light, const SpaceVector<Number> &point)
 {

@@ -5,9 +5,9 @@
 
 namespace pixelplumb {
 
-/// Numbers that tables show and hide together.
+/// Groups of numbers that tables show and hide together.
 enum class NumberGroup {
-    Position, ///< which primitive, column, row or step: what counts rows, and nothing beside
+    Position, ///< which primitive, column, row or step: only what identifies rows
     Span, ///< bounds and covered samples
     Decision, ///< edge functions, weights, decision parameters
     EdgeColours,
@@ -15,30 +15,30 @@ enum class NumberGroup {
     FirstColour,
 };
 
-/// What a number belongs to, where the window has a sign or a heading for that.
+/// What a number belongs to, where the window marks that with a sign or a heading.
 enum class NumberSubject { General, LowerEdge, UpperEdge, LeftEdge, RightEdge, Red, Green, Blue };
 
-/// Whether a number stands for an exact one from which rounding may part it.
+/// Whether a number has an exact counterpart from which rounding may separate it.
 enum class Comparison { WithExact, None };
 
-/// What one number of a method is called and where it comes from: tables, formulas, exports and the
-/// command line show any method by this description without knowing it. How the number is read
-/// stands in the same row of the method's table (NumberRow).
+/// The name and origin of one number of a method. With this description, tables, formulas, exports
+/// and the command line show any method without knowing it. How the number is read is in the same
+/// row of the method's table (NumberRow).
 ///
 /// A formula assigns to the title ("y_B ← y_B′ + m₀₁") and names other numbers of the same sample,
 /// span or set-up by their titles; a name with a prime is the number's value one step earlier.
-/// Formula panels put the values in by these names. Where the formula is that of one edge or of
-/// another, as the step has it, the description of all steps says "m" and NumberRow::specify the
+/// Formula panels substitute values by these names. Where the formula uses one edge or another,
+/// depending on the step, the description for all steps says "m" and NumberRow::specify puts in the
 /// edge's own name.
 struct NumberDescription {
     QString id; ///< in CSV and JSON: "y_B"
-    /// In a header and in formulas: "y_B". It depends on nothing but the run's settings, so that
-    /// one header serves all rows of a table.
+    /// In a header and in formulas: "y_B". It depends only on the run's settings, so that one
+    /// header serves all rows of a table.
     QString title;
     QString unit; ///< "px", "levels", "levels/row", or empty
-    QString toolTip; ///< one sentence, of no other number of its table
+    QString toolTip; ///< one sentence, unique within its table
     QString formula; ///< "y_B ← y_B′ + m", or empty
-    /// Where there is no earlier step: "y_B ← y₀"; empty where the formula always holds.
+    /// For the first step: "y_B ← y₀"; empty where the formula always holds.
     QString startFormula = {};
     NumberGroup group = NumberGroup::Position;
     Comparison comparison = Comparison::None;

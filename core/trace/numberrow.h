@@ -10,14 +10,14 @@
 
 namespace pixelplumb {
 
-/// One number of a method: its description, and how it is read from the state of the kernel. This
-/// row is all that says so; a number is added to a method by adding a row.
+/// One number of a method: its description, and how it is read from the kernel's state. Nothing
+/// else is needed to add a number to a method.
 template <class State>
 struct NumberRow {
     using Read = std::function<Quantity(const State &)>;
     using Specify = std::function<void(NumberDescription &description, const State &)>;
 
-    // No aggregate: GCC 12 fails on lists of rows with a default member initializer.
+    // Not an aggregate: GCC 12 fails on lists of rows with a default member initializer.
     NumberRow(NumberDescription shown, Read readFrom, Specify specifyIn = {})
         : description(std::move(shown))
         , read(std::move(readFrom))
@@ -25,14 +25,14 @@ struct NumberRow {
     {
     }
 
-    NumberDescription description; ///< true of every state
-    Read read; ///< none where the number does not exist in the state
-    /// Makes the description that of one state: the edge that bounds this column, the branch that
-    /// was taken. Empty where it is the same in all.
+    NumberDescription description; ///< holds for every state
+    Read read; ///< returns none where the number does not exist in the state
+    /// Adapts the description to one state: the edge that bounds this column, the branch that was
+    /// taken. Empty where all states share one description.
     Specify specify;
 };
 
-/// The numbers of one level (set-up, span or sample) in the order in which they are shown.
+/// The numbers of one level (set-up, span or sample) in display order.
 template <class State>
 using NumberTable = std::vector<NumberRow<State>>;
 
@@ -46,7 +46,7 @@ std::vector<Quantity> cellsOf(const NumberTable<State> &table, const State &stat
     return cells;
 }
 
-/// What is true of every state.
+/// Descriptions that hold for every state.
 template <class State>
 std::vector<NumberDescription> descriptionsOf(const NumberTable<State> &table)
 {
@@ -56,7 +56,7 @@ std::vector<NumberDescription> descriptionsOf(const NumberTable<State> &table)
     return descriptions;
 }
 
-/// What is true of this state.
+/// Descriptions specified for this state.
 template <class State>
 std::vector<NumberDescription> descriptionsIn(const NumberTable<State> &table, const State &state)
 {

@@ -10,8 +10,9 @@
 
 namespace pixelplumb {
 
-/// One sample that a kernel visited, with its pixel before and after: enough to go either way (16
-/// bytes). Frames are opaque, so a transparent `after` is free to mean that the sample was refused.
+/// One sample that a kernel visited, with its pixel before and after, so that replay can go either
+/// way (16 bytes). Frames are opaque, so a transparent `after` is free to mean that the sample was
+/// refused.
 struct PixelChange {
     std::int32_t x = 0;
     std::int32_t y = 0;
@@ -27,7 +28,7 @@ struct PixelChange {
     friend bool operator==(const PixelChange &, const PixelChange &) = default;
 };
 
-/// The visits of a run in order. Grows by blocks, so that millions are never copied.
+/// The visits of a run in order. Grows by blocks, so that millions of visits are never copied.
 class PixelChanges {
 public:
     std::size_t size() const { return m_size; }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/trace/currentstep.h"
 #include "core/trace/numberrow.h"
-#include "core/trace/stepinhand.h"
 #include "core/trace/stepwords.h"
 #include "core/trace/tracerecords.h"
 
@@ -11,24 +11,24 @@
 #include <type_traits>
 
 /// How a kernel's numbers become records. A recording names
-///   SetUp, Span, Sample    the kernel's numbers, as its observers hear them;
+///   SetUp, Span, Sample    the kernel's numbers, as its observers receive them;
 ///   setUpNumbers(), spanNumbers(), sampleNumbers()
 ///                          the tables of NumberRows by which they are read and described;
 ///   placeOf(span)          where the span lies;
-///   record(…)              fills what a SetUpRecord, SpanRecord or SampleRecord holds beside its
+///   record(…)              fills what a SetUpRecord, SpanRecord or SampleRecord holds besides its
 ///                          cells;
 ///   isClamped(sample)      whether a level left 0 … 255.
 /// It may name more:
 ///   walk(setUp, span, settings, observer)
 ///                          calls the kernel's own loop again for one span; where there is no such
 ///                          function the samples themselves are kept;
-///   record(sampleInHand, sampleRecord)
+///   record(currentSample, sampleRecord)
 ///                          fills what a sample's record takes from its span and set-up;
-///   stateOf(stepInHand)    what the rows read instead of the step in hand itself;
-///   tell(words, state)     the words of a step that no other family has.
+///   stateOf(currentStep)   what the rows read instead of the step itself;
+///   tell(words, state)     adds the words of a step that only this family has.
 namespace pixelplumb {
 
-/// The tables of a recording; those of a scope where it has one.
+/// The tables of a recording, or those of a scope where it has one.
 template <class R>
 struct TablesOf {
     std::decay_t<decltype(R::setUpNumbers())> setUp;
@@ -41,7 +41,7 @@ struct TablesOf {
         return std::make_shared<const TablesOf>(TablesOf{
             R::setUpNumbers(scope...), R::spanNumbers(scope...), R::sampleNumbers(scope...)});
     }
-    /// The same for every run.
+    /// The tables shared by every run.
     static const std::shared_ptr<const TablesOf> &common()
     {
         static const std::shared_ptr<const TablesOf> tables = of();
@@ -50,11 +50,11 @@ struct TablesOf {
 };
 
 template <class R>
-using SetUpInHandOf = SetUpInHand<typename R::SetUp>;
+using CurrentSetUpOf = CurrentSetUp<typename R::SetUp>;
 template <class R>
-using SpanInHandOf = SpanInHand<typename R::SetUp, typename R::Span>;
+using CurrentSpanOf = CurrentSpan<typename R::SetUp, typename R::Span>;
 template <class R>
-using SampleInHandOf = SampleInHand<typename R::SetUp, typename R::Span, typename R::Sample>;
+using CurrentSampleOf = CurrentSample<typename R::SetUp, typename R::Span, typename R::Sample>;
 
 template <class R>
 concept Recording = requires(const typename R::SetUp &setUp, const typename R::Span &span,
@@ -75,7 +75,7 @@ concept Recording = requires(const typename R::SetUp &setUp, const typename R::S
         } -> std::same_as<bool>;
 };
 
-/// True where the samples of a span can be walked again with any observer.
+/// True where a span's samples can be walked again with any observer.
 template <class R, class Observer>
 concept Rewalkable = requires(const typename R::SetUp &setUp, const typename R::Span &span,
                               const ScanSettings &settings, Observer observer)
@@ -83,17 +83,17 @@ concept Rewalkable = requires(const typename R::SetUp &setUp, const typename R::
     R::walk(setUp, span, settings, observer);
 };
 
-/// What the rows of a recording read at a step.
-template <class R, class StepInHand>
-decltype(auto) stateOf(const StepInHand &step)
+/// The state that a recording's rows read at a step.
+template <class R, class CurrentStep>
+decltype(auto) stateOf(const CurrentStep &step)
 {
     if constexpr (requires { R::stateOf(step); })
         return R::stateOf(step);
     else
-        return StepInHand(step);
+        return CurrentStep(step);
 }
 
-/// The words of a step whose numbers stand in a table.
+/// The words of a step whose numbers are in a table.
 template <class R, class Table, class State>
 StepWords wordsOf(const Table &table, const State &state)
 {

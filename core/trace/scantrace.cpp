@@ -134,7 +134,7 @@ std::optional<std::size_t> ScanTrace::visitOf(std::size_t primitive, std::int64_
         const std::size_t last = endSampleOf(span);
         if (first == last)
             continue;
-        // The samples of a column or row are neighbours, in order.
+        // The samples of a column or row are adjacent and in order.
         const PixelChange &start = m_samples[first];
         const std::int64_t distance = place.axis == SpanAxis::Column ? y - start.y : x - start.x;
         if (place.axis != SpanAxis::Free && distance >= 0 && distance < std::int64_t(last - first)

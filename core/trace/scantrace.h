@@ -12,11 +12,11 @@ namespace pixelplumb {
 /// What a step of a trace did.
 enum class StepKind {
     SetUp, ///< a primitive was begun (or rejected)
-    Span, ///< a span was entered: its numbers are known, none of its samples is decided
+    Span, ///< a span was entered: its numbers are known, but none of its samples is decided
     Sample, ///< a sample was written or refused
 };
 
-/// Where a step stands in the trace. Indices count through all primitives.
+/// A step's place in the trace. Indices count through all primitives.
 struct TraceStep {
     StepKind kind = StepKind::SetUp;
     std::size_t primitive = 0;
@@ -26,15 +26,15 @@ struct TraceStep {
     friend bool operator==(const TraceStep &, const TraceStep &) = default;
 };
 
-/// What the cells of a trace's records are. A run has the numbers that its plan calls for.
+/// Descriptions of the cells in a trace's records. A run has the numbers that its plan calls for.
 struct TraceNumbers {
-    std::vector<NumberDescription> setUp; ///< what SetUpRecord::cells are
-    std::vector<NumberDescription> span; ///< what SpanRecord::cells are: the table's columns
-    std::vector<NumberDescription> sample; ///< what SampleRecord::cells are
+    std::vector<NumberDescription> setUp; ///< describes SetUpRecord::cells
+    std::vector<NumberDescription> span; ///< describes SpanRecord::cells, the table's columns
+    std::vector<NumberDescription> sample; ///< describes SampleRecord::cells
 };
 
 /// The record of a whole run: what the kernel announced, in the numbers that it used. A position p
-/// in 0 … stepCount() means that the first p steps are done; step p − 1 is the step in hand.
+/// in 0 … stepCount() means that the first p steps are done; step p − 1 is the current one.
 class ScanTrace {
 public:
     virtual ~ScanTrace() = default;
@@ -46,12 +46,12 @@ public:
 
     std::size_t primitiveCount() const { return m_primitives.size(); }
     std::size_t spanCount() const { return m_spans.size(); }
-    /// Samples that the kernel visited, written or refused.
+    /// Number of samples that the kernel visited, written or refused.
     std::size_t sampleCount() const { return m_samples.size(); }
     std::size_t writtenCount() const { return sampleCount() - m_refusals; }
     std::size_t stepCount() const { return primitiveCount() + spanCount() + sampleCount(); }
 
-    /// The step with an index in 0 … stepCount() − 1.
+    /// The step at an index in 0 … stepCount() − 1.
     TraceStep stepAt(std::size_t index) const;
     std::size_t indexOfSetUp(std::size_t primitive) const { return m_primitives[primitive].step; }
     std::size_t indexOfSpan(std::size_t span) const { return m_spans[span].step; }
@@ -63,7 +63,7 @@ public:
     const PixelChanges &changes() const { return m_samples; }
     /// The samples whose levels left 0 … 255, ascending.
     const std::vector<std::size_t> &clampedSamples() const { return m_clampedSamples; }
-    /// The primitives of which nothing is drawn, ascending; setUp() says why.
+    /// The primitives that draw nothing, ascending; setUp() says why.
     const std::vector<std::size_t> &rejectedPrimitives() const { return m_rejected; }
     std::size_t firstSpanOf(std::size_t primitive) const
     {
@@ -74,19 +74,19 @@ public:
     std::size_t endSampleOf(std::size_t span) const;
     std::size_t primitiveOf(std::size_t span) const { return m_spans[span].primitive; }
     const SpanPlace &placeOf(std::size_t span) const { return m_spans[span].place; }
-    /// Whether a span is the first of its part of its primitive: formulas start afresh there.
+    /// Whether a span begins a part of its primitive: formulas start afresh there.
     bool beginsPart(std::size_t span) const;
     /// The span to which a sample belongs.
     std::size_t spanOf(std::size_t sample) const;
     /// The first span of a primitive on a column or row; none where it has no such span.
     std::optional<std::size_t> spanOn(std::size_t primitive, SpanAxis axis,
                                       std::int64_t coordinate) const;
-    /// Of the spans of a primitive on the pixel's column, or else its row, the nearest one by its
-    /// bounds, or by its samples where it has none; the first of several; none where it has no such
-    /// span.
+    /// The primitive's span on the pixel's column, else on its row, that is nearest to the pixel:
+    /// by its bounds, or by its samples where it has none. The first of equally near spans; none
+    /// where there is no such span.
     std::optional<std::size_t> spanNear(std::size_t primitive, std::int64_t x,
                                         std::int64_t y) const;
-    /// The primitive's last visit to a pixel that wrote it, else the last that refused it.
+    /// The primitive's last visit that wrote the pixel, else the last that refused it.
     std::optional<std::size_t> visitOf(std::size_t primitive, std::int64_t x, std::int64_t y) const;
 
     virtual SetUpRecord setUp(std::size_t primitive) const = 0;
@@ -97,18 +97,18 @@ public:
     {
         return samplesWith(span, SampleCells::Filled);
     }
-    /// The same with empty cells: in a tenth of the time.
+    /// samples() with empty cells, in a tenth of the time.
     std::vector<SampleRecord> samplesWithoutCells(std::size_t span) const
     {
         return samplesWith(span, SampleCells::Empty);
     }
 
-    /// What the numbers of these records are called in the state in hand, and what is said of it.
+    /// How the numbers of these records are named at the step, and what is said about it.
     virtual StepWords setUpWords(std::size_t primitive) const = 0;
     virtual StepWords spanWords(std::size_t span) const = 0;
-    /// The sample with this place in the span, from 0.
+    /// The words of the sample at this place in the span, from 0.
     virtual StepWords sampleWords(std::size_t span, std::size_t place) const = 0;
-    /// What the numbers of each of the span's samples are called, in order: those of sampleWords().
+    /// How the numbers of each sample of the span are named, in order, as in sampleWords().
     virtual std::vector<std::vector<NumberDescription>> sampleNumbers(std::size_t span) const = 0;
 
 protected:

@@ -8,28 +8,28 @@
 
 namespace pixelplumb {
 
-/// What a step is in the pseudocode of its method.
+/// The place of a step in its method's pseudocode.
 enum class Moment {
     SetUp,
-    Rejected, ///< the set-up found that nothing is to be drawn
+    Rejected, ///< the set-up found nothing to draw
     Begin, ///< the first span of a primitive or of a part of it
-    Span, ///< a further one
-    Stay, ///< a further one, by a decision that leads along
-    Cross, ///< by one that leads across, too
-    Halve, ///< a piece that is not drawn but divided
+    Span, ///< a later span
+    Stay, ///< a later span, where the decision steps along the axis only
+    Cross, ///< a later span, where the decision also steps across
+    Halve, ///< a piece that is halved instead of drawn
     First, ///< a span's first sample, written
-    Next, ///< a further one, written
+    Next, ///< a later sample, written
     Refused, ///< a sample that is not written
 };
 
-/// How one step is spoken of: what its numbers are called in it, and what the kernel's family says
-/// of it. Empty texts are left to the explanation that serves every method.
+/// The wording of one step: how its numbers are named, and what the kernel's family says about it.
+/// Where a text is empty, the explanation common to all methods is used.
 struct StepWords {
-    std::vector<NumberDescription> numbers; ///< of the record's cells, in their order
+    std::vector<NumberDescription> numbers; ///< for the record's cells, in their order
     QString heading; ///< "Column 27, second half"
     QString sentence; ///< one or two sentences that a screen reader can speak
-    QString event; ///< what has just changed for the steps to come: "L₁₂ takes over from L₀₁"
-    std::optional<Moment> moment; ///< where the kind of the step and its place do not say it
+    QString event; ///< what has just changed for later steps: "L₁₂ takes over from L₀₁"
+    std::optional<Moment> moment; ///< where the step's kind and place do not determine it
 };
 
 } // namespace pixelplumb

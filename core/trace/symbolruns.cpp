@@ -5,7 +5,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// "²": it belongs to the whole symbol, not to what is lowered before it.
+/// "²": it belongs to the whole symbol, not to a subscript before it.
 bool isExponent(QChar character) { return QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹").contains(character); }
 
 } // namespace

@@ -7,7 +7,7 @@
 
 namespace pixelplumb {
 
-/// A piece of a symbol as it is set: on the line, or lowered.
+/// A piece of a symbol as typeset: on the line, or as a subscript.
 struct SymbolRun {
     enum class Level { Line, Subscript };
 
@@ -17,8 +17,8 @@ struct SymbolRun {
     friend bool operator==(const SymbolRun &, const SymbolRun &) = default;
 };
 
-/// How the symbols in a text are set: an underscore lowers the letters and digits that follow it,
-/// as in "⌈y_B⌉" and "x_start"; the exponent in "r_x²" stays up.
+/// How the symbols in a text are typeset: an underscore makes the letters and digits after it a
+/// subscript, as in "⌈y_B⌉" and "x_start"; the exponent in "r_x²" stays up.
 std::vector<SymbolRun> symbolRuns(const QString &text);
 
 } // namespace pixelplumb

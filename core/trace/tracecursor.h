@@ -6,8 +6,8 @@
 
 namespace pixelplumb {
 
-/// A frame that stands at a position of a trace and can be moved either way: forward it writes each
-/// change's `after`, backward its `before`. The trace must outlive the cursor.
+/// A frame at one position of a trace that can be moved either way: forward it writes each change's
+/// `after`, backward its `before`. The trace must outlive the cursor.
 class TraceCursor {
 public:
     TraceCursor(const ScanTrace &trace, const FrameSpec &spec)

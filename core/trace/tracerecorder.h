@@ -6,16 +6,16 @@
 
 namespace pixelplumb {
 
-/// Whether a recording keeps every sample or the numbers of the spans alone.
+/// Whether a recording keeps every sample or only the numbers of the spans.
 enum class TraceDetail { Samples, Spans };
 
-/// Limits and company of a recording.
+/// Limits, listener and detail of a recording.
 struct TraceOptions {
-    /// Recording ends, and the trace says so, when this many samples are recorded (16 bytes each).
+    /// Recording ends, and the trace is marked as cut, after this many samples (16 bytes each).
     std::size_t sampleLimit = std::size_t(1) << 24;
-    /// The same for spans (about 400 bytes each; four crossings of a polygon's row count as one).
+    /// The limit for spans (about 400 bytes each; four crossings of a polygon's row count as one).
     std::size_t spanLimit = std::size_t(1) << 18;
-    /// Hears at every span how many were entered so far; nobody knows how many there will be.
+    /// Receives at every span the number entered so far; the total is unknown.
     ProgressListener progress;
     TraceDetail detail = TraceDetail::Samples;
 };
@@ -102,8 +102,8 @@ private:
     const TraceOptions *m_options;
 };
 
-/// Records what `scan(primitive, recorder)` announces for each primitive of the method's kinds;
-/// the others are noted as rejected. Null when options.progress cancelled it.
+/// Records what `scan(primitive, recorder)` announces for each primitive of the method's kinds; the
+/// others are recorded as rejected. Null when options.progress cancelled it.
 template <Recording R, class Draws, class Scan>
 std::unique_ptr<ScanTrace> recordTrace(std::size_t primitiveCount, const ScanSettings &settings,
                                        const TraceOptions &options, const Draws &draws,

@@ -17,7 +17,7 @@ namespace pixelplumb {
 /// Where a span lies.
 struct SpanPlace {
     SpanAxis axis = SpanAxis::Column;
-    /// x of a column, y of a row, px; the step's number, from 0, of a free span.
+    /// x of a column, y of a row, px; for a free span the step's number, from 0.
     std::int64_t coordinate = 0;
     /// Which part of the primitive the span belongs to, from 0: the half of a column scan, the
     /// trapezoid of an edge walk.
@@ -26,13 +26,13 @@ struct SpanPlace {
     friend bool operator==(const SpanPlace &, const SpanPlace &) = default;
 };
 
-/// What was computed once for a primitive, in any arithmetic.
+/// What is computed once per primitive, in any arithmetic.
 struct SetUpRecord {
     std::size_t primitive = 0;
     std::optional<Rejection> rejection;
-    /// Of a triangle that is sorted: the indices of P0, P1, P2 in the caller's triangle.
+    /// For a sorted triangle: the indices of P0, P1, P2 in the caller's triangle.
     std::array<int, 3> order = {0, 1, 2};
-    /// Of a sorted triangle: the side that L₀₂ bounds; none where no edge is an upper or lower
+    /// For a sorted triangle: the side that L₀₂ bounds; none where no edge is an upper or lower
     /// bound.
     std::optional<LongEdge> longEdge;
     bool zeroArea = false;
@@ -46,12 +46,12 @@ struct SpanRecord {
     /// Where the bounds meet the column (y_B, y_T) or the row (x_L, x_R), px; none in methods that
     /// test every sample.
     Quantity lower, upper;
-    /// The side that L₀₂ bounds here: that of the set-up, but where rounding has taken the bounds
-    /// past each other; none in methods whose bounds are no walked edges.
+    /// The side that L₀₂ bounds here: that of the set-up unless rounding has moved the bounds past
+    /// each other; none in methods whose bounds are not walked edges.
     std::optional<LongEdge> longEdge;
     std::int64_t firstSample = 0, endSample = 0; ///< along the span, unclipped
     std::int64_t firstDrawn = 0, endDrawn = 0; ///< along the span, clipped to the frame
-    /// Of a line's step: it passes half-way between two pixels, of which a rule takes one.
+    /// For a step of a line: it passes half-way between two pixels, of which a rule picks one.
     bool isTie = false;
     std::vector<Quantity> cells; ///< by TraceNumbers::span
 

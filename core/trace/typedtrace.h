@@ -8,7 +8,7 @@
 
 namespace pixelplumb {
 
-/// Hears one span being walked and shows each of its samples to a function.
+/// An observer of one span's walk that passes each sample to a function.
 template <Recording R>
 struct SampleVisitor {
     using Visit = std::function<void(std::int64_t x, std::int64_t y, SampleFate fate,
@@ -34,7 +34,7 @@ inline constexpr bool canWalkAgain = Rewalkable<R, SampleVisitor<R>>;
 template <Recording R>
 class TraceRecorder;
 
-/// A trace in the very numbers of one kernel.
+/// A trace in one kernel's own numbers.
 template <Recording R>
 class TypedTrace final : public ScanTrace {
 public:
@@ -55,7 +55,7 @@ public:
         record.rejection = m_setUps[primitive].rejection;
         R::record(m_setUps[primitive].setUp, record);
         if (wasComputed(record))
-            record.cells = cellsOf(m_tables->setUp, stateOf<R>(setUpInHand(primitive)));
+            record.cells = cellsOf(m_tables->setUp, stateOf<R>(currentSetUp(primitive)));
         else
             record.cells.resize(m_tables->setUp.size());
         return record;
@@ -66,7 +66,7 @@ public:
         record.primitive = primitiveOf(span);
         record.place = placeOf(span);
         R::record(m_states[span], record);
-        record.cells = cellsOf(m_tables->span, stateOf<R>(spanInHand(span)));
+        record.cells = cellsOf(m_tables->span, stateOf<R>(currentSpan(span)));
         return record;
     }
     std::vector<SampleRecord> samplesWith(std::size_t span, SampleCells cells) const override
@@ -80,43 +80,43 @@ public:
                          record.fate = fate;
                          record.clamped = fate == SampleFate::Written && R::isClamped(sample);
                          R::record(sample, record);
-                         const SampleInHandOf<R> inHand = sampleInHand(span, x, y, fate, sample);
-                         if constexpr (requires { R::record(inHand, record); })
-                             R::record(inHand, record);
+                         const CurrentSampleOf<R> current = currentSample(span, x, y, fate, sample);
+                         if constexpr (requires { R::record(current, record); })
+                             R::record(current, record);
                          if (cells == SampleCells::Filled)
-                             record.cells = cellsOf(m_tables->sample, stateOf<R>(inHand));
+                             record.cells = cellsOf(m_tables->sample, stateOf<R>(current));
                      });
         return records;
     }
 
     StepWords setUpWords(std::size_t primitive) const override
     {
-        return wordsOf<R>(m_tables->setUp, stateOf<R>(setUpInHand(primitive)));
+        return wordsOf<R>(m_tables->setUp, stateOf<R>(currentSetUp(primitive)));
     }
     StepWords spanWords(std::size_t span) const override
     {
-        return wordsOf<R>(m_tables->span, stateOf<R>(spanInHand(span)));
+        return wordsOf<R>(m_tables->span, stateOf<R>(currentSpan(span)));
     }
     StepWords sampleWords(std::size_t span, std::size_t place) const override
     {
         StepWords words;
         std::size_t visited = 0;
-        visitSamples(span,
-                     [&](std::int64_t x, std::int64_t y, SampleFate fate, const Sample &sample) {
-                         if (visited++ == place)
-                             words = wordsOf<R>(m_tables->sample,
-                                                stateOf<R>(sampleInHand(span, x, y, fate, sample)));
-                     });
+        visitSamples(
+            span, [&](std::int64_t x, std::int64_t y, SampleFate fate, const Sample &sample) {
+                if (visited++ == place)
+                    words = wordsOf<R>(m_tables->sample,
+                                       stateOf<R>(currentSample(span, x, y, fate, sample)));
+            });
         return words;
     }
     std::vector<std::vector<NumberDescription>> sampleNumbers(std::size_t span) const override
     {
         std::vector<std::vector<NumberDescription>> numbers;
-        visitSamples(span,
-                     [&](std::int64_t x, std::int64_t y, SampleFate fate, const Sample &sample) {
-                         numbers.push_back(descriptionsIn(
-                             m_tables->sample, stateOf<R>(sampleInHand(span, x, y, fate, sample))));
-                     });
+        visitSamples(
+            span, [&](std::int64_t x, std::int64_t y, SampleFate fate, const Sample &sample) {
+                numbers.push_back(descriptionsIn(
+                    m_tables->sample, stateOf<R>(currentSample(span, x, y, fate, sample))));
+            });
         return numbers;
     }
 
@@ -129,27 +129,27 @@ private:
         std::optional<Rejection> rejection;
     };
 
-    /// Other primitives were begun with nothing computed.
+    /// False for primitives that were begun with nothing computed.
     static bool wasComputed(const SetUpRecord &record)
     {
         return !(record.rejection == PrimitiveRejection::NotOfThisMethod
                  || record.rejection == PrimitiveRejection::NotRepresentable);
     }
 
-    SetUpInHandOf<R> setUpInHand(std::size_t primitive) const
+    CurrentSetUpOf<R> currentSetUp(std::size_t primitive) const
     {
         return {primitive, m_settings, m_setUps[primitive].setUp};
     }
-    SpanInHandOf<R> spanInHand(std::size_t span) const
+    CurrentSpanOf<R> currentSpan(std::size_t span) const
     {
         const std::size_t primitive = primitiveOf(span);
         const bool isFirst = span == firstSpanOf(primitive);
-        return {setUpInHand(primitive), m_states[span], isFirst ? nullptr : &m_states[span - 1]};
+        return {currentSetUp(primitive), m_states[span], isFirst ? nullptr : &m_states[span - 1]};
     }
-    SampleInHandOf<R> sampleInHand(std::size_t span, std::int64_t x, std::int64_t y,
-                                   SampleFate fate, const Sample &sample) const
+    CurrentSampleOf<R> currentSample(std::size_t span, std::int64_t x, std::int64_t y,
+                                     SampleFate fate, const Sample &sample) const
     {
-        return {spanInHand(span), sample, x, y, fate};
+        return {currentSpan(span), sample, x, y, fate};
     }
 
     void visitSamples(std::size_t span, const typename SampleVisitor<R>::Visit &visit) const
@@ -171,7 +171,7 @@ private:
     std::vector<TypedSetUp> m_setUps;
     std::vector<typename R::Span> m_states;
     std::vector<Sample> m_kept; ///< by sample, where spans cannot be walked again
-    std::size_t m_spanWeight = 0; ///< what of TraceOptions::spanLimit is taken
+    std::size_t m_spanWeight = 0; ///< how much of TraceOptions::spanLimit is used
 };
 
 } // namespace pixelplumb

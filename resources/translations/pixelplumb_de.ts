@@ -177,7 +177,7 @@
         <translation>Fertiges Bild; aufgezeichnet sind die ersten %L1 Schritte</translation>
     </message>
     <message>
-        <source>Outlines and handles only under the pointer and in hand: over %1 in view</source>
+        <source>More than %1 in view: outlines and handles show only under the pointer and for the current triangle</source>
         <translation>Umrisse und Griffe nur unter dem Zeiger und beim aktuellen: über %1 im Blick</translation>
     </message>
     <message>
@@ -246,7 +246,7 @@
         <translation>Spalten der Rasterung</translation>
     </message>
     <message>
-        <source>A row for each column; the current row is the column in hand.</source>
+        <source>A row for each column; the highlighted row is the current column.</source>
         <translation>Je Spalte eine Zeile; die markierte Zeile ist die aktuelle Spalte.</translation>
     </message>
     <message>
@@ -352,7 +352,7 @@
         <translation>Zeilen der Tabelle</translation>
     </message>
     <message>
-        <source>Show all rows, or those in which a sample lies on an edge (=), a level left 0 … 255 (^), or a pixel differs from the truth (?, !, c)</source>
+        <source>Show all rows, or those in which a sample lies on an edge (=), a level went outside 0 … 255 (^), or a pixel differs from the truth (?, !, c)</source>
         <translation>Alle Zeilen zeigen oder nur die, in denen ein Abtastpunkt auf einer Kante liegt (=), ein Farbwert 0 … 255 verließ (^) oder ein Pixel von der Wahrheit abweicht (?, !, c)</translation>
     </message>
     <message>
@@ -548,7 +548,7 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>%1 and %2 beside colour: %3</source>
+        <source>%1 and %2, apart from colour: %3</source>
         <translation>%1 und %2 neben der Farbe: %3</translation>
     </message>
     <message>
@@ -1490,7 +1490,7 @@
         <translation>Im Schrittablauf öffnen</translation>
     </message>
     <message>
-        <source>Run the scene with these defects, at the first step that parts from the right run; where no run has them, the right run at that step</source>
+        <source>Run the scene with these defects and go to the first step that differs from the right run; if no run can have them, show the right run at that step</source>
         <translation>Die Szene mit diesen Defekten laufen lassen, beim ersten Schritt, der vom richtigen Lauf abweicht; wo kein Lauf sie hat, den richtigen Lauf bei diesem Schritt</translation>
     </message>
     <message>
@@ -1599,7 +1599,7 @@
         <translation>&amp;Dreieck hinzufügen …</translation>
     </message>
     <message>
-        <source>Chan&amp;ge the triangle in hand…</source>
+        <source>Chan&amp;ge the current triangle…</source>
         <translation>Aktuelles Dreieck ä&amp;ndern …</translation>
     </message>
     <message>
@@ -1631,7 +1631,7 @@
         <translation>Alle ausgeblendeten Primitive zei&amp;gen</translation>
     </message>
     <message>
-        <source>The triangle of the selected vertex; where none is selected, the one that the step in hand draws</source>
+        <source>The triangle of the selected vertex; where none is selected, the one that the current step draws</source>
         <translation>Das Dreieck des gewählten Eckpunkts; ist keiner gewählt, das, das der aktuelle Schritt zeichnet</translation>
     </message>
     <message>
@@ -1675,7 +1675,7 @@
         <translation>Letzte &amp;Meldung kopieren</translation>
     </message>
     <message>
-        <source>What was told last over the canvas, also when it is gone</source>
+        <source>Copies the last note shown over the canvas, even after it has gone</source>
         <translation>Was zuletzt über der Zeichenfläche gemeldet wurde, auch wenn es verschwunden ist</translation>
     </message>
 </context>
@@ -2130,7 +2130,7 @@
         <translation>Noch ist nichts gezeichnet. Um %1 oder um ein Pixel vorgehen: mit den Knöpfen oben oder im Menü Schritt mit seinen Tasten.</translation>
     </message>
     <message>
-        <source>Formulas of the step in hand</source>
+        <source>Formulas of the current step</source>
         <translation>Formeln des aktuellen Schritts</translation>
     </message>
     <message>
@@ -2472,7 +2472,7 @@
         <translation>Abgebrochen; was bewertet ist, bleibt, und die Bewertung geht von dort weiter.</translation>
     </message>
     <message>
-        <source>What you said is not saved: %1</source>
+        <source>Your review is not saved: %1</source>
         <translation>Was gesagt wurde, ist nicht gespeichert: %1</translation>
     </message>
 </context>
@@ -2515,7 +2515,7 @@
         <translation>Anhalten; was bewertet ist, bleibt</translation>
     </message>
     <message>
-        <source>Show the submissions in which these words stand</source>
+        <source>Show the submissions that contain these words</source>
         <translation>Die Abgaben zeigen, in denen diese Wörter stehen</translation>
     </message>
     <message>
@@ -2661,7 +2661,7 @@
         <translation>&lt;b&gt;Anmerkung:&lt;/b&gt; %1.</translation>
     </message>
     <message>
-        <source>Being drawn by the method in hand.</source>
+        <source>Being drawn by the current method.</source>
         <translation>Wird mit dem aktuellen Verfahren gezeichnet.</translation>
     </message>
     <message>
@@ -2676,7 +2676,7 @@
         <translation>Schwierige Fälle nach Familien</translation>
     </message>
     <message>
-        <source>method in hand | truth</source>
+        <source>current method | truth</source>
         <translation>aktuelles Verfahren | Wahrheit</translation>
     </message>
     <message>
@@ -2730,7 +2730,7 @@
         <translation>&amp;Was ist das?</translation>
     </message>
     <message>
-        <source>The next click tells what it hits is for (Shift+F1)</source>
+        <source>The next click explains the part that is clicked (Shift+F1)</source>
         <translation>Der nächste Klick sagt, wozu da ist, was er trifft (Umschalt+F1)</translation>
     </message>
     <message>
@@ -3278,7 +3278,7 @@
         <translation>Wer gezeigt wird</translation>
     </message>
     <message>
-        <source>Choose whom charts and table show: arithmetics, kernels, methods. Best is who is best of those shown.</source>
+        <source>Choose what charts and table show: arithmetics, kernels, methods. The best are the best of those shown.</source>
         <translation>Wählt, wen Diagramme und Tabelle zeigen: Arithmetiken, Kerne, Verfahren. Bester ist der beste der gezeigten.</translation>
     </message>
     <message>
@@ -3518,7 +3518,7 @@
         <translation>Spaltenrasterung neben float32 (%1 von einer Million falsch): %2.</translation>
     </message>
     <message>
-        <source>Run draws the same triangles by every contender, counts the pixels that differ from the truth, and times all of them in turn, beside straight loops that do the same work.</source>
+        <source>Run draws the same triangles with every contender, counts the pixels that differ from the truth, and times them all in turn, along with straight loops that do the same work.</source>
         <translation>Messen zeichnet dieselben Dreiecke mit jedem Kandidaten, zählt die Pixel, die von der Wahrheit abweichen, und misst alle reihum, neben schlichten Schleifen, die dieselbe Arbeit tun.</translation>
     </message>
     <message>
@@ -3689,7 +3689,7 @@
         <translation>Ein Abtastpunkt auf einer Kante gehört zur Seite eines Punkts außerhalb</translation>
     </message>
     <message>
-        <source>A sample on an edge belongs to nobody: ⌊y_B⌋+1 … ⌈y_T⌉−1</source>
+        <source>A sample on an edge belongs to neither side: ⌊y_B⌋+1 … ⌈y_T⌉−1</source>
         <translation>Ein Abtastpunkt auf einer Kante gehört niemandem: ⌊y_B⌋+1 … ⌈y_T⌉−1</translation>
     </message>
     <message>
@@ -3717,7 +3717,7 @@
         <translation>Füllregel</translation>
     </message>
     <message>
-        <source>Who owns a sample that lies exactly on an edge</source>
+        <source>Which side owns a sample that lies exactly on an edge</source>
         <translation>Wem ein Abtastpunkt gehört, der genau auf einer Kante liegt</translation>
     </message>
     <message>
@@ -4205,7 +4205,7 @@
         <translation>Die Szene stillstehen lassen</translation>
     </message>
     <message>
-        <source>Frame in hand</source>
+        <source>Current frame</source>
         <translation>Aktuelles Einzelbild</translation>
     </message>
     <message>
@@ -4284,7 +4284,7 @@
         <translation>Die Bilder werden gezeichnet.</translation>
     </message>
     <message>
-        <source>Over %1 frames pixels toggle %2; exactly, %3.</source>
+        <source>Over %1 frames pixels toggle %2; in the truth, %3.</source>
         <translation>Über %1 Bilder wechseln Pixel %2; exakt gerechnet %3.</translation>
     </message>
     <message>
@@ -4303,7 +4303,7 @@
 <context>
     <name>pixelplumb::MotionView</name>
     <message>
-        <source>The frame in hand</source>
+        <source>The current frame</source>
         <translation>Das aktuelle Einzelbild</translation>
     </message>
     <message numerus="yes">
@@ -5172,7 +5172,7 @@
         <translation>Richtig, %1. %2</translation>
     </message>
     <message>
-        <source>Not %1. %2 Try again, or have it shown.</source>
+        <source>Not %1. %2 Try again, or press Show.</source>
         <translation>Nicht %1. %2 Noch einmal versuchen oder zeigen lassen.</translation>
     </message>
     <message>
@@ -5298,7 +5298,7 @@
         <translation>Das ist %1 der Spanne davor: was kommt mit einem Schritt dazu?</translation>
     </message>
     <message>
-        <source>That is %1, the whole number beside it. Asked for is %2 itself: a fraction, or a decimal rounded to %3 places or more.</source>
+        <source>That is %1, the whole number next to it. The question asks for %2 itself: a fraction, or a decimal rounded to %3 places or more.</source>
         <translation>Das ist %1, die ganze Zahl daneben. Gefragt ist %2 selbst: ein Bruch oder eine Dezimalzahl, auf %3 oder mehr Stellen gerundet.</translation>
     </message>
     <message>
@@ -5368,7 +5368,7 @@
         <translation>%1, Körper %2</translation>
     </message>
     <message>
-        <source>The number that it has wherever it is told: of those that are drawn, from 0</source>
+        <source>The number used in all other places: counted from 0, among the drawn primitives</source>
         <translation>Die Nummer, die es überall hat: unter denen, die gezeichnet werden, ab 0</translation>
     </message>
     <message>
@@ -5496,7 +5496,7 @@
         <translation>Form</translation>
     </message>
     <message>
-        <source>Of a circle an ellipse, outlined or filled: a list of what it can be</source>
+        <source>The forms it can take, such as circle or ellipse, outlined or filled</source>
         <translation>Aus einem Kreis eine Ellipse, als Umriss oder gefüllt: eine Liste dessen, was es sein kann</translation>
     </message>
 </context>
@@ -5539,7 +5539,7 @@
         <translation>Projektion</translation>
     </message>
     <message>
-        <source>The triangle in hand</source>
+        <source>The current triangle</source>
         <translation>Das aktuelle Dreieck</translation>
     </message>
     <message>
@@ -5555,7 +5555,7 @@
         <translation>Die Szene wird gezeichnet.</translation>
     </message>
     <message>
-        <source>This scene has no solids. Of a face of a sphere, a plane, a patch, a mesh or a polygon in space, here stands how the camera takes it to the frame: from its vertices to the eye&apos;s axes, clip coordinates, the polygon that the near plane leaves, the division by w, pixels and the lattice, each number beside the exact one.</source>
+        <source>This scene has no solids. For a face of a sphere, a plane, a patch, a mesh or a polygon in space, this panel shows how the camera takes it to the frame: from its vertices to the eye&apos;s axes, clip coordinates, the polygon that the near plane leaves, the division by w, pixels and the lattice, each number next to the exact one.</source>
         <translation>Diese Szene hat keine Körper. Von einer Seitenfläche einer Kugel, einer Ebene, eines Flächenstücks, eines Netzes oder eines Polygons im Raum steht hier, wie die Kamera sie auf die Bildfläche bringt: von ihren Eckpunkten zu den Achsen des Auges, den Clip-Koordinaten, dem Polygon, das die vordere Ebene übrig lässt, der Division durch w, Pixeln und Koordinatengitter, jede Zahl neben der exakten.</translation>
     </message>
     <message numerus="yes">
@@ -5570,7 +5570,7 @@
         <translation> Ein Schritt hinein zeigt eines davon.</translation>
     </message>
     <message>
-        <source>The triangle in hand is %1 %2 %3 of face %4 of solid %5, %6.</source>
+        <source>The current triangle is %1 %2 %3 of face %4 of solid %5, %6.</source>
         <translation>Das aktuelle Dreieck ist %1 %2 %3 der Seitenfläche %4 des Körpers %5 (%6).</translation>
     </message>
 </context>
@@ -5623,7 +5623,7 @@
         <translation> und </translation>
     </message>
     <message>
-        <source>Recorded are the first %L1 steps, into primitive %L2 of %L3: stepping and the panels end there. At the end the canvas shows the finished picture. To record the whole run, make the frame or the scene smaller.</source>
+        <source>Only the first %L1 steps are recorded, into primitive %L2 of %L3: stepping and the panels end there. At the end the canvas shows the finished picture. To record the whole run, make the frame or the scene smaller.</source>
         <translation>Aufgezeichnet sind die ersten %L1 Schritte, bis in Primitiv %L2 von %L3: Die Schritte und die Bereiche enden dort. Am Ende zeigt die Zeichenfläche das fertige Bild. Mit kleinerer Bildfläche oder Szene wird der ganze Lauf aufgezeichnet.</translation>
     </message>
     <message>
@@ -6037,7 +6037,7 @@
         <translation>Die Kamera von der Seite</translation>
     </message>
     <message>
-        <source>The eye, the near plane, the picture plane and the rays to the face in hand. Drag to turn, wheel to magnify, double click to put it back.</source>
+        <source>The eye, the near plane, the picture plane and the rays to the current face. Drag to turn, wheel to magnify, double click to put it back.</source>
         <translation>Das Auge, die vordere Ebene, die Bildebene und die Strahlen zur aktuellen Seitenfläche. Ziehen dreht, das Mausrad vergrößert, ein Doppelklick stellt die Ansicht zurück.</translation>
     </message>
     <message>
@@ -6060,7 +6060,7 @@
 <context>
     <name>pixelplumb::StageTree</name>
     <message>
-        <source>The stages of the face in hand</source>
+        <source>The stages of the current face</source>
         <translation>Die Stufen der aktuellen Seitenfläche</translation>
     </message>
     <message>
@@ -6126,7 +6126,7 @@
 <context>
     <name>pixelplumb::StatusFigures</name>
     <message>
-        <source>Wrong pixels and time of the method in hand</source>
+        <source>Wrong pixels and time of the current method</source>
         <translation>Falsche Pixel und Zeit des aktuellen Verfahrens</translation>
     </message>
     <message>
@@ -6153,16 +6153,16 @@
         <translation>Spalte</translation>
     </message>
     <message>
-        <source>Go on to the next column</source>
-        <translation>Weiter zur nächsten Spalte</translation>
+        <source>Go on to the next column, or first to the pixel that stepping back set out from</source>
+        <translation>Weiter zur nächsten Spalte, oder erst zum Pixel, von dem es zurückging</translation>
     </message>
     <message>
         <source>Previous c&amp;olumn</source>
         <translation>V&amp;orige Spalte</translation>
     </message>
     <message>
-        <source>Go back to the previous column</source>
-        <translation>Zurück zur vorigen Spalte</translation>
+        <source>Go back to where this column begins, to the previous one, or to the pixel that stepping on set out from</source>
+        <translation>Zurück zum Beginn dieser oder zur vorigen Spalte, oder zum Pixel, von dem es weiterging</translation>
     </message>
     <message>
         <source>Next &amp;pixel</source>
@@ -6257,7 +6257,7 @@
         <translation>&amp;Haltepunkt auf der Spalte</translation>
     </message>
     <message>
-        <source>Set or clear a breakpoint on the column or row in hand</source>
+        <source>Set or clear a breakpoint on the current column or row</source>
         <translation>Einen Haltepunkt auf der aktuellen Spalte oder Zeile setzen oder löschen</translation>
     </message>
     <message>
@@ -6305,12 +6305,12 @@
         <translation>Zeile</translation>
     </message>
     <message>
-        <source>Go on to the next row</source>
-        <translation>Weiter zur nächsten Zeile</translation>
+        <source>Go on to the next row, or first to the pixel that stepping back set out from</source>
+        <translation>Weiter zur nächsten Zeile, oder erst zum Pixel, von dem es zurückging</translation>
     </message>
     <message>
-        <source>Go back to the previous row</source>
-        <translation>Zurück zur vorigen Zeile</translation>
+        <source>Go back to where this row begins, to the previous one, or to the pixel that stepping on set out from</source>
+        <translation>Zurück zum Beginn dieser oder zur vorigen Zeile, oder zum Pixel, von dem es weiterging</translation>
     </message>
     <message>
         <source>Break&amp;point on the row</source>
@@ -6501,7 +6501,7 @@
         <translation>Das Verfahren zeichnet diese Szene nicht.</translation>
     </message>
     <message>
-        <source>The picture is %1 × %2 pixels%5, the scene&apos;s frame %3 × %4; expected is a picture of that size, or a frame of the picture&apos;s (Edit ▸ Frame).</source>
+        <source>The picture is %1 × %2 pixels%5, the scene&apos;s frame %3 × %4; use a picture of the frame&apos;s size, or make the frame the picture&apos;s size (Edit ▸ Frame).</source>
         <translation>Das Bild hat %1 × %2 Pixel%5, die Bildfläche der Szene %3 × %4; erwartet wird ein Bild dieser Größe, oder eine Bildfläche wie die des Bildes (Bearbeiten ▸ Bildfläche).</translation>
     </message>
     <message>
@@ -6956,7 +6956,7 @@
         <translation>beschnitten</translation>
     </message>
     <message>
-        <source>What the near plane leaves of the face whose triangle is in hand, and the triangles that it is drawn as (N)</source>
+        <source>The current triangle&apos;s face as clipped by the near plane, and the triangles that it is drawn as (N)</source>
         <translation>Was die vordere Ebene von der Seitenfläche des aktuellen Dreiecks übrig lässt, und die Dreiecke, als die es gezeichnet wird (N)</translation>
     </message>
     <message>
@@ -6976,7 +6976,7 @@
         <translation>&amp;Mehrfachzeichnung und Lücken</translation>
     </message>
     <message>
-        <source>How often each pixel is written, and the gaps that nobody writes (O)</source>
+        <source>How often each pixel is written, and the gaps that are never written (O)</source>
         <translation>Wie oft jedes Pixel geschrieben ist, und die Lücken, die niemand schreibt (O)</translation>
     </message>
     <message>
@@ -7051,7 +7051,7 @@
 <context>
     <name>pixelplumb::WhatsThis</name>
     <message>
-        <source>The frame as it is at the step in hand, with its triangles and the plumb line through the column or row in hand. With the tool Draw a click places a vertex and a drag moves one, with Inspect a click picks the pixel; a right click always picks. Arrows move the picked pixel, the wheel zooms, Shift shows the truth as long as it is held.</source>
+        <source>The frame as it is at the current step, with its triangles and the plumb line through the current column or row. With the tool Draw a click places a vertex and a drag moves one, with Inspect a click picks the pixel; a right click always picks. Arrows move the picked pixel, the wheel zooms, Shift shows the truth as long as it is held.</source>
         <translation>Die Bildfläche beim aktuellen Schritt, mit ihren Dreiecken und der Lotlinie durch die aktuelle Spalte oder Zeile. Mit dem Werkzeug Zeichnen setzt ein Klick einen Eckpunkt und Ziehen bewegt einen, mit Prüfen wählt ein Klick das Pixel; ein Rechtsklick wählt immer. Pfeiltasten bewegen das gewählte Pixel, das Mausrad vergrößert, Umschalt zeigt die Wahrheit, solange es gehalten wird.</translation>
     </message>
     <message>
@@ -7067,7 +7067,7 @@
         <translation>Das Pixel unter dem Zeiger, sonst das gewählte, und seine Farbe.</translation>
     </message>
     <message>
-        <source>The column, row or step of the method in hand.</source>
+        <source>The column, row or step of the current method.</source>
         <translation>Die Spalte, die Zeile oder der Schritt des aktuellen Verfahrens.</translation>
     </message>
     <message>
@@ -7079,11 +7079,11 @@
         <translation>Die Arithmetik, die Füllregel und die Konvention der Bildfläche, nach denen die Szene gezeichnet wird.</translation>
     </message>
     <message>
-        <source>The step in hand as formulas with its numbers put in: what the drawing used, beside the exact value. The entries of the menu Step go on and back by a column or row, or by a pixel.</source>
+        <source>The current step as formulas with its numbers put in: what the drawing used, beside the exact value. The entries of the menu Step go on and back by a column or row, or by a pixel.</source>
         <translation>Der aktuelle Schritt als Formeln mit eingesetzten Zahlen: was das Zeichnen benutzt hat, neben dem exakten Wert. Die Einträge des Menüs Schritt gehen um eine Spalte oder Zeile oder um ein Pixel vor und zurück.</translation>
     </message>
     <message>
-        <source>The pixels around the picked one, large enough to read: their bytes, their sample points, the true edges, and where the column or row in hand meets them. Arrows move the picked pixel, + and − make the cells larger and smaller, Enter goes to the step that wrote it.</source>
+        <source>The pixels around the picked one, large enough to read: their bytes, their sample points, the true edges, and where the current column or row meets them. Arrows move the picked pixel, + and − make the cells larger and smaller, Enter goes to the step that wrote it.</source>
         <translation>Die Pixel um das gewählte, groß genug zum Lesen: ihre Bytes, ihre Abtastpunkte, die wahren Kanten, und wo die aktuelle Spalte oder Zeile sie trifft. Pfeiltasten bewegen das gewählte Pixel, + und − machen die Zellen größer und kleiner, die Eingabetaste geht zum Schritt, der es schrieb.</translation>
     </message>
     <message>
@@ -7091,19 +7091,19 @@
         <translation>Wie das gewählte Pixel zu seiner Farbe kam: jedes Primitiv, das es versuchte, mit seinen Zahlen, oder die Kante, die das Pixel abweist, und um wie viel. Die Eingabetaste auf einer Zeile geht zu jenem Schritt.</translation>
     </message>
     <message>
-        <source>The numbers of every column, or row or step of other methods, as the drawing used them; exact ones can be shown beside. A row that is clicked is gone to.</source>
+        <source>The numbers of every column (with other methods, every row or step), as the drawing used them; exact ones can be shown next to them. A click on a row goes to it.</source>
         <translation>Die Zahlen jeder Spalte, oder jeder Zeile oder jedes Schritts anderer Verfahren, wie das Zeichnen sie benutzt hat; exakte lassen sich daneben zeigen. Ein Klick auf eine Zeile geht dorthin.</translation>
     </message>
     <message>
-        <source>Two to four methods, or the truth, draw the scene side by side, and a map shows where they agree; below stands why the picked pixel differs. Arrows move the picked pixel, + and − zoom all of them.</source>
+        <source>Two to four methods, or the truth, draw the scene side by side, and a map shows where they agree; the text below says why the picked pixel differs. Arrows move the picked pixel, + and − zoom all of them.</source>
         <translation>Zwei bis vier Verfahren, oder die Wahrheit, zeichnen die Szene nebeneinander, und eine Karte zeigt, wo sie übereinstimmen; darunter steht, warum das gewählte Pixel abweicht. Pfeiltasten bewegen das gewählte Pixel, + und − vergrößern und verkleinern alle.</translation>
     </message>
     <message>
-        <source>How far the bounds that each arithmetic computes are from the exact edges of the triangle in hand, column by column.</source>
+        <source>How far the bounds that each arithmetic computes are from the exact edges of the current triangle, column by column.</source>
         <translation>Wie weit die Grenzen, die jede Arithmetik berechnet, von den exakten Kanten des aktuellen Dreiecks liegen, Spalte für Spalte.</translation>
     </message>
     <message>
-        <source>The gallery of hard cases by family, each drawn by the method in hand beside the truth, and whether the method is right. Its buttons open a case in the window.</source>
+        <source>The gallery of hard cases by family, each drawn by the current method beside the truth, and whether the method is right. Its buttons open a case in the window.</source>
         <translation>Die Sammlung schwieriger Fälle nach Familien, jeder mit dem aktuellen Verfahren neben der Wahrheit gezeichnet, und ob das Verfahren recht hat. Ihre Knöpfe öffnen einen Fall im Fenster.</translation>
     </message>
     <message>
@@ -7111,7 +7111,7 @@
         <translation>Was das Zeichnen der Szene mit den einfachen und den schnellen Kernen braucht, welche davon welche Dreiecke nahmen und warum, und was Spalten und Zeilen vom Cache verlangen.</translation>
     </message>
     <message>
-        <source>How many divisions, roundings, additions and other operations a set-up, a span and a sample take in the method and the arithmetic in hand.</source>
+        <source>How many divisions, roundings, additions and other operations a set-up, a span and a sample take in the current method and arithmetic.</source>
         <translation>Wie viele Divisionen, Rundungen, Additionen und andere Operationen eine Vorbereitung, eine Spanne und ein Abtastpunkt im aktuellen Verfahren und in der aktuellen Arithmetik brauchen.</translation>
     </message>
     <message>
@@ -7119,7 +7119,7 @@
         <translation>Was Genauigkeit an Zeit kostet: Messen beurteilt und misst jedes Verfahren in jeder Arithmetik, und das Diagramm zeigt Kosten gegen Fehler. Pfeiltasten gehen von Punkt zu Punkt, die Eingabetaste öffnet das erste falsche Pixel des Punkts.</translation>
     </message>
     <message>
-        <source>How the triangle in hand came from three dimensions to the frame: the camera from the side, and every stage with its numbers. Arrows turn the view, + and − bring it nearer and farther, Home brings the first view back.</source>
+        <source>How the current triangle came from three dimensions to the frame: the camera from the side, and every stage with its numbers. Arrows turn the view, + and − bring it nearer and farther, Home brings the first view back.</source>
         <translation>Wie das aktuelle Dreieck aus drei Dimensionen auf die Bildfläche kam: die Kamera von der Seite, und jede Stufe mit ihren Zahlen. Pfeiltasten drehen die Ansicht, + und − holen sie näher und schieben sie fort, Pos1 bringt die erste zurück.</translation>
     </message>
     <message>
@@ -7127,7 +7127,7 @@
         <translation>Welche Effekte die Szene fordert, warum, und was jeder kostet. Nur was gefordert ist, läuft; ein Schalter erzwingt einen Effekt im Bild oder schaltet ihn aus.</translation>
     </message>
     <message>
-        <source>The method in hand: what it does, where it comes from, and its pseudocode, with the lines that the step in hand does marked.</source>
+        <source>The current method: what it does, where it comes from, and its pseudocode, with the lines that the current step does marked.</source>
         <translation>Das aktuelle Verfahren: was es tut, woher es kommt, und sein Pseudocode; die Zeilen, die der aktuelle Schritt ausführt, sind markiert.</translation>
     </message>
     <message>
@@ -7135,7 +7135,7 @@
         <translation>Die Primitive der Szene in Zeichenreihenfolge. Das Kästchen vor einem Namen blendet das Primitiv ein oder aus, Koordinaten werden an Ort und Stelle getippt, und die Knöpfe darunter, die ein Rechtsklick als Menü zeigt, verschieben, färben und löschen es.</translation>
     </message>
     <message>
-        <source>What a student&apos;s picture, dropped on the window or pasted, has different, by cause, both pictures beside each other; Name the bug looks for known defects that draw it.</source>
+        <source>How a student&apos;s picture, dropped on the window or pasted, differs from the expected one, by cause, with both pictures side by side; Name the bug looks for known defects that draw it.</source>
         <translation>Was an einem abgegebenen Bild, auf das Fenster gezogen oder eingefügt, anders ist, nach Ursachen, beide Bilder nebeneinander; Fehler benennen sucht bekannte Defekte, die es zeichnen.</translation>
     </message>
     <message>
@@ -7151,7 +7151,7 @@
         <translation>Ändert die Szene und nimmt zurück, was geändert wurde; wählt, was ein Klick auf die Zeichenfläche tut.</translation>
     </message>
     <message>
-        <source>Lays the figures of the course texts over the scene, at the step in hand.</source>
+        <source>Lays the figures of the course texts over the scene, at the current step.</source>
         <translation>Legt die Abbildungen der Kurstexte über die Szene, beim aktuellen Schritt.</translation>
     </message>
     <message>
@@ -7175,7 +7175,7 @@
         <translation>Lässt die Szene sich je Bild um einen Bruchteil eines Pixels bewegen und zählt die Pixel, die flimmern, neben denen der Wahrheit. Das Bild des Reglers ist das, das die Zeichenfläche zeigt und das in Schritten gezeichnet wird.</translation>
     </message>
     <message>
-        <source>Asks for what comes next (y_B, the rows, the increments or the next pixel) before it is shown, and tells right and wrong with the reason. Enter checks what is typed, a number or the pixel&apos;s x, y, and goes on. As long as this panel is open, the others hide what lies ahead, and the truth.</source>
+        <source>Asks for what comes next (y_B, the rows, the increments or the next pixel) before it is shown, and says whether the answer is right, and why. Enter checks what is typed, a number or the pixel&apos;s x, y, and goes on. While this panel is open, the others hide the truth and what lies ahead.</source>
         <translation>Fragt nach dem, was folgt (y_B, die Zeilen, die Inkremente oder das nächste Pixel), bevor es gezeigt wird, und sagt mit dem Grund, was richtig und was falsch ist. Die Eingabetaste prüft, was eingegeben ist, eine Zahl oder x, y des Pixels, und geht weiter. Solange dieser Bereich offen ist, verbergen die anderen, was voraus liegt, und die Wahrheit.</translation>
     </message>
     <message>

@@ -6,7 +6,7 @@
 #include <cmath>
 
 /// The assignment (Borst) as a student hands it in: floats, increments, QImage::setPixel. It is
-/// written for nothing but to be recognised, and shares nothing with the kernels.
+/// written only to be recognisable and shares nothing with the kernels.
 namespace pixelplumb::bench {
 
 namespace {
@@ -51,7 +51,7 @@ public:
                 longEdge.step();
             }
         } else {
-            // A vertical edge: one column, from vertex 1 to where the long edge ends.
+            // A vertical edge: one column, from vertex 1 to the end of the long edge.
             const Edge corner(*v1, *v1);
             drawColumn(int(v1->x), corner, v0->x < v2->x ? longEdge : Edge(*v0, *v0));
         }

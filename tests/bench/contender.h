@@ -10,24 +10,24 @@ namespace pixelplumb::bench {
 
 enum class Role {
     Ours,
-    Straight, ///< what a plain kernel is measured by: its arithmetic as one loop
+    Straight, ///< the yardstick of a plain kernel: its arithmetic as one loop
     Student, ///< the assignment, written without a thought for speed
-    Limit, ///< what the memory takes, no drawing
+    Limit, ///< the cost of the memory alone, no drawing
     Peer,
 };
 
 enum class Shading {
     Smooth,
-    Flat, ///< gets the triangles in one colour each
+    Flat, ///< gets each triangle in a single colour
 };
 
-/// A plain kernel: what the window steps through, with nothing listening.
+/// A plain kernel: the one the window steps through, without a listener.
 struct PlainKernel {
     QString method = QStringLiteral("column-scan");
     ScanSettings settings;
 };
 
-/// What a renderer is and what it promises of its picture.
+/// What a renderer is and what it promises about its picture.
 struct ContenderInfo {
     QString id; ///< "agg", for --filter and JSON
     QString name; ///< "AGG 2.6 span_gouraud_rgba"
@@ -35,23 +35,23 @@ struct ContenderInfo {
     Shading shading = Shading::Smooth;
     int threads = 1;
     /// The plain kernel that draws the same picture, bit for bit; in exact arithmetic that is the
-    /// truth. None where nothing is promised.
+    /// truth. None if nothing is promised.
     std::optional<PlainKernel> sameAsPlain;
-    QString twinId = {}; ///< of a plain kernel: the straight loop that it is measured by
+    QString twinId = {}; ///< for a plain kernel: the straight loop it is compared with
 
-    /// The rule under which the oracle has to agree in every byte.
+    /// The rule under which every byte must agree with the oracle.
     std::optional<FillRule> exactUnder() const
     {
         if (sameAsPlain && sameAsPlain->settings.arithmetic == Arithmetic::Exact)
             return sameAsPlain->settings.fillRule;
         return std::nullopt;
     }
-    /// Where the renderer's samples lie beside ours, lattice units, y upward; its picture is
-    /// measured by the truth there. Not 0 where a library cannot be told otherwise.
+    /// The offset of the renderer's samples from ours, in lattice units, y upward; its picture is
+    /// compared with the truth there. Not 0 only for libraries that cannot be configured otherwise.
     LatticePoint sampleOffset;
 };
 
-/// A renderer under the clock: one file each, behind this interface.
+/// A renderer to be timed; each is in its own file, behind this interface.
 class Contender {
 public:
     explicit Contender(ContenderInfo info)
@@ -65,12 +65,12 @@ public:
     const ContenderInfo &info() const { return m_info; }
     bool hasPicture() const { return m_info.role != Role::Limit; }
 
-    /// Makes a black frame and the triangles ready in the renderer's own form. Not timed. The
+    /// Makes a black frame and converts the triangles to the renderer's own form. Not timed. The
     /// scene's triangles outlive every draw().
     virtual void load(const Scene &scene) = 0;
-    /// Draws the scene over what the frame holds and returns when the pixels stand. Timed.
+    /// Draws the scene over the frame and returns when the pixels are written. Timed.
     virtual void draw() = 0;
-    /// The frame as it is. Not timed; a black one from a Role::Limit.
+    /// The current frame. Not timed; black for a Role::Limit.
     virtual Picture picture() = 0;
 
 private:

@@ -12,10 +12,11 @@ namespace pixelplumb::bench {
 
 namespace {
 
-constexpr std::int64_t beyondBox = 3; ///< px around a triangle's box in which its pixels are sought
+constexpr std::int64_t beyondBox = 3; ///< px around a triangle's box in which its pixels are
+                                      ///< searched
 constexpr QRgb opaque = 0xff000000;
 
-/// Draws a triangle in the mirror in which the renderer's ties follow a rule of ours, and turns the
+/// Draws a mirrored triangle, so that the renderer's ties follow one of our rules, and mirrors the
 /// pixels back into the frame, which begins at (0, 0).
 void drawMirrored(Contender &peer, const TieRule &rule, const Primitives &primitives,
                   const FrameView &frame)
@@ -57,7 +58,7 @@ LabContender labPeer(Contender &peer, const TieRule &rule)
     return contender;
 }
 
-/// Smooth, on the calling thread, sampled where we sample.
+/// Whether a renderer is smooth, on the calling thread, and samples where we do.
 bool takesPart(const ContenderInfo &info)
 {
     const bool isOther = info.role == Role::Peer || info.role == Role::Student;

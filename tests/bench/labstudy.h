@@ -7,9 +7,9 @@
 
 namespace pixelplumb::bench {
 
-/// The lab's study (core/lab/study.h) with the renderers of the line-up that draw smooth triangles
-/// on one thread among its contenders, as the JSON that the lab opens. Each is judged under the
-/// rule of ties that its pictures follow.
+/// The lab's study (core/lab/study.h) extended by the line-up's renderers that draw smooth
+/// triangles on one thread, as the JSON that the lab opens. Each is judged under the tie rule that
+/// its pictures follow.
 QByteArray studyWithPeers(const Lineup &lineup, Extent extent,
                           const std::function<void(const QString &)> &progress);
 

@@ -5,7 +5,7 @@ namespace pixelplumb::bench {
 
 namespace {
 
-// Unused where every library was found.
+// Unused if every library was found.
 [[maybe_unused]] void addAbsence(Lineup &lineup, const char *name, const char *package)
 {
     lineup.absent.push_back(

@@ -7,17 +7,17 @@
 
 namespace pixelplumb::bench {
 
-/// A renderer that could not take part, and why.
+/// A renderer that could not take part, with the reason.
 struct Absence {
     QString name;
     QString reason;
 };
 
-/// Who runs, in the order of the table.
+/// The contenders, in the order of the table.
 struct Lineup {
     std::vector<std::unique_ptr<Contender>> contenders;
     std::vector<Absence> absent;
-    /// The one that ratios are taken to: our best for smooth triangles on one thread.
+    /// The reference of all ratios: our best for smooth triangles on one thread.
     QString referenceId;
 };
 
@@ -26,7 +26,7 @@ Lineup makeLineup();
 /// The plain kernel's picture of a scene.
 Picture plainPicture(const Scene &scene, const PlainKernel &kernel);
 
-// One adapter a file. Each appends its contenders, or the reason why it has none.
+// One adapter per file. Each appends its contenders, or the reason why it has none.
 
 void addPlain(Lineup &lineup);
 void addFast(Lineup &lineup);

@@ -10,7 +10,7 @@ namespace pixelplumb::bench {
 
 namespace {
 
-/// Of a line "key: 12 kB" of the system's account of this process.
+/// The value of a line "key: 12 kB" in the system's status of this process.
 std::int64_t bytesOf(const QByteArray &key)
 {
     QFile file(QStringLiteral("/proc/self/status"));

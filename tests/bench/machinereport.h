@@ -9,16 +9,16 @@
 
 namespace pixelplumb::bench {
 
-/// Lines of a list, warnings in bold.
+/// List items, with warnings in bold.
 QString markdown(const MachineConditions &machine);
 QJsonObject json(const MachineConditions &machine);
 
-/// Bytes of memory in the machine.
+/// The machine's memory in bytes.
 std::int64_t installedMemory();
 
-/// Forgets the process's greatest memory use up to now; false where the system does not allow it.
+/// Resets the process's peak memory; false if the system does not allow it.
 bool resetPeakMemory();
-/// Bytes, the greatest since the last reset.
+/// The peak memory in bytes since the last reset.
 std::int64_t peakMemory();
 /// Bytes in use now.
 std::int64_t memoryInUse();

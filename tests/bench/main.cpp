@@ -40,7 +40,7 @@ struct Options {
     }
 };
 
-/// A line on stderr that the next one overwrites; nothing where stderr is no terminal.
+/// Shows a line on stderr that the next one overwrites; nothing if stderr is no terminal.
 void showProgress(const QString &text)
 {
     if (isatty(STDERR_FILENO) != 0)
@@ -114,7 +114,7 @@ Options parse(const QCoreApplication &application)
     return options;
 }
 
-/// Who takes part in a workload: what the filter lets through, and what ratios are taken to.
+/// The contenders for a workload: those that pass the filter, and the reference of the ratios.
 std::vector<Contender *> contendersFor(const QString &workloadId, const Lineup &lineup,
                                        const Options &options)
 {
@@ -133,7 +133,7 @@ std::vector<Contender *> contendersFor(const QString &workloadId, const Lineup &
     return chosen;
 }
 
-/// Asks the oracle about every contender's picture, in their order; nothing for a limit.
+/// Compares every contender's picture with the oracle's, in their order; nothing for a limit.
 std::vector<std::optional<PictureDifference>> lookAtPictures(
     const Workload &workload, const std::vector<Contender *> &contenders, Extent extent)
 {
@@ -184,7 +184,7 @@ void write(const QByteArray &content, const QString &name)
         refuse(QStringLiteral("%1 cannot be written: %2").arg(name, file.errorString()));
 }
 
-/// Prints the Markdown, and writes the JSON where it was asked for.
+/// Prints the Markdown, and writes the JSON if requested.
 void publish(const QString &text, const QByteArray &content, const Options &options)
 {
     showProgress({});
@@ -209,7 +209,7 @@ void list(const Lineup &lineup, const Options &options)
 
 int measureScalings(const Lineup &lineup, const Options &options)
 {
-    // Without a filter: what ratios are taken to, and the plain kernel beside it.
+    // Without a filter: the reference of the ratios, and the plain kernel.
     std::vector<Contender *> contenders;
     for (const std::unique_ptr<Contender> &contender : lineup.contenders) {
         const ContenderInfo &info = contender->info();

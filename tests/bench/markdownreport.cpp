@@ -38,20 +38,20 @@ QString nameOf(const ReportRow &row)
                                                   : info.name;
 }
 
-/// A picture that is plainly another one than the truth is marked in the overview.
+/// Whether a picture clearly differs from the truth; the overview marks it.
 bool isPoor(const ReportRow &row)
 {
     return row.picture && (row.picture->coverage > 0.01 || row.picture->colour > 0.01);
 }
 
-/// A wall time that contains much of other programs' work.
+/// Whether a wall time contains much of other programs' work.
 bool isStarved(const Result &result)
 {
     return result.contender->info().threads > 1
         && std::size_t(result.disturbedSamples) * 2 > result.nanosecondsPerTriangle.size();
 }
 
-/// The workload with the largest triangles: there memset's own start costs least. Null without any.
+/// The workload with the largest triangles, where memset's start-up costs least. Null without any.
 const WorkloadReport *largestOf(const Report &report)
 {
     const auto largest
@@ -104,7 +104,7 @@ void writeLegend(QTextStream &out, const Report &report)
     out << "\n";
 }
 
-/// Rows are contenders, columns workloads: the shape to look at first.
+/// The table to look at first: rows are contenders, columns are workloads.
 void writeOverview(QTextStream &out, const Report &report)
 {
     out << "## ns per triangle, and times ours (" << report.referenceId << ")\n\n| renderer |";
@@ -142,7 +142,7 @@ void writeOverview(QTextStream &out, const Report &report)
            "see below.\n\n";
 }
 
-/// Each plain kernel in times its straight loop.
+/// Writes each plain kernel's time as a multiple of its straight loop's.
 void writeTwins(QTextStream &out, const Report &report)
 {
     QStringList lines;

@@ -9,8 +9,8 @@ namespace pixelplumb::bench {
 
 namespace {
 
-/// What storing costs when nothing is computed: memset over as many pixels as the triangles cover,
-/// from the frame's start and round again.
+/// The cost of storing without computing: memset over as many pixels as the triangles cover, from
+/// the frame's start, wrapping around.
 class MemoryLimit final : public Contender {
 public:
     using Contender::Contender;

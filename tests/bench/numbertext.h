@@ -8,7 +8,8 @@
 
 namespace pixelplumb::bench {
 
-/// A positive value in three significant digits, whole ones in full: 1,234,567 1,230 12.3 0.0123 7.
+/// A positive value with three significant digits, whole ones in full: 1,234,567 1,230 12.3 0.0123
+/// 7.
 inline QString numberText(double value)
 {
     const int magnitude = value > 0 ? int(std::floor(std::log10(value))) : 0;

@@ -8,8 +8,8 @@
 
 namespace pixelplumb::bench {
 
-/// What a renderer left in its frame, whatever its own layout: 0x00rrggbb, row 0 lowest, 0 where
-/// nothing was written.
+/// A renderer's frame, independent of its own layout: 0x00rrggbb, row 0 lowest, 0 where nothing was
+/// written.
 class Picture {
 public:
     explicit Picture(FrameSize size)
@@ -32,7 +32,7 @@ private:
     std::vector<std::uint32_t> m_pixels;
 };
 
-/// The picture in lines of 32-bit pixels, the highest row first, as most libraries store it.
+/// Converts lines of 32-bit pixels, the highest row first, as most libraries store them.
 inline Picture pictureOfLines(FrameSize size, const unsigned char *lines,
                               std::ptrdiff_t bytesPerLine)
 {

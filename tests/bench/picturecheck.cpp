@@ -10,15 +10,15 @@ namespace pixelplumb::bench {
 
 namespace {
 
-/// The truth costs about 20 ns a pixel of each triangle's box, under each rule.
+/// The truth costs about 20 ns per pixel of each triangle's box, under each rule.
 constexpr std::int64_t mostBoxPixels = 4'000'000;
 constexpr std::int64_t mostBoxPixelsWhenQuick = 500'000;
 constexpr std::size_t mostCandidates = 20'000;
-/// Renderers that antialias or round otherwise write beyond the box of a triangle.
+/// px beyond a triangle's box that renderers write because they antialias or round differently.
 constexpr int margin = 2;
 
 struct Box {
-    int left, right, low, high; ///< all included
+    int left, right, low, high; ///< all inclusive
 };
 
 Box boxOf(const Triangle &triangle, FrameSize size)
@@ -35,7 +35,7 @@ Box boxOf(const Triangle &triangle, FrameSize size)
             std::max(box.low - margin, 0), std::min(box.high + margin, size.height - 1)};
 }
 
-/// The first triangles whose boxes do not meet.
+/// The first triangles whose boxes do not touch.
 std::vector<Triangle> apart(const Workload &workload, std::int64_t mostPixels)
 {
     const auto width = std::size_t(workload.size.width);

@@ -8,24 +8,24 @@
 
 namespace pixelplumb::bench {
 
-/// How far a renderer's picture is from the oracle's under one rule. Shares are of the pixels that
+/// How far a renderer's picture is from the oracle's under one rule, as shares of the pixels that
 /// the truth covers.
 struct PictureDifference {
-    TieRule rule; ///< the rule that the picture is nearest to
-    double coverage = 0; ///< written and not in the truth, or the other way round
-    double colour = 0; ///< in both, with a channel more than one level off
-    double bytes = 0; ///< anything that differs at all, coverage or a single level
+    TieRule rule; ///< the rule that fits the picture best
+    double coverage = 0; ///< pixels covered in the picture or in the truth, but not in both
+    double colour = 0; ///< pixels covered in both, with a channel more than one level off
+    double bytes = 0; ///< pixels that differ at all, in coverage or by a single level
 };
 
-/// The triangles as they lie to a renderer's samples, then in the rule's mirror.
+/// The triangles relative to a renderer's samples, then mirrored as the rule says.
 std::vector<Triangle> seenBy(std::span<const Triangle> triangles, const TieRule &rule,
                              const LatticePoint &sampleOffset, FrameSize size);
 
-/// The share of a picture's pixels, of all that either writes, that are not the same bytes.
+/// The share of pixels that differ, of all that either picture writes.
 double differingShare(const Picture &a, const Picture &b);
 
-/// A workload's triangles for looking at pictures: none touches another, so that every wrong edge
-/// shows and nothing hides what lies below.
+/// A workload's triangles for comparing pictures: none touches another, so every wrong edge shows
+/// and nothing is hidden.
 class PictureCheck {
 public:
     PictureCheck(const Workload &workload, Extent extent);
@@ -33,7 +33,7 @@ public:
     PictureDifference check(Contender &contender);
 
 private:
-    /// Made when first asked for.
+    /// Drawn on first use.
     const Picture &truth(std::size_t ruleIndex, const ContenderInfo &info);
 
     FrameSize m_size;

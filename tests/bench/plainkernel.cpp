@@ -6,7 +6,7 @@
 
 #include <optional>
 
-/// The plain kernels, each beside the straight loop that it is measured by.
+/// The plain kernels, each with the straight loop it is compared with.
 namespace pixelplumb::bench {
 
 namespace {
@@ -90,7 +90,7 @@ QString textOf(std::string_view text)
     return QString::fromLatin1(text.data(), qsizetype(text.size()));
 }
 
-/// plain-row-walk-float32, and straight-row-walk-float32 beside it.
+/// plain-row-walk-float32, or its straight loop straight-row-walk-float32.
 ContenderInfo infoOf(const StraightLoop &loop, Role role)
 {
     const bool isPlain = role == Role::Ours;

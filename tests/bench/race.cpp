@@ -9,7 +9,7 @@ namespace pixelplumb::bench {
 
 namespace {
 
-/// Filling the caches again takes 1 ms or 2: less than the noise of a draw of this many ns.
+/// ns. Refilling the caches takes 1 or 2 ms: less than the noise of a draw of this length.
 constexpr double coldMattersBelow = 100e6;
 
 double timeOf(const Elapsed &elapsed, const Contender &contender)
@@ -27,8 +27,8 @@ Elapsed timeDraws(Contender &contender, int draws)
     return stopwatch.elapsed();
 }
 
-/// Finds how many triangles a draw may take and how many draws fill a sample. Leaves the contender
-/// loaded and warm.
+/// Finds how many triangles one draw may take and how many draws fill a sample. Leaves the
+/// contender loaded and warm.
 void calibrate(Result &result, std::size_t available, Forms &forms, const RaceOptions &options)
 {
     Contender &contender = *result.contender;
@@ -52,7 +52,7 @@ void takeSample(Result &result)
 {
     Contender &contender = *result.contender;
     if (result.firstTime < coldMattersBelow)
-        contender.draw(); // what the one before left in the caches is not this one's cost
+        contender.draw(); // discards what the previous contender left in the caches
     const int mostAttempts = contender.info().threads == 1 ? 1 : 4;
     Elapsed best;
     for (int attempt = 0; attempt < mostAttempts; ++attempt) {
@@ -103,7 +103,8 @@ std::vector<Result> race(const Workload &workload, Forms &forms,
                      .arg(workload.id)
                      .arg(round + 1)
                      .arg(options.rounds));
-        // Each round starts with another one: nobody always follows the same neighbour's load.
+        // Each round starts with another contender, so that none always follows the same
+        // neighbour's load.
         for (std::size_t turn = 0; turn < results.size(); ++turn)
             takeSample(results[(turn + std::size_t(round)) % results.size()]);
     }

@@ -11,27 +11,28 @@ namespace pixelplumb::bench {
 
 struct RaceOptions {
     int rounds = 11;
-    double sampleNanoseconds = 10e6; ///< a sample draws as often as fills this
-    double longestDraw = 150e6; ///< ns; who needs longer draws fewer of the triangles
+    double sampleNanoseconds = 10e6; ///< a sample repeats the draw until this is filled
+    double longestDraw = 150e6; ///< ns; a contender that needs longer draws fewer of the triangles
 };
 
 /// The times of one contender on one workload, round by round.
 struct Result {
     Contender *contender = nullptr;
-    std::size_t triangles = 0; ///< as many of the workload's as were drawn, from the first
+    std::size_t triangles = 0; ///< how many of the workload's triangles were drawn, from the first
     int drawsPerSample = 1;
-    double firstTime = 0; ///< ns of one draw, when it was tried how long one takes
-    std::vector<double> nanosecondsPerTriangle; ///< a value a round
-    std::vector<double> processorsUsed; ///< processor time of all threads over wall time, a round
+    double firstTime = 0; ///< ns of the one draw that was tried to find out how long it takes
+    std::vector<double> nanosecondsPerTriangle; ///< one value per round
+    std::vector<double> processorsUsed; ///< processor time of all threads over wall time, one per
+                                        ///< round
     int disturbedSamples = 0; ///< preempted in every attempt
 
     Spread time() const { return spreadOf(nanosecondsPerTriangle); }
 };
 
-/// This result's times in units of another's, each divided within its round.
+/// This result's times in units of another result's, divided round by round.
 Spread ratio(const Result &result, const Result &unit);
 
-/// A workload in the form that each shading asks for.
+/// A workload in the form that each shading needs.
 class Forms {
 public:
     explicit Forms(const Workload &workload)
@@ -39,23 +40,23 @@ public:
     {
     }
 
-    /// The first so many triangles; they live as long as this and the workload.
+    /// The first `triangles` triangles; the scene is valid as long as this object and the workload.
     Scene scene(Shading shading, std::size_t triangles);
 
 private:
     const Workload &m_workload;
-    std::vector<Triangle> m_flat; ///< made when first asked for
+    std::vector<Triangle> m_flat; ///< made on first use
 };
 
-/// Lets contenders draw a workload in turn: each round takes one sample of everyone, so that what
-/// slows the machine for a while slows all of them and cancels out in the ratios of that round.
+/// Lets contenders draw a workload in turn: each round takes one sample of every contender, so that
+/// whatever slows the machine for a while slows all of them and cancels out in that round's ratios.
 ///
-/// Google Benchmark runs the repetitions of one benchmark after the other, or shuffled, and knows
-/// no rounds; this takes its place and uses only its guards against the optimiser.
+/// Google Benchmark runs the repetitions of one benchmark after the other, or shuffled, and has no
+/// rounds; this function replaces it and uses only its guards against the optimiser.
 ///
-/// On one thread the clock is the thread's own processor time: other programs on the same
-/// processor do not count. Contenders with more threads are timed by the wall clock; a sample in
-/// which the system took a processor away is taken again, up to four times.
+/// On one thread the clock is the thread's own processor time, so other programs on the same
+/// processor do not count. Contenders with more threads are timed by the wall clock; a sample
+/// during which the system took a processor away is repeated, up to four times.
 ///
 /// Afterwards each contender's frame is as its last draw left it.
 std::vector<Result> race(const Workload &workload, Forms &forms,

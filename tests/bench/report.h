@@ -10,12 +10,12 @@
 
 namespace pixelplumb::bench {
 
-/// One contender on one workload: its time beside its picture.
+/// One contender on one workload: its time and its picture.
 struct ReportRow {
     Result result;
     std::optional<PictureDifference> picture; ///< none for a limit
-    /// Of who promises the plain kernel's picture: the share of pixels that differ after the last
-    /// timed draw, overlaps and all.
+    /// For contenders that promise the plain kernel's picture: the share of pixels that differ
+    /// after the last timed draw, overlaps included.
     std::optional<double> differsFromPlain;
 };
 
@@ -27,11 +27,11 @@ struct WorkloadReport {
     double pixelsPerTriangle = 0; ///< under the half-open rule
     std::vector<ReportRow> rows;
 
-    /// Null when the contender did not run.
+    /// Null if the contender did not run.
     const ReportRow *row(const QString &contenderId) const;
 };
 
-/// All that a run found out; what is printed and what is written comes from here.
+/// All results of a run; the printed and the written report are both made from it.
 struct Report {
     MachineConditions machine;
     double loadAtEnd = 0;
@@ -41,7 +41,7 @@ struct Report {
     std::vector<Absence> absent;
     std::vector<WorkloadReport> workloads;
 
-    /// Contenders that promise the true picture and drew another one, as sentences.
+    /// Contenders that promise the true picture but drew another one, as sentences.
     QStringList brokenPromises() const;
 };
 

@@ -12,7 +12,7 @@ namespace pixelplumb::bench {
 
 namespace {
 
-/// Of a single draw by the reference, on top of what was in use before.
+/// The memory of a single draw by the reference, beyond what was in use before.
 std::optional<double> workingBytesOf(const std::vector<Result> &results, const QString &id)
 {
     for (const Result &result : results) {
@@ -71,7 +71,7 @@ ScalingResult measureScaling(const ScalingPoint &point, const std::vector<Conten
     Forms forms(workload);
     scaling.results = race(workload, forms, contenders, options, progress);
     scaling.workingBytes = workingBytesOf(scaling.results, referenceId);
-    // The frames are not kept for the next size.
+    // Frees the frames before the next size.
     for (Contender *contender : contenders)
         contender->load({{1, 1}, {}});
     return scaling;

@@ -7,28 +7,29 @@
 
 namespace pixelplumb::bench {
 
-/// One size in a series in which only the number of triangles, or only the frame, grows.
+/// One size of a series in which only the number of triangles, or only the frame, grows.
 struct ScalingPoint {
     FrameSize size;
     std::size_t triangles = 0;
-    int area = 0; ///< px a triangle
+    int area = 0; ///< px per triangle
 };
 
 struct ScalingResult {
     ScalingPoint point;
     double pixelsPerTriangle = 0;
     std::vector<Result> results;
-    /// What the reference takes for itself while it draws, beyond scene and frame, in bytes a
-    /// triangle; none where the system does not tell.
+    /// The reference's own memory while it draws, beyond scene and frame, in bytes per triangle;
+    /// none if the system does not report it.
     std::optional<double> workingBytes;
-    QString skipped; ///< why nothing was measured; empty when something was
+    QString skipped; ///< why nothing was measured; empty if something was
 };
 
-/// 10,000 to 10,000,000 triangles, then frames of 64² to 16384². Time a triangle and time a pixel
-/// have to stay flat but for steps where a cache ends.
+/// 10,000 to 10,000,000 triangles, then frames of 64² to 16384². Time per triangle and time per
+/// pixel must stay flat except for steps where a cache ends.
 std::vector<ScalingPoint> scalingPoints(Extent extent);
 
-/// Frame and scene take up to a gigabyte each; where the machine has too little, it says so.
+/// Measures one size. Frame and scene take up to a gigabyte each; `skipped` says if the machine has
+/// too little memory.
 ScalingResult measureScaling(const ScalingPoint &point, const std::vector<Contender *> &contenders,
                              const QString &referenceId, const RaceOptions &options,
                              const std::function<void(const QString &)> &progress);

@@ -7,17 +7,17 @@
 
 namespace pixelplumb::bench {
 
-/// Who owns a sample exactly on an edge, told by the infinitely small displacement under which the
-/// sample is taken, y upward. Renderers differ in nothing but its direction; the oracle knows two
-/// of them, the others are those in a mirror.
+/// Who owns a sample exactly on an edge, expressed as the infinitely small displacement at which
+/// the sample is taken, y upward. Renderers differ only in its direction; the oracle knows two
+/// directions, the others are mirror images of these.
 struct TieRule {
     const char *name = nullptr;
     FillRule rule = FillRule::Closed;
-    bool mirrorsColumns = false; ///< x runs the other way
-    bool mirrorsRows = false; ///< y runs the other way
+    bool mirrorsColumns = false; ///< x runs to the left
+    bool mirrorsRows = false; ///< y runs downward
 };
 
-/// Of two rules that fit a picture as well, the first is named.
+/// If two rules fit a picture equally well, the first one is named.
 inline constexpr std::array<TieRule, 9> tieRules = {{
     {"half-open-column", FillRule::HalfOpenColumn, false, false},
     {"top-left", FillRule::TopLeft, false, false},

@@ -9,7 +9,7 @@ namespace pixelplumb::bench {
 
 namespace {
 
-/// Whole numbers from a seed. The standard's distributions differ between libraries; this does not.
+/// Seeded whole numbers. The standard's distributions differ between libraries; this does not.
 class Random {
 public:
     explicit Random(std::uint64_t seed)
@@ -17,7 +17,7 @@ public:
     {
     }
 
-    /// first … last, both included.
+    /// first … last, both inclusive.
     int between(int first, int last)
     {
         const auto count = std::uint64_t(last - first) + 1;
@@ -44,7 +44,7 @@ std::int64_t doubledPixelArea(const PixelPoint &a, const PixelPoint &b)
     return std::abs(std::int64_t(a.x) * b.y - std::int64_t(b.x) * a.y);
 }
 
-/// A triangle whose area is within a tenth of the wanted one, at a random place. Shapes run from
+/// A triangle at a random place whose area is within a tenth of the wanted one. Shapes range from
 /// equilateral to about 1 : 8.
 Triangle scatteredTriangle(Random &random, FrameSize size, double area)
 {
@@ -95,7 +95,8 @@ std::vector<Triangle> slivers(FrameSize size, std::size_t count, Direction direc
     return triangles;
 }
 
-/// A grid with jittered corners, two triangles a cell, that fills the frame from corner to corner.
+/// A grid with jittered corners and two triangles per cell; it fills the frame from corner to
+/// corner.
 std::vector<Triangle> mesh(FrameSize size, int columns, int rows, std::uint64_t seed)
 {
     Random random(seed);
@@ -125,7 +126,7 @@ std::vector<Triangle> mesh(FrameSize size, int columns, int rows, std::uint64_t 
     return triangles;
 }
 
-/// Triangles of a quarter to a half of the frame, one over the other.
+/// Triangles of a quarter to a half of the frame, on top of each other.
 std::vector<Triangle> overdraw(FrameSize size, std::size_t count, std::uint64_t seed)
 {
     Random random(seed);
@@ -145,7 +146,7 @@ std::vector<Triangle> overdraw(FrameSize size, std::size_t count, std::uint64_t 
     return triangles;
 }
 
-/// Areas from 4 to 100,000 px, as many of each order of magnitude.
+/// Areas from 4 to 100,000 px, equally many of each order of magnitude.
 std::vector<Triangle> mixedSizes(FrameSize size, std::size_t count, std::uint64_t seed)
 {
     Random random(seed);

@@ -10,7 +10,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Takes values from the fuzzer's bytes; zero where they have run out.
+/// Takes values from the fuzzer's bytes; zero once they have run out.
 class Bytes {
 public:
     Bytes(const std::uint8_t *data, std::size_t size)
@@ -35,8 +35,8 @@ private:
     std::size_t m_size;
 };
 
-/// The reader's own check, which stands before every kernel: the coordinate n/256 px as a file
-/// would write it.
+/// The reader's own check, which comes before every kernel: the coordinate n/256 px as a file would
+/// write it.
 std::optional<Lattice> coordinateRead(std::int64_t units)
 {
     const Result<SnappedNumber> read = parseCoordinate(QStringLiteral("%1/256").arg(units));
@@ -46,8 +46,8 @@ std::optional<Lattice> coordinateRead(std::int64_t units)
     return fits ? std::optional(units) : std::nullopt;
 }
 
-/// A coordinate of any 64 bits; a form that says how many of them count, so that near and far ones
-/// are both common.
+/// A coordinate from any 64 bits; `form` says how many of them are used, so that near and far
+/// coordinates are both common.
 std::int64_t someCoordinate(Bytes &bytes, std::uint8_t form)
 {
     const auto wide = bytes.take<std::int64_t>();
@@ -55,7 +55,7 @@ std::int64_t someCoordinate(Bytes &bytes, std::uint8_t form)
     return wide >> shifts[form % 8];
 }
 
-/// A frame of 1 … 32 px a side at any place, or on the triangle.
+/// A frame of 1 … 32 px per side, anywhere or on the triangle.
 FrameSpec someFrame(Bytes &bytes, const Triangle &triangle)
 {
     FrameSpec frame;
@@ -77,8 +77,8 @@ FrameSpec someFrame(Bytes &bytes, const Triangle &triangle)
 
 } // namespace
 
-/// Any triangle within the range and any frame: no arithmetic under any rule may do anything
-/// undefined, and the exact one draws the truth.
+/// Takes any triangle within the range and any frame: no arithmetic may cause undefined behaviour
+/// under any rule, and the exact one draws the truth.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
     Bytes bytes(data, size);
@@ -90,7 +90,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         const auto y
             = coordinateRead(someCoordinate(bytes, std::uint8_t(forms >> (i * 6 + 3) & 7)));
         if (!x || !y)
-            return 0; // refused: no kernel sees it
+            return 0; // refused: no kernel gets it
         vertex.position = {*x, *y};
         vertex.colour = {bytes.take<std::array<std::uint8_t, 3>>()};
     }

@@ -8,8 +8,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size);
 
-/// Runs a fuzzer's harness once on every file of the given folders, with any compiler. Fails when
-/// there is none.
+/// Runs a fuzzer's harness once on every file in the given folders, with any compiler. Fails if
+/// there are no files.
 int main(int argc, char *argv[])
 {
     int count = 0;

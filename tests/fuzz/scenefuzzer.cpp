@@ -3,8 +3,8 @@
 
 #include <cstdlib>
 
-/// Any bytes: the reader accepts them or says what is wrong, and what it accepts it can write and
-/// read again as the same scene.
+/// Takes any bytes: the reader accepts them or says what is wrong; what it accepts can be written
+/// and read again as the same scene.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
     using namespace pixelplumb;

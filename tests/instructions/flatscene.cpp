@@ -8,9 +8,9 @@
 
 using namespace pixelplumb;
 
-/// flatscene planned|plain: draws a scene that calls for nothing beyond colour, as the method does,
-/// which asks what it calls for, or by the kernel that knew no effects. The test counts the
-/// instructions of both.
+/// flatscene planned|plain: draws a scene that needs nothing beyond colour, either through the
+/// method, which first checks which effects it needs, or by the kernel without effects. The test
+/// counts the instructions of both.
 int main(int argc, char **argv)
 {
     if (argc != 2)

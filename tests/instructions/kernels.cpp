@@ -7,8 +7,8 @@
 
 using namespace pixelplumb;
 
-/// The column scan's pixel loop without any observer: what fillColumn is when nothing listens. The
-/// test counts the instructions of both.
+/// The column scan's pixel loop without any observer: what fillColumn should cost if nothing
+/// listens. The test counts the instructions of both.
 namespace {
 
 template <class A>

@@ -7,7 +7,7 @@
 
 namespace tst_instructions {
 
-/// Instruction counts are the same on a busy and on an idle machine, so that they may be asserted.
+/// Instruction counts are the same on a busy and on an idle machine, so tests can assert them.
 class TestInstructions : public QObject {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ private slots:
         const QString kernels = QStringLiteral(PIXELPLUMB_KERNELS);
         const qint64 hooked = instructionsOf({kernels, arithmetic, QStringLiteral("hooked")});
         const qint64 twin = instructionsOf({kernels, arithmetic, QStringLiteral("twin")});
-        // 1 021 000 pixels: what the program itself costs is under half an instruction a pixel.
+        // 1 021 000 pixels: the program's own cost is under half an instruction per pixel.
         constexpr qint64 fewest = qint64(10) * 1021000;
         QVERIFY2(hooked > fewest && twin > fewest, "both loops must have run and been counted");
         const qint64 difference = qAbs(hooked - twin);
@@ -39,13 +39,13 @@ private slots:
         const qint64 planned = instructionsOf({scene, QStringLiteral("planned")});
         const qint64 plain = instructionsOf({scene, QStringLiteral("plain")});
         QVERIFY2(plain > 100'000'000, "some millions of pixels must have been drawn and counted");
-        // Each picture asks once; a thousandth would be some instructions a column.
+        // Each picture checks once; a thousandth would be a few instructions per column.
         QVERIFY2(qAbs(planned - plain) * 1000 < plain,
                  qPrintable(QStringLiteral("planned %1, plain %2").arg(planned).arg(plain)));
     }
 
 private:
-    /// Of a program with its arguments.
+    /// The instructions of a program run with these arguments.
     static qint64 instructionsOf(const QStringList &arguments)
     {
         QProcess valgrind;
@@ -55,7 +55,7 @@ private:
                            + arguments);
         if (!valgrind.waitForFinished(120000))
             return -1;
-        // A program that ended before its time has instructions to count, too.
+        // A program that ended early has an instruction count, too.
         if (valgrind.exitStatus() != QProcess::NormalExit || valgrind.exitCode() != 0)
             return -1;
         const QString report = QString::fromUtf8(valgrind.readAllStandardError());

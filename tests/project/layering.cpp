@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The rule that core knows no widgets, kept by the linker: this program holds the whole of core
-// and links Qt6::Gui alone, so an undefined QWidget symbol in core stops the build. Running it
-// tells the other half: that no library of core's brought Qt Widgets along.
+// The linker keeps the rule that core knows no widgets: this program contains all of core and links
+// Qt6::Gui alone, so an undefined QWidget symbol in core breaks the build. Running it checks the
+// other half: that no library of core's pulled Qt Widgets in.
 
 #include <cstdio>
 #include <fstream>

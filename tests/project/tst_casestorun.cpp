@@ -24,7 +24,7 @@ QString parityOf(int number) { return number % 2 == 0 ? "even" : "odd"; }
 
 } // namespace
 
-/// Which cases of a long list are run.
+/// Which cases of a long list run.
 class TestCasesToRun : public QObject {
     Q_OBJECT
 
@@ -74,7 +74,7 @@ private slots:
         QVERIFY(halves[0] != halves[1]);
     }
 
-    void allAreRunWhereAllAreAskedFor()
+    void allCasesRunOnRequest()
     {
         QVERIFY(!areAllCasesRun());
         qputenv("PIXELPLUMB_TEST_CASES", "all");
@@ -82,7 +82,7 @@ private slots:
         QCOMPARE(casesToRun(numbersBelow(200), parityOf), numbersBelow(200));
     }
 
-    void randomCasesAreFewerAndTheSameUnlessSomebodySaysOtherwise()
+    void randomCasesAreFewAndFixedByDefault()
     {
         qunsetenv("RC_PARAMS");
         drawFewerRandomCases();

@@ -36,7 +36,7 @@ bool hasTest(const QString &name)
     return filesBelow(QStringLiteral("tests"), {name + ".cpp"}).size() == 1;
 }
 
-/// As a person reads it: comments and adjacent literals without their line breaks.
+/// The text as a person reads it: comments and adjacent literals joined across line breaks.
 QString runningText(const QString &path)
 {
     QString text = textInTree(path);
@@ -55,7 +55,7 @@ QStringList captures(const QString &pattern, const QString &text)
     return found;
 }
 
-/// What stands under a heading of sources.md, by heading.
+/// The text under each heading of sources.md, by heading.
 QMap<QString, QString> sectionsOfTheSources()
 {
     QMap<QString, QString> sections;
@@ -76,7 +76,7 @@ QStringList titlesIn(const QString &text)
 
 } // namespace
 
-/// A reader finds what is cited: course texts, slides, sections, files, tests.
+/// Everything cited can be found: course texts, slides, sections, files, tests.
 class TestDocuments : public QObject {
     Q_OBJECT
 
@@ -177,7 +177,7 @@ private slots:
             QVERIFY2(code.contains(name), qPrintable(name));
     }
 
-    void everyFolderOfTheLibrariesIsToldOf()
+    void everyLibraryFolderIsDocumented()
     {
         const QString text = textInTree("resources/extending.md");
         for (const char *library : {"core", "widgets"}) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The folders of core stand in one order, the rooms of widgets in another, and no include looks up
-// them: whoever reads a file needs to have read only what stands below it.
+// The folders of core have an order, the folders of widgets another, and no include points upward:
+// to read a file, one needs to have read only what is below it.
 
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
@@ -17,10 +17,10 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Folders of one rank do not know each other.
+/// Folders of equal rank do not know each other.
 using FolderOrder = QList<QStringList>;
 
-/// A library: the ranks of its folders from the lowest up, and the libraries that it may include.
+/// A library: its folders by rank, lowest first, and the libraries that it may include.
 struct Library {
     QString name;
     FolderOrder order;
@@ -80,7 +80,7 @@ qsizetype rankOf(const FolderOrder &order, const QString &folder)
     return rank == order.end() ? -1 : rank - order.begin();
 }
 
-/// Why a source in a folder of a library may not include a name; empty where it may.
+/// Why a source in this folder may not include the file; empty if it may.
 QString complaintAbout(const Library &library, const QString &folder, const QString &included)
 {
     const QString otherLibrary = included.section(u'/', 0, 0);
@@ -126,7 +126,7 @@ private slots:
             }
         }
         QVERIFY2(complaints.isEmpty(), qPrintable(complaints.join(u'\n')));
-        // An order that names a folder which is not there would keep nothing.
+        // An order that names a missing folder would check nothing.
         for (const QStringList &folders : checked.order) {
             for (const QString &folder : folders)
                 QVERIFY2(seen.contains(folder), qPrintable(folder));

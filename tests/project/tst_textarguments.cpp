@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A text that holds "%1" takes the place of what QString::arg is given next. So of a chain of .arg
-// only the last call takes texts, together; what stands before it are numbers.
+// A "%1" in a text is replaced by the next QString::arg of a chain. So only the last .arg call of a
+// chain takes texts, all at once; earlier calls take numbers.
 
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
@@ -18,7 +18,7 @@ namespace tst_textarguments {
 
 namespace {
 
-/// Their words are the program's own, and no names from outside pass through them.
+/// Folders that use only the program's own words; no outside names pass through them.
 const QStringList &roomsOfOwnWords()
 {
     static const QStringList rooms
@@ -27,7 +27,7 @@ const QStringList &roomsOfOwnWords()
     return rooms;
 }
 
-/// The arguments between the brackets that open at a place, and the place behind them.
+/// The arguments between the brackets that open at a position, and the position after them.
 std::pair<QString, qsizetype> bracketed(const QString &text, qsizetype open)
 {
     int depth = 0;
@@ -48,7 +48,7 @@ std::pair<QString, qsizetype> bracketed(const QString &text, qsizetype open)
     return {{}, text.size()};
 }
 
-/// Whether an expression looks like one of a text: by the name that stands last, or by a call.
+/// Whether an expression looks like a text: by its last name, or by a call.
 bool looksLikeText(const QString &expression)
 {
     static const QRegularExpression literal(
@@ -64,7 +64,7 @@ bool looksLikeText(const QString &expression)
     return last.match(shown).hasMatch() || call.match(shown).hasMatch();
 }
 
-/// The first text in a chain of .arg that is not in its last call; empty: there is none.
+/// The first text in a chain of .arg that is not in its last call; empty if there is none.
 QStringList garbledIn(const QString &text)
 {
     const QString call = QStringLiteral(".arg(");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// No name stands for two types in one namespace: the linker takes either for both without a word.
+// No type name may be defined twice in one namespace: the linker silently mixes the two.
 
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
@@ -16,7 +16,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// A source without comments and literals, whose braces and words are none of the program's.
+/// A source without comments and literals, whose braces and words are not code.
 QString codeOf(QString text)
 {
     static const QRegularExpression others(
@@ -26,10 +26,10 @@ QString codeOf(QString text)
     return text.replace(others, QStringLiteral(" "));
 }
 
-/// What a source defines outside of classes and functions.
+/// The types that a source defines outside classes and functions.
 struct DefinedTypes {
-    QStringList names; ///< "pixelplumb::Triangle"; without those of anonymous namespaces
-    bool isBalanced = true; ///< each brace that opens is closed: the source was understood
+    QStringList names; ///< "pixelplumb::Triangle"; anonymous namespaces are skipped
+    bool isBalanced = true; ///< every brace is closed, so the source was parsed correctly
 };
 
 DefinedTypes typesIn(const QString &text)
@@ -40,7 +40,7 @@ DefinedTypes typesIn(const QString &text)
                        "(?:(?:alignas\\s*\\([^()]*\\)|\\[\\[[^\\]]*\\]\\])\\s*)*"
                        "(?<type>\\w+)(?:\\s+final)?(?:\\s*:(?!:)[^;{()]*)?\\s*\\{|\\{|\\}"));
     DefinedTypes types;
-    QList<std::optional<QString>> open; ///< the namespaces' names; none: any other scope
+    QList<std::optional<QString>> open; ///< the namespaces' names; nullopt for any other scope
     for (const QRegularExpressionMatch &match : scopes.globalMatch(codeOf(text))) {
         if (match.captured() == u"}") {
             if (open.isEmpty())
@@ -74,7 +74,7 @@ class TestTypeNames : public QObject {
 private slots:
     void noTypeNameStandsTwiceInOneNamespace()
     {
-        QMap<QString, QStringList> files; // that define a name
+        QMap<QString, QStringList> files; // by type name, the files that define it
         for (const char *folder : {"core", "widgets", "app", "tests"}) {
             for (const QString &path : filesBelow(QString::fromLatin1(folder))) {
                 const DefinedTypes types = typesIn(textInTree(path));

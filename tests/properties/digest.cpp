@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <vector>
 
-/// Prints a digest of the pictures of a fixed set of triangles for each arithmetic and rule, to be
-/// built by several compilers at several levels of optimisation: the lines must be the same.
-/// Includes the kernels as they are and takes no part of core's library but the oracle's source,
-/// which is compiled beside this file.
+/// Prints a digest of the pictures of a fixed set of triangles for each arithmetic and rule, built
+/// by several compilers at several optimisation levels: the lines must be the same. It includes the
+/// kernels directly; of core's library it uses only the oracle's source, which is compiled with
+/// this file.
 namespace {
 
 using namespace pixelplumb;
@@ -30,7 +30,8 @@ struct Sample {
     LatticePoint corner; ///< of the frame, px
 };
 
-/// A family of triangles each: whole pixels, 1/16 and 1/256 px, slivers, far away, beyond 2^15 px.
+/// Triangles of one family per number: whole pixels, 1/16 and 1/256 px, slivers, far away, beyond
+/// 2^15 px.
 Sample sampleNumber(int number)
 {
     std::uint64_t state = std::uint64_t(number) + 1;
@@ -50,7 +51,7 @@ Sample sampleNumber(int number)
         for (std::uint8_t &channel : vertex.colour.channels)
             channel = std::uint8_t(in(0, 255));
     }
-    if (number % 5 == 0) { // a sliver: the third vertex beside the middle of the others
+    if (number % 5 == 0) { // a sliver: the third vertex near the middle of the others
         const LatticePoint a = sample.triangle.vertices[0].position;
         const LatticePoint b = sample.triangle.vertices[1].position;
         sample.triangle.vertices[2].position

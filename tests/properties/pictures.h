@@ -12,7 +12,7 @@ using tilings::Place;
 
 inline constexpr FillRule watertight[] = {FillRule::HalfOpenColumn, FillRule::TopLeft};
 
-/// How far from each other and on which grid the vertices of a random triangle lie.
+/// How far apart the vertices of a random triangle may lie, and on which grid.
 inline Place somePlace()
 {
     return {*rc::gen::element<Lattice>(256, 16, 1),
@@ -44,7 +44,7 @@ inline FrameSpec frameAround(const Place &place)
     return frameOf(side, side, corner, corner);
 }
 
-/// By the scan under its own rules, by the oracle under the others.
+/// Drawn by the scan under its own rules, by the oracle under top-left.
 inline ScanPicture drawn(const Triangle &triangle, FillRule rule, const FrameSpec &frame)
 {
     ScanPicture drawing(frame);
@@ -62,7 +62,7 @@ inline Triangle mapped(Triangle triangle, LatticePoint (*map)(LatticePoint))
     return triangle;
 }
 
-/// A covered sample at (x, y) must be covered, in the same colour, at its image, and the other way.
+/// Whether each sample (x, y) and its image are both uncovered, or both covered in the same colour.
 template <class Image>
 bool isImage(const ScanPicture &original, const ScanPicture &image, const Image &at)
 {

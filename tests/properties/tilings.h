@@ -15,20 +15,20 @@ enum class Layout { Fan, Strip, Grid, TJunction };
 
 using Corners = std::array<LatticePoint, 3>;
 
-/// The triangles, and the polygon around them, counter-clockwise where the area is positive.
+/// The triangles and the polygon around them, counter-clockwise if the area is positive.
 struct Tiling {
     std::vector<Corners> triangles;
     std::vector<LatticePoint> outline;
 };
 
-/// Where the vertices lie.
+/// Where the vertices of a tiling lie.
 struct Place {
     Lattice grid = unitsPerPixel; ///< units between possible vertices: 256, 16 or 1
     Lattice origin = 0; ///< px, both coordinates
     Lattice cell = 8; ///< px
 };
 
-/// Odd multiples of a third of the cell at most, so that cells stay convex.
+/// A random offset of at most a quarter of the cell, so that cells stay convex.
 inline Lattice jitter(const Place &place)
 {
     const Lattice reach = place.cell * unitsPerPixel / place.grid / 4;
@@ -76,7 +76,8 @@ inline Tiling grid(const Place &place, std::size_t side)
     return tiling;
 }
 
-/// From an apex to a rim of ascending points at its right: slivers where the rim is far away.
+/// Triangles from an apex to a rim of ascending points to its right: slivers where the rim is far
+/// away.
 inline Tiling fan(const Place &place, std::size_t count)
 {
     const LatticePoint apex = latticeCorner(place, 0, *rc::gen::inRange<Lattice>(0, 4));
@@ -96,7 +97,7 @@ inline Tiling fan(const Place &place, std::size_t count)
     return tiling;
 }
 
-/// One row of cells whose two sides are cut into triangles in a zigzag.
+/// One row of cells, cut into triangles in a zigzag.
 inline Tiling strip(const Place &place, std::size_t count)
 {
     std::vector<LatticePoint> low;
@@ -115,8 +116,8 @@ inline Tiling strip(const Place &place, std::size_t count)
     return tiling;
 }
 
-/// A triangle on one side of an edge, three on the other, whose two middle vertices lie exactly on
-/// the edge.
+/// One triangle on one side of an edge, three on the other; two of their vertices lie exactly on
+/// the edge, between its ends.
 inline Tiling tJunction(const Place &place)
 {
     const LatticePoint from = latticeCorner(place, 0, 1);
@@ -155,7 +156,7 @@ inline Tiling tiling(Layout shape, const Place &place)
     return {};
 }
 
-/// Whether the outline holds a sample strictly inside, by the parity of the edges that a ray to the
+/// Whether a sample lies strictly inside the outline, by the parity of the edges that a ray to the
 /// right crosses; none on the outline, whose samples belong to one side or the other.
 inline std::optional<bool> isInside(const std::vector<LatticePoint> &outline, LatticePoint sample)
 {

@@ -12,8 +12,8 @@ using tilings::Layout;
 using tilings::Place;
 using tilings::Tiling;
 
-/// What holds for every triangle and every tiling in exact arithmetic. RC_PARAMS="seed=…" repeats a
-/// run; the seed of each stands in its output.
+/// Properties of every triangle and every tiling in exact arithmetic. RC_PARAMS="seed=…" repeats a
+/// run; each run prints its seed.
 class TestProperties : public QObject {
     Q_OBJECT
 
@@ -32,7 +32,7 @@ private slots:
                     const Triangle permuted
                         = {{triangle.vertices[order[0]], triangle.vertices[order[1]],
                             triangle.vertices[order[2]]}};
-                    // Coincident vertices of zero area: the first of equals gives the colour.
+                    // With coincident vertices of zero area, the first of equals gives the colour.
                     RC_PRE(doubledArea(triangle) != 0);
                     RC_ASSERT(drawn(permuted, rule, frameAround(place)) == expected);
                 }
@@ -63,7 +63,7 @@ private slots:
         }));
     }
 
-    /// The closed rule has no direction: every mirror of it is itself.
+    /// The closed rule has no direction: it equals each of its mirror images.
     void mirroringMirrorsTheClosedPicture()
     {
         QVERIFY(rc::check("mirrored in x, in y", [] {
@@ -97,7 +97,7 @@ private slots:
         }));
     }
 
-    /// (+ε², +ε) mirrored at the diagonal is (+ε, +ε²), and that with y downward is top-left.
+    /// (+ε², +ε) mirrored at the diagonal is (+ε, +ε²), which is top-left when y points down.
     void exchangingTheAxesTurnsTheColumnRuleIntoTopLeft()
     {
         QVERIFY(rc::check("half-open-column exchanged is top-left", [] {
@@ -117,8 +117,8 @@ private slots:
         }));
     }
 
-    /// Turned by 180° the sample is displaced the other way: what the triangle then owns are the
-    /// closed triangle's samples without those of the other side.
+    /// Turned by 180°, the sample is displaced the other way: the triangle then owns the closed
+    /// triangle's samples without those of the opposite side.
     void oppositeDisplacementsShareTheBoundaryOut()
     {
         QVERIFY(rc::check("half-open and half-open turned cover no less than the inside", [] {
@@ -214,8 +214,8 @@ private slots:
         }));
     }
 
-    /// Closed: A + B/2 + 1 samples; half-open: two congruent triangles tile a parallelogram, whose
-    /// samples under any displacement are as many as its area.
+    /// Closed: A + B/2 + 1 samples. Half-open: two congruent triangles tile a parallelogram, which
+    /// holds as many samples as its area under any displacement.
     void picksTheoremCountsTheSamplesOfWholePixelTriangles()
     {
         QVERIFY(rc::check("Pick", [] {

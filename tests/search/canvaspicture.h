@@ -25,7 +25,7 @@ struct ClampCounter {
 };
 
 /// One triangle on an empty canvas: 0 (alpha 0) where nothing was written. Rows count upward from
-/// the canvas' first row. Plain memory, because a search draws millions of them.
+/// the canvas' first row. It is plain memory, because a search draws millions of pictures.
 class CanvasPicture {
 public:
     explicit CanvasPicture(const FrameSpec &canvas)
@@ -67,7 +67,7 @@ public:
 
     const FrameSpec &canvas() const { return m_canvas; }
     const std::vector<QRgb> &pixels() const { return m_pixels; }
-    /// Of the written pixels.
+    /// The number of written pixels.
     std::int64_t count() const
     {
         return std::ranges::count_if(m_pixels, [](QRgb pixel) { return pixel != 0; });

@@ -7,7 +7,7 @@
 
 namespace pixelplumb::search {
 
-/// The files of hard cases in tests/data whose shortfalls are recorded.
+/// The hard-case files in tests/data whose shortfalls are recorded.
 inline const std::array<QString, 3> caseFiles
     = {QStringLiteral("hard_cases.json"), QStringLiteral("more_cases.json"),
        QStringLiteral("shape_cases.json")};

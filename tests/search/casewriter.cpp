@@ -17,7 +17,7 @@ constexpr std::array<std::pair<FillRule, const char *>, 3> ruleNames
 
 constexpr std::size_t largestPointCount = 6;
 
-// A JSON text in our own order of keys and with short arrays on one line.
+// JSON text with our own key order and with short arrays on one line.
 
 QString quoted(const QString &text) { return u'"' + text + u'"'; }
 QString quoted(const char *text) { return quoted(QString::fromUtf8(text)); }
@@ -110,7 +110,7 @@ QString factsText(const ExpectedFacts &facts)
     return object(members);
 }
 
-/// A case's y points down under the top-left rule, the oracle's up.
+/// Under the top-left rule a case's y points down, the oracle's up.
 bool isCovered(const Triangle &triangle, FillRule rule, std::int64_t x, std::int64_t y)
 {
     if (rule != FillRule::TopLeft)
@@ -142,7 +142,7 @@ QString pointText(const Triangle &triangle, std::int64_t x, std::int64_t y)
                    member("rgb8", numbers(rounded))});
 }
 
-/// The first pixels at which the arithmetic that the case was found for is wrong.
+/// The first pixels that are wrong in the arithmetic for which the case was found.
 QString pointsText(const Find &find)
 {
     const Triangle &triangle = find.hardCase.triangles.front();

@@ -5,8 +5,8 @@
 
 namespace pixelplumb::search {
 
-/// The finds as a file of hard cases, in the format of hard_cases.json, version 1. The same finds
-/// give the same bytes.
+/// Writes the finds as a hard-case file in the format of hard_cases.json, version 1. The same finds
+/// always give the same bytes.
 QByteArray casesText(std::span<const Find> finds);
 
 } // namespace pixelplumb::search

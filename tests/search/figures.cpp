@@ -96,7 +96,8 @@ HardCaseKind kindOf(Figure figure)
 
 bool isWithinFrameRange(std::int64_t pixel) { return absolute(pixel) <= largestPixel; }
 
-/// The canvas around all triangles, or a square on the first edge; false where it is too large.
+/// Places the canvas around all triangles, or as a square on the first edge; false if it is too
+/// large.
 bool placeCanvas(const Recipe &recipe, const Genes &genes, HardCase &hardCase)
 {
     LatticePoint low = hardCase.triangles.front().vertices[0].position;

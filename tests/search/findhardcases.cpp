@@ -6,7 +6,7 @@
 
 #include <cstdio>
 
-/// findhardcases CASES.json: searches by all recipes and writes what was found. Takes minutes; the
+/// findhardcases CASES.json: searches with all recipes and writes the finds. Takes minutes; the
 /// same recipes give the same file.
 int main(int argc, char *argv[])
 {

@@ -47,7 +47,7 @@ LatticePoint pointNear(const Recipe &recipe, const LatticePoint &a, const Lattic
     return clampedToBox(recipe, {x, y + off});
 }
 
-/// Points that make a proper mesh to begin with; the search then moves them.
+/// Points that start as a proper mesh; the search then moves them.
 std::vector<LatticePoint> meshPoints(const Recipe &recipe, RandomNumbers &random)
 {
     const Lattice width = recipe.size.x * recipe.scale;
@@ -76,8 +76,8 @@ std::vector<LatticePoint> meshPoints(const Recipe &recipe, RandomNumbers &random
     return points;
 }
 
-/// Moves the first two points so that the edge between them passes through the sample: from it
-/// some steps back, and some steps on.
+/// Moves the first two points so that the edge between them passes through the sample: one some
+/// steps before it, the other some steps after it.
 void alignToSample(const Recipe &recipe, Genes &genes, RandomNumbers &random)
 {
     const LatticePoint middle
@@ -116,7 +116,7 @@ Genes randomGenes(const Recipe &recipe, RandomNumbers &random)
     if (recipe.window == Window::OnSample) {
         alignToSample(recipe, genes, random);
     } else if (recipe.thickness > 0) {
-        // A long first edge, end to end of the box, and the third point near it.
+        // A long first edge across the whole box, and the third point near it.
         genes.points[0].x = random.in(0, recipe.size.x * recipe.scale / 16);
         genes.points[1].x = recipe.size.x * recipe.scale - genes.points[0].x;
         genes.points[2] = pointNear(recipe, genes.points[0], genes.points[1], random);
@@ -140,7 +140,7 @@ Genes mutated(const Recipe &recipe, Genes genes, RandomNumbers &random)
         } else {
             LatticePoint &point = genes.points[std::size_t(random.in(
                 recipe.window == Window::OnSample ? 2 : 0, std::int64_t(genes.points.size()) - 1))];
-            // Steps of all sizes: a unit as likely as half the box.
+            // Steps of all sizes: one unit is as likely as half the box.
             const Lattice box = std::max(recipe.size.x, recipe.size.y) * recipe.scale;
             Lattice reach = 1;
             while (reach < box / 2 && !random.oneIn(4))

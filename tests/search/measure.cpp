@@ -70,7 +70,7 @@ void addCoverage(std::vector<int> &times, const CanvasPicture &picture)
         times[i] += picture.pixels()[i] != 0 ? 1 : 0;
 }
 
-/// The hash that the case files define, over columns in the case's own y.
+/// The hash defined by the case files, over columns in the case's own y.
 QByteArray spanHash(const CanvasPicture &picture, FillRule rule)
 {
     const FrameSpec &canvas = picture.canvas();

@@ -8,20 +8,21 @@
 #include <functional>
 #include <span>
 
-/// How wrong a drawing is on a hard case, in numbers that a search can climb and a record can keep.
-/// The oracle is the truth throughout.
+/// How wrong a drawing of a hard case is, in numbers that a search can climb and a record can keep.
+/// The oracle is always the truth.
 namespace pixelplumb::search {
 
-/// Zero throughout where the arithmetic is right.
+/// All zero if the drawing is right.
 struct Shortfall {
     std::int64_t missing = 0; ///< pixels, summed over triangles, frames or places
     std::int64_t extra = 0;
     std::int64_t wrongBytes = 0; ///< pixels that both cover, in another colour
-    std::int64_t clamped = 0; ///< written pixels whose levels left 0 … 255
-    std::int64_t gaps = 0; ///< mesh: pixels that only the truth covers with any triangle
-    std::int64_t overdraw = 0; ///< mesh: times a pixel is covered more often than in truth
+    std::int64_t clamped = 0; ///< written pixels whose levels were outside 0 … 255
+    std::int64_t gaps = 0; ///< mesh: pixels that no drawn triangle covers, but one of the truth's
+                           ///< does
+    std::int64_t overdraw = 0; ///< mesh: how many times too often pixels are covered
     std::int64_t extraToggles = 0; ///< sequence: flicker, changed pixels beyond the true changes
-    std::int64_t extraPictures = 0; ///< translation: different pictures beyond one
+    std::int64_t extraPictures = 0; ///< translation: number of different pictures beyond one
 
     bool isNone() const { return *this == Shortfall{}; }
     friend bool operator==(const Shortfall &, const Shortfall &) = default;
@@ -33,15 +34,14 @@ struct CaseScene {
     FrameSpec canvas;
 };
 
-/// The pictures of a case of any kind that has triangles, as they should be under one rule: one
-/// a triangle, a frame or a place. Under the top-left rule all are mirrored, because a case's y
-/// points down there.
+/// The true pictures of any case with triangles, under one rule: one per triangle, frame or place.
+/// Under the top-left rule all are mirrored, because there the case's y points down.
 class CaseTruth {
 public:
     CaseTruth(const HardCase &hardCase, FillRule rule);
 
     std::span<const CanvasPicture> pictures() const { return m_pictures; }
-    /// What a drawing gets wrong; what was clamped is not known of it.
+    /// What a drawing gets wrong, except for clamped pixels, which are unknown.
     Shortfall shortfallOf(const Drawing &drawing, const ScanSettings &settings) const;
     /// What the column scan gets wrong; the rule is Closed or HalfOpenColumn.
     Shortfall shortfallOfScan(const ScanSettings &settings) const;
@@ -56,16 +56,14 @@ private:
     std::vector<CanvasPicture> m_pictures; ///< of m_scenes
 };
 
-/// What the column scan gets wrong in a case that has triangles; the rule is Closed or
-/// HalfOpenColumn.
+/// What the column scan gets wrong in a case with triangles; the rule is Closed or HalfOpenColumn.
 Shortfall measure(const HardCase &hardCase, const ScanSettings &settings);
 
-/// Fills in what is true of the case under the closed, half-open-column and top-left rules, by the
-/// oracle.
+/// Fills in the case's facts under the closed, half-open-column and top-left rules, by the oracle.
 void deriveFacts(HardCase &hardCase);
 
-/// A mesh is one that can be covered once: its triangles turn the same way and the half-open rule
-/// covers no pixel of its canvas twice.
+/// Whether a mesh can be covered exactly once: its triangles turn the same way and the half-open
+/// rule covers no pixel of its canvas twice.
 bool isProperMesh(const HardCase &hardCase);
 
 } // namespace pixelplumb::search

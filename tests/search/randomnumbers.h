@@ -6,7 +6,7 @@
 namespace pixelplumb::search {
 
 /// SplitMix64 (Steele, Lea, Flood 2014): the same numbers with every compiler and library, which
-/// the distributions of <random> do not promise.
+/// the distributions of <random> do not guarantee.
 class RandomNumbers {
 public:
     explicit RandomNumbers(std::uint64_t seed)
@@ -22,7 +22,7 @@ public:
         bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebU;
         return bits ^ (bits >> 31);
     }
-    /// In [first, last]; the bias of the remainder is of no account here.
+    /// A number in [first, last]; the bias of the remainder does not matter here.
     std::int64_t in(std::int64_t first, std::int64_t last)
     {
         const auto count = std::uint64_t(last - first) + 1;

@@ -16,7 +16,7 @@ constexpr FillRule halfOpen = FillRule::HalfOpenColumn;
 
 constexpr Lattice million = Lattice(1) << 20; ///< px
 
-// A table, two lines a row.
+// A table with two lines per row.
 // clang-format off
 constexpr Recipe table[] = {
     // Drift: the same rounding at every addition. Far above the x axis an ulp of y is coarse.
@@ -179,7 +179,7 @@ constexpr Recipe table[] = {
     {"t_junction_fixed32_2_20", "t-junction", "a T-junction on whole pixels at (2^20, −2^20) in 32.32",
      TJunction, Fixed32, halfOpen, GapsAndOverdraw, 1, {million, -million}, {100, 100}},
 
-    // Time: what comes and goes while a sliver slides by (2, 1) units a frame.
+    // Time: what appears and disappears while a sliver slides by (2, 1) units a frame.
     {"flicker_float32_997", "temporal", "a sliver 997 px long slides by (1/8, 1/16) px a frame",
      Slide, Float32, closed, Flicker, 16, {0, 1000}, {997, 24}, 16, Whole, ToHalf, 60},
     {"flicker_float32_half_open_601", "temporal", "a sliver 601 px long slides by (1/128, 1/256) px a frame",

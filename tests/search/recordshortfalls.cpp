@@ -7,8 +7,8 @@
 
 #include <cstdio>
 
-/// recordshortfalls FOLDER: measures every case of the folder's files and writes the record anew.
-/// To be run, and its difference read, when a kernel or a case was changed on purpose.
+/// recordshortfalls FOLDER: measures every case in the folder's files and rewrites the record. Run
+/// it, and read the diff, after changing a kernel or a case on purpose.
 int main(int argc, char *argv[])
 {
     using namespace pixelplumb;

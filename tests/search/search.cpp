@@ -5,7 +5,7 @@ namespace pixelplumb::search {
 
 namespace {
 
-constexpr Score worthless = {-1, -1}; ///< of a figure without sense
+constexpr Score worthless = {-1, -1}; ///< the score of a figure without sense
 
 struct Scored {
     Genes genes;
@@ -18,7 +18,7 @@ Scored scored(const Recipe &recipe, Genes genes)
     return {std::move(genes), hardCase ? scoreOf(recipe, *hardCase) : worthless};
 }
 
-/// FNV-1a of the recipe's name, so that a new recipe leaves the others' cases as they are.
+/// FNV-1a of the recipe's name, so a new recipe does not change the cases of the others.
 std::uint64_t seedOf(const Recipe &recipe)
 {
     std::uint64_t seed = 0xcbf29ce484222325U;
@@ -37,13 +37,13 @@ Scored climb(const Recipe &recipe, RandomNumbers &random)
     }
     for (int round = 0; best.score > worthless && round < recipe.rounds; ++round) {
         Scored next = scored(recipe, mutated(recipe, best.genes, random));
-        if (next.score >= best.score) // sideways too, to get off plateaus
+        if (next.score >= best.score) // equal scores too, to get off plateaus
             best = std::move(next);
     }
     return best;
 }
 
-/// Simpler candidates, the boldest first.
+/// Simpler candidates, the boldest simplification first.
 std::vector<Genes> simplerThan(const Genes &genes)
 {
     std::vector<Genes> simpler;
@@ -86,8 +86,8 @@ Scored shrunk(const Recipe &recipe, Scored best)
     const std::int64_t enough = recipe.shrink == Shrink::ToAnyFailure
         ? 1
         : std::max<std::int64_t>(1, best.score.sought / 2);
-    // Each accepted step makes a coordinate or a colour simpler, so that this ends; the limit is
-    // for long walks by ones.
+    // Every accepted step makes a coordinate or a colour simpler, so this ends; the limit cuts off
+    // long walks by ones.
     for (int steps = 0; steps < 60; ++steps) {
         bool progress = false;
         for (Genes &genes : simplerThan(best.genes)) {

@@ -5,7 +5,7 @@
 
 namespace pixelplumb::search {
 
-/// A hard case that a search found, and how bad it is for the arithmetic that it was found for.
+/// A hard case that a search found, with its score for the arithmetic of its recipe.
 struct Find {
     const Recipe *recipe = nullptr;
     Genes genes;
@@ -13,8 +13,9 @@ struct Find {
     Score score;
 };
 
-/// Random figures, then uphill from the worst of them by the error, then down to the simplest that
-/// is bad enough. The same recipe gives the same case. None where nothing fails.
+/// Tries random figures, climbs from the worst of them towards a larger error, then simplifies to
+/// the simplest that is still bad enough. The same recipe always gives the same case. None if
+/// nothing fails.
 std::optional<Find> search(const Recipe &recipe);
 
 } // namespace pixelplumb::search

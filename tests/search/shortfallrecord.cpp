@@ -14,7 +14,7 @@ namespace pixelplumb::search {
 
 namespace {
 
-/// The key of the record's first member, which is no file of cases.
+/// The key of the record's first member, which is not a case file.
 const QString aboutKey = QStringLiteral("about");
 const QString aboutText = QStringLiteral(
     "By case and shortfall: every method, arithmetic and fill rule that is not claimed stable and "
@@ -39,8 +39,8 @@ QString countsText(const Shortfall &shortfall)
     return counts.join(QStringLiteral(", "));
 }
 
-/// What the facts say first of a case of lines or other shapes: how many pixels differ. Of a line
-/// also of its reverse.
+/// What the facts of a case of lines or other shapes say first: how many pixels differ. For a line,
+/// also those of its reverse.
 QString shapeText(const HardCase &hardCase, const Contender &contender)
 {
     const CaseReport report = checkCase(hardCase, {contender});
@@ -83,7 +83,7 @@ std::vector<Contender> contendersFor(const HardCase &hardCase, FillRule rule, QS
 
 QByteArray jsonString(const QString &text)
 {
-    // The text of an array of this one string, without its brackets.
+    // The text of an array of this single string, without the brackets.
     return QJsonDocument(QJsonArray{text}).toJson(QJsonDocument::Compact).chopped(1).mid(1);
 }
 

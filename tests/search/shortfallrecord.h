@@ -8,24 +8,25 @@
 
 #include <map>
 
-/// What the forms that round get wrong in each hard case: every method × arithmetic × fill rule
-/// that the case has facts for and that is not claimed stable. One that is right has no entry.
+/// What the rounding arithmetics get wrong in each hard case: every method × arithmetic × fill rule
+/// that the case has facts for and that is not claimed stable. A combination that is right has no
+/// entry.
 namespace pixelplumb::search {
 
-/// The contenders that fall short of one case, by what they get wrong:
-/// "2 missing, 3 extra" → "column-scan float32 closed".
+/// The contenders that fall short in one case, grouped by what they get wrong: "2 missing, 3 extra"
+/// → "column-scan float32 closed".
 using CaseRecord = std::map<QString, QStringList>;
-/// By the case's id.
+/// Keyed by the case's id.
 using FileRecord = std::map<QString, CaseRecord>;
-/// By the name of the file of cases.
+/// Keyed by the name of the case file.
 using ShortfallRecord = std::map<QString, FileRecord>;
 
-/// Measures every contender on the case, or those of the method with this id.
+/// Measures every contender on the case, or only those of the method with this id.
 CaseRecord shortfallsOf(const HardCase &hardCase, QStringView methodId = {});
 
-/// The record as JSON, a line for each case and shortfall.
+/// The record as JSON, one line per case and shortfall.
 QByteArray textOf(const ShortfallRecord &record);
-/// Empty where the text is no record.
+/// Empty if the text is no record.
 ShortfallRecord readRecord(const QByteArray &text);
 
 /// "sliver_fibonacci: column-scan float32 closed: 2 missing, 3 extra", sorted.

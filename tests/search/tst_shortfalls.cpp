@@ -16,10 +16,10 @@ namespace tst_shortfalls {
 
 using namespace pixelplumb;
 
-/// Every hard case by every method, in every arithmetic and under every rule: the exact column
-/// scan is right, and what the forms that are not claimed stable get wrong is exactly what was
-/// recorded. A record that no longer holds, for better or for worse, is a change to look at;
-/// `recordshortfalls tests/data` writes it anew.
+/// Every hard case by every method, in every arithmetic and under every rule: the exact column scan
+/// is right, and the errors of the forms that are not claimed stable are exactly those recorded.
+/// Any difference from the record, better or worse, must be examined; `recordshortfalls tests/data`
+/// rewrites the record.
 class TestShortfalls : public QObject {
     Q_OBJECT
 
@@ -78,8 +78,8 @@ private slots:
             if (search::shortfallsOf(hardCase, u"column-scan").empty())
                 easy.append(hardCase.id);
         }
-        // Found where the lower edge was chosen once for the triangle; chosen in each column, as
-        // the assignment says, its tip is painted in every arithmetic. It stays as a guard of that.
+        // Found when the lower edge was chosen once per triangle. Chosen in each column, as the
+        // assignment says, its tip is painted in every arithmetic. It stays to guard against that.
         QCOMPARE(easy, QStringList(QStringLiteral("tie_fixed16_16")));
     }
 

@@ -8,13 +8,13 @@
 
 #include <QEvent>
 
-/// What the tests of the canvas share.
+/// Shared helpers of the canvas tests.
 namespace pixelplumb {
 
 /// The design's first scene without its fraction.
 Scene firstScene();
 
-/// A canvas in a window of its own, traced anew at every change as the real window does.
+/// A canvas in its own window; every scene change is traced again, as in the real window.
 struct CanvasBench {
     SceneDocument document;
     Playhead playhead;
@@ -23,7 +23,7 @@ struct CanvasBench {
 
     explicit CanvasBench(const Scene &scene = {});
 
-    /// The middle of a pixel's cell, and that column's place on the ruler, in the widget.
+    /// Widget positions: the middle of a pixel's cell, and the place of column x on the ruler.
     QPoint at(int x, int y) const { return canvas.positionOf(QPoint(x, y)).toPoint(); }
     QPoint onColumnRuler(int x) const
     {

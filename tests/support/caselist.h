@@ -5,18 +5,18 @@
 
 #include <QMetaType>
 
-/// What the tests that take hard cases one by one share.
+/// Shared helpers of the tests that go through the hard cases one by one.
 namespace pixelplumb {
 
-/// The cases of a file; the test fails, and there are none, where it cannot be read.
+/// The cases in a file. If it cannot be read, the test fails and the list is empty.
 std::vector<HardCase> casesOf(const QString &path);
 
-/// A row a case; the column is "hardCase".
+/// Adds one data row per case; the column is "hardCase".
 void addRows(const std::vector<HardCase> &cases);
 
 const HardCase &caseNamed(const std::vector<HardCase> &cases, const QString &id);
 
-/// A file with one case of these members.
+/// A case file with a single case that has these members.
 QByteArray fileOfCase(const QByteArray &members);
 
 } // namespace pixelplumb

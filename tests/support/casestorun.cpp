@@ -26,7 +26,7 @@ std::uint32_t seed()
     return seed;
 }
 
-/// For a group's own draw, which does not depend on the other groups.
+/// The generator of a group's own draw, independent of the other groups.
 std::mt19937 randomFor(const QString &group)
 {
     std::vector<std::uint32_t> words{seed()};
@@ -48,7 +48,7 @@ std::vector<std::size_t> placesToRun(const std::vector<QString> &groups)
     std::vector<std::size_t> run;
     for (auto &[group, places] : placesOf) {
         if (!areAllCasesRun()) {
-            // Not std::shuffle, which draws otherwise with another library.
+            // Not std::shuffle, which draws differently in each library.
             std::mt19937 random = randomFor(group);
             for (std::size_t left = places.size(); left > 1; --left)
                 std::swap(places[left - 1], places[random() % left]);

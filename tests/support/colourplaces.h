@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <utility>
 
-/// Samples of triangles at which a colour level lies as close to the boundary between two bytes as
-/// it can without lying on it: what tests of exact colours are hardest on.
+/// Samples of triangles at which a colour level lies as close as possible to the boundary between
+/// two bytes without lying on it: the hardest samples for tests of exact colours.
 namespace pixelplumb {
 
 /// In pixels, to the right and up.
@@ -27,9 +27,9 @@ struct ColourPlace {
     std::int64_t scale = 1;
     std::array<std::int64_t, 3> levels = {};
 
-    /// Doubled.
+    /// Twice the area.
     Int128 area() const { return Int128(x1) * y2 - Int128(x2) * y1; }
-    /// The level times the area: at the sample, and its change per pixel.
+    /// The level times the doubled area: at the sample, and its change per pixel.
     Int128 numerator() const
     {
         return levels[0] * area() + (levels[1] - levels[0]) * (Int128(x) * y2 - Int128(y) * x2)
@@ -93,7 +93,7 @@ inline Int128 remainderOf(Int128 value, Int128 modulus)
     return ((value % modulus) + modulus) % modulus;
 }
 
-/// t in [0, modulus) with value·t ≡ 1; they have no common divisor.
+/// The t in [0, modulus) with value·t ≡ 1; value and modulus must be coprime.
 inline Int128 inverseOf(Int128 value, Int128 modulus)
 {
     Int128 r0 = modulus, r1 = remainderOf(value, modulus), t0 = 0, t1 = 1;
@@ -105,10 +105,10 @@ inline Int128 inverseOf(Int128 value, Int128 modulus)
     return remainderOf(t0, modulus);
 }
 
-/// Lays the sample where 2·level + 1 is 1/A beside an even integer: on one side or the other. With
-/// P1, P2 the corners and w a vector with w × P2 = 1, a sample s = k·w + j·P2 has the weights
-/// s × P2 = k and P1 × s = k·(P1 × w) + j·A, so that modulo A the level's numerator is a multiple
-/// of k. False where there is no such sample inside.
+/// Places the sample where 2·level + 1 differs by 1/A from an even integer, above or below it. With
+/// P1, P2 the corners and w a vector with w × P2 = 1, a sample s = k·w + j·P2 has the weights s ×
+/// P2 = k and P1 × s = k·(P1 × w) + j·A, so that modulo A the level's numerator is a multiple of k.
+/// False if the triangle contains no such sample.
 inline bool laySample(ColourPlace &place, std::int64_t side)
 {
     const Int128 area = place.area();
@@ -132,12 +132,12 @@ inline bool laySample(ColourPlace &place, std::int64_t side)
     return true;
 }
 
-/// A triangle whose bounding box in units has an area W'·H' of at most 2^bits, in all shapes from
-/// flat to steep and from fat to slivers, and its hardest sample.
+/// A random triangle and its hardest sample. The bounding box in units has an area W'·H' of at most
+/// 2^bits; the shapes range from flat to steep and from fat to slivers.
 inline ColourPlace drawColourPlace(search::RandomNumbers &random, int bits, std::int64_t scale)
 {
     for (;;) {
-        // Near square twice as often: a steep one has few samples.
+        // Nearly square boxes are twice as frequent: a steep triangle has few samples.
         const std::int64_t exponent
             = random.oneIn(2) ? bits / 2 : random.in(bits / 4 + 1, bits - bits / 4 - 1);
         const std::int64_t width = std::int64_t(1) << exponent;
@@ -148,7 +148,7 @@ inline ColourPlace drawColourPlace(search::RandomNumbers &random, int bits, std:
             xs[i] = random.in(0, width);
             ys[i] = random.in(0, height);
         }
-        if (random.oneIn(3)) { // a sliver: the third corner beside the line of the others
+        if (random.oneIn(3)) { // a sliver: the third corner close to the line through the others
             const double along = double(random.in(0, 1000)) / 1000;
             xs[2] = std::clamp<std::int64_t>(
                 xs[0] + std::int64_t(along * double(xs[1] - xs[0])) + random.in(-3, 3), 0, width);

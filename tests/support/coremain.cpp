@@ -3,7 +3,7 @@
 
 #include <QCoreApplication>
 
-/// Of the programs that test core, which needs no window.
+/// main() of the programs that test core, which needs no window.
 int main(int argc, char **argv)
 {
     const QCoreApplication application(argc, argv);

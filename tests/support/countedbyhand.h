@@ -7,7 +7,7 @@
 
 #include <QStringList>
 
-/// Operations that kernels in counting numbers counted, to be held against counts by hand.
+/// Operations counted by kernels that run in counting numbers, for comparison with hand counts.
 namespace pixelplumb {
 
 inline constexpr std::int32_t side = 16; // px, of every frame here
@@ -20,8 +20,8 @@ inline FrameSpec square(std::int32_t pixels)
     return spec;
 }
 
-/// On columns 0 … 4 it has 1, 3, 5, 3 and 1 pixels. All slopes and all changes of its colours from
-/// pixel to pixel are integers, so that nothing is ever carried.
+/// Columns 0 … 4 have 1, 3, 5, 3 and 1 pixels. All slopes and all colour changes from pixel to
+/// pixel are integers, so nothing is ever carried.
 inline Primitives tentTriangle()
 {
     Triangle triangle;
@@ -42,7 +42,7 @@ inline OperationCounts countsOf(const char *method, Arithmetic arithmetic,
         .value();
 }
 
-/// What differs, in words; empty where a stage has these counts and no others.
+/// The differences in words; empty if a stage has exactly these counts.
 inline QString departure(const OperationCounts &counts, WorkStage stage,
                          const std::vector<std::pair<Operation, std::int64_t>> &expected)
 {

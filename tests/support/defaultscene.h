@@ -3,7 +3,7 @@
 
 #include "core/scene/scene.h"
 
-/// The scene that the panels' tests look at.
+/// The scene that the panel tests use.
 namespace pixelplumb {
 
 inline Vertex vertexAt(double x, double y, const Colour &colour)
@@ -11,7 +11,7 @@ inline Vertex vertexAt(double x, double y, const Colour &colour)
     return {{Lattice(x * unitsPerPixel), Lattice(y * unitsPerPixel)}, colour};
 }
 
-/// The default scene's triangle, as often as asked: columns 4 … 58, x₁ = 26 1/2.
+/// The default scene's triangle, repeated `triangles` times: columns 4 … 58, x₁ = 26 1/2.
 inline Scene defaultSceneIn(Arithmetic arithmetic, int triangles = 1)
 {
     Scene scene;
@@ -22,7 +22,7 @@ inline Scene defaultSceneIn(Arithmetic arithmetic, int triangles = 1)
     return scene;
 }
 
-/// The row of column x in the table of a scene with one such triangle.
+/// The table row of column x in a scene with one such triangle.
 constexpr int rowOf(int x) { return x - 4; }
 
 } // namespace pixelplumb

@@ -5,7 +5,7 @@
 
 namespace pixelplumb {
 
-/// The kind of a defect: what it is a choice of, else when it does its work.
+/// The group of a defect: the choice it belongs to, or else the stage at which it acts.
 inline QString groupOf(const Defect &defect)
 {
     if (!defect.choice.isEmpty())

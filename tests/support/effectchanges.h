@@ -6,7 +6,7 @@
 
 #include <functional>
 
-/// A scene that calls for nothing, and changes of it.
+/// A scene that needs no effect, and changes to it.
 namespace pixelplumb {
 
 using Change = std::function<void(Primitives &)>;
@@ -23,7 +23,7 @@ inline FrameView frameView()
     return frame.view();
 }
 
-/// Two white triangles side by side, within the frame of 32 × 24 pixels.
+/// Two white triangles next to each other in the frame of 32 × 24 pixels.
 inline Primitives plain()
 {
     Primitives primitives;
@@ -39,7 +39,7 @@ inline Primitives changed(const Change &change)
     return primitives;
 }
 
-/// The second triangle over the first, moved by 10 px to the left and 3 px up.
+/// Moves the second triangle onto the first: 10 px to the left and 3 px up.
 inline void overlap(Primitives &primitives)
 {
     for (Vertex &vertex : primitives.triangles[1].vertices)
@@ -47,7 +47,7 @@ inline void overlap(Primitives &primitives)
             = {vertex.position.x - 10 * unitsPerPixel, vertex.position.y + 3 * unitsPerPixel};
 }
 
-/// From red to green.
+/// A line from red to green.
 inline Shape smoothLine()
 {
     Shape line;

@@ -38,7 +38,7 @@ private:
     {
         return values.begin()[m_random.between(0, std::int64_t(values.size()) - 1)];
     }
-    /// Whether an effect is in the scene; its name is in the scene's.
+    /// Decides whether the scene has an effect, and adds the effect's name to the scene's.
     bool chosen(Effect effect)
     {
         if (!m_random.coin())
@@ -53,7 +53,7 @@ private:
         FrameSpec &frame = m_scene.frame;
         const bool isFar = m_hardship == EffectHardship::FarAway;
         const std::int32_t first = isFar ? oneOf({1 << 20, -(1 << 20)}) : oneOf({0, 0, -9, 1000});
-        // One after the other: a compiler may choose the order of a call's arguments.
+        // Two statements, because a compiler may evaluate call arguments in any order.
         const auto width = std::int32_t(m_random.between(9, 24));
         const auto height = std::int32_t(m_random.between(9, 24));
         frame = frameOf(width, height, first, oneOf({0, -7, 3000}));
@@ -152,7 +152,8 @@ private:
         return {x, along(frame.firstRow, frame.height)};
     }
 
-    /// Moves two vertices onto samples, or all onto one, and the third between them or beyond.
+    /// Moves two vertices onto samples, or all onto one, and the third onto their line, between or
+    /// beyond them.
     void takeArea(Triangle &triangle)
     {
         const auto ownSample = [](const LatticePoint &near) {
@@ -233,7 +234,7 @@ private:
         return m_random.between(-2 * attributeOne, 3 * attributeOne);
     }
 
-    /// Of up to 8 along each axis, or along one of them.
+    /// A vector with components up to 8, along all axes or along one.
     std::array<Attribute, 3> vector()
     {
         std::array<Attribute, 3> vector;

@@ -6,21 +6,21 @@
 
 #include <QString>
 
-/// Random triangles with effects, the same from the same seed on every machine.
+/// Random triangles with effects; a seed gives the same scene on every machine.
 namespace pixelplumb {
 
 /// What is hard about a scene.
 enum class EffectHardship {
-    None, ///< anywhere in the frame and beside it
-    WholePixels, ///< vertices on samples, so that edges pass through others
+    None, ///< anywhere in and around the frame
+    WholePixels, ///< vertices on samples, so that edges pass through other samples
     Slivers, ///< a few lattice units thick
     SharedEdges, ///< a fan around a point
-    Coincident, ///< the same place, depths equal or a last bit apart
-    Crossing, ///< depths that cross, at whole pixels exactly
+    Coincident, ///< in the same place, depths equal or one last bit apart
+    Crossing, ///< depths that cross exactly at whole pixels
     Horizon, ///< w from 2^-20 to 2^10 in one triangle
-    TexelBorders, ///< u and v multiples of 1/8 at samples
+    TexelBorders, ///< u and v are multiples of 1/8 at samples
     FarAway, ///< at 2^20 px
-    Segments, ///< triangles without area among others: lines, upright ones, points
+    Segments, ///< segments among the triangles (no area): sloping or vertical ones, and points
 };
 inline constexpr std::array allEffectHardships
     = {EffectHardship::None,        EffectHardship::WholePixels,  EffectHardship::Slivers,
@@ -32,10 +32,10 @@ QString nameOf(EffectHardship hardship);
 struct EffectScene {
     QString name; ///< "slivers: perspective, texture, 4 samples"
     FrameSpec frame;
-    Primitives primitives; ///< sample coordinates
+    Primitives primitives; ///< in sample coordinates
 };
 
-/// Which effects there are is random too. But for Segments, every triangle has an area.
+/// Which effects the scene has is random too. Except for Segments, every triangle has an area.
 EffectScene randomEffectScene(std::uint64_t seed, EffectHardship hardship);
 
 } // namespace pixelplumb

@@ -8,7 +8,7 @@
 
 #include <QString>
 
-/// What the tests of effects share: a right triangle whose numbers are easily worked out by hand,
+/// Shared helpers of the effect tests: a right triangle whose values are easily worked out by hand,
 /// and its true picture.
 namespace pixelplumb {
 
@@ -21,7 +21,8 @@ inline Attribute attribute(std::int64_t numerator, std::int64_t denominator = 1)
     return numerator * attributeOne / denominator;
 }
 
-/// (0, 0), (16, 0), (0, 16): in row 0 the second vertex' weight is x/16 and the third's is 0.
+/// The triangle (0, 0), (16, 0), (0, 16): in row 0 the second vertex has weight x/16 and the third
+/// has weight 0.
 inline Triangle slope(const Colour &colour)
 {
     return {{{{latticePixel(0, 0), colour},
@@ -29,7 +30,7 @@ inline Triangle slope(const Colour &colour)
               {latticePixel(0, 16), colour}}}};
 }
 
-/// Such a triangle with attributes, and room for more.
+/// One such triangle with attributes; addSlope() adds more.
 inline Primitives oneSlope(const std::array<VertexAttributes, 3> &vertices,
                            const Colour &colour = white)
 {
@@ -51,7 +52,7 @@ inline void setMaterial(Primitives &primitives, const Material &material)
     primitives.attributes[0].material = 0;
 }
 
-/// All three with this depth.
+/// Three vertices with this depth.
 inline std::array<VertexAttributes, 3> atDepth(Attribute z)
 {
     std::array<VertexAttributes, 3> vertices;
@@ -60,7 +61,7 @@ inline std::array<VertexAttributes, 3> atDepth(Attribute z)
     return vertices;
 }
 
-/// All three with this alpha.
+/// Three vertices with this alpha.
 inline std::array<VertexAttributes, 3> withAlpha(std::uint8_t alpha)
 {
     std::array<VertexAttributes, 3> vertices;
@@ -69,7 +70,7 @@ inline std::array<VertexAttributes, 3> withAlpha(std::uint8_t alpha)
     return vertices;
 }
 
-/// u from one value to another along row 0.
+/// Three vertices whose u goes from one value to the other along row 0.
 inline std::array<VertexAttributes, 3> withU(Attribute from, Attribute to)
 {
     std::array<VertexAttributes, 3> vertices;
@@ -91,8 +92,8 @@ inline Colour pixelOf(const FrameBuffer &frame, std::int64_t x, std::int64_t y)
     return unpacked(*frame.view().at(x, y));
 }
 
-/// The pixels of row 0 from column 0 on: # white, . black, and the others by the first digit of
-/// their red.
+/// Row 0 from column 0 on: # for white, . for black, and any other pixel by the first digit of its
+/// red.
 inline QString rowText(const Primitives &primitives, std::int32_t width = 17,
                        const ScanSettings &settings = closedRule)
 {

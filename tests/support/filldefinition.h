@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <array>
 
-/// The fill rules as their definition says them, sample by sample: a sample is displaced by a
-/// vector of powers of an infinitely small ε and asked whether it then lies strictly inside. An
+/// The fill rules taken literally from their definition, sample by sample: displace a sample by a
+/// vector of powers of an infinitely small ε and test whether it then lies strictly inside. The
 /// edge function of the displaced sample is a polynomial in ε, whose sign is that of its first
-/// coefficient that is not 0. Integers in units of 1/256 px throughout; nothing is shared with the
-/// kernels or the oracle but the vertices' type.
+/// non-zero coefficient. Everything is in integers of 1/256 px; nothing but the vertex type is
+/// shared with the kernels or the oracle.
 namespace pixelplumb::definition {
 
 /// c₀ + c₁·ε + c₂·ε².
@@ -55,7 +55,7 @@ inline DisplacedSample displaced(const LatticePoint &sample, const Scene &scene)
     return {{sample.x, 0, 0}, {sample.y, 0, 0}};
 }
 
-/// (q − p) × (sample − p), twice the signed area of the triangle that the three make.
+/// (q − p) × (sample − p): twice the signed area of the triangle (p, q, sample).
 inline Polynomial edgeFunction(const LatticePoint &p, const LatticePoint &q,
                                const DisplacedSample &sample)
 {
@@ -95,8 +95,8 @@ inline bool isInside(const Triangle &triangle, std::int64_t column, std::int64_t
                                [&](int sign) { return sign == turn || (isClosed && sign == 0); });
 }
 
-/// A displaced sample is inside an even-odd polygon when an odd number of the triangles that its
-/// first vertex makes with its edges hold it.
+/// A displaced sample is inside an even-odd polygon if it lies in an odd number of the triangles
+/// formed by the first vertex and the edges.
 inline bool isInside(const Shape &polygon, std::int64_t column, std::int64_t row,
                      const Scene &scene)
 {

@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Reads a formula by recursive descent and works it out on the way.
+/// Reads a formula by recursive descent, evaluating it on the way.
 class FormulaReader {
 public:
     FormulaReader(const QString &text, const RangeArithmetic &arithmetic)
@@ -56,7 +56,7 @@ private:
         m_failed = !takes(character) || m_failed;
     }
 
-    /// "1 if 3 > 2, else 0": both where what is known does not tell.
+    /// "1 if 3 > 2, else 0": both values if the known digits do not decide.
     NumberRange choice()
     {
         const NumberRange value = sum();
@@ -129,7 +129,7 @@ private:
             return negated(factor());
         if (takes(u'√'))
             return m_arithmetic.root(factor());
-        // What a cast does: it drops the fraction of negative numbers too.
+        // A cast drops the fraction, of negative numbers too.
         if (takesWord(u"(int)")) {
             const NumberRange value = factor();
             return {std::trunc(value.least), std::trunc(value.greatest)};
@@ -161,7 +161,7 @@ private:
             return {std::numbers::pi_v<Number>, std::numbers::pi_v<Number>};
         return takes(u'½') ? NumberRange{0.5L, 0.5L} : number();
     }
-    /// Of all that stands up to the closing parenthesis.
+    /// The extreme of all values up to the closing parenthesis.
     template <class Choice>
     NumberRange extreme(const Choice &choice)
     {
@@ -179,7 +179,7 @@ private:
     {
         const Number sign = takes(u'-') ? -1 : 1;
         Number value = digits();
-        // "17 3/8": a blank and a digit follow the whole.
+        // "17 3/8": a blank and a digit follow the whole part.
         Number slack = 0;
         if (next() == u' ' && m_place + 1 < m_text.size() && m_text[m_place + 1].isDigit()) {
             ++m_place;
@@ -188,7 +188,7 @@ private:
             value += numerator / digits();
             slack = NumberRange::ownRounding * value;
         }
-        // "0.333333…": the last digit is rounded, or the digits after it are cut off.
+        // "0.333333…": the last digit is rounded, or the later digits are cut off.
         const Number unseen = slack + (takes(u'…') ? m_lastDigit : 0);
         return m_arithmetic.shown({sign * value - unseen, sign * value + unseen});
     }
@@ -222,7 +222,7 @@ private:
     QString m_text;
     const RangeArithmetic &m_arithmetic;
     qsizetype m_place = 0;
-    Number m_lastDigit = 1; ///< what 1 is in the last digit that was read
+    Number m_lastDigit = 1; ///< one unit of the last digit that was read
     bool m_failed = false;
 };
 
@@ -272,7 +272,7 @@ QString FormulaRange::text() const
 
 namespace {
 
-/// "y_B ← y_B′ + m₀₂": what stands on the left, and what on the right.
+/// "y_B ← y_B′ + m₀₂": the left side and the right side.
 std::pair<QString, QString> sidesOf(const QString &symbols)
 {
     for (const QChar sign : {QChar(u'←'), QChar(u'=')}) {

@@ -11,20 +11,21 @@
 
 namespace pixelplumb {
 
-/// What a formula with its numbers put in can come out at: its numbers are known only as far as
-/// they are shown ("0.333333…"), and each operation of an arithmetic that rounds may round once.
+/// The range of results of a formula with its numbers put in: the numbers are known only to the
+/// digits shown ("0.333333…"), and every operation of a rounding arithmetic may round once.
 class FormulaRange {
 public:
     /// Works out + − · / mod ² ^ √ ( ) ⌈ ⌉ ⌊ ⌋ (int) min( , ) max( , ) cos sin, ½ π, decimals and
-    /// mixed numbers ("-17 3/8"), and "1 if 3 > 2, else 0". None where words or names are left in
-    /// the text or a divisor is 0.
+    /// mixed numbers ("-17 3/8"), and "1 if 3 > 2, else 0". None if words or names remain in the
+    /// text or a divisor is 0.
     static std::optional<FormulaRange> of(const QString &text, Arithmetic arithmetic);
-    /// The same in numbers that wrap, as fixed-point numbers do where an operation leaves their
-    /// range. What is computed in integers beside them does not.
+    /// Like of(), but in numbers that wrap, as fixed-point numbers do when an operation leaves
+    /// their range. Parts computed in integers do not wrap.
     static std::optional<FormulaRange> wrappedOf(const QString &text, Arithmetic arithmetic);
 
     bool holds(const Quantity &number) const;
-    /// Whether so much is known that a wrong number would be noticed: within a hundredth of it.
+    /// Whether the range is narrow enough, within a hundredth, that a wrong number would be
+    /// noticed.
     bool isNarrow() const;
     QString text() const;
 
@@ -39,8 +40,7 @@ private:
     NumberRange m_range;
 };
 
-/// What is wrong with a formula that comes out within the range, where there is one; empty where
-/// nothing is.
+/// What is wrong with a formula whose result should lie in the range; empty if nothing is.
 QString formulaFault(const FormulaLine &line, const std::optional<FormulaRange> &range,
                      Arithmetic arithmetic);
 

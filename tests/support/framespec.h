@@ -5,7 +5,7 @@
 
 namespace pixelplumb {
 
-/// A frame of this size whose first pixel has these coordinates.
+/// A frame of this size; its first pixel is (firstColumn, firstRow).
 inline FrameSpec frameOf(std::int32_t width, std::int32_t height, std::int32_t firstColumn = 0,
                          std::int32_t firstRow = 0)
 {

@@ -10,20 +10,20 @@
 
 class QAbstractItemView;
 
-/// What the tests of the dock Grading share: a class whose submissions are graded, and the window
-/// with its grades.
+/// Shared helpers of the Grading dock's tests: a class whose submissions are graded, and the window
+/// that shows its grades.
 namespace pixelplumb {
 
 class Gradebook;
 
-/// ms: with sanitizers, on a machine that does other work as well, grades are read in ten seconds.
+/// ms: with sanitizers on a busy machine, reading the grades takes ten seconds.
 inline constexpr int longestWait = 60'000;
 
-/// A triangle small enough to be diagnosed at once.
+/// A triangle small enough to be diagnosed instantly.
 Scene smallScene();
 QImage drawn(const Scene &scene);
 
-/// Three students: right, and two who truncate.
+/// Three students: one is right, two truncate.
 class Classroom {
 public:
     Classroom();
@@ -38,20 +38,21 @@ private:
     QTemporaryDir m_folder;
 };
 
-/// What grading the class writes; graded once for all tests.
+/// Copies the results of grading the class to results(); the grading itself runs once for all
+/// tests.
 void bringResults(const Classroom &classroom);
-/// What the assistant said of a student, as the results' folder has it.
+/// The assistant's review of a student, as stored in the results folder.
 GradeReview keptReview(const Classroom &classroom, std::size_t student);
 
 /// The window with the dock in front.
 std::unique_ptr<MainWindow> windowWithDock();
-/// With the class's grades, its table in focus.
+/// The window with the class's grades open and the table in focus.
 std::unique_ptr<MainWindow> windowWithGrades(const Classroom &classroom);
 
 Gradebook &book(const MainWindow &window);
 QAbstractItemView *table(const MainWindow &window);
 QString cell(const MainWindow &window, int row, GradeTableModel::Column column);
-/// In the table.
+/// Presses a key in the grades table.
 void press(const MainWindow &window, Qt::Key key);
 
 } // namespace pixelplumb

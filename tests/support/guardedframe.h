@@ -8,10 +8,10 @@
 
 namespace pixelplumb {
 
-/// Which way the rows of a frame lie in memory.
+/// The order of a frame's rows in memory.
 enum class RowOrder { Ascending, Descending };
 
-/// Where a window lies: in the plane of samples and in the memory around it.
+/// Where a window lies in the plane of samples and in the surrounding memory.
 struct WindowSpec {
     std::int32_t width = 64;
     std::int32_t height = 48;
@@ -28,7 +28,7 @@ inline std::ostream &operator<<(std::ostream &out, const WindowSpec &spec)
                << (spec.order == RowOrder::Ascending ? "ascending" : "descending");
 }
 
-/// A window in the middle of memory that no kernel may change: equality compares all of it.
+/// A window inside memory that no kernel may change: equality compares all of it.
 class GuardedFrame {
 public:
     explicit GuardedFrame(const WindowSpec &spec)
@@ -55,7 +55,7 @@ public:
         return a.m_memory == b.m_memory;
     }
 
-    /// The first pixel that differs, counted in the order of memory from the window's first one.
+    /// The index of the first pixel that differs, in memory order, from the start of the window.
     friend std::ptrdiff_t firstDifference(const GuardedFrame &a, const GuardedFrame &b)
     {
         for (std::size_t i = 0; i < a.m_memory.size(); ++i) {

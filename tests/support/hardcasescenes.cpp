@@ -18,7 +18,7 @@ constexpr std::int32_t detailWidth = 16;
 constexpr std::int32_t detailHeight = 12;
 constexpr std::size_t mostPrimitives = 12;
 
-/// Lattice points.
+/// Bounds in lattice units.
 struct Box {
     LatticePoint least;
     LatticePoint greatest;
@@ -57,7 +57,7 @@ FrameBuffer pictureBy(const Scene &scene, const Draw &draw)
     return frame;
 }
 
-/// The first pixel, by rows, at which two pictures differ.
+/// The first pixel, row by row, at which two pictures differ.
 std::optional<std::array<std::int64_t, 2>> firstDifference(const FrameView &a, const FrameView &b)
 {
     for (std::int64_t y = a.firstRow; y < a.endRow(); ++y) {
@@ -69,7 +69,7 @@ std::optional<std::array<std::int64_t, 2>> firstDifference(const FrameView &a, c
     return std::nullopt;
 }
 
-/// The first pixel, by rows, that is not transparent.
+/// The first pixel, row by row, that is not transparent.
 std::optional<std::array<std::int64_t, 2>> firstWritten(const FrameView &picture)
 {
     for (std::int64_t y = picture.firstRow; y < picture.endRow(); ++y) {
@@ -82,8 +82,8 @@ std::optional<std::array<std::int64_t, 2>> firstWritten(const FrameView &picture
     return std::nullopt;
 }
 
-/// The first pixel that an arithmetic that rounds gets wrong; where none does, the first that is
-/// covered, else the frame's first.
+/// The first pixel that one of the method's arithmetics gets wrong; if there is none, the first
+/// covered pixel, or else the frame's first.
 std::array<std::int64_t, 2> hardPlaceOf(const Scene &scene)
 {
     const FrameBuffer truth = pictureBy(scene, drawTruth);

@@ -8,7 +8,8 @@
 
 namespace pixelplumb {
 
-/// Settings of a test's own, empty at first and gone after it: the person's are never touched.
+/// Private settings for a test: empty at first and deleted afterwards. The user's settings are
+/// never touched.
 class IsolatedSettings {
 public:
     IsolatedSettings()

@@ -5,7 +5,7 @@
 
 namespace pixelplumb {
 
-/// Two contenders on the scene in hand, timed briefly.
+/// Two contenders on the current scene, timed briefly.
 inline StudySettings smallRequest()
 {
     StudySettings request;

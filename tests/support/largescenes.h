@@ -16,12 +16,12 @@
 #include <memory>
 #include <random>
 
-/// Scenes of many triangles, and a window that shows them.
+/// Scenes with many triangles, and a window that shows them.
 namespace pixelplumb {
 
-inline constexpr int timeout = 120'000; // ms, for machines that do other work as well
+inline constexpr int timeout = 120'000; // ms, for busy machines
 
-/// Triangles of an expected area anywhere in a frame.
+/// Random triangles of this expected area anywhere in the frame.
 inline Scene crowd(int triangles, double area, const ScanSettings &settings,
                    const FrameSpec &frame = frameOf(1920, 1080))
 {
@@ -51,7 +51,7 @@ inline Scene crowd(int triangles, double area, const ScanSettings &settings,
 inline constexpr ScanSettings exact{Arithmetic::Exact, FillRule::Closed, ByteRounding::Nearest};
 inline constexpr ScanSettings singles{Arithmetic::Float32, FillRule::Closed, ByteRounding::Nearest};
 
-/// A window whose canvas shows a 1920 × 1080 frame pixel by pixel, with every panel at work.
+/// A window whose canvas shows a 1920 × 1080 frame pixel by pixel, with every panel active.
 inline std::unique_ptr<MainWindow> windowWith(const Scene &scene)
 {
     auto window = std::make_unique<MainWindow>();
@@ -66,7 +66,7 @@ inline bool waitForTrace(const MainWindow &window)
     return QTest::qWaitFor([&] { return !window.parts().tracer->isRunning(); }, timeout);
 }
 
-/// Without QTest's naps of 10 ms between two looks.
+/// Waits without QTest's naps of 10 ms between two checks.
 template <class Condition>
 bool waitUntil(const Condition &isTrue)
 {

@@ -5,10 +5,10 @@
 
 #include <memory>
 
-/// What the tests of layers share: a run that is looked at, and the texts of a drawing.
+/// Shared helpers of the layer tests: a run to look at, and the texts of a drawing.
 namespace pixelplumb {
 
-/// The whole frame of a run, at a zoom at which numbers stand in cells.
+/// The whole frame of a run, zoomed in until the cells show numbers.
 struct Look {
     explicit Look(const Scene &scene)
         : traced(traceScene(scene))
@@ -36,7 +36,7 @@ inline QStringList textsOf(const std::vector<LayerDrawing::Label> &labels)
     return texts;
 }
 
-/// The numbers in the cell of a pixel, from the top.
+/// The numbers in a pixel's cell, from top to bottom.
 inline QStringList textsIn(const LayerDrawing &drawing, std::int64_t x, std::int64_t y)
 {
     QStringList texts;

@@ -7,7 +7,7 @@
 
 namespace pixelplumb {
 
-/// A row of a made-up study: ns a pixel, wrong bytes of a million pixels.
+/// One row of a made-up study: ns per pixel, wrong bytes in a million pixels.
 struct MadeContender {
     const char *id;
     double perPixel;
@@ -15,7 +15,7 @@ struct MadeContender {
     bool isProved = false;
 };
 
-/// A study of two families, "f" and "g", of which only the first one is timed.
+/// A study of two families, "f" and "g"; only "f" is timed.
 inline std::shared_ptr<Study> madeResults(const std::vector<MadeContender> &contenders)
 {
     auto results = std::make_shared<Study>();

@@ -9,12 +9,12 @@
 
 namespace pixelplumb {
 
-/// A student's program and the defect that is its mistake.
+/// A student's program and the defect that describes its mistake.
 struct MistakenProgram {
     QString method; ///< "column-scan" or "row-walk"
-    QString id; ///< of the defect
+    QString id; ///< id of the defect
     std::set<WalkMistake> mistakes;
-    QString group; ///< those of one method that go wrong in the same: "edges from below"
+    QString group; ///< programs of one method that go wrong in the same part: "edges from below"
 };
 
 std::vector<MistakenProgram> mistakenPrograms();

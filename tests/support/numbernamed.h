@@ -5,7 +5,7 @@
 
 namespace pixelplumb {
 
-/// The cell of a span whose number has this name in files; none where there is no such number.
+/// The span's number with this name in files; an empty Quantity if there is none.
 inline Quantity spanNumber(const TracedScene &traced, std::size_t span, const QString &id)
 {
     const std::vector<NumberDescription> &numbers = traced.method->numbers.span;

@@ -119,7 +119,7 @@ QString readingFault(const QWidget &part)
     int readable = 0;
     for (const auto &[colour, pixels] : pixelsOf)
         readable += contrastRatio(QColor::fromRgb(colour), ground) >= 4.5 ? pixels : 0;
-    // A word has some 100.
+    // A word has about 100 pixels.
     return readable >= 100
         ? QString()
         : QStringLiteral("%1 has %2 pixels that stand out").arg(part.objectName()).arg(readable);

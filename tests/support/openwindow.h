@@ -5,25 +5,25 @@
 
 #include <QAction>
 
-/// What the tests of the window and of its docks share: a window on the screen, and its parts by
-/// the names that are promised to programs.
+/// Shared helpers of the window and dock tests: a window on the screen, and its parts by their
+/// promised object names.
 namespace pixelplumb {
 
 struct Scene;
 
-/// The window as a person sees it first: active, the canvas in focus, the default scene half drawn.
+/// The window as a user first sees it: active, the canvas in focus, the default scene half drawn.
 std::unique_ptr<MainWindow> openedWindow();
-/// The same with another scene, or with a file from resources/scenes.
+/// Like openedWindow(), but with another scene, or with a file from resources/scenes.
 std::unique_ptr<MainWindow> openedWindow(const Scene &scene);
 std::unique_ptr<MainWindow> openedWindow(const QString &sceneFile);
 
-/// A window of the default scene, active, as it would open at a size, whatever other runs have
-/// kept.
+/// An active window with the default scene, in the layout for this size, whatever earlier runs have
+/// stored.
 std::unique_ptr<MainWindow> windowOf(const QSize &size);
-/// Waits until what windows have put off is done: docks get their places one after another.
+/// Processes pending events: docks get their places one after another.
 void settle();
 
-/// The part of this name; null where there is none.
+/// The child of this name; null if there is none.
 template <class Part>
 Part *named(const QObject &whole, const char *name)
 {
@@ -34,13 +34,13 @@ QAction *action(const MainWindow &window, const char *name);
 /// A left click in the middle of a pixel's cell on the canvas.
 void clickPixel(const MainWindow &window, const QPoint &pixel);
 
-/// The rows "light" and "dark" of a test whose column is "palette".
+/// Adds the rows "light" and "dark" to a test; the column is "palette".
 void addPalettes();
-/// The window's picture; saved as NAME-ROW.png in the folder PIXELPLUMB_GRABS where that is set.
+/// The window's picture; also saved as NAME-ROW.png if PIXELPLUMB_GRABS names a folder.
 QImage grabbed(MainWindow &window, const QString &name);
 
-/// Why a part cannot be read as it is drawn: its ground, the most frequent colour, is not that of
-/// the application's palette, or hardly a pixel has a contrast of 4.5 to it. Empty where it can.
+/// Why a part is unreadable as drawn: its background (the most frequent colour) differs from the
+/// application's palette, or too few pixels have a contrast of 4.5 to it. Empty if it is readable.
 QString readingFault(const QWidget &part);
 
 } // namespace pixelplumb

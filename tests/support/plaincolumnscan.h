@@ -9,18 +9,18 @@
 #include <utility>
 
 /// The assignment (Borst) and nothing else: floats and increments, for vertices on whole pixels and
-/// a frame that holds them all. The first page for who reads how a triangle is scanned; a test
-/// holds the column scan in float32 to its picture.
+/// a frame that holds them all. Start here to learn how a triangle is scanned; a test compares the
+/// column scan in float32 with its picture.
 namespace pixelplumb::plain {
 
-using Values = std::array<float, 4>; ///< y, R, G, B: all of them go along an edge by increments
+using Values = std::array<float, 4>; ///< y, R, G, B: all are stepped along an edge
 
 struct Vertex {
     float x = 0; ///< whole pixels
     Values values = {};
 };
 
-/// What one of `steps` steps adds on the way between two values.
+/// The increment of each of `steps` steps from one value to the other.
 inline Values increments(const Values &from, const Values &to, float steps)
 {
     if (steps == 0)

@@ -5,8 +5,8 @@
 
 namespace pixelplumb {
 
-/// The plan of what each triangle has by itself, without looking for what changes no pixel: depth
-/// and antialiasing as the appearance says them, with DepthUse::Auto for on.
+/// The plan of what each triangle has by itself; effects that change no pixel are not left out.
+/// Depth and antialiasing are as the appearance says, with DepthUse::Auto meaning on.
 EffectPlan planByHand(const Primitives &primitives);
 
 } // namespace pixelplumb

@@ -4,10 +4,10 @@
 #include "core/effects/effectplan.h"
 #include "core/frame/framebuffer.h"
 
-/// What the tests of effects share: triangles with attributes, in short.
+/// Shared helpers of the effect tests: short ways to write triangles with attributes.
 namespace pixelplumb {
 
-/// Whole-pixel corners; white.
+/// A white triangle with whole-pixel corners.
 inline Triangle triangleAt(std::array<std::array<int, 2>, 3> corners)
 {
     Triangle triangle;
@@ -17,7 +17,7 @@ inline Triangle triangleAt(std::array<std::array<int, 2>, 3> corners)
     return triangle;
 }
 
-/// The attributes of a triangle of the primitives, made where there are none.
+/// The attributes of a triangle, inserted if it has none.
 inline TriangleAttributes &attributesAt(Primitives &primitives, std::size_t triangle)
 {
     auto found = std::ranges::lower_bound(primitives.attributes, triangle, {},
@@ -27,7 +27,7 @@ inline TriangleAttributes &attributesAt(Primitives &primitives, std::size_t tria
     return *found;
 }
 
-/// A depth for each vertex, in quarters.
+/// Sets the depth of each vertex, in quarters.
 inline void setDepths(Primitives &primitives, std::size_t triangle, std::array<int, 3> quarters)
 {
     for (std::size_t i = 0; i < 3; ++i)
@@ -40,7 +40,7 @@ inline void setAlpha(Primitives &primitives, std::size_t triangle, std::uint8_t 
         vertex.alpha = alpha;
 }
 
-/// A material with a checker, the triangle's own u and v at its corners.
+/// Gives the triangle a checker material, with its own u and v at the corners.
 inline void setTexture(Primitives &primitives, std::size_t triangle)
 {
     Material board;
@@ -53,7 +53,7 @@ inline void setTexture(Primitives &primitives, std::size_t triangle)
     attributes.vertices[2].texture = {0, attributeOne};
 }
 
-/// Normals towards the viewer, and a light that shines from there.
+/// Points the normals at the viewer and lights the triangle from there.
 inline void setLight(Primitives &primitives, std::size_t triangle)
 {
     primitives.appearance.lights = {{Light::Kind::Directional, {0, 0, attributeOne}, {}}};

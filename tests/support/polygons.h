@@ -9,7 +9,7 @@
 #include <initializer_list>
 #include <random>
 
-/// What the tests of polygons share: contours in short, random ones, pictures by method and truth.
+/// Shared helpers of the polygon tests: short and random contours, pictures by method and by truth.
 namespace pixelplumb {
 
 using Contour = std::vector<LatticePoint>;
@@ -28,7 +28,7 @@ inline Shape polygonOf(const std::vector<Contour> &contours, ShapeFill fill = Sh
     return shape;
 }
 
-/// Whole-pixel coordinates.
+/// A contour in whole-pixel coordinates.
 inline Contour pixels(std::initializer_list<std::pair<std::int64_t, std::int64_t>> points)
 {
     Contour contour;
@@ -48,7 +48,7 @@ inline Scene sceneOf(const std::vector<Shape> &shapes, const FrameSpec &frame, c
     return scene;
 }
 
-/// A frame as rows of `#` and `.`, the highest first; written pixels are green.
+/// The frame as rows of `#` (green, written) and `.`, the highest row first.
 inline QString pictureOf(const FrameBuffer &frame)
 {
     QString text;
@@ -75,7 +75,7 @@ inline QString truthOf(const Scene &scene)
     return pictureOf(frame);
 }
 
-/// For a failure's message: the scene's contours, lattice units.
+/// The shape's contours in lattice units, for failure messages.
 inline QString contoursText(const Shape &shape)
 {
     QString text = shape.fill == ShapeFill::NonZero ? QStringLiteral("non-zero:")
@@ -109,8 +109,8 @@ private:
 
 inline constexpr std::array fills = {ShapeFill::EvenOdd, ShapeFill::NonZero};
 
-/// Any vertices at all: concave, crossing itself, touching, running back on itself. The grid makes
-/// vertices on samples, horizontal edges and collinear runs frequent.
+/// A contour of arbitrary vertices: concave, self-intersecting, touching, running back on itself.
+/// The grid makes vertices on samples, horizontal edges and collinear runs frequent.
 inline Contour anyContour(Dice &dice, std::int64_t side, Lattice grid)
 {
     Contour contour;
@@ -127,7 +127,7 @@ inline Shape moved(Shape shape, const LatticePoint &by)
     return shape;
 }
 
-/// Why a method draws nothing of a polygon.
+/// Why a method refuses to draw a polygon.
 inline std::optional<Rejection> rejectionOf(const Shape &shape, const char *method)
 {
     return traceScene(sceneOf({shape}, frameOf(22, 22), method))->trace->setUp(0).rejection;

@@ -32,7 +32,8 @@ std::vector<Scene> probeScenes(const char *method)
             sceneWith({coloured({at(8, 60), at(58, 66), at(50, 16)}),
                        coloured({at(58, 66), at(50, 16), at(75, 20)})},
                       method),
-            // A square of two: edges along rows, columns and the diagonal pass through samples.
+            // A square of two triangles: edges along rows, columns and the diagonal pass through
+            // samples.
             sceneWith({coloured({at(58, 72), at(24, 66), at(58, 40)}),
                        coloured({at(10, 10), at(40, 10), at(10, 40)}),
                        coloured({at(40, 40), at(40, 10), at(10, 40)})},

@@ -10,13 +10,14 @@
 
 namespace pixelplumb {
 
-/// Each vertex in another colour, no channel of which is at its bounds.
+/// A triangle with three vertex colours, no channel of which is 0 or 255.
 Triangle coloured(const std::array<LatticePoint, 3> &points);
-/// In a frame of 40 × 40 px.
+/// A scene with a frame of 40 × 40 px.
 Scene sceneWith(std::vector<Triangle> triangles, const char *method = "column-scan");
-/// Three scenes that part what one does not, two triangles in one of them with a shared edge.
+/// Three scenes that together separate defects one scene cannot; one has two triangles with a
+/// shared edge.
 std::vector<Scene> probeScenes(const char *method = "column-scan");
-/// Those in resources/probes/ that tell all known defects of the method apart.
+/// The scenes in resources/probes/ that tell all known defects of the method apart.
 std::vector<Scene> probeSheet(const QString &method);
 
 } // namespace pixelplumb

@@ -3,13 +3,13 @@
 
 #include <QByteArray>
 
-/// What the tests of programs of others share: which processes there are.
+/// Shared helpers of the tests that run foreign programs: which processes exist.
 namespace pixelplumb {
 
-/// How many processes of the whole system have a word among their arguments.
+/// The number of processes on the whole system that have this word among their arguments.
 int processesWith(const QByteArray &word);
 
-/// Seconds to sleep that no other process names.
+/// A number of seconds to sleep that no other process uses.
 QByteArray unusualSeconds();
 
 } // namespace pixelplumb

@@ -5,12 +5,12 @@
 
 namespace pixelplumb {
 
-/// Programs with mistakes, by the names of these.
+/// Programs with mistakes, named after the defects.
 class ProgramList {
 public:
     using Mistakes = std::set<WalkMistake>;
 
-    /// Mistakes that go by columns and, from either end, by rows.
+    /// Edge mistakes: by columns, and by rows from either end.
     void addOfEdges(const char *id, Mistakes mistakes)
     {
         add(id, mistakes, "column-scan", "edges");
@@ -23,13 +23,13 @@ public:
     {
         add(id, mistakes, "column-scan", "edges");
     }
-    /// Of spans, where it does not matter from which end they are gone through.
+    /// Span mistakes: the direction in which the spans are visited does not matter.
     void addOfSpans(const char *id, const Mistakes &mistakes)
     {
         add(id, mistakes, "column-scan", "spans");
         add(id, mistakes, "row-walk", "spans");
     }
-    /// From above the last row is that of the least y.
+    /// Mistakes at the ends. From above, the last row is the one with the least y.
     void addOfEnds(const char *id, const char *fromAbove, Mistakes mistakes)
     {
         add(id, mistakes, "column-scan", "ends");
@@ -38,7 +38,7 @@ public:
         add(id, mistakes, "row-walk", "ends from below");
     }
 
-    /// The same where it matters at which end they begin.
+    /// Mistakes at the ends for which it matters where the program starts.
     void addOfEndsInOrder(const char *id, const char *fromAbove, const char *fromBelow,
                           Mistakes mistakes)
     {
@@ -58,7 +58,7 @@ private:
     }
 };
 
-/// What takes something of another edge or channel, and what is wrong in the colours alone.
+/// Values taken from another edge or channel, and mistakes in the colours alone.
 void addOfOtherRates(ProgramList &programs);
 void addOfEdgeColours(ProgramList &programs);
 void addOfSpanColours(ProgramList &programs);

@@ -11,8 +11,8 @@ namespace pixelplumb {
 
 namespace {
 
-// Several times what the longest run takes with sanitizers on a busy machine. Without them the
-// limit for a test function, 5 minutes, ends a run that hangs.
+// Several times the longest run with sanitizers on a busy machine. Without sanitizers, the limit of
+// 5 minutes for a test function ends a run that hangs.
 constexpr auto longestRun = std::chrono::minutes(15);
 
 } // namespace

@@ -4,17 +4,17 @@
 #include <QByteArray>
 #include <QStringList>
 
-/// What the tests of the command line share: the headless program, run as a person would.
+/// Shared helpers of the command-line tests: the headless program, run as a user would.
 namespace pixelplumb {
 
-/// How a run of the program ended and what it said.
+/// The exit code and output of a run of the program.
 struct ProgramRun {
     int exitCode = -1;
     QByteArray output;
     QByteArray messages;
 };
 
-/// Where the program and a scene of resources/scenes are.
+/// The paths of the program and of a scene in resources/scenes.
 QString program();
 QString sceneFile(const QString &name);
 
@@ -22,7 +22,7 @@ ProgramRun run(const QStringList &arguments, const QByteArray &input = {});
 
 /// The default scene's file.
 inline QString defaultScene() { return sceneFile(QStringLiteral("default.json")); }
-/// A scene whose triangle covers all of a frame of this size.
+/// A scene whose triangle covers a whole frame of this size.
 QByteArray sceneOfSize(int width, int height);
 
 } // namespace pixelplumb

@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// A line's kind of object and name.
+/// The kind of object and the name in a line.
 QRegularExpressionMatch promiseOf(const QString &line)
 {
     static const QRegularExpression promise(

@@ -5,13 +5,13 @@
 
 namespace pixelplumb {
 
-/// What a name of tests/data/object_names.txt stands for.
+/// What a name in tests/data/object_names.txt stands for.
 enum class PromisedObject { Widget, Action, Dialog };
 
-/// The object names that are promised to programs, in the order of the list.
+/// The object names promised to programs, in list order.
 QStringList promisedNames(PromisedObject object);
 
-/// The lines of the list that can be read neither as a name nor as a comment.
+/// The lines of the list that are neither a name nor a comment.
 QStringList unreadPromises();
 
 } // namespace pixelplumb

@@ -9,8 +9,8 @@
 
 namespace pixelplumb {
 
-/// A language that nobody speaks: every text of the window in brackets, and longer by a third. What
-/// has none has not come through tr().
+/// A made-up language: every text of the window in brackets, and longer by a third. A text without
+/// brackets has not come through tr().
 class PseudoLanguage : public QTranslator {
 public:
     bool isEmpty() const override { return false; }
@@ -19,12 +19,12 @@ public:
         if (!QByteArray(context).startsWith("pixelplumb::"))
             return {}; // Qt's own, such as the names of keys
         const QString text = QString::fromUtf8(sourceText);
-        const QMutexLocker locker(&m_mutex); // jobs beside the window ask as well
+        const QMutexLocker locker(&m_mutex); // background jobs translate too
         m_asked += QString::fromUtf8(context) + QStringLiteral(": ") + text;
         return u'[' + text + QString(std::max<qsizetype>(1, text.size() / 3), u'~') + u']';
     }
 
-    /// "pixelplumb::ViewMenu: T&ruth", as TranslatedText names them.
+    /// The translated texts, named as in TranslatedText: "pixelplumb::ViewMenu: T&ruth".
     QSet<QString> asked() const
     {
         const QMutexLocker locker(&m_mutex);

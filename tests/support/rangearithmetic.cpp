@@ -10,8 +10,8 @@ namespace pixelplumb {
 
 namespace {
 
-/// Twice what the arithmetic promises, so that a number that is shown by the shortest decimal that
-/// reads back as the same is covered too. What long double itself rounds is added to all.
+/// Twice the arithmetic's promised error, which also covers numbers shown as the shortest decimal
+/// that reads back the same. The rounding of long double itself is added to all.
 RangeArithmetic::RoundingStep roundingOf(Arithmetic arithmetic)
 {
     constexpr long double own = NumberRange::ownRounding;
@@ -30,8 +30,8 @@ RangeArithmetic::RoundingStep roundingOf(Arithmetic arithmetic)
     return {};
 }
 
-/// How far apart two numbers are that a fixed-point number cannot tell from each other; 0 where
-/// there are none.
+/// The distance between two numbers that wrap to the same fixed-point number; 0 if numbers do not
+/// wrap.
 long double periodOf(Arithmetic arithmetic)
 {
     if (arithmetic == Arithmetic::Fixed16)
@@ -39,7 +39,7 @@ long double periodOf(Arithmetic arithmetic)
     return arithmetic == Arithmetic::Fixed32 ? 0x1p32L : 0;
 }
 
-/// The hull of what an operation makes of the ends of two ranges.
+/// The range of an operation's results on the ends of two ranges.
 template <class Operation>
 NumberRange hullOf(const NumberRange &a, const NumberRange &b, const Operation &operation)
 {

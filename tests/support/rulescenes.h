@@ -9,10 +9,10 @@
 #include <random>
 #include <vector>
 
-/// What the tests of the fill rules draw, and into which frames.
+/// What the fill-rule tests draw, and into which frames.
 namespace pixelplumb {
 
-/// Frames that differ in all that a rule may look at.
+/// Frames that differ in everything a rule may depend on.
 inline std::vector<FrameSpec> frames()
 {
     std::vector<FrameSpec> found;
@@ -31,7 +31,8 @@ inline std::vector<FrameSpec> frames()
     return found;
 }
 
-/// On lattices of whole and half pixels most samples of the boundary lie on an edge or a vertex.
+/// Random vertices. On lattices of whole and half pixels most boundary samples lie on an edge or a
+/// vertex.
 class VertexSource {
 public:
     VertexSource(const FrameSpec &frame, Lattice step, std::uint64_t seed)
@@ -43,7 +44,7 @@ public:
 
     Triangle next() { return triangleOf({point(), point(), point()}); }
 
-    /// Without area: its vertices lie on one line, or on one point.
+    /// A triangle without area: its vertices lie on one line or coincide.
     Triangle nextFlat()
     {
         const LatticePoint a = point();
@@ -52,7 +53,7 @@ public:
         return triangleOf({a, b, {a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)}});
     }
 
-    /// It may cross itself.
+    /// A random polygon, which may intersect itself.
     Shape nextPolygon(int vertices)
     {
         Shape polygon;
@@ -69,7 +70,7 @@ private:
         return {coordinate(m_frame.firstColumn, m_frame.width),
                 coordinate(m_frame.firstRow, m_frame.height)};
     }
-    /// From 2 px before the frame to 2 px behind it.
+    /// A coordinate from 2 px before the frame to 2 px after it.
     Lattice coordinate(std::int32_t first, std::int32_t count)
     {
         const Lattice steps = (count + 4) * unitsPerPixel / m_step;
@@ -82,7 +83,7 @@ private:
     std::mt19937_64 m_random;
 };
 
-/// Those that decide about samples, not about pixels near an outline.
+/// The methods that decide by samples, not by pixels near an outline.
 inline std::vector<const Method *> methodsOfTriangles()
 {
     std::vector<const Method *> found;

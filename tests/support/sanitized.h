@@ -5,18 +5,18 @@
 
 namespace pixelplumb {
 
-/// Under sanitizers a run takes ten times as long: fewer methods, random scenes and moves are
-/// taken.
+/// Under sanitizers a run takes ten times as long, so fewer methods, random scenes and moves are
+/// tested.
 #ifdef PIXELPLUMB_SANITIZED_BUILD
 inline constexpr bool isSanitized = true;
 #else
 inline constexpr bool isSanitized = false;
 #endif
 
-/// How many of so many random cases are drawn.
+/// How many of `all` random cases to draw.
 constexpr int fewerIfSanitized(int all) { return isSanitized ? (all + 7) / 8 : all; }
 
-/// Each of the cases, or one of eight.
+/// All cases, or one in eight under sanitizers.
 template <class Case>
 std::vector<Case> fewerIfSanitized(std::vector<Case> cases)
 {

@@ -10,10 +10,10 @@
 
 #include <ostream>
 
-/// What the tests of the kernels share: triangles in short, frames as text.
+/// Shared helpers of the kernel tests: triangles in short, frames as text.
 namespace pixelplumb {
 
-/// Whole-pixel coordinates, red, green and blue.
+/// A red, green and blue triangle in whole-pixel coordinates.
 inline Triangle triangleAt(std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1,
                            std::int64_t x2, std::int64_t y2)
 {
@@ -22,7 +22,7 @@ inline Triangle triangleAt(std::int64_t x0, std::int64_t y0, std::int64_t x1, st
               {latticePixel(x2, y2), blue}}}};
 }
 
-/// Coordinates in units of 1/256 px.
+/// A red, green and blue triangle in units of 1/256 px.
 inline Triangle triangleAtUnits(LatticePoint a, LatticePoint b, LatticePoint c)
 {
     return {{{{a, red}, {b, green}, {c, blue}}}};
@@ -30,7 +30,7 @@ inline Triangle triangleAtUnits(LatticePoint a, LatticePoint b, LatticePoint c)
 
 inline const Method &columnScan() { return *methodNamed(u"column-scan"); }
 
-/// A picture drawn on a background that no kernel writes (alpha 0), so that coverage shows.
+/// A picture on a background that no kernel writes (alpha 0), so that coverage shows.
 class ScanPicture {
 public:
     explicit ScanPicture(const FrameSpec &spec)
@@ -47,7 +47,7 @@ public:
                 *view.at(x, y) = 0;
         }
     }
-    /// By anything that draws into a FrameView.
+    /// Draws with anything that accepts a FrameView.
     template <class Drawer>
     void draw(const Drawer &drawer)
     {
@@ -64,7 +64,7 @@ public:
     QRgb at(std::int64_t x, std::int64_t y) const { return *m_frame.view().at(x, y); }
     const FrameSpec &spec() const { return m_frame.spec(); }
 
-    /// `#` covered, `.` not; the highest row first.
+    /// The coverage: `#` covered, `.` not; the highest row first.
     QString text() const
     {
         QString text;
@@ -102,7 +102,7 @@ inline QString coverageText(const Triangle &triangle, const FrameSpec &spec,
     return drawing.text();
 }
 
-/// How RapidCheck and failure messages print a triangle: lattice units and colours.
+/// A triangle in lattice units and colours, for RapidCheck and failure messages.
 inline std::ostream &operator<<(std::ostream &stream, const Triangle &triangle)
 {
     stream << "units of 1/256 px:";

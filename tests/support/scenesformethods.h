@@ -10,16 +10,16 @@
 
 namespace pixelplumb {
 
-/// A scene, and what it is called in messages.
+/// A scene and its name in messages.
 using NamedScene = std::pair<QString, Scene>;
 
-/// The examples that call for nothing beyond colour, cropped to what a test has time for, and
-/// scenes on which a method may stumble: empty ones, zero areas, vertices at ±2^30 px, several
-/// kinds of primitives in one.
+/// The examples that need nothing beyond colour, cropped to keep the tests fast, and scenes that
+/// may trip a method: empty ones, zero areas, vertices at ±2^30 px, several kinds of primitives in
+/// one.
 std::vector<NamedScene> scenesForEveryMethod();
 
-/// The scene's run by a method in one of its arithmetics; a rule that it does not know is replaced
-/// by one that it does.
+/// The scene traced by a method in one of its arithmetics; a fill rule that the method does not
+/// know is replaced by one that it knows.
 std::shared_ptr<const TracedScene> tracedBy(const Method &method, Arithmetic arithmetic,
                                             Scene scene);
 

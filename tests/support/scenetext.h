@@ -3,24 +3,25 @@
 
 #include "core/scene/scenefile.h"
 
-/// What the tests of scene files share: texts of scenes, and what the reader says of them.
+/// Shared helpers of the scene-file tests: scene texts, and the reader's messages about them.
 namespace pixelplumb {
 
 /// A scene of 64 × 48 pixels with these members from line 4 on.
 QByteArray sceneWith(const QByteArray &members);
-/// A scene of one triangle; the x of its first vertex stands in line 5, column 21.
+/// A scene of one triangle; the x of its first vertex is at line 5, column 21.
 QByteArray sceneOfTriangleAt(const QByteArray &firstX);
 
-/// The same with members that end in a comma, then primitives; single quotation marks stand for
-/// double ones.
+/// A scene with members (ending in a comma), then primitives; apostrophes stand for double
+/// quotation marks.
 QByteArray sceneOf(const QByteArray &members, const QByteArray &primitives = {});
 
-/// The reader's message; "no error" where it reads the text.
+/// The reader's message; "no error" if it reads the text.
 QString errorOf(const QByteArray &text);
 /// The message without line and column.
 QString faultOf(const QByteArray &text);
 
-/// The text with each of these bytes in each place, one place at a time.
+/// Calls the function with each of these bytes in each position of the text, one position at a
+/// time.
 template <class Function>
 void forEachDamaged(const QByteArray &text, QByteArrayView wrongBytes, const Function &function)
 {
@@ -33,7 +34,7 @@ void forEachDamaged(const QByteArray &text, QByteArrayView wrongBytes, const Fun
     }
 }
 
-/// Any scene of triangles that a file can hold.
+/// A random scene of triangles that a file can hold.
 Scene randomScene(quint32 seed);
 
 } // namespace pixelplumb

@@ -5,16 +5,16 @@
 
 #include <QByteArray>
 
-/// What the tests of scenes with primitives other than triangles share.
+/// Shared helpers of the tests of scenes with primitives other than triangles.
 namespace pixelplumb {
 
 /// A scene of 8 × 8 pixels with these primitives from line 3 on, and these members before them.
 QByteArray sceneOfPrimitives(const QByteArray &primitives, const QByteArray &members = {});
 
-/// JSON with apostrophes for quotation marks: moc loses its way in raw strings that hold a #.
+/// JSON with apostrophes as quotation marks: moc cannot parse raw strings that contain a #.
 QByteArray json(const char *text);
 
-/// One shape of each kind, and its line of a file.
+/// One shape of each kind, and its line in a file.
 struct ShapeExample {
     QByteArray text;
     Shape shape;

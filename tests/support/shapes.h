@@ -8,11 +8,11 @@
 
 #include <QRandomGenerator>
 
-/// What the tests of lines and curves share: shapes in short, and their pictures.
+/// Shared helpers of the line and curve tests: shapes in short, and their pictures.
 namespace pixelplumb {
 
 Shape lineAtUnits(LatticePoint a, LatticePoint b);
-/// Whole-pixel end points.
+/// A line between whole-pixel end points.
 Shape lineAt(std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1);
 
 Shape ellipseAtUnits(LatticePoint centre, Lattice radiusX, Lattice radiusY,
@@ -20,9 +20,9 @@ Shape ellipseAtUnits(LatticePoint centre, Lattice radiusX, Lattice radiusY,
 Shape circleAt(std::int64_t x, std::int64_t y, std::int64_t radius,
                ShapeFill fill = ShapeFill::Outline);
 
-/// Of three control points or four.
+/// A Bézier curve with three or four control points.
 Shape bezierAt(const std::vector<LatticePoint> &controls);
-/// The same at random within 60 by 60 px, at multiples of a step in lattice units.
+/// A random Bézier curve within 60 × 60 px, at multiples of `step` lattice units.
 Shape randomCurve(QRandomGenerator &random, Lattice step);
 
 Scene sceneOf(const Shape &shape, const char *method, const FrameSpec &spec);
@@ -34,10 +34,10 @@ CasePicture truthOf(const Shape &shape, const FrameSpec &spec);
 /// `#` written, `.` not; the highest row first.
 QString textOf(const CasePicture &picture);
 
-/// "3 pixels missing" and the like; empty where two pictures are the same.
+/// The difference, such as "3 pixels missing"; empty if two pictures are the same.
 QString departure(const CasePicture &drawn, const CasePicture &truth);
 
-/// Whether each pixel but one has a neighbour among those of the picture: no gaps.
+/// Whether the picture has no gaps: each pixel but one has a neighbour in it.
 bool isConnected(const CasePicture &picture);
 
 /// The vertices in lattice units, for messages.

@@ -31,7 +31,7 @@ QList<ShownText> shownTexts(const QWidget &whole)
     for (const auto *dock : whole.findChildren<QDockWidget *>())
         texts += {dock->objectName() + " title", dock->windowTitle()};
     for (const auto *button : whole.findChildren<QAbstractButton *>()) {
-        // Qt's own buttons have Qt's words.
+        // Qt's own buttons have Qt's texts.
         if (qobject_cast<const QDialogButtonBox *>(button->parentWidget()))
             continue;
         texts += {button->objectName(), button->text()};

@@ -8,16 +8,16 @@ class QWidget;
 
 namespace pixelplumb {
 
-/// A text that is told by where it stands.
+/// A text and the place where it is shown.
 struct ShownText {
     QString place;
     QString text;
 };
 
-/// Of the menu, its entries and their tool tips, and of the menus in it.
+/// Appends the menu's title, its entries and tool tips, and those of its submenus.
 void appendTexts(QList<ShownText> &texts, const QMenu &menu);
 
-/// Of the parts of a window, a dock or a dialog, but for Qt's own buttons.
+/// The texts in a window, dock or dialog, except those of Qt's own buttons.
 QList<ShownText> shownTexts(const QWidget &whole);
 
 } // namespace pixelplumb

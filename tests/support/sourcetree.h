@@ -5,21 +5,21 @@
 
 namespace pixelplumb {
 
-/// The path of a file or folder of resources/ in the tree that the tests were compiled from:
-/// "/scenes/default.json". A function and no macro, since a path among the options of every test
-/// would keep a compiler cache from knowing it in another clone.
+/// The path of a file or folder of resources/ in the source tree of this build:
+/// "/scenes/default.json". It is a function, not a macro, because a path among the compiler options
+/// of every test would defeat a compiler cache shared with another clone.
 QString resource(const QString &path);
-/// That of a file of tests/data: "hard_cases.json".
+/// The path of a file in tests/data: "hard_cases.json".
 QString testData(const QString &name);
 
-/// The path of a file or folder that is named from the root of the tree: "core/scan".
+/// The path of a file or folder given relative to the root of the tree: "core/scan".
 QString inTree(const QString &path);
 
-/// The text of a file that is named from the root of the tree; empty where it cannot be read.
+/// The text of a file given relative to the root of the tree; empty if it cannot be read.
 QString textInTree(const QString &path);
 
-/// The files below a folder of the tree, as paths from its root, in alphabetical order.
-/// `patterns`: wildcards of which a file's name matches one.
+/// The files below a folder, as paths from the root of the tree, in alphabetical order. `patterns`
+/// are wildcards; a file's name must match one of them.
 QStringList filesBelow(const QString &folder, const QStringList &patterns = {"*.h", "*.cpp"});
 
 /// README and the documents in resources/, as paths from the root of the tree.

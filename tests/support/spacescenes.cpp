@@ -68,7 +68,7 @@ Solid solidOf(SolidKind kind)
                 mesh->corners.push_back(cornerAt(tip));
             }
         }
-        // A face in each octant; an odd number of negative sides turns it over.
+        // One face per octant; an odd number of negative sides reverses its winding.
         for (std::uint32_t octant = 0; octant < 8; ++octant) {
             const std::uint32_t x = octant & 1U;
             const std::uint32_t y = octant >> 1U & 1U;

@@ -6,7 +6,7 @@
 
 namespace pixelplumb {
 
-/// At most so many of the indices 0 … count − 1, ascending: the first, the last and others evenly
+/// At most `most` of the indices 0 … count − 1, ascending: the first, the last and others evenly
 /// between them; `most` > 1.
 inline std::vector<std::size_t> spreadOver(std::size_t count, std::size_t most)
 {

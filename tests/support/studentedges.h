@@ -17,16 +17,16 @@ public:
     using SpanLoop<Number>::has;
     using Corners = std::array<Corner<Number>, 3>;
 
-    /// Spans' coordinates are those of the program, or their opposites (onward = −1).
+    /// Span coordinates are the program's own (onward = 1) or negated (onward = −1).
     EdgeSteps(const std::set<WalkMistake> &mistakes, int onward)
         : SpanLoop<Number>(mistakes)
         , m_onward(onward)
     {
     }
 
-    /// (int) of what the program has.
+    /// (int) of the program's own coordinate.
     int truncated(const Number &x) const { return m_onward > 0 ? floorOf(x) : ceilOf(x); }
-    /// round() of it.
+    /// round() of the program's own coordinate.
     int nearestSpan(const Number &x) const
     {
         return m_onward > 0 ? nearestOf(x) : -nearestOf(Number(-x));
@@ -86,12 +86,12 @@ public:
         return bound;
     }
 
-    /// m of an edge, 0 of a vertical one.
+    /// The slope m of an edge, 0 if it is vertical.
     static Number plainSlope(const Corner<Number> &from, const Corner<Number> &to)
     {
         return to.x == from.x ? Number(0) : Number((to.y - from.y) / (to.x - from.x));
     }
-    /// With the slope m in place of its own.
+    /// Replaces the edge's slope by m.
     static void takeSlope(Bound<Number> &bound, const Corner<Number> &from, const Number &slope,
                           int x)
     {
@@ -99,7 +99,7 @@ public:
         bound.y = from.y + (x - from.x) * slope;
     }
 
-    Corners corners; ///< in their order
+    Corners corners; ///< sorted
 
 private:
     Number storedPlace(const Number &y) const
@@ -111,7 +111,7 @@ private:
         return stored(level, WalkMistake::WholeEdgeLevels, WalkMistake::RoundedEdgeLevels);
     }
 
-    /// x₁ − x₀, or what the program takes for it; nothing where it steps nothing.
+    /// x₁ − x₀, or what the program uses in its place; nothing if it does not step.
     std::optional<Number> divisorOf(Number run, const Corner<Number> &from,
                                     const Corner<Number> &to) const
     {
@@ -156,7 +156,7 @@ private:
             bound.step[2] = bound.step[0];
     }
 
-    /// From a vertex to the span x, as the program's pre-step and its steps behind it take it.
+    /// The distance from a vertex to span x, as the program's pre-step and later steps compute it.
     Number wayTo(Side side, int x, const Number &from) const
     {
         const int first = has(WalkMistake::LoopsTruncated) ? truncated(from) : ceilOf(from);
@@ -172,7 +172,7 @@ private:
         return preStep + (x - first);
     }
 
-    /// Of one edge, the mistakes of the three standing in order.
+    /// Whether one edge has a mistake; those of the three edges follow one another.
     bool hasOn(Side side, WalkMistake ofFirst) const { return has(ofFirst, std::size_t(side)); }
 
     Number slopeOf(Side side, const Number &rise, Number width) const

@@ -26,14 +26,14 @@ enum class LineMistake {
     NeverLowered, ///< p += 2Δy
     LoweredAlone, ///< p −= 2Δx
     WrongSign,
-    NotExchangedBack, ///< setPixel(x, y) of a steep line, too
+    NotExchangedBack, ///< setPixel(x, y), even of a steep line
     NoSteepLines,
     NeverDown, ///< Δy < 0, so that p is never positive
     TwiceDifferenceFirst,
     HalvedSteps, ///< p += Δy, p += Δy − Δx
     ExchangedSteps,
-    SteppedTwice, ///< 2Δy always, and 2Δy − 2Δx beside it
-    SteppedBefore, ///< p += 2Δy, then p is asked
+    SteppedTwice, ///< 2Δy always, and 2Δy − 2Δx in addition
+    SteppedBefore, ///< p += 2Δy, then p is tested
     SetBack, ///< p = 2Δy − Δx where it steps across
     OnePast, ///< k ≤ Δx + 1
     UpwardLoop, ///< for (x = x₀; x <= x₁; ++x)
@@ -43,12 +43,12 @@ enum class LineMistake {
     SteepnessInverted, ///< if (abs(Δy) < abs(Δx)) x and y are exchanged
     WholeSlope, ///< y += Δy / Δx of whole numbers
 };
-/// Whether the left end is stored in (x₀, y₀).
+/// Whether the left end point is stored in (x₀, y₀).
 enum class LineEnds { LeftFirst, AsGiven };
-/// What is done where p = 0: the slides' p ≥ 0, or p > 0 as in other texts.
+/// What happens at p = 0: the slides step at p ≥ 0, other texts at p > 0.
 enum class LineTie { StepsAcross, Stays };
 
-/// One line in whole coordinates, by the slides' steps alone and nothing of the core's.
+/// One line in whole coordinates, drawn by the slides' steps alone, with no core code.
 class StudentLine {
 public:
     StudentLine(const Shape &line, LineMistake mistake, LineEnds ends, LineTie tie)

@@ -21,7 +21,7 @@ class ColumnLoops : EdgeSteps<Number> {
 public:
     using EdgeSteps<Number>::EdgeSteps;
 
-    /// Corners by x; of rows x and y have changed places.
+    /// Corners by x; for rows, x and y are swapped.
     void draw(const Corners &given, const Paint &paint)
     {
         Corners corners = sorted(given);
@@ -136,7 +136,7 @@ private:
         return corners;
     }
 
-    /// Some of the comparisons of a sort, in this order.
+    /// Makes some of the comparisons of a sort, in this order.
     Corners compared(Corners corners) const
     {
         const auto compare = [&](WalkMistake made, std::size_t first, std::size_t second) {
@@ -150,7 +150,7 @@ private:
         return corners;
     }
 
-    /// At the middle vertex the second short edge begins.
+    /// Starts the second short edge at the middle vertex.
     void goOnBehind(const Corners &corners, int x, Bound<Number> &ofShort,
                     Bound<Number> &ofLong) const
     {
@@ -200,7 +200,7 @@ private:
         return has(WalkMistake::SecondSlopeOfFirst) || has(WalkMistake::SecondStepsOfFirst);
     }
 
-    /// y += m and R += ΔR of L₁₂ with a mistaken m, or ΔR, too.
+    /// Steps y += m and R += ΔR of L₁₂ with a wrong m, or also a wrong ΔR.
     Bound<Number> secondEdgeOfOtherRates(const Corners &corners, int x) const
     {
         const auto &[p0, p1, p2] = corners;

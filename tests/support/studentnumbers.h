@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-/// What a student's program computes in, fractions or doubles, and what it knows of vertices and
-/// edges in it.
+/// The numbers a student's program computes in (fractions or doubles), and its vertices and edges
+/// in them.
 namespace pixelplumb::studentloops {
 
 using Fraction = boost::multiprecision::cpp_rational;
@@ -34,7 +34,7 @@ int nearestOf(const Number &number)
     return floorOf(Number(number + Number(1) / 2));
 }
 
-/// As (int) casts.
+/// An (int) cast.
 template <class Number>
 Number cast(const Number &number)
 {
@@ -47,7 +47,7 @@ struct Corner {
     std::array<Number, 3> colour;
 };
 
-/// Where an edge meets a span, and what is added from span to span.
+/// Where an edge meets a span, and the increments from span to span.
 template <class Number>
 struct Bound {
     Number y, slope = 0;

@@ -22,7 +22,7 @@ public:
     }
 
     bool has(WalkMistake mistake) const { return m_mistakes.contains(mistake); }
-    /// Of one channel, the mistakes of the three standing in order.
+    /// Whether one channel has a mistake; those of the three channels follow one another.
     bool has(WalkMistake ofRed, std::size_t channel) const
     {
         return has(WalkMistake(int(ofRed) + int(channel)));
@@ -36,13 +36,13 @@ public:
     {
         return has(mistake) ? cast(level) : level;
     }
-    /// Cut by the one mistake, rounded by the other.
+    /// Cut with the one mistake, rounded with the other.
     Number stored(const Number &number, WalkMistake cut, WalkMistake rounds) const
     {
         return has(rounds) ? Number(nearestOf(number)) : stored(number, cut);
     }
 
-    /// Whether there is a sample.
+    /// Returns whether the span has a sample.
     bool drawSpan(int x, const Bound<Number> &ofShort, const Bound<Number> &ofLong,
                   const Paint &paint)
     {
@@ -153,7 +153,7 @@ public:
     }
 
     bool isMiddleBelow = true;
-    std::optional<std::array<Number, 3>> goneOn; ///< what the span before has come to
+    std::optional<std::array<Number, 3>> goneOn; ///< where the previous span's colours ended
 
 private:
     std::array<Number, 3> startOf(const std::array<Number, 3> &atLower,

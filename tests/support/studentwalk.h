@@ -7,9 +7,9 @@
 
 namespace pixelplumb {
 
-/// What is wrong in a student's program.
+/// The mistakes of a student's program.
 enum class WalkMistake {
-    FromBelow, ///< no mistake: rows from the least y up
+    FromBelow, ///< no mistake: rows from the least y upwards
     NoEdgePreStep,
     NoEdgeColourPreStep,
     EdgeDivisorMinusOne,
@@ -38,7 +38,7 @@ enum class WalkMistake {
     LongEdgeAlwaysUpper,
     LongEdgeAlwaysLower,
     ShortEdgesColoursBelow, ///< if (y_B > y_T) swap(y_B, y_T), y_B being the short edge's
-    LongEdgesColoursBelow, ///< the same, y_B being the long edge's
+    LongEdgesColoursBelow, ///< the same swap, y_B being the long edge's
     SpanDivisorSamples, ///< ΔR = (R_T − R_B)/(⌊y_T⌋ − ⌈y_B⌉ + 1)
     SpanDivisorSteps, ///< ΔR = (R_T − R_B)/(⌊y_T⌋ − ⌈y_B⌉)
     SpanPreStepOfFraction,
@@ -63,10 +63,10 @@ enum class WalkMistake {
     RoundedPlaces, ///< y = round(y + m)
     NotSorted,
     SortedByTheOther,
-    EqualAsGiven, ///< no mistake by itself: vertices of one x in the order in which they came
+    EqualAsGiven, ///< no mistake by itself: vertices of equal x in the given order
     EqualDescending, ///< no mistake by itself
     FlatEndFromVertices, ///< no mistake by itself: if (x₁ == x₂) from (y₁, R₁) to (y₂, R₂)
-    FlatEndFromEdges, ///< no mistake by itself: if (x₁ == x₂) L₀₁ is gone on with for one more
+    FlatEndFromEdges, ///< no mistake by itself: if (x₁ == x₂) L₀₁ continues for one more
     SecondEdgeOfFirstColour,
     SecondPlaceCarriedOn,
     SecondColoursCarriedOn,
@@ -76,7 +76,7 @@ enum class WalkMistake {
     LongColoursStand,
     ReturnsAtFirstVertical, ///< if (x₀ == x₁) return
     ReturnsAtLastVertical, ///< if (x₁ == x₂) return
-    NoSecondHalfAtVertical, ///< if (x₁ == x₂) return, behind the first half
+    NoSecondHalfAtVertical, ///< if (x₁ == x₂) return, after the first half
     LowerBoundLeftOut, ///< from (int)y_B + 1
     UpperBoundLeftOut, ///< y < y_T
     FirstSampleNearest,
@@ -101,7 +101,7 @@ enum class WalkMistake {
     SlopeDivisorPlusOne,
     ColourDivisorMinusOne,
     ColourDivisorPlusOne,
-    SortedByComparisons, ///< by some of these, in this order
+    SortedByComparisons, ///< by some of the comparisons below, in this order
     Compares12First,
     Compares01,
     Compares02,
@@ -110,14 +110,14 @@ enum class WalkMistake {
     SecondSlopeOfFirst, ///< m of L₀₁ goes on
     SecondStepsOfFirst, ///< ΔR of L₀₁ goes on
     SecondColoursToo,
-    // L₀₁ and L₁₂ with what is L₀₂'s, L₀₂ with what is L₀₁'s.
+    // L₀₁ and L₁₂ with values of L₀₂, L₀₂ with values of L₀₁.
     OtherRiseOfFirst, ///< (y₂ − y₀)/(x₁ − x₀)
     OtherRiseOfSecond, ///< (y₂ − y₀)/(x₂ − x₁)
     OtherRiseOfLong, ///< (y₁ − y₀)/(x₂ − x₀)
     OtherRunOfFirst, ///< (y₁ − y₀)/(x₂ − x₀)
     OtherRunOfSecond, ///< (y₂ − y₁)/(x₂ − x₀)
     OtherRunOfLong, ///< (y₂ − y₀)/(x₁ − x₀)
-    OtherColoursOfFirst, ///< the same of R G B
+    OtherColoursOfFirst, ///< likewise for R G B
     OtherColoursOfSecond,
     OtherColoursOfLong,
     OtherColourRunOfFirst,
@@ -187,16 +187,16 @@ enum class WalkMistake {
     LongWithoutPreStepBehindMiddle, ///< y₀ + (x₁ − x₀)·m₀₂ at ⌈x₁⌉
     SpanDivisorOfFloors, ///< ΔR = (R_T − R_B)/(⌊y_T⌋ − ⌊y_B⌋), 0 where this is 0
     ShortSpansNotStepped, ///< ΔR = y_T − y_B >= 1 ? … : 0
-    FirstSpanLevelCut, ///< r = int(R_B + (⌈y_B⌉ − y_B)·ΔR), and then by ΔR
+    FirstSpanLevelCut, ///< r = int(R_B + (⌈y_B⌉ − y_B)·ΔR), then uncut steps of ΔR
 };
 
 enum class WalkLines { Columns, Rows };
 
-/// What a student's own program draws of a scene of triangles, in fractions: the two loops of the
-/// assignment, written from its text alone and without anything of the core's kernels. Of rows the
-/// greatest y comes first, but for FromBelow.
+/// What a student's program draws of a scene of triangles, in fractions: the two loops of the
+/// assignment, written from its text alone and without any code of the core's kernels. Rows start
+/// at the greatest y, except with FromBelow.
 Picture studentPicture(const Scene &scene, WalkLines lines, const std::set<WalkMistake> &mistakes);
-/// The same in numbers that round.
+/// Like studentPicture(), but in numbers that round.
 Picture studentPictureInDouble(const Scene &scene, WalkLines lines,
                                const std::set<WalkMistake> &mistakes);
 

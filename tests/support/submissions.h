@@ -6,20 +6,20 @@
 #include <QByteArray>
 #include <QMap>
 
-/// What the tests of grading share: folders of submissions, as students deliver them.
+/// Shared helpers of the grading tests: folders of submissions as students hand them in.
 namespace pixelplumb {
 
 /// The assignment in resources/assignments.
 Assignment exampleAssignment();
-/// Those that its first scene can have and that are looked for in pairs.
+/// The defects that its first scene can have and that are searched in pairs.
 std::vector<Defect> defectsOf(const Assignment &assignment);
 
 bool writeTo(const QString &path, const QByteArray &content);
 QByteArray contentOf(const QString &path);
-/// All files below a folder with their bytes.
+/// All files below a folder, with their contents.
 QMap<QString, QByteArray> filesIn(const QString &folder);
 
-/// What a program with these defects draws of each scene, as PNG files.
+/// Writes what a program with these defects draws of each scene, as PNG files.
 bool deliver(const QString &folder, const Assignment &assignment,
              const std::vector<Defect> &defects = {});
 

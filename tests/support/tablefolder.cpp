@@ -26,7 +26,7 @@ QByteArray exported(const TracedScene &traced, TraceLevel level, TableFormat for
     return exportTrace(traced, {level, format}, buffer) ? bytes : QByteArray();
 }
 
-/// Why a text is not the JSON of a table with these columns and this many rows; empty where it is.
+/// Why a text is not the JSON of a table with these columns and this many rows; empty if it is.
 QString jsonFault(const QByteArray &text, const QStringList &names, qsizetype rowCount)
 {
     QJsonParseError error;
@@ -54,7 +54,7 @@ struct Table {
 QString faultOfTable(const Table &table, const TracedScene &traced, TraceLevel level)
 {
     const QStringList names = traceColumnNames(traced.trace->numbers(), level);
-    // No cell of these tables holds a line's end.
+    // No cell of these tables contains a line break.
     const QString fault = jsonFault(table.json, names, table.csv.count('\n') - 1);
     if (!fault.isEmpty())
         return QStringLiteral("level %1: %2").arg(int(level)).arg(fault);

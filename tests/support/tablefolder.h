@@ -7,16 +7,16 @@
 
 namespace pixelplumb {
 
-/// A folder of exported tables, and the programs for which they are meant as their readers: Qt's
-/// parser of JSON at once, python3 for all of the folder.
+/// A folder of exported tables, checked with their intended readers: Qt's JSON parser for each
+/// table at once, python3 for the whole folder.
 class TableFolder {
 public:
-    /// Why one of a run's tables, of any level and format, cannot be written or read; empty where
-    /// all can be.
+    /// Why one of a run's tables, at any level and in any format, cannot be written or read; empty
+    /// if all can be.
     QString faultOf(const TracedScene &traced) const;
-    /// The same; those that are CSV or JSON are kept for python3 as NAME-LEVEL.
+    /// Like faultOf(), but also keeps the CSV and JSON tables for python3, as NAME-LEVEL.
     QString faultOfKept(const TracedScene &traced, const QString &name);
-    /// Why python3 cannot read all that was kept; empty where it can.
+    /// Why python3 cannot read all kept tables; empty if it can.
     QString faultByPython() const;
     int keptCount() const { return m_kept; }
 

@@ -10,7 +10,8 @@ namespace pixelplumb {
 
 namespace {
 
-/// By name. A function, since the classes register while other statics are still being made.
+/// The tests by name. A function, because classes register while other statics are still being
+/// initialised.
 std::map<QString, TestRun> &registeredTests()
 {
     static std::map<QString, TestRun> tests;

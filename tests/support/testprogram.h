@@ -4,7 +4,7 @@
 #include <QStringList>
 #include <QTest>
 
-/// A program of tests holds several classes, each in a file of its own:
+/// A test program holds several classes, each in its own file:
 ///
 ///     program                          all classes
 ///     program columnscan oracle        these two
@@ -14,20 +14,20 @@ namespace pixelplumb {
 /// Runs one class with QTest's arguments; returns how many of its functions failed.
 using TestRun = int (*)(const QStringList &arguments);
 
-/// Puts a class among those of its program. Its name is its file's: tst_columnscan.cpp is
+/// Registers a class with its program. Its name comes from its file: tst_columnscan.cpp is
 /// columnscan.
 class RegisteredTest {
 public:
     RegisteredTest(const char *file, TestRun run);
 };
 
-/// Runs the classes that the arguments name. The exit code: 0 when every function passed, 1 when
-/// one failed, 2 when the first name is no class of this program.
+/// Runs the classes named in the arguments. Exit code: 0 if every function passed, 1 if one failed,
+/// 2 if the first name is no class of this program.
 int runTests(const QStringList &arguments);
 
 } // namespace pixelplumb
 
-/// Stands once in each file of tests, below its class.
+/// Used once in each test file, below its class.
 #define PIXELPLUMB_TEST(Class)                                 \
     static const pixelplumb::RegisteredTest registered##Class( \
         __FILE__, [](const QStringList &arguments) {           \

@@ -5,7 +5,7 @@
 
 namespace pixelplumb {
 
-/// The picture that the changes of a trace make, one after the other.
+/// The picture made by applying the changes of a trace in order.
 QImage replayed(const ScanTrace &trace, const FrameSpec &frame);
 
 } // namespace pixelplumb

@@ -11,7 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Reads a <message>, in which the reader stands.
+/// Reads the <message> at the reader's position.
 TranslatedText messageIn(QXmlStreamReader &xml)
 {
     TranslatedText text;

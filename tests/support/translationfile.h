@@ -6,11 +6,11 @@
 
 namespace pixelplumb {
 
-/// A text of a .ts file: where the program asks for it, and what stands there for it.
+/// A text of a .ts file: where the program uses it, and its translation.
 struct TranslatedText {
     QString context;
     QString source;
-    QStringList forms; ///< several where the text counts something
+    QStringList forms; ///< several if the text depends on a number
     QString state; ///< "unfinished", "vanished", "obsolete", or empty
     bool counts = false;
 
@@ -18,10 +18,10 @@ struct TranslatedText {
     QString name() const { return context + QStringLiteral(": ") + source; }
 };
 
-/// Empty where the file cannot be read.
+/// Empty if the file cannot be read.
 QList<TranslatedText> textsOf(const QString &path);
 
-/// The translations of the project, "pixelplumb_de.ts" and so on, with their paths.
+/// The paths of the project's translations, "pixelplumb_de.ts" and so on.
 QStringList translationFiles();
 
 } // namespace pixelplumb

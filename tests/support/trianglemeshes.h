@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-/// Meshes that fill a rectangle, for tests of who owns the samples on shared edges.
+/// Meshes that fill a rectangle, for tests of which triangle owns the samples on shared edges.
 namespace pixelplumb {
 
 struct TriangleMesh {
@@ -17,7 +17,7 @@ struct TriangleMesh {
     void add(const LatticePoint &a, const LatticePoint &b, const LatticePoint &c)
     {
         const Colour colour = {{200, 100, 50}};
-        // Every other triangle turns the other way round.
+        // Every other triangle has the opposite winding.
         if (triangles.size() % 2 == 0)
             triangles.push_back({{{{a, colour}, {b, colour}, {c, colour}}}});
         else
@@ -25,10 +25,10 @@ struct TriangleMesh {
     }
 };
 
-/// Where a mesh lies and how fine its lattice is.
+/// The position of a mesh and the step of its lattice.
 struct MeshPlace {
     LatticePoint origin;
-    Lattice step = unitsPerPixel; ///< vertices are origin + whole steps
+    Lattice step = unitsPerPixel; ///< vertices are at origin + whole steps
     Lattice side = 24 * unitsPerPixel; ///< of the rectangle
 };
 
@@ -40,7 +40,7 @@ public:
     {
     }
 
-    /// Cells of about 6 px with their inner corners moved at random and either diagonal.
+    /// A grid with cells of about 6 px, inner corners moved at random, and either diagonal.
     TriangleMesh grid()
     {
         TriangleMesh mesh = empty();
@@ -71,7 +71,7 @@ public:
         return mesh;
     }
 
-    /// Slivers around one point, to points all along the border.
+    /// Slivers around one point, reaching points all along the border.
     TriangleMesh fan()
     {
         TriangleMesh mesh = empty();
@@ -107,8 +107,8 @@ public:
         return mesh;
     }
 
-    /// Along the diagonal, one triangle on the one side meets many on the other, whose vertices lie
-    /// exactly on it.
+    /// T-junctions along the diagonal: one triangle on one side meets many on the other, whose
+    /// vertices lie exactly on it.
     TriangleMesh junctions()
     {
         TriangleMesh mesh = empty();
@@ -134,7 +134,7 @@ private:
     {
         return std::uniform_int_distribution<Lattice>(-reach, reach)(m_random);
     }
-    /// 0 and up to `count` places beyond it, ascending, each a whole step.
+    /// 0 and `count` random positions above it, ascending, each a whole number of steps.
     std::vector<Lattice> cuts(int count)
     {
         std::vector<Lattice> places = {0};

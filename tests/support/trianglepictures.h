@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-/// What the tests of the triangle methods share: pictures of one triangle in small windows.
+/// Shared helpers of the triangle method tests: pictures of one triangle in small windows.
 namespace pixelplumb {
 
 /// The picture in a window: 0 where nothing was written (no kernel writes alpha 0).
@@ -55,8 +55,8 @@ private:
     std::vector<QRgb> m_pixels;
 };
 
-/// The methods that draw triangles alone and decide about samples, not about pixels near an
-/// outline, in the table's order.
+/// The methods that draw triangles alone and decide by samples, not by pixels near an outline, in
+/// the table's order.
 inline std::vector<const Method *> triangleMethods()
 {
     std::vector<const Method *> found;
@@ -76,7 +76,7 @@ inline std::string rowName(const Method &method, const ScanSettings &settings)
         + std::string(nameOf(settings.fillRule));
 }
 
-/// Vertices of three colours that share no channel's levels.
+/// A triangle with three vertex colours that share no channel level.
 inline Triangle triangleOf(const std::array<LatticePoint, 3> &points)
 {
     constexpr std::array<Colour, 3> colours = {{{{255, 0, 10}}, {{0, 255, 77}}, {{31, 7, 255}}}};

@@ -5,8 +5,8 @@
 
 #include <QApplication>
 
-/// Of the programs that test the window. They see it as a person does whose language is English,
-/// with plural forms, on a screen of 96 dots an inch, whatever the machine has.
+/// main() of the programs that test the window. They see it as an English-speaking user does, with
+/// plural forms, on a screen of 96 dots per inch, whatever the machine has.
 int main(int argc, char **argv)
 {
     const QApplication application(argc, argv);

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t mostPositions = 8;
 constexpr std::size_t mostRows = 8;
 
-/// The run in hand and how much of it is looked at.
+/// The current run, and how much of it is checked.
 QString nameOfRun(const TracedScene &traced)
 {
     return QStringLiteral("%1 %2, %3 of %4 positions and %5 of %6 rows")
@@ -29,7 +29,7 @@ QString nameOfRun(const TracedScene &traced)
         .arg(traced.trace->spanCount());
 }
 
-/// Every text of every cell of some rows, so that each is made.
+/// The total length of all texts in some rows; computing it creates every text.
 qsizetype lengthOfTexts(const QAbstractItemModel &model)
 {
     qsizetype length = 0;

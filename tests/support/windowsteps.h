@@ -5,13 +5,13 @@
 
 namespace pixelplumb {
 
-/// Waits for the run of the document's scene: large ones are recorded beside the GUI thread. False
-/// when it does not come within two minutes.
+/// Waits for the run of the document's scene: large ones are traced in the background. False if it
+/// does not arrive within two minutes.
 bool waitForRun(const MainWindow &window);
 
-/// Goes through the run in hand, to its first position, its last and others evenly between, and
-/// through as many rows of the column table. Why one of them has nothing to say; empty where all
-/// have.
+/// Steps through the current run (its first position, its last and others evenly between) and
+/// through equally many rows of the column table. Returns why one of them shows nothing; empty if
+/// all show something.
 QString faultInSteps(const MainWindow &window);
 
 } // namespace pixelplumb

@@ -60,7 +60,7 @@ void Canvas::connectSources()
     const SceneDocument *document = m_sources.document;
     const Playhead *playhead = m_sources.playhead;
     connect(document, &SceneDocument::sceneChanged, this, &Canvas::followScene);
-    connect(document, &SceneDocument::frameInHandChanged, this, &Canvas::followScene);
+    connect(document, &SceneDocument::currentFrameChanged, this, &Canvas::followScene);
     connect(document, &SceneDocument::trianglesRenumbered, this,
             [this](const TriangleRenumbering &numberAfter) {
                 followTriangle(m_sources, numberAfter, m_imageOfUndrawn);
@@ -170,8 +170,8 @@ void Canvas::updateVertices()
     update();
 }
 
-/// With the picture of the change when that comes within a frame, so that a drag does not paint
-/// everything twice; else without it.
+/// Repaints together with the picture of the change if that comes within a frame, so that a drag
+/// does not paint everything twice; else without it.
 void Canvas::updateSoon()
 {
     if (!m_sources.previewer)
@@ -260,13 +260,13 @@ void Canvas::mouseDoubleClickEvent(QMouseEvent *event) { m_mouse.doubleClick(eve
 
 void Canvas::contextMenuEvent(QContextMenuEvent *event)
 {
-    // A right press has been dealt with already; here the menu key alone asks.
+    // A right press was handled already; only the menu key arrives here.
     if (event->reason() != QContextMenuEvent::Keyboard)
         return;
     const SceneDocument &document = *m_sources.document;
     if (const std::optional<VertexRef> ref = document.selectedVertex())
         m_mouse.openVertexMenu(
-            *ref, positionOf(document.atFrameInHand(document.vertexAt(*ref)->position)));
+            *ref, positionOf(document.atCurrentFrame(document.vertexAt(*ref)->position)));
 }
 
 void Canvas::wheelEvent(QWheelEvent *event) { m_mouse.turn(event); }

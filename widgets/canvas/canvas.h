@@ -16,14 +16,13 @@
 
 namespace pixelplumb {
 
-/// The frame as it stands at the playhead's position, with everything that a person may do to the
-/// scene by pointing: vertices are placed, dragged and chosen, pixels picked, columns sought on the
-/// ruler. Outlines and handles come straight from the document, so that they never lag behind the
-/// hand; cells and signs come from the traced scene, the cells from a preview where its trace takes
-/// long or was cut.
+/// The frame as it is at the playhead's position, with all editing by pointing: vertices are
+/// placed, dragged and selected, pixels picked, columns sought on the ruler. Outlines and handles
+/// come straight from the document, so that they never lag behind the pointer; cells and signs come
+/// from the traced scene, the cells from a preview where the trace takes long or was cut.
 ///
-/// The widget only passes on: where things are is CanvasView's, what is shown is a CanvasScene,
-/// drawn by CanvasPainter, and CanvasMouse and CanvasKeys do what a person wants.
+/// The widget only delegates: CanvasView knows where things are, CanvasScene what is shown,
+/// CanvasPainter draws it, and CanvasMouse and CanvasKeys handle the input.
 class Canvas : public QWidget {
     Q_OBJECT
 
@@ -32,11 +31,13 @@ public:
            QWidget *parent = nullptr);
     ~Canvas() override;
 
-    /// Where pictures come from that stand for a run which is not there.
+    /// Previews stand in for a run that is not there yet.
     void setPreviewer(const ScenePreviewer *previewer);
-    /// While something is forced, what that changes is marked and not what differs from the truth.
+    /// While an effect is forced, the canvas marks what that changes instead of what differs from
+    /// the truth.
     void setEffects(const EffectSwitches *effects);
-    /// While there is one, what differs in it is marked and not what differs from the truth.
+    /// While there is a student's picture, its differences are marked instead of those from the
+    /// truth.
     void setStudentPicture(const StudentPicture *student);
 
     const ViewMapping &mapping() const { return m_view.mapping(); }
@@ -56,7 +57,7 @@ public:
     }
     /// The middle of a pixel's cell.
     QPointF positionOf(const QPoint &pixel) const { return mapping().positionOf(pixel); }
-    /// Where a point in the scene's coordinates is.
+    /// The widget position of a point in the scene's coordinates.
     QPointF positionOf(const LatticePoint &scenePoint) const
     {
         return m_view.positionOf(scenePoint);
@@ -67,16 +68,16 @@ public:
     std::optional<VertexRef> vertexAt(const QPointF &position) const;
 
     CanvasTool tool() const { return m_mouse.tool(); }
-    /// What stands beside the pointer: "(27, 19) #a06f30" and who painted the pixel, a line each;
+    /// The text beside the pointer: "(27, 19) #a06f30" and what painted the pixel, a line each;
     /// before them the place of the vertex that a click would place, where that is no pixel. Empty
-    /// where the pointer is not over the frame, and while a button draws.
+    /// where the pointer is not over the frame, and while a button is drawing.
     QString readout();
 
     bool isTruthVisible() const { return pixelplumb::isTruthVisible(m_sources, hand()); }
-    /// What a screen reader says of the pixel or vertex in hand.
+    /// What a screen reader says of the current pixel or vertex.
     QString spokenState() const;
-    void announce(); ///< the same, to those that listen
-    /// The pointer is elsewhere, or has left.
+    void announce(); ///< spokenState(), to screen readers
+    /// The pointer has moved or left.
     void followPointer();
 
     QSize sizeHint() const override { return {720, 560}; }
@@ -87,15 +88,15 @@ public slots:
     void setZoom(int zoom);
     void zoomIn();
     void zoomOut();
-    /// Shows the whole frame as large as it fits, and goes on doing so while the widget is resized.
+    /// Shows the whole frame as large as it fits, and keeps it so while the widget is resized.
     void fitToView();
     void editCoordinates(const pixelplumb::VertexRef &ref);
 
 signals:
     void toolChanged(pixelplumb::CanvasTool tool);
     void zoomChanged(int zoom);
-    void viewChanged(); ///< another zoom, another place of the frame
-    /// The pixel under the pointer, of the frame or beside it; none when the pointer leaves.
+    void viewChanged(); ///< the zoom or the place of the frame
+    /// The pixel under the pointer, inside the frame or outside; none when the pointer leaves.
     void hovered(const std::optional<QPoint> &pixel);
     void colourRequested(const pixelplumb::VertexRef &ref);
 
@@ -133,7 +134,7 @@ private:
     CanvasLayers m_layers;
     CanvasPainter m_painter;
     PointerReadout m_readout;
-    /// Runs while the picture of a change is expected.
+    /// Runs while the picture of a change is awaited.
     QTimer m_repaintTimer;
 };
 

@@ -34,13 +34,13 @@ QAccessibleInterface *makeInterface(const QString &, QObject *object)
     return canvas ? new CanvasAccessible(canvas) : nullptr;
 }
 
-/// The vertex, corner or pixel that the keys move, where it is seen.
+/// The place of the vertex, corner or pixel that the keys move.
 QString spokenPlace(const CanvasSources &sources, const CanvasHand &hand)
 {
     const SceneDocument &document = *sources.document;
     if (const std::optional<VertexRef> ref = document.selectedVertex()) {
         const QString place
-            = coordinateNote(document.atFrameInHand(document.vertexAt(*ref)->position));
+            = coordinateNote(document.atCurrentFrame(document.vertexAt(*ref)->position));
         if (ref->primitive == VertexRef::pending)
             return Canvas::tr("waiting vertex %1 at %2").arg(QString::number(ref->vertex), place);
         return Canvas::tr("vertex %1 of %2 %3 at %4")

@@ -5,11 +5,11 @@
 
 namespace pixelplumb {
 
-/// What a screen reader says of the vertex, the corner of an image or the pixel in hand.
+/// What a screen reader says of the current vertex, image corner or pixel.
 QString spokenState(const CanvasSources &sources, const CanvasHand &hand);
 
-/// Lets screen readers ask a Canvas for the pixel or vertex in hand, as its value. Harmless when
-/// called again.
+/// Exposes the current pixel or vertex to screen readers as a Canvas's value. Harmless when called
+/// again.
 void installCanvasAccessible();
 
 } // namespace pixelplumb

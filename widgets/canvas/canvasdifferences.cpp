@@ -12,7 +12,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Every pixel of the picture that has a part in device pixels; below 1:1 they share one.
+/// Every pixel of the picture that is in some of the device pixels; below 1:1 several share one.
 QRect picturePixelsIn(const QRect &device, const ViewMapping &mapping)
 {
     const int side = mapping.zoom().framePixels;
@@ -24,8 +24,8 @@ QRect picturePixelsIn(const QRect &device, const ViewMapping &mapping)
         & QRect(0, 0, frame.width, frame.height);
 }
 
-/// The first pixel from `column` on that differs; the row's length where none does. Looks at eight
-/// bytes at once, because most are none.
+/// The first differing pixel from `column` on; the row's length where there is none. Tests eight
+/// bytes at once, because most are 0.
 template <class Kind>
 std::size_t nextDifference(std::span<const Kind> row, std::size_t column)
 {
@@ -44,7 +44,7 @@ std::size_t nextDifference(std::span<const Kind> row, std::size_t column)
     return row.size();
 }
 
-// Both count their kinds of marks in the order of the signs.
+// Both enums number their kinds of marks in the order of the signs.
 static_assert(int(Difference::None) == 0 && int(Difference::Missing) == 1
               && int(Difference::Extra) == 2 && int(Difference::Colour) == 3);
 static_assert(int(PixelVerdict::Same) == 0 && int(PixelVerdict::Missing) == 1
@@ -89,7 +89,7 @@ void CanvasDifferences::lookUpCells(const QRect &cells, RowAt rowAt)
     const ViewZoom &zoom = m_mapping.zoom();
     const int side = zoom.framePixels;
     const QPoint corner = m_mapping.origin() - m_device.topLeft();
-    // Below 1:1 the first of a block's differences, line by line, stands for the block.
+    // Below 1:1 a block is marked by its first difference, line by line.
     std::vector<int> lastMarked(std::size_t(cells.right() / side + 1), -1);
     for (int line = cells.top(); line <= cells.bottom(); ++line) {
         const std::int64_t y = rowOfPictureLine(frame, line);
@@ -149,7 +149,7 @@ void CanvasDifferences::markCells(QImage &shown, std::size_t position, const QPa
     }
 }
 
-/// Without a painter, which takes longer for a pixel than to draw ten of them.
+/// Works without a QPainter, which takes longer for one pixel than drawing ten of them.
 void CanvasDifferences::markDevicePixels(QImage &shown, std::size_t position) const
 {
     std::array<QRgb, markSigns.size()> colours = {};

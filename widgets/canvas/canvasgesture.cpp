@@ -10,8 +10,8 @@ namespace pixelplumb {
 
 namespace {
 
-/// The trace's column that stands at x, of the preferred primitive, else of the one with the
-/// nearest.
+/// The trace's column at x, of the preferred primitive, else of the primitive with the nearest
+/// column.
 std::optional<std::size_t> spanNear(const ScanTrace &trace, std::size_t preferred, std::int64_t x)
 {
     std::optional<std::size_t> nearest;
@@ -38,7 +38,7 @@ std::optional<std::size_t> spanNear(const ScanTrace &trace, std::size_t preferre
 void PlaceVertexGesture::releaseAt(const QPointF &position)
 {
     if (m_view.area().contains(position))
-        m_document.placeVertex(m_document.fromFrameInHand(m_view.placeAt(position)));
+        m_document.placeVertex(m_document.fromCurrentFrame(m_view.placeAt(position)));
 }
 
 void PickPixelGesture::moveTo(const QPointF &position)
@@ -65,7 +65,7 @@ void SeekColumnGesture::moveTo(const QPointF &position)
     const TracedScene *traced = m_playhead.traced();
     if (!traced)
         return;
-    const std::optional<TraceStep> step = m_playhead.stepInHand();
+    const std::optional<TraceStep> step = m_playhead.currentStep();
     const std::optional<std::size_t> span
         = spanNear(*traced->trace, step ? step->primitive : 0, m_view.mapping().columnAt(position));
     if (span)

@@ -11,7 +11,7 @@ class Canvas;
 class CanvasView;
 class Playhead;
 
-/// What a press on the canvas began and a release ends.
+/// What a press on the canvas begins and a release ends.
 class CanvasGesture {
 public:
     virtual ~CanvasGesture() = default;
@@ -22,7 +22,7 @@ public:
     virtual Qt::CursorShape cursor() const { return Qt::CrossCursor; }
 };
 
-/// Places a vertex where the button is released, so that a hand that slips still chooses.
+/// Places a vertex where the button is released, so that the place can be corrected until then.
 class PlaceVertexGesture final : public CanvasGesture {
 public:
     PlaceVertexGesture(const CanvasView &view, SceneDocument &document)
@@ -38,8 +38,8 @@ private:
     SceneDocument &m_document;
 };
 
-/// Moves a point with the pointer, as far from it as it was at the press. A hand that trembles in a
-/// click moves nothing.
+/// Moves a point with the pointer, keeping the offset it had at the press. A tremble during a click
+/// moves nothing.
 class MovePointGesture : public CanvasGesture {
 public:
     void moveTo(const QPointF &position) final;
@@ -47,7 +47,7 @@ public:
 
 protected:
     MovePointGesture(const CanvasView &view, const QPointF &press, const LatticePoint &start);
-    /// Not on the snap's points.
+    /// `place` is not snapped yet.
     virtual void movePoint(const LatticePoint &place) = 0;
 
     const LatticePoint &start() const { return m_start; }
@@ -121,8 +121,8 @@ private:
     QPoint m_device;
 };
 
-/// Moves time along the column ruler: to a column of the triangle in hand, or of the one whose
-/// columns are nearest.
+/// Seeks along the column ruler: to a column of the current triangle, or of the one whose columns
+/// are nearest.
 class SeekColumnGesture final : public CanvasGesture {
 public:
     SeekColumnGesture(const CanvasView &view, Playhead &playhead)

@@ -97,14 +97,14 @@ bool CanvasKeys::handleArrow(QKeyEvent *event)
     const QPoint inFrame(direction->x(), upward ? -direction->y() : direction->y());
     switch (int(modifiersOf(*event))) {
     case Qt::NoModifier:
-        m_mouse.hoverAt(std::nullopt); // what is told is of the picked pixel
+        m_mouse.hoverAt(std::nullopt); // the readout describes the picked pixel
         m_playhead.nudgePick(inFrame.x(), inFrame.y());
         return true;
     case Qt::ControlModifier:
         moveSelectedBy(inFrame);
         return true;
     case Qt::ShiftModifier: {
-        // The view goes where the arrow points, so the picture goes the other way.
+        // The view moves in the arrow's direction, so the picture moves the other way.
         const QSize device = m_view.mapping().deviceRect(m_view.area()).size() / 8;
         m_view.moveBy({-direction->x() * device.width(), -direction->y() * device.height()});
         return true;
@@ -145,7 +145,7 @@ bool CanvasKeys::handleEditingKey(QKeyEvent *event)
             m_document.deleteVertex(*selected);
         return selected.has_value();
     case Qt::Key_Escape:
-        cancelInHand();
+        cancelCurrent();
         return true;
     default:
         return false;
@@ -178,7 +178,7 @@ void CanvasKeys::placeAtPickedPixel()
     if (!pixel)
         return;
     m_document.placeVertex(
-        m_document.fromFrameInHand(m_view.fromSamples(latticePixel(pixel->x(), pixel->y()))));
+        m_document.fromCurrentFrame(m_view.fromSamples(latticePixel(pixel->x(), pixel->y()))));
 }
 
 void CanvasKeys::cycleSelection(int step)
@@ -202,7 +202,7 @@ void CanvasKeys::cycleSelection(int step)
         m_mouse.chooseCorner(std::size_t(next - vertexCount));
 }
 
-void CanvasKeys::cancelInHand()
+void CanvasKeys::cancelCurrent()
 {
     if (m_mouse.isPressed()) {
         m_mouse.cancelGesture();

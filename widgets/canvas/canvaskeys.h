@@ -15,8 +15,7 @@ class CanvasView;
 class Playhead;
 struct CanvasSources;
 
-/// What the keys do on the canvas: all that the mouse does, and a look at the truth while Shift is
-/// held.
+/// Keys on the canvas: all that the mouse does, and a look at the truth while Shift is held.
 class CanvasKeys {
 public:
     CanvasKeys(Canvas &canvas, CanvasView &view, CanvasMouse &mouse, const CanvasSources &sources);
@@ -24,7 +23,7 @@ public:
     /// False for keys that mean nothing here.
     bool press(QKeyEvent *event);
     bool release(QKeyEvent *event);
-    void endPeek() { setPeek(Peek::Off); } ///< Shift belongs to something else
+    void endPeek() { setPeek(Peek::Off); } ///< Shift means something else
     void endDrag() { m_drag.reset(); }
 
     bool isPeeking() const { return m_peek == Peek::On; }
@@ -40,7 +39,7 @@ private:
     bool handleViewKey(QKeyEvent *event);
     void placeAtPickedPixel();
     void cycleSelection(int step);
-    void cancelInHand();
+    void cancelCurrent();
     void moveSelectedBy(const QPoint &steps);
     void moveChosenCornerBy(const LatticePoint &way);
     void setPeek(Peek peek);
@@ -51,7 +50,7 @@ private:
     const CanvasSources &m_sources;
     SceneDocument &m_document;
     Playhead &m_playhead;
-    std::optional<int> m_drag; ///< number of the run of Ctrl+arrows under way
+    std::optional<int> m_drag; ///< number of the current run of Ctrl+arrows
     Peek m_peek = Peek::Off;
     QTimer m_peekTimer;
 };

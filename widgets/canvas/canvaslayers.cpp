@@ -14,7 +14,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The pixels whose cells meet the area, in the frame or not.
+/// The pixels whose cells meet the area, inside the frame or not.
 SampleBox pixelsIn(const QRectF &area, const ViewMapping &mapping)
 {
     const auto [left, right]

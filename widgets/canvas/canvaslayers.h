@@ -10,16 +10,16 @@ namespace pixelplumb {
 
 struct LayerView;
 
-/// What the layers that are switched on draw of the moment in view. It is collected anew when one
-/// of these changes, not at every move of the pointer.
+/// What the enabled layers draw at the shown moment. It is collected anew when one of these
+/// changes, not at every move of the pointer.
 class CanvasLayers {
 public:
-    /// Nothing while the run is not that of the scene, and where the truth stands in the frame's
-    /// place.
+    /// Adds nothing while the run is not the scene's own, and while the truth is shown instead of
+    /// the frame.
     void addTo(CanvasScene &scene, const CanvasSources &sources, const CanvasView &view);
 
 private:
-    /// What the drawing follows from.
+    /// What the drawing depends on.
     struct Moment {
         std::shared_ptr<const TracedScene> traced;
         std::size_t position = 0;

@@ -7,7 +7,7 @@
 
 namespace pixelplumb {
 
-/// What can be done to a vertex.
+/// The menu of a vertex.
 class CanvasMenu : public QMenu {
     Q_OBJECT
 

@@ -36,7 +36,7 @@ void CanvasMouse::press(QMouseEvent *event)
 {
     hoverAt(event->position());
     if (m_gesture)
-        return; // a second button while the first does something
+        return; // a second button during a gesture
     if (event->button() == Qt::RightButton) {
         pressRight(event->position());
         return;
@@ -127,7 +127,7 @@ void CanvasMouse::doubleClick(QMouseEvent *event)
         if (m_sources.options->affineImage())
             m_document.undoStack()->push(new ImageEdit(*m_sources.options, std::nullopt));
     } else if (event->button() == Qt::LeftButton && ref && m_tool == CanvasTool::Draw) {
-        if (ref == m_pressedVertex) // else the first click placed it
+        if (ref == m_pressedVertex) // else the first click placed the vertex
             emit m_canvas.colourRequested(*ref);
     } else {
         press(event); // two quick clicks at two places

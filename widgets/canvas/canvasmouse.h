@@ -14,11 +14,11 @@ class CanvasView;
 class Playhead;
 struct CanvasSources;
 
-/// What a left click is for: it places and moves vertices, or it picks pixels and leaves the scene
-/// alone. All else that the mouse does is the same with both.
+/// What a left click does: it places and moves vertices, or it picks pixels and leaves the scene
+/// alone. All other mouse actions are the same with both tools.
 enum class CanvasTool { Draw, Inspect };
 
-/// What the mouse does on the canvas: it hovers, and a press begins a gesture that a release ends.
+/// Mouse input on the canvas: hovering, and gestures that a press begins and a release ends.
 class CanvasMouse {
 public:
     CanvasMouse(Canvas &canvas, CanvasView &view, const CanvasSources &sources);
@@ -32,16 +32,17 @@ public:
     void hoverAt(const std::optional<QPointF> &position);
 
     CanvasTool tool() const { return m_tool; }
-    /// A gesture under way goes on.
+    /// A gesture in progress continues.
     void setTool(CanvasTool tool) { m_tool = tool; }
 
     const std::optional<QPointF> &hover() const { return m_hover; }
-    /// Looked for once for each place of the pointer: a large scene has millions of vertices.
+    /// The vertex under the pointer, looked up once per pointer position: a large scene has
+    /// millions of vertices.
     std::optional<VertexRef> hoveredVertex() const;
-    /// The scene or the view has changed under the pointer.
+    /// To be called when the scene or the view has changed under the pointer.
     void forgetHovered() { m_hoveredVertex.reset(); }
-    /// Of the affine map's image: the corner under the pointer, and the one that was pressed last
-    /// or chosen by a key.
+    /// Corners of the affine map's image: the one under the pointer, and the one last pressed or
+    /// chosen by a key.
     std::optional<std::size_t> hoveredCorner() const;
     std::optional<std::size_t> chosenCorner() const { return m_chosenCorner; }
     void chooseCorner(const std::optional<std::size_t> &corner);
@@ -73,12 +74,12 @@ private:
     CanvasTool m_tool = CanvasTool::Draw;
     std::unique_ptr<CanvasGesture> m_gesture;
     std::optional<QPointF> m_hover;
-    /// The vertex under the pointer, if any; unknown until it is looked for.
+    /// The vertex under the pointer, if any; unset until it is looked up.
     mutable std::optional<std::optional<VertexRef>> m_hoveredVertex;
-    /// The vertex under the last press: a double click means the one that both clicks hit.
+    /// The vertex under the last press: a double click needs both clicks on the same one.
     std::optional<VertexRef> m_pressedVertex;
     std::optional<std::size_t> m_chosenCorner;
-    int m_wheelRest = 0; ///< eighths of a degree that are not a notch yet
+    int m_wheelRest = 0; ///< eighths of a degree short of a notch
 };
 
 } // namespace pixelplumb

@@ -17,14 +17,14 @@ namespace pixelplumb {
 namespace {
 
 // Logical pixels.
-constexpr double bareHitRadius = 3; ///< of a vertex without a handle, between many others
+constexpr double bareHitRadius = 3; ///< of a vertex without a handle among many others
 
-/// As it is drawn: a scene that moves is seen at its frame in hand.
+/// A triangle as drawn: a moving scene at its current frame.
 Triangle drawnTriangle(const SceneDocument &document, std::size_t index)
 {
     Triangle triangle = document.scene().triangles[index];
     for (Vertex &vertex : triangle.vertices)
-        vertex.position = document.atFrameInHand(vertex.position);
+        vertex.position = document.atCurrentFrame(vertex.position);
     return triangle;
 }
 
@@ -37,7 +37,7 @@ std::array<LatticePoint, 3> cornersOf(const Triangle &triangle, const CanvasView
     return corners;
 }
 
-/// The nearest vertex to a position so far.
+/// The vertex nearest to a position so far.
 struct NearestVertex {
     std::optional<VertexRef> ref;
     double distance = handleHitRadius;
@@ -52,18 +52,18 @@ struct NearestVertex {
     }
 };
 
-/// The document's primitive that the step in hand draws; none of a solid's triangle.
+/// The document's primitive that the current step draws; none for a solid's triangle.
 std::optional<int> steppedPrimitive(const CanvasSources &sources)
 {
-    const std::optional<TraceStep> step = sources.playhead->stepInHand();
+    const std::optional<TraceStep> step = sources.playhead->currentStep();
     const auto index = step ? sources.playhead->traced()->indexInScene(step->primitive)
                             : std::optional<std::size_t>();
     const bool isThere = index && std::int64_t(*index) < sources.document->primitiveCount();
     return isThere ? std::optional(int(*index)) : std::nullopt;
 }
 
-OutlineChoice::InHand primitivesInHand(const CanvasSources &sources,
-                                       const std::optional<VertexRef> &hovered)
+OutlineChoice::Current currentPrimitives(const CanvasSources &sources,
+                                         const std::optional<VertexRef> &hovered)
 {
     return {sources.document->selectedVertex(), hovered, steppedPrimitive(sources)};
 }
@@ -72,7 +72,7 @@ std::optional<SetUpRecord> setUpOf(int triangle, const CanvasSources &sources)
 {
     const TracedScene *traced = tracedOfFrame(*sources.document, *sources.playhead);
     const auto index = std::size_t(triangle);
-    // A drag may be ahead of the trace: numbers of a triangle that was there before are not shown.
+    // A drag may be ahead of the trace: numbers of the earlier triangle are not shown.
     if (!traced || index >= traced->trace->primitiveCount()
         || index >= traced->scene.triangles.size()
         || traced->scene.triangles[index] != drawnTriangle(*sources.document, index))
@@ -80,7 +80,7 @@ std::optional<SetUpRecord> setUpOf(int triangle, const CanvasSources &sources)
     return traced->trace->setUp(index);
 }
 
-/// The primitive whose vertices have names: of the selected vertex, else the one in hand.
+/// The primitive whose vertices are named: the selected vertex's, else the current step's.
 std::optional<int> namedPrimitive(const CanvasSources &sources)
 {
     if (const std::optional<VertexRef> ref = sources.document->selectedVertex();
@@ -91,11 +91,11 @@ std::optional<int> namedPrimitive(const CanvasSources &sources)
     return isAlone ? std::optional(0) : steppedPrimitive(sources);
 }
 
-/// A solid's triangle that the step in hand draws: it has an outline, and nothing to drag.
+/// Outlines the solid's triangle that the current step draws; it has no handles.
 void addSolidsTriangle(CanvasScene &scene, const CanvasSources &sources)
 {
     const TracedScene *traced = tracedOfFrame(*sources.document, *sources.playhead);
-    const std::optional<TraceStep> step = sources.playhead->stepInHand();
+    const std::optional<TraceStep> step = sources.playhead->currentStep();
     if (!traced || !step || !traced->primitives.isTriangle(step->primitive)
         || traced->indexInScene(step->primitive))
         return;
@@ -115,16 +115,16 @@ void addOutline(CanvasScene &scene, int primitive, const CanvasSources &sources,
     if (index >= drawn.triangles.size()) {
         Shape &shape = scene.shapes.emplace_back(drawn.shapes[index - drawn.triangles.size()]);
         for (Vertex &vertex : shape.vertices)
-            vertex.position = view.onSamples(sources.document->atFrameInHand(vertex.position));
+            vertex.position = view.onSamples(sources.document->atCurrentFrame(vertex.position));
         return;
     }
-    const bool isInHand = steppedPrimitive(sources) == primitive;
-    const std::optional<SetUpRecord> setUp = isInHand ? setUpOf(primitive, sources) : std::nullopt;
+    const bool isCurrent = steppedPrimitive(sources) == primitive;
+    const std::optional<SetUpRecord> setUp = isCurrent ? setUpOf(primitive, sources) : std::nullopt;
     scene.outlines.push_back({cornersOf(drawnTriangle(*sources.document, index), view),
                               setUp ? rolesOf(*setUp) : EdgeRoles{}});
 }
 
-/// Both names of a vertex where the method's is not the file's.
+/// A vertex's name, with the file's number where that differs from the method's.
 QString vertexName(std::size_t rank, std::size_t inFile)
 {
     const QString name = QStringLiteral("P%1").arg(rank);
@@ -133,7 +133,7 @@ QString vertexName(std::size_t rank, std::size_t inFile)
                                 .arg(name, QString::number(inFile));
 }
 
-/// What the vertices of a circle or an ellipse are: neither lies on the curve.
+/// The vertices of a circle or an ellipse, neither of which is on the curve.
 QString roundName(std::size_t vertex)
 {
     return vertex == 0
@@ -141,14 +141,15 @@ QString roundName(std::size_t vertex)
         : QCoreApplication::translate("pixelplumb::Canvas", "P1 (corner of its box)");
 }
 
-/// P0, P1, P2 of a triangle in the order in which the method sorts them, of a shape as they stand.
+/// Names the vertices P0, P1, P2: a triangle's in the method's sorted order, a shape's in file
+/// order.
 void addNames(CanvasScene &scene, int primitive, const CanvasSources &sources,
               const CanvasView &view)
 {
     const SceneDocument &document = *sources.document;
     std::vector<Vertex> vertices = document.verticesOf(primitive);
     for (Vertex &vertex : vertices)
-        vertex.position = document.atFrameInHand(vertex.position);
+        vertex.position = document.atCurrentFrame(vertex.position);
     std::vector<std::size_t> order(vertices.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     if (document.kindOf(primitive) == PrimitiveKind::Triangle) {
@@ -168,7 +169,7 @@ void addNames(CanvasScene &scene, int primitive, const CanvasSources &sources,
                                view.onSamples(vertices[order[rank]].position), inside});
 }
 
-/// Whether the layer of the vertices names them, with their coordinates.
+/// Whether the vertices layer already names them, with their coordinates.
 bool isNamedByLayer(int primitive, const CanvasSources &sources)
 {
     return sources.options->layers().contains(QStringLiteral("vertices"))
@@ -188,15 +189,15 @@ void addOutlines(CanvasScene &scene, const CanvasSources &sources, const CanvasV
         else if (ref == hand.hovered)
             state = HandleState::Hovered;
         scene.handles.push_back(
-            {view.onSamples(document.atFrameInHand(vertex.position)), vertex.colour, state});
+            {view.onSamples(document.atCurrentFrame(vertex.position)), vertex.colour, state});
     };
-    for (const int primitive : choice.primitives(primitivesInHand(sources, hand.hovered))) {
+    for (const int primitive : choice.primitives(currentPrimitives(sources, hand.hovered))) {
         addOutline(scene, primitive, sources, view);
         if (!choice.hasHandles(primitive)) {
-            std::vector<std::optional<VertexRef>> inHand = {document.selectedVertex()};
-            if (hand.hovered != inHand.front())
-                inHand.push_back(hand.hovered);
-            for (const std::optional<VertexRef> &ref : inHand) {
+            std::vector<std::optional<VertexRef>> current = {document.selectedVertex()};
+            if (hand.hovered != current.front())
+                current.push_back(hand.hovered);
+            for (const std::optional<VertexRef> &ref : current) {
                 const auto vertex
                     = ref && ref->primitive == primitive ? document.vertexAt(*ref) : std::nullopt;
                 if (vertex)
@@ -222,19 +223,19 @@ std::optional<VertexRef> vertexAt(const QPointF &position, const CanvasSources &
 {
     if (!view.area().contains(position))
         return std::nullopt;
-    const OutlineChoice::InHand inHand = primitivesInHand(sources, std::nullopt);
+    const OutlineChoice::Current current = currentPrimitives(sources, std::nullopt);
     const QPointF reach(handleHitRadius, handleHitRadius);
     const SceneBox box = sceneBoxOf(QRectF(position - reach, position + reach), view.mapping());
     NearestVertex nearest;
     const auto offer = [&](int primitive, std::span<const Vertex> vertices) {
         for (std::size_t i = 0; i < vertices.size(); ++i) {
-            const LatticePoint place = sources.document->atFrameInHand(vertices[i].position);
+            const LatticePoint place = sources.document->atCurrentFrame(vertices[i].position);
             if (!box.contains(place))
                 continue;
             const VertexRef ref{primitive, int(i)};
-            const bool hasHandle = ref == inHand.selected
+            const bool hasHandle = ref == current.selected
                 || (choice.hasHandles(primitive)
-                    && (!choice.isCrowded() || inHand.holds(primitive)));
+                    && (!choice.isCrowded() || current.holds(primitive)));
             nearest.offer(ref, view.positionOf(place) - position,
                           hasHandle ? handleHitRadius : bareHitRadius);
         }

@@ -5,15 +5,15 @@
 
 namespace pixelplumb {
 
-/// How far from its middle a handle is hit, logical pixels.
+/// A press this near to a handle's centre hits it, logical pixels.
 inline constexpr double handleHitRadius = 8;
 
-/// Outlines, handles and names of the document's primitives. They come straight from it, so that
-/// they never lag behind the hand.
+/// Outlines, handles and names of the document's primitives. They come straight from the document,
+/// so that they never lag behind the pointer.
 void addOutlines(CanvasScene &scene, const CanvasSources &sources, const CanvasView &view,
                  const OutlineChoice &choice, const CanvasHand &hand);
 
-/// The vertex whose handle is under a position: of equally near ones the last, which is drawn on
+/// The vertex whose handle is under a position; of equally near ones the last, which is drawn on
 /// top. In a crowded view, vertices without a handle are hit only from very near.
 std::optional<VertexRef> vertexAt(const QPointF &position, const CanvasSources &sources,
                                   const CanvasView &view, const OutlineChoice &choice);
@@ -22,7 +22,7 @@ std::optional<VertexRef> vertexAt(const QPointF &position, const CanvasSources &
 bool isOffScreenPointAt(const QPointF &position, const SceneDocument &document,
                         const CanvasView &view);
 
-/// Null where the run is of another frame.
+/// Null where the run's frame is not the document's.
 const TracedScene *tracedOfFrame(const SceneDocument &document, const Playhead &playhead);
 
 } // namespace pixelplumb

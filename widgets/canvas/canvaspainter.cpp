@@ -11,8 +11,8 @@ namespace pixelplumb {
 
 namespace {
 
-/// Fills what of a rectangle lies around another, which is going to be painted over: filling that
-/// too takes as long as painting it.
+/// Fills the part of a rectangle around another one that will be painted over: filling that too
+/// would take as long as painting it.
 void fillAround(QPainter &painter, const QRect &rect, const QRectF &covered, const QColor &colour)
 {
     const QRect surelyCovered = covered.toRect().adjusted(1, 1, -1, -1);
@@ -92,8 +92,8 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
     drawOutlines(frame, scene);
     drawSigns(frame, scene);
     drawHandles(frame, scene);
-    // Over lines, frames and handles, so that every digit can be read; not where a layer's numbers
-    // or dots stand in the cells.
+    // Over lines, frames and handles, so that every digit is readable; not where a layer has
+    // numbers or dots in the cells.
     said += m_layers.paintNumbers(painter, scene.layers, surface);
     if (scene.frame && scene.layers.cells.empty() && scene.layers.samples.empty())
         drawValues(painter, *scene.frame, view.mapping(), area, scene.notation);
@@ -108,7 +108,7 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
         frame.drawNote(note.text, note.anchor, note.side);
     if (!said.isEmpty())
         frame.drawCornerNote(said.join(u'\n'), LayerPainter::figurePlaces(scene.layers, surface));
-    // The last, so that they keep clear of all that has a name of its own.
+    // Last, so that they avoid everything that has a name of its own.
     const QStringList omissions
         = m_layers.paintLabels(painter, scene.layers, surface, frame.plates());
     if (!omissions.isEmpty())
@@ -139,7 +139,7 @@ void CanvasPainter::paintCells(QPainter &painter, const CanvasScene &scene, cons
     painter.drawImage(target.topLeft(), shown);
 }
 
-/// The cells in a rectangle of device pixels, with the lines between them and the signs in them.
+/// The cells in a rectangle of device pixels, with the grid lines and the signs in them.
 QImage CanvasPainter::cellsOf(const CanvasScene &scene, const ViewMapping &mapping,
                               const QRect &device, const QPalette &palette)
 {

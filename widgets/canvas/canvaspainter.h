@@ -6,8 +6,8 @@
 
 namespace pixelplumb {
 
-/// Paints what the canvas shows. It keeps the cells in view and their differences, so that a step
-/// of time does not look them all up again.
+/// Paints the canvas. It caches the visible cells and their differences, so that a time step does
+/// not look them all up again.
 class CanvasPainter {
 public:
     void paint(QPainter &painter, const CanvasScene &scene, const CanvasView &view,

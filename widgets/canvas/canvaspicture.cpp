@@ -12,7 +12,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int mostValues = 2'500; ///< cells; drawing more takes longer than a pointer should wait
+constexpr int mostValues = 2'500; ///< cells; drawing more would delay the pointer
 
 } // namespace
 
@@ -74,7 +74,7 @@ void blendGrid(QImage &shown, const ViewMapping &mapping, const QRect &device, c
     const int cell = mapping.zoom().devicePixels;
     if (colour.alpha() == 0 || cell < 2)
         return;
-    // One tiled fill costs a fraction of some hundred thin translucent rectangles.
+    // One tiled fill costs a fraction of hundreds of thin translucent rectangles.
     QImage tile(cell, cell, QImage::Format_ARGB32_Premultiplied);
     tile.fill(Qt::transparent);
     QPainter lines(&tile);

@@ -21,7 +21,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Collects what is shown, piece by piece.
+/// Collects the shown items, piece by piece.
 class Collector {
     Q_DECLARE_TR_FUNCTIONS(pixelplumb::Canvas)
 
@@ -60,7 +60,7 @@ public:
         if (!m_options.areDifferencesShown() || m_isTruth)
             return;
         if (m_judgement && m_judgement->frame == m_view.mapping().frame()) {
-            // What is missing or extra ahead of the step in hand would tell what is asked for.
+            // Missing or extra pixels ahead of the current step would reveal the answer.
             const auto paced = m_playhead.isAheadHidden() ? m_playhead.sharedTraced() : nullptr;
             m_scene.marked = CanvasDifferences::Source{.traced = paced, .judgement = m_judgement};
             return;
@@ -76,7 +76,7 @@ public:
         for (const auto &[x, y] : m_playhead.pixelBreakpoints())
             m_scene.breakpoints.emplace_back(x, y);
         m_scene.picked = m_playhead.pickedPixel();
-        const std::optional<std::size_t> span = m_playhead.spanInHand();
+        const std::optional<std::size_t> span = m_playhead.currentSpan();
         if (const std::optional<LatticePoint> point = m_document.offScreenPoint())
             m_scene.offScreenPoint = m_view.onSamples(*point);
         if (span && tracedOfFrame(m_document, m_playhead))
@@ -93,19 +93,19 @@ public:
         }
         for (const std::int64_t y : m_playhead.rowBreakpoints())
             m_scene.rowMarks.push_back({double(y), Sign::Breakpoint});
-        const std::optional<SpanPlace> place = m_playhead.placeInHand();
+        const std::optional<SpanPlace> place = m_playhead.currentPlace();
         if (place && place->axis == SpanAxis::Column)
-            m_scene.columnMarks.push_back({double(place->coordinate), Sign::ColumnInHand});
+            m_scene.columnMarks.push_back({double(place->coordinate), Sign::CurrentColumn});
         if (place && place->axis == SpanAxis::Row)
-            m_scene.rowMarks.push_back({double(place->coordinate), Sign::ColumnInHand});
+            m_scene.rowMarks.push_back({double(place->coordinate), Sign::CurrentColumn});
     }
 
-    /// Over a vertex that waits the pointer places none: what is there stays in sight.
+    /// Over a pending vertex the pointer places none: the vertices stay visible.
     void addCandidate()
     {
         std::vector<Vertex> vertices;
         for (const Vertex &vertex : m_document.pendingVertices()) {
-            const LatticePoint place = m_document.atFrameInHand(vertex.position);
+            const LatticePoint place = m_document.atCurrentFrame(vertex.position);
             vertices.push_back({m_view.onSamples(place), vertex.colour});
             m_scene.pending.push_back({vertices.back().position, vertex.colour, HandleState::Idle});
         }
@@ -121,7 +121,7 @@ public:
             vertices.push_back({tip, colour});
             addRubber(vertices);
         }
-        // The read-out, where there is one, has the coordinates.
+        // The readout, if shown, has the coordinates.
         if (m_hand.readout.isEmpty() && (!m_document.pendingVertices().empty() || m_hand.isPressed))
             m_scene.notes.push_back({coordinateNote(*m_hand.candidate),
                                      m_view.mapping().positionOf(tip), NoteSide::BelowRight});
@@ -132,7 +132,7 @@ public:
         const std::optional<VertexRef> ref = m_document.selectedVertex();
         if (ref && m_hand.isMoving) {
             const LatticePoint point
-                = m_document.atFrameInHand(m_document.vertexAt(*ref)->position);
+                = m_document.atCurrentFrame(m_document.vertexAt(*ref)->position);
             m_scene.notes.push_back(
                 {coordinateNote(point), m_view.positionOf(point), NoteSide::BelowRight});
         }
@@ -146,8 +146,8 @@ public:
     }
 
 private:
-    /// The picture that stands for the run: while the run of the present scene is not there, and at
-    /// the end of one that was cut.
+    /// The picture in place of the run: until the present scene's run is there, and at the end of a
+    /// cut run.
     const ScenePicture *shownPreview() const
     {
         const ScenePicture *picture = m_previewer ? m_previewer->picture().get() : nullptr;
@@ -157,7 +157,7 @@ private:
         return m_previewer->isAheadOfTrace() || isAtEnd ? picture : nullptr;
     }
 
-    /// What the pending vertices and the tip, the last of these, would make.
+    /// Adds what the pending vertices and the tip, the last of them, would make.
     void addRubber(const std::vector<Vertex> &vertices)
     {
         const PrimitiveKind kind = m_document.placedKind();
@@ -196,18 +196,19 @@ private:
                                                         : FrameContent::Drawn);
     }
 
-    /// Why the view does not show what it usually does.
+    /// Why the view differs from the usual one.
     QString viewNote(const OutlineChoice &choice) const
     {
         QStringList notes;
-        if (const QString frame = frameText(m_document); m_document.frameInHand() > 0)
+        if (const QString frame = frameText(m_document); m_document.currentFrame() > 0)
             notes += frame.left(1).toUpper() + frame.sliced(1);
         if (m_scene.marked && m_judgement)
             notes += tr("Marked: the student's picture");
         if (shownPreview() && !m_isTruth && !m_previewer->isAheadOfTrace())
             notes += tr("Finished picture; the first %L1 steps are recorded").arg(m_playhead.end());
         if (choice.isCrowded())
-            notes += tr("Outlines and handles only under the pointer and in hand: over %1 in view")
+            notes += tr("More than %1 in view: outlines and handles show only under the pointer "
+                        "and for the current triangle")
                          .arg(OutlineChoice::mostInView);
         return notes.join(QStringLiteral(" · "));
     }

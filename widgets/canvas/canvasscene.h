@@ -16,33 +16,33 @@ class Playhead;
 class ScenePreviewer;
 class StudentPicture;
 
-/// Whatever the canvas shows comes from these.
+/// The objects from which everything on the canvas comes.
 struct CanvasSources {
     SceneDocument *document = nullptr;
     Playhead *playhead = nullptr;
     DisplayOptions *options = nullptr;
-    const ScenePreviewer *previewer = nullptr; ///< none: runs alone are shown
-    const EffectSwitches *effects = nullptr; ///< none: nothing is forced
-    const StudentPicture *student = nullptr; ///< none: none is there
+    const ScenePreviewer *previewer = nullptr; ///< null: only runs are shown
+    const EffectSwitches *effects = nullptr; ///< null: nothing is forced
+    const StudentPicture *student = nullptr; ///< null: no student's picture
 };
 
-/// What the pointer and the keys are about.
+/// What the pointer and the keys are doing.
 struct CanvasHand {
     std::optional<VertexRef> hovered;
     std::optional<std::size_t> hoveredCorner; ///< of the affine map's image
     std::optional<std::size_t> chosenCorner;
     /// The vertex that a click or Enter would place now, in the scene's coordinates.
     std::optional<LatticePoint> candidate;
-    bool isPressed = false; ///< a press of the mouse does something
+    bool isPressed = false; ///< a mouse button is doing something
     bool isMoving = false; ///< a vertex
     bool isPeeking = false; ///< at the truth
     bool isDrawing = true; ///< a left click places vertices
-    /// Where the pointer is, in view and with no button held; what stands beside it there.
+    /// Where the pointer is, if visible and with no button held; and the text beside it.
     std::optional<QPointF> pointer;
     QString readout;
 };
 
-/// What the canvas shows, taken from the document, the run and the hand once, so that painting only
+/// What the canvas shows, taken once from the document, the run and the hand, so that painting only
 /// draws. Points are sample coordinates, anchors positions on the widget.
 struct CanvasScene {
     struct Outline {
@@ -70,7 +70,7 @@ struct CanvasScene {
     };
     enum class Grid { Hidden, Shown };
 
-    const FrameBuffer *frame = nullptr; ///< whose cells are shown; null: the background
+    const FrameBuffer *frame = nullptr; ///< whose cells are shown; null: only the background
     Grid grid = Grid::Hidden;
     ByteNotation notation = ByteNotation::Decimal; ///< of the values in cells that have room
     std::optional<CanvasDifferences::Source> marked; ///< none: differences are not shown
@@ -78,16 +78,17 @@ struct CanvasScene {
 
     std::vector<Outline> outlines;
     std::vector<Shape> shapes; ///< outlined over the triangles
-    /// That clipping makes of the face whose triangle is in hand; empty: not shown.
+    /// What clipping makes of the current triangle's face; empty: not shown.
     std::vector<LatticePoint> clippedPolygon;
     LayerDrawing layers; ///< that are switched on
     std::vector<QPoint> breakpoints;
     std::optional<QPoint> picked;
-    std::optional<SpanRecord> span; ///< in hand
+    std::optional<SpanRecord> span; ///< the current span
     std::optional<LatticePoint> offScreenPoint; ///< of the rule in force
     std::vector<Handle> handles;
     std::vector<VertexName> names;
-    /// What the pending vertices and the candidate would make, and they themselves over it.
+    /// The outline that the pending vertices and the candidate would make, and these vertices over
+    /// it.
     std::vector<LatticePoint> rubberPath;
     std::optional<Shape> rubberShape;
     std::vector<Handle> pending;
@@ -103,17 +104,17 @@ struct CanvasScene {
     std::vector<RulerMark> rowMarks;
 };
 
-/// `choice` knows which outlines are in view.
+/// `choice` knows which outlines are visible.
 CanvasScene canvasScene(const CanvasSources &sources, const CanvasView &view,
                         const OutlineChoice &choice, const CanvasHand &hand);
 
-/// Of the student's picture, where that is what is marked; null where it is not.
+/// The verdict on the student's picture, where that is what is marked; null otherwise.
 std::shared_ptr<const PictureJudgement> markedJudgement(const CanvasSources &sources);
 
 /// "(27 1/2, 19)"
 QString coordinateNote(const LatticePoint &point);
 
-/// Whether the truth stands in the frame's place.
+/// Whether the truth is shown instead of the frame.
 bool isTruthVisible(const CanvasSources &sources, const CanvasHand &hand);
 
 } // namespace pixelplumb

@@ -83,7 +83,7 @@ LatticePoint CanvasView::fromSamples(const LatticePoint &samplePoint) const
 
 LatticePoint CanvasView::placeAt(const QPointF &position) const
 {
-    // The pixel under the pointer, even where the pointer is on the very edge of its cell.
+    // The pixel under the pointer, even at the very edge of its cell.
     if (m_document->snap() == Snap::Pixel && m_mapping.frame().pixelCentre == PixelCentre::Integer)
         return latticePixel(m_mapping.columnAt(position), m_mapping.rowAt(position));
     return m_document->snapped(fromSamples(m_mapping.latticeAt(position)));
@@ -97,7 +97,7 @@ void CanvasView::fit()
 
 void CanvasView::zoomTo(const ViewZoom &zoom, const QPointF &anchor)
 {
-    // Never a frame that fits below 1:1.
+    // A frame that fits is never shown below 1:1.
     const int least = std::min(1, fitted().zoom().number());
     const ViewZoom allowed = ViewZoom::fromNumber(std::max(zoom.number(), least));
     m_fit = Fit::Free;
@@ -127,7 +127,7 @@ void CanvasView::followFrame()
     const FrameSpec &frame = m_document->scene().frame;
     if (frame == m_mapping.frame())
         return;
-    // A place in a frame of another size means nothing in this one.
+    // A place in a frame of another size is meaningless in this one.
     if (frame.width != m_mapping.frame().width || frame.height != m_mapping.frame().height)
         m_fit = Fit::Following;
     const ViewMapping kept(frame, m_mapping.zoom(), m_mapping.origin(),

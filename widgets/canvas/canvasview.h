@@ -10,9 +10,8 @@ class QWidget;
 
 namespace pixelplumb {
 
-/// Where the frame and its rulers stand on the canvas, and how large the frame is seen. A zoom or
-/// a move is kept until the whole frame is asked for; from then on it fits whatever the widget's
-/// size is.
+/// Where the frame and its rulers are on the canvas, and at what zoom. A zoom or move is kept until
+/// the whole frame is asked for; from then on the frame fits the widget at any size.
 class CanvasView : public QObject {
     Q_OBJECT
 
@@ -22,26 +21,27 @@ public:
     const ViewMapping &mapping() const { return m_mapping; }
 
     QRect bounds() const; ///< the widget's own
-    /// The parts of the widget: where the frame is seen, and the rulers along two of its sides.
+    /// The parts of the widget: the area that shows the frame, and the rulers along two of its
+    /// sides.
     QRectF area() const;
     QRectF columnRuler() const;
     QRectF rowRuler() const;
 
     /// The pixel drawn under a position; none outside the frame and on the rulers.
     std::optional<QPoint> pixelAt(const QPointF &position) const;
-    /// Where a point in the scene's coordinates is.
+    /// The widget position of a point in the scene's coordinates.
     QPointF positionOf(const LatticePoint &scenePoint) const;
     LatticePoint onSamples(const LatticePoint &scenePoint) const;
     LatticePoint fromSamples(const LatticePoint &samplePoint) const;
     /// Where a click would place a vertex, in the scene's coordinates.
     LatticePoint placeAt(const QPointF &position) const;
 
-    /// Shows the whole frame as large as it fits, and goes on doing so.
+    /// Shows the whole frame as large as it fits, and keeps it so.
     void fit();
-    /// No smaller than needed to see the whole frame.
+    /// Zooms out no farther than 1:1 or than the whole frame needs.
     void zoomTo(const ViewZoom &zoom, const QPointF &anchor);
     void moveBy(const QPoint &devicePixels);
-    /// Brings a pixel that is not wholly seen to the middle, in the direction in which it is not.
+    /// Centres a pixel that is not wholly visible, in those directions in which it is not.
     void reveal(const QPoint &pixel);
 
     void followFrame(); ///< the scene's

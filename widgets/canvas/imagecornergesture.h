@@ -21,8 +21,8 @@ protected:
 private:
     const CanvasSources &m_sources;
     std::size_t m_corner;
-    std::optional<AffineImage> m_before; ///< that was asked for
-    AffineImage m_image; ///< as it was at the press
+    std::optional<AffineImage> m_before; ///< the requested image
+    AffineImage m_image; ///< at the press
     int m_drag;
 };
 

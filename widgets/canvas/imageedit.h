@@ -11,8 +11,8 @@ namespace pixelplumb {
 
 class DisplayOptions;
 
-/// A move of the affine map's image, which a person takes back as any other: what was asked for
-/// before and after. The scene stays as it is, so the document is no less saved than before.
+/// A move of the affine map's image that can be undone like any edit: the image requested before
+/// and after. The scene stays as it is, so the document does not become modified.
 class ImageEdit final : public QUndoCommand {
 public:
     /// Edits of the same drag become one.

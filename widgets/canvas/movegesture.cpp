@@ -6,7 +6,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Logical pixels that a hand trembles in a click.
+/// Logical pixels of tremor that a click may have.
 constexpr double tremble = 3;
 
 } // namespace
@@ -52,8 +52,8 @@ void MoveVertexGesture::releaseAt(const QPointF &position)
 
 void MoveVertexGesture::movePoint(const LatticePoint &place)
 {
-    const LatticePoint seen = m_document.snapped(m_document.atFrameInHand(place));
-    m_document.moveVertex(m_ref, m_document.fromFrameInHand(seen), m_drag);
+    const LatticePoint seen = m_document.snapped(m_document.atCurrentFrame(place));
+    m_document.moveVertex(m_ref, m_document.fromCurrentFrame(seen), m_drag);
 }
 
 void MoveVertexGesture::cancel() { m_document.moveVertex(m_ref, start(), m_drag); }

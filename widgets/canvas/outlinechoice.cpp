@@ -7,7 +7,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr double handleMargin = 20; ///< logical pixels by which a handle may reach into the view
+constexpr double handleMargin = 20; ///< logical pixels that a handle may reach into the view
 
 } // namespace
 
@@ -24,7 +24,7 @@ SceneBox sceneBoxOf(const QRectF &view, const ViewMapping &mapping)
     const LatticePoint first = mapping.latticeAt(view.topLeft());
     const LatticePoint last = mapping.latticeAt(view.bottomRight());
     const Lattice offset = sampleOffset(mapping.frame());
-    // latticeAt() is exact to a device pixel.
+    // latticeAt() is exact only to a device pixel.
     const Lattice device
         = (mapping.zoom().framePixels + 1) * unitsPerPixel / mapping.zoom().devicePixels + 1;
     return {
@@ -32,7 +32,7 @@ SceneBox sceneBoxOf(const QRectF &view, const ViewMapping &mapping)
         {std::max(first.x, last.x) + offset + device, std::max(first.y, last.y) + offset + device}};
 }
 
-/// A primitive with its number of vertices in view.
+/// A primitive with the number of its visible vertices.
 struct OutlineChoice::Counted {
     int primitive = 0;
     std::size_t vertices = 0;
@@ -63,14 +63,14 @@ void OutlineChoice::lookUp(const SceneDocument &document, const ViewMapping &map
     const Scene &scene = document.scene();
     SceneBox box = sceneBoxOf(
         view.adjusted(-handleMargin, -handleMargin, handleMargin, handleMargin), mapping);
-    box.least = document.fromFrameInHand(box.least);
-    box.greatest = document.fromFrameInHand(box.greatest);
+    box.least = document.fromCurrentFrame(box.least);
+    box.greatest = document.fromCurrentFrame(box.greatest);
     for (std::size_t i = 0; i < scene.triangles.size() && !m_isCrowded; ++i) {
         if (box.touches(scene.triangles[i]))
             take({int(i), 3});
     }
-    // A shape may reach far beyond its vertices, so each counts as in view. Which of them have no
-    // handles is known of all.
+    // A shape may reach far beyond its vertices, so each counts as visible. The ones without
+    // handles are determined for all shapes.
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         const std::vector<Vertex> &vertices = scene.shapes[i].vertices;
         const auto seen = std::ranges::count_if(
@@ -87,17 +87,17 @@ bool OutlineChoice::hasHandles(int primitive) const
     return !std::ranges::binary_search(m_bare, primitive);
 }
 
-std::vector<int> OutlineChoice::primitives(const InHand &inHand) const
+std::vector<int> OutlineChoice::primitives(const Current &current) const
 {
     if (!m_isCrowded)
         return m_inView;
     std::vector<int> primitives;
-    for (const std::optional<VertexRef> &vertex : {inHand.selected, inHand.hovered}) {
+    for (const std::optional<VertexRef> &vertex : {current.selected, current.hovered}) {
         if (vertex && vertex->primitive != VertexRef::pending)
             primitives.push_back(vertex->primitive);
     }
-    if (inHand.stepped)
-        primitives.push_back(*inHand.stepped);
+    if (current.stepped)
+        primitives.push_back(*current.stepped);
     std::ranges::sort(primitives);
     primitives.erase(std::unique(primitives.begin(), primitives.end()), primitives.end());
     return primitives;

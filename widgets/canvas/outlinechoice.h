@@ -10,20 +10,20 @@
 
 namespace pixelplumb {
 
-/// The primitives that a canvas outlines and gives handles: all in view while they are few enough
-/// to be told apart, else only those that a person deals with. Beyond some hundreds outlines hide
-/// the picture, and cost more than it does. The same holds of the handles of one primitive.
+/// The primitives that a canvas outlines and gives handles: all visible ones while they are few
+/// enough to tell apart, else only those in use. Beyond some hundreds, outlines hide the picture
+/// and cost more than it does. The same limit holds for the handles of one primitive.
 class OutlineChoice {
 public:
     static constexpr std::size_t mostInView = 300;
-    static constexpr std::size_t mostHandles = 300; ///< of one primitive, in view
-    static constexpr std::size_t mostVertices = 3 * mostInView; ///< of all, in view
+    static constexpr std::size_t mostHandles = 300; ///< of one primitive, visible
+    static constexpr std::size_t mostVertices = 3 * mostInView; ///< of all, visible
 
-    /// What a person deals with: a crowded view outlines these primitives.
-    struct InHand {
+    /// What a person is working with: a crowded view outlines only these primitives.
+    struct Current {
         std::optional<VertexRef> selected;
         std::optional<VertexRef> hovered;
-        std::optional<int> stepped; ///< the primitive of the step in hand
+        std::optional<int> stepped; ///< the current step's primitive
 
         bool holds(int primitive) const
         {
@@ -32,17 +32,16 @@ public:
         }
     };
 
-    /// Looks up which primitives are in view; cheap when neither view nor scene has changed.
+    /// Looks up which primitives are visible; cheap when neither view nor scene has changed.
     void lookUp(const SceneDocument &document, const ViewMapping &mapping, const QRectF &view);
-    /// The scene has changed.
+    /// To be called when the scene has changed.
     void forget() { m_isKnown = false; }
 
-    /// Whether more are in view than are outlined for themselves.
+    /// Whether more primitives are visible than are all outlined.
     bool isCrowded() const { return m_isCrowded; }
-    /// Those to outline, in drawing order.
-    std::vector<int> primitives(const InHand &inHand) const;
-    /// Whether all vertices of a primitive that is outlined have handles; else those alone that a
-    /// person deals with.
+    /// The primitives to outline, in drawing order.
+    std::vector<int> primitives(const Current &current) const;
+    /// Whether all vertices of an outlined primitive have handles, or only those in use.
     bool hasHandles(int primitive) const;
 
 private:
@@ -53,12 +52,12 @@ private:
     bool m_isCrowded = false;
     ViewMapping m_mapping;
     QRectF m_view;
-    std::vector<int> m_inView; ///< ascending; as far as they were counted
-    std::size_t m_verticesInView = 0; ///< of these, but for those without handles
-    std::vector<int> m_bare; ///< ascending: those with too many vertices for handles
+    std::vector<int> m_inView; ///< ascending; incomplete where counting stopped early
+    std::size_t m_verticesInView = 0; ///< without those of m_bare
+    std::vector<int> m_bare; ///< ascending: primitives with too many vertices for handles
 };
 
-/// The scene's coordinates that lie within a rectangle of the view, or a little outside.
+/// The scene's coordinates within a rectangle of the view, or a little outside.
 struct SceneBox {
     LatticePoint least;
     LatticePoint greatest;

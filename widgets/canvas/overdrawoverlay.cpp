@@ -14,7 +14,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int strongest = 4; ///< writes from which on the shade grows no more
+constexpr int strongest = 4; ///< number of writes from which the shade stays the same
 
 } // namespace
 
@@ -123,7 +123,7 @@ void OverdrawOverlay::makeShades()
     }
 }
 
-/// The second sign beside the shades: how often, where the cells have room.
+/// Paints the numbers that repeat the shades as digits, where the cells have room.
 void OverdrawOverlay::paintDigits(QPainter &painter, const QRect &shown) const
 {
     const ViewMapping &mapping = m_canvas->mapping();

@@ -11,8 +11,8 @@ namespace pixelplumb {
 class Canvas;
 class Playhead;
 
-/// Over the canvas, in its own mapping: how often primitives write each pixel of the finished run,
-/// by shades and digits, and the gaps that nobody writes. Lets the mouse through.
+/// Shows over the canvas, in its mapping, how often primitives write each pixel of the finished
+/// run, by shades and digits, and the gaps that none writes. Lets the mouse through.
 class OverdrawOverlay : public QWidget {
     Q_OBJECT
 
@@ -38,8 +38,8 @@ private:
     Canvas *m_canvas;
     Playhead *m_playhead;
     OverdrawMap m_map;
-    std::shared_ptr<const TracedScene> m_counted; ///< the run that the map is of
-    QImage m_shades; ///< a pixel a frame pixel
+    std::shared_ptr<const TracedScene> m_counted; ///< the run that the map counts
+    QImage m_shades; ///< one pixel per frame pixel
     QImage m_cells; ///< the visible cells in device pixels
 };
 

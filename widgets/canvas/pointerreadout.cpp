@@ -19,7 +19,8 @@ namespace pixelplumb {
 
 namespace {
 
-/// Beyond these nobody looks for the triangle that a pixel lies beside: a pointer must not wait.
+/// With more triangles than this, the one beside a pixel is not searched for: the pointer must not
+/// wait.
 constexpr std::size_t mostJudged = 256;
 
 struct NearestEdge {
@@ -29,7 +30,7 @@ struct NearestEdge {
     bool isOnEdge() const { return edge.edgeFunction == 0; }
 };
 
-/// "0.25 px"; what is not on an edge is not "0.00 px" from it.
+/// "0.25 px"; a pixel that is not on the edge never reads "0.00 px".
 QString distanceText(double pixels)
 {
     constexpr double leastShown = 0.005;
@@ -38,7 +39,7 @@ QString distanceText(double pixels)
         : PointerReadout::tr("%1 px").arg(QString::number(std::abs(pixels), 'f', 2));
 }
 
-/// The primitive that wrote the pixel last, of those that are done.
+/// The primitive that last wrote the pixel in the steps done so far.
 std::optional<std::size_t> painterOf(const QPoint &pixel, const Playhead &playhead)
 {
     const ScanTrace &trace = *playhead.traced()->trace;
@@ -47,7 +48,7 @@ std::optional<std::size_t> painterOf(const QPoint &pixel, const Playhead &playhe
     return written ? std::optional(trace.stepAt(*written - 1).primitive) : std::nullopt;
 }
 
-/// None of a triangle without area.
+/// The triangle's edge nearest to the pixel; none for a triangle without area.
 std::optional<NearestEdge> edgeNearest(const QPoint &pixel, const TracedScene &traced,
                                        std::size_t triangle)
 {
@@ -55,8 +56,8 @@ std::optional<NearestEdge> edgeNearest(const QPoint &pixel, const TracedScene &t
         traced.primitives.triangles[triangle], boundaryRuleOf(traced.scene), pixel.x(), pixel.y());
     if (verdict.zeroArea)
         return std::nullopt;
-    // Distances are positive inside: outside, it is the edge that keeps the pixel out by most. Of
-    // two that a sample lies on, it is the one that refuses it.
+    // Distances are positive inside: outside, the minimum is the edge that most excludes the pixel.
+    // Of two edges through a sample, it is the one that rejects it.
     return NearestEdge{
         triangle, *std::ranges::min_element(verdict.edges, {}, [](const oracle::EdgeVerdict &edge) {
             return std::pair(edge.accepts, edge.distance);
@@ -128,7 +129,8 @@ QString PointerReadout::text(const QPoint &pixel, const CanvasSources &sources,
 {
     const Playhead &playhead = *sources.playhead;
     const TracedScene *traced = tracedOfFrame(*sources.document, playhead);
-    // Pictures that stand for a run, or go on where its recording ended, do not say who painted.
+    // Pictures in place of a run, or beyond the end of its recording, do not tell what painted the
+    // pixel.
     const bool isPreview = sources.previewer && sources.previewer->isAheadOfTrace();
     const bool isBeyond = traced && traced->trace->isCut() && playhead.position() == playhead.end();
 
@@ -143,8 +145,7 @@ QString PointerReadout::text(const QPoint &pixel, const CanvasSources &sources,
     lines += place + u' ' + colourText(unpacked(*shown.view().at(pixel.x(), pixel.y())));
     if (const QString text = studentText(pixel, sources); !text.isEmpty())
         lines += text;
-    if (!isTruth
-        && !playhead.isAheadHidden()) // which side of an edge it lies on is asked for there
+    if (!isTruth && !playhead.isAheadHidden()) // the side of an edge is asked for there
         lines += owner(pixel, playhead);
     return lines.join(u'\n');
 }

@@ -15,22 +15,22 @@ struct CanvasHand;
 struct CanvasSources;
 struct TracedScene;
 
-/// What stands beside the pointer of the pixel under it, at the playhead's moment: the primitive
-/// that painted it last, and the nearest edge of that triangle; where nothing is painted, the edge
-/// that keeps the pixel out of the nearest triangle. Distances are square to the edge's line.
+/// The text beside the pointer about the pixel under it, at the playhead's moment: the primitive
+/// that painted it last, and that triangle's nearest edge; where nothing is painted, the edge that
+/// keeps the pixel out of the nearest triangle. Distances are perpendicular to the edge's line.
 class PointerReadout {
     Q_DECLARE_TR_FUNCTIONS(pixelplumb::PointerReadout)
 
 public:
     /// "(27, 19) #a06f30" and "triangle 0 · 3.25 px from L₀₂", a line each; before them the place
-    /// of the vertex that a click would place, where that is no pixel. Of the truth, where that is
-    /// seen, no painter; without a run the place alone.
+    /// of the vertex that a click would place, where that is no pixel. No painter while the truth
+    /// is shown; the place alone without a run.
     QString text(const QPoint &pixel, const CanvasSources &sources, const CanvasHand &hand);
 
 private:
     QString owner(const QPoint &pixel, const Playhead &playhead);
 
-    // What the text is about. A run that is gone does not stay in memory for it.
+    // What the text was made for. The weak pointer does not keep an old run in memory.
     QPoint m_pixel;
     std::size_t m_position = 0;
     std::weak_ptr<const TracedScene> m_traced;

@@ -50,7 +50,7 @@ std::vector<RulerTick> rulerTicks(double first, double last, double pixelLength,
 {
     const std::int64_t labelStep = rulerStep(pixelLength, leastLabelLength);
     std::int64_t tickStep = rulerStep(pixelLength, leastTickLength);
-    while (labelStep % tickStep != 0) // 5 is no multiple of 2: the ticks would miss the labels
+    while (labelStep % tickStep != 0) // 5 is not a multiple of 2: the ticks would miss the labels
         tickStep = rulerStep(pixelLength, double(tickStep + 1) * pixelLength);
 
     std::vector<RulerTick> ticks;
@@ -102,7 +102,7 @@ void Ruler::paint(QPainter &painter, const QPalette &palette,
 double Ruler::along(double sample) const
 {
     const FrameSpec &frame = m_mapping.frame();
-    // Around the first pixel, so that far frames keep their fractions.
+    // Relative to the first pixel, so that far frames keep their fractions.
     const QPointF position = isHorizontal() ? m_mapping.positionOf(sample, frame.firstRow)
                                             : m_mapping.positionOf(frame.firstColumn, sample);
     return isHorizontal() ? position.x() : position.y();
@@ -123,7 +123,7 @@ double Ruler::outward() const
 void Ruler::paintTick(QPainter &painter, const RulerTick &tick) const
 {
     const double length = tick.kind == TickKind::Labelled ? labelledTickLength : plainTickLength;
-    // On the middle of a pixel of the screen, where a line one pixel wide is sharp.
+    // At the middle of a device pixel, where a line one pixel wide is sharp.
     const double ratio = m_mapping.devicePixelRatio();
     const double at
         = (std::floor(along(double(tick.value) - offsetInPixels(m_mapping.frame())) * ratio) + 0.5)
@@ -148,7 +148,7 @@ void Ruler::paintTick(QPainter &painter, const RulerTick &tick) const
     const bool isWhole = isHorizontal()
         ? label.left() >= m_rect.left() && label.right() <= m_rect.right()
         : label.top() >= m_rect.top() && label.bottom() <= m_rect.bottom();
-    if (isWhole) // half a number would be another number
+    if (isWhole) // a clipped number would be another number
         painter.drawText(label, Qt::AlignCenter | Qt::TextDontClip, text);
 }
 
@@ -168,7 +168,7 @@ void Ruler::paintMark(QPainter &painter, const QPalette &palette, const RulerMar
         painter.setPen(QPen(palette.color(QPalette::Window), 1));
         painter.drawEllipse(centre, markRadius + 0.5, markRadius + 0.5);
     } else {
-        // A plumb bob: its tip points at the frame.
+        // A plumb bob whose tip points at the frame.
         QPainterPath bob(point(at, inner));
         bob.lineTo(point(at - markRadius, inner + outward() * 2 * markRadius));
         bob.lineTo(point(at + markRadius, inner + outward() * 2 * markRadius));

@@ -27,19 +27,19 @@ struct RulerTick {
 /// long as `leastLength`, where one px is `pixelLength` long.
 std::int64_t rulerStep(double pixelLength, double leastLength);
 
-/// The ticks of the whole px in [first, last]: labelled ones at least `leastLabelLength` apart,
-/// plain ones between them at least `leastTickLength` apart.
+/// The ticks at whole px in [first, last]: labelled ones at least `leastLabelLength` apart, plain
+/// ones between them at least `leastTickLength` apart.
 std::vector<RulerTick> rulerTicks(double first, double last, double pixelLength,
                                   double leastLabelLength, double leastTickLength);
 
 /// Something that a ruler points out at a sample coordinate.
 struct RulerMark {
     double sample = 0; ///< px
-    Sign sign = Sign::ColumnInHand;
+    Sign sign = Sign::CurrentColumn;
 };
 
 /// The scale along one side of the frame, in the scene's coordinates: with half-integer pixel
-/// centres its ticks stand between the cells.
+/// centres its ticks are between the cells.
 class Ruler {
 public:
     Ruler(Qt::Orientation orientation, const QRectF &rect, const ViewMapping &mapping);
@@ -48,7 +48,7 @@ public:
 
 private:
     bool isHorizontal() const { return m_orientation == Qt::Horizontal; }
-    /// The position along the ruler of a sample coordinate.
+    /// The ruler position of a sample coordinate.
     double along(double sample) const;
     /// The side that touches the frame's view, and the direction away from it.
     double innerSide() const;
@@ -61,7 +61,7 @@ private:
     ViewMapping m_mapping;
 };
 
-/// What rulers need for their labels, in logical pixels.
+/// The room that rulers need for their labels, in logical pixels.
 double columnRulerHeight(const QFontMetricsF &metrics);
 double rowRulerWidth(const QFontMetricsF &metrics, const FrameSpec &frame);
 

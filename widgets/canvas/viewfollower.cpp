@@ -29,11 +29,11 @@ void ViewFollower::follow()
         m_view.reveal(*pixel);
 }
 
-/// The step's, which is picked. Of a span without pixels, and of one whose pixel is to be foretold,
-/// nothing but its column or row is known.
+/// The pixel to reveal: the step's, which is picked. For a span without pixels, and for one whose
+/// pixel is to be predicted, only its column or row is known.
 std::optional<QPoint> ViewFollower::pixelSince(const Moment &before) const
 {
-    const std::optional<SpanPlace> place = m_playhead->placeInHand();
+    const std::optional<SpanPlace> place = m_playhead->currentPlace();
     if (m_moment.picked != before.picked || !place)
         return m_moment.picked;
     std::optional<QPoint> pixel = m_moment.picked;

@@ -13,8 +13,8 @@ class CanvasView;
 class Playhead;
 struct TracedScene;
 
-/// A step, a choice or a run may lead to a pixel outside the canvas's view, which follows then. The
-/// run of an edited scene does not move the view from under the hand.
+/// Moves the canvas's view when a step, a choice or a run leads to a pixel outside it. The run of
+/// an edited scene does not move the view under the pointer.
 class ViewFollower : public QObject {
     Q_OBJECT
 

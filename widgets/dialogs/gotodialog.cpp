@@ -16,12 +16,12 @@ namespace pixelplumb {
 
 namespace {
 
-/// What one number means to a method that walks along this axis.
+/// The words for one number, for a method that walks along this axis.
 struct SpanWords {
     QString title; ///< of the line to type in
     QString example;
-    QString parts; ///< of the complaint about what cannot be read
-    QString none; ///< nothing has that number
+    QString parts; ///< in the error for unreadable input
+    QString none; ///< when nothing has that number
     QString goes;
 };
 
@@ -103,8 +103,8 @@ GoToDialog::GoToDialog(Playhead *playhead, QWidget *parent)
 std::optional<std::size_t> GoToDialog::spanAt(std::int64_t coordinate) const
 {
     const ScanTrace &trace = *m_playhead->traced()->trace;
-    // Spans of the primitive in hand come before those of the others.
-    const auto step = m_playhead->stepInHand();
+    // Spans of the current primitive come first.
+    const auto step = m_playhead->currentStep();
     const std::size_t start
         = step && trace.primitiveCount() > 0 ? trace.firstSpanOf(step->primitive) : 0;
     std::optional<std::size_t> ofOtherAxis;

@@ -16,8 +16,8 @@ namespace pixelplumb {
 
 class Playhead;
 
-/// Where to go: a pixel to pick; a column, a row or a step of the method to enter, whichever it
-/// walks; a step of the run to stand after.
+/// Where to go: a pixel to pick; a column, row or step of the method to enter, whichever it walks;
+/// or a step of the run after which to stand.
 struct GoToSpan {
     std::int64_t coordinate = 0;
     friend bool operator==(const GoToSpan &, const GoToSpan &) = default;
@@ -31,7 +31,7 @@ using GoToTarget = std::variant<QPoint, GoToSpan, GoToStep>;
 /// "27 19", "27, 19" or "(27, 19)" is a pixel, "27" a span, "#611" a step.
 std::optional<GoToTarget> parseGoTo(const QString &text);
 
-/// One line to type in; what it means is said below while it is typed.
+/// One line to type in; below it is shown what the input means.
 class GoToDialog : public QDialog {
     Q_OBJECT
 
@@ -41,9 +41,10 @@ public:
 private:
     void judge();
     void go();
-    /// What is wrong with the target in the run at hand; empty when it can be reached.
+    /// Why the target cannot be reached in the current run; empty when it can.
     QString objectionTo(const GoToTarget &target) const;
-    /// Of a run that walks columns and rows, as lines do, such as the span in hand come first.
+    /// The first step in a span. In a run that walks columns and rows, as lines do, spans of the
+    /// current kind come first.
     std::optional<std::size_t> spanAt(std::int64_t coordinate) const;
     QString verdictOn(const GoToTarget &target) const;
 

@@ -44,7 +44,7 @@ QString rowsOf(const QMenu *menu)
     return rows;
 }
 
-/// What the mouse does on the canvas, which no menu shows.
+/// The mouse actions on the canvas, which no menu shows.
 QString mouseRows()
 {
     return row(KeySheet::tr("Point"),
@@ -70,7 +70,7 @@ QString mouseRows()
         + row(KeySheet::tr("Esc"), KeySheet::tr("Give up the drag, or the vertices that wait"));
 }
 
-/// What keys do there that no menu shows: they draw without a mouse.
+/// The canvas keys that no menu shows: they draw without a mouse.
 QString canvasKeyRows()
 {
     return row(KeySheet::tr("Arrows"), KeySheet::tr("Move the picked pixel"))
@@ -104,7 +104,7 @@ KeySheet::KeySheet(const QList<QMenu *> &menus, QWidget *parent)
     layout->setSpacing(8);
     layout->addWidget(sheet);
     layout->addWidget(buttons);
-    resize(640, 560); // on the lowest screen, too
+    resize(640, 560); // fits the lowest screen
 }
 
 QString keySheetHtml(const QList<QMenu *> &menus)

@@ -8,7 +8,7 @@ class QMenu;
 
 namespace pixelplumb {
 
-/// Every key of the window, read from its menus: what is on the sheet is what the keys do.
+/// Every key of the window, read from its menus, so that the sheet never disagrees with the keys.
 class KeySheet : public QDialog {
     Q_OBJECT
 
@@ -16,7 +16,7 @@ public:
     explicit KeySheet(const QList<QMenu *> &menus, QWidget *parent = nullptr);
 };
 
-/// A table a menu, a row an action that has a key.
+/// A table per menu, a row per action that has a key.
 QString keySheetHtml(const QList<QMenu *> &menus);
 
 } // namespace pixelplumb

@@ -16,14 +16,14 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int firstCarriedColumn = 4; // behind the name, x, y and the colour
+constexpr int firstCarriedColumn = 4; // after the name, x, y and the colour
 constexpr std::array carriedNames = {"z", "w", "u", "v", "N_x", "N_y", "N_z"};
-constexpr std::size_t divisor = 1; // of them, w
-constexpr int besidePlace = 20; ///< of a field of x or y, logical px beside its text
-constexpr int depthWidth = 13; ///< of z: "0.333333333"
-constexpr int carriedWidth = 8; ///< of the others
+constexpr std::size_t divisor = 1; // the index of w
+constexpr int besidePlace = 20; ///< room beside the text of a field of x or y, logical px
+constexpr int depthWidth = 13; ///< for z: "0.333333333"
+constexpr int carriedWidth = 8; ///< for the others
 
-/// Where a number that vertices carry is kept.
+/// The attribute of a vertex at an index of carriedNames.
 Attribute &carriedIn(VertexAttributes &vertex, std::size_t index)
 {
     if (index < 2)
@@ -97,7 +97,7 @@ void TriangleDialog::show(const TypedTriangle &shown)
             const bool isShown = j >= 4 ? hasNormal : value != carriedIn(standard, j);
             QLineEdit *field = m_rows[i].carried[j];
             field->setText(isShown ? numberText(value, attributeFormat) : QString());
-            field->setCursorPosition(0); // of a long number its first digits are seen
+            field->setCursorPosition(0); // show the first digits of a long number
         }
     }
     judge();

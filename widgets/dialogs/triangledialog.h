@@ -19,24 +19,24 @@ namespace pixelplumb {
 
 class ColourButton;
 
-/// What the dialog tells of a triangle.
+/// A triangle as the dialog gives it.
 struct TypedTriangle {
     Triangle triangle;
-    TriangleAttributes attributes; ///< of an index that says nothing
+    TriangleAttributes attributes; ///< with an index of no meaning
 
     friend bool operator==(const TypedTriangle &, const TypedTriangle &) = default;
 };
 
-/// A triangle typed in: three rows of x, y, colour and what vertices carry beside them: z, w, u, v
-/// and the normal. Numbers as in a scene file: 26, 26.5, 53/2; a field of what is carried that is
-/// left empty stands for what a scene file leaves out.
+/// A triangle to type in: three rows of x, y, colour and the vertex attributes z, w, u, v and the
+/// normal. Numbers as in a scene file: 26, 26.5, 53/2; an empty attribute field is one that a scene
+/// file leaves out.
 class TriangleDialog : public QDialog {
     Q_OBJECT
 
 public:
     /// For a new triangle.
     explicit TriangleDialog(QWidget *parent = nullptr);
-    /// For one that is there.
+    /// For an existing triangle.
     explicit TriangleDialog(const TypedTriangle &shown, QWidget *parent = nullptr);
 
     /// The triangle as typed so far, or what is wrong with it.
@@ -56,7 +56,7 @@ private:
     QLineEdit *addField(QGridLayout *grid, int vertex, int gridColumn, const QString &axis);
     void show(const TypedTriangle &shown);
     Result<VertexAttributes> carriedBy(std::size_t vertex) const;
-    SnapReports displacements() const; ///< of what was typed, to the numbers that there are
+    SnapReports displacements() const; ///< from the typed numbers to the representable ones
     void judge();
 
     std::array<Row, 3> m_rows;

@@ -22,7 +22,7 @@ public:
 
 private:
     QLineEdit *addField(const QString &name, const QString &label, Lattice coordinate);
-    /// None, and the reason shown, while a field cannot be read.
+    /// None, and the reason is shown, while a field cannot be read.
     std::optional<LatticePoint> readPosition();
     void check() { readPosition(); }
 

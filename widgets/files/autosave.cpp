@@ -19,14 +19,14 @@ namespace {
 
 constexpr std::chrono::seconds defaultRest(3);
 
-// Beside the kept scene, with its name.
+// Files next to the kept scene, named after it.
 QString lockOf(const QString &path) { return path + QStringLiteral(".lock"); }
 QString noteOf(const QString &path) { return path + QStringLiteral(".origin"); }
 
 std::shared_ptr<QLockFile> lockFor(const QString &path)
 {
     auto lock = std::make_shared<QLockFile>(lockOf(path));
-    lock->setStaleLockTime(0); // whoever holds it and lives may be at lunch
+    lock->setStaleLockTime(0); // never stale: a living holder may be idle for long
     return lock->tryLock(0) ? lock : nullptr;
 }
 
@@ -38,8 +38,8 @@ void removeKept(const QString &path)
 
 } // namespace
 
-/// Whether what is being written is still wanted when it stands: else whoever comes last removes
-/// it, and nobody waits.
+/// Whether a file being written is still wanted when complete: if not, whichever finishes last
+/// removes it, so that nobody waits.
 struct Autosave::Writing {
     std::mutex mutex;
     bool isWanted = true;
@@ -84,7 +84,7 @@ void Autosave::setSceneFile(const QString &path) { m_sceneFile = path; }
 void Autosave::followDocument()
 {
     if (m_document->isModified()) {
-        if (!m_timer.isActive()) // a long drag is kept meanwhile, too
+        if (!m_timer.isActive()) // so that a long drag is kept, too
             m_timer.start();
         return;
     }
@@ -99,7 +99,7 @@ bool Autosave::lock()
     return m_lock != nullptr;
 }
 
-/// Silent where it cannot be done: it would complain every few seconds.
+/// Fails silently: it would complain every few seconds.
 void Autosave::keep()
 {
     if (!m_document->isModified() || !lock())
@@ -129,7 +129,7 @@ std::optional<UnsavedScene> Autosave::leftBehind() const
         if (path == m_path)
             continue;
         const std::shared_ptr<QLockFile> lock = lockFor(path);
-        if (!lock || !QFile::exists(path)) // its window is there, or has ended just now
+        if (!lock || !QFile::exists(path)) // its window still lives, or has just ended
             continue;
         const auto note = readRegularFile(noteOf(path));
         return UnsavedScene{path, note ? QString::fromUtf8(*note) : QString(), file.lastModified(),

@@ -13,18 +13,19 @@ namespace pixelplumb {
 
 class SceneDocument;
 
-/// What a run that did not end cleanly left behind. It is this process's while the lock is held.
+/// What a run that did not end cleanly left behind. It belongs to this process while the lock is
+/// held.
 struct UnsavedScene {
     QString path; ///< of the kept scene, an ordinary scene file
-    QString sceneFile; ///< the person's own, which it was opened from or saved to; may be empty
+    QString sceneFile; ///< the person's own file, opened or saved last; may be empty
     QDateTime time; ///< when it was kept
     std::shared_ptr<QLockFile> lock;
 };
 
-/// Keeps a document's unsaved scene in a folder of the program's while it differs from what was
-/// saved, so that a crash loses seconds. The person's own file is never touched. Each document has
-/// a file of its own, locked, so that windows and processes leave each other's alone; nothing is
-/// left where the document was saved or given up.
+/// Keeps a document's unsaved scene in a folder of the program while it differs from the saved one,
+/// so that a crash loses only seconds. The person's own file is never touched. Each document has
+/// its own locked file, so that windows and processes do not disturb each other; nothing is left
+/// once the document is saved or given up.
 class Autosave : public QObject {
     Q_OBJECT
 
@@ -35,19 +36,19 @@ public:
     /// A clean end: nothing is left behind.
     ~Autosave() override;
 
-    /// From a change to its being kept.
+    /// The delay between a change and its being kept.
     void setRest(std::chrono::milliseconds rest) { m_timer.setInterval(rest); }
-    /// The person's own file of the document.
+    /// Sets the person's own file of the document.
     void setSceneFile(const QString &path);
 
-    /// The latest that was left behind and that no living process holds.
+    /// The latest scene left behind that no living process holds.
     std::optional<UnsavedScene> leftBehind() const;
-    /// The document holds that scene from now on, unsaved.
+    /// To be called when the document now holds that scene, unsaved.
     void adopt(const UnsavedScene &left);
     static void discard(const UnsavedScene &left);
 
 signals:
-    void kept(const QString &path); ///< the file is whole
+    void kept(const QString &path); ///< the file is complete
 
 private:
     struct Writing;

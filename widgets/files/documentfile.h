@@ -8,7 +8,7 @@
 
 namespace pixelplumb {
 
-/// Writes the scene in hand to its own file, from which it was read.
+/// Writes the current scene to its own file, from which it was read.
 std::optional<InputError> writeDocument(const QString &path, const Scene &scene);
 
 } // namespace pixelplumb

@@ -5,8 +5,8 @@
 
 namespace pixelplumb {
 
-/// Where a scene is saved that has no folder yet: the person's documents, or, where these have no
-/// folder, home. Absolute, and exists: a file dialog takes no proposal in a folder that does not.
+/// Where a scene without a folder is saved: the person's documents, or home where there is no such
+/// folder. Absolute and existing: a file dialog takes no proposal in a folder that does not exist.
 QString documentsFolder();
 
 } // namespace pixelplumb

@@ -11,7 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Of the sources and of an installed program, nearest first.
+/// The folders beside the sources and an installed program, nearest first.
 QList<QDir> exampleFolders()
 {
     QList<QDir> folders;

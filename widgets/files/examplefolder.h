@@ -7,18 +7,18 @@
 
 namespace pixelplumb {
 
-/// Whether a file stands in the folder of example scenes that came with the program: beside its
-/// sources, where it was built, or in the share folder where it was installed. What a person draws
-/// is not saved there unasked.
+/// Whether a file is in the folder of example scenes that came with the program: beside its sources
+/// where it was built, in the share folder where it was installed. A person's work is not saved
+/// there unasked.
 bool isExample(const QString &path);
 
 struct Example {
     QString path;
     QString title; ///< "Shared edge"
-    QString line; ///< what there is to see; empty where nobody has said it
+    QString line; ///< what there is to see; empty where the example has no description
 };
 
-/// The example scenes, by name; none where the program has lost its folder.
+/// The example scenes, by name; none where their folder is not found.
 std::vector<Example> examples();
 
 } // namespace pixelplumb

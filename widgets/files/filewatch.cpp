@@ -26,7 +26,7 @@ void FileWatch::look()
     const QDateTime writtenAt = QFileInfo(m_path).lastModified();
     if (!writtenAt.isValid() || writtenAt == m_writtenAt)
         return;
-    follow(m_path); // one that was put in its place is another file
+    follow(m_path); // a file that replaced it is another file
     emit written();
 }
 

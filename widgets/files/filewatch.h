@@ -6,14 +6,14 @@
 
 namespace pixelplumb {
 
-/// Tells when a file is written that was read or written here.
+/// Reports when the followed file changes on disk.
 class FileWatch : public QObject {
     Q_OBJECT
 
 public:
     FileWatch();
 
-    /// From now on this one, as it is; none where the path is empty or a resource's.
+    /// Follows this file from its present state; none where the path is empty or a resource's.
     void follow(const QString &path);
 
 signals:
@@ -24,7 +24,7 @@ private:
 
     QString m_path;
     QFileSystemWatcher m_watcher;
-    QDateTime m_writtenAt; ///< as it was when following began
+    QDateTime m_writtenAt; ///< its time when following began
 };
 
 } // namespace pixelplumb

@@ -5,7 +5,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// A third into the first span of the second part, else the middle of the run.
+/// A third into the first span of the second part; else the middle of the run.
 std::size_t halfDrawn(const ScanTrace &trace)
 {
     for (std::size_t span = 0; span < trace.spanCount(); ++span) {

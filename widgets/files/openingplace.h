@@ -7,18 +7,18 @@
 
 namespace pixelplumb {
 
-/// Where the playhead stands when a scene has been opened.
+/// Where the playhead starts in a scene that was opened.
 enum class OpeningMoment {
     HalfDrawn, ///< a third of the way up the first column past the middle vertex
     Finished,
 };
-/// The x of a column, just entered.
+/// On entering the column at x.
 struct OpeningColumn {
     std::int64_t x = 0;
 };
 using OpeningPlace = std::variant<OpeningMoment, std::size_t, OpeningColumn>;
 
-/// The position of a place in a run; the end where the run has no such place.
+/// The position of a place in a run; the end where the run lacks that place.
 std::size_t positionOf(const OpeningPlace &place, const ScanTrace &trace);
 
 } // namespace pixelplumb

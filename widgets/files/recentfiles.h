@@ -16,7 +16,7 @@ public:
     explicit RecentFiles(QObject *parent = nullptr);
 
     QStringList paths() const { return m_paths; }
-    /// Fills itself anew whenever it is opened; files that are gone are grey.
+    /// The menu refills whenever it is opened; files that are gone are grey.
     QMenu *createMenu(QWidget *parent);
 
 public slots:

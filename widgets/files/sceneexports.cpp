@@ -23,15 +23,15 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr std::size_t mostCopiedRefusals = 20; ///< primitives that leave a pixel alone
+constexpr std::size_t mostCopiedRefusals = 20; ///< rejections of a pixel that are copied
 
-/// What came of writing a trace.
+/// The result of writing a trace.
 struct WrittenTrace {
-    /// Empty where the file stands whole.
+    /// Empty where the file is complete.
     QString error = SceneExports::tr("there is not enough memory.");
 };
 
-/// Runs beside the GUI thread. Where it is cancelled nobody asks for the error.
+/// Runs in a worker thread. The error of a cancelled run is dropped.
 WrittenTrace writtenTrace(const TracedScene &traced, const TraceExportOptions &options,
                           const QString &path)
 {
@@ -70,7 +70,7 @@ bool SceneExports::writePicture(const QString &path, ExportMoment moment)
     const QString frame = frameText(*m_document);
     if (!frame.isEmpty())
         picture.setText(QStringLiteral("Description"), frame);
-    QBuffer encoded; // libpng, if it wrote to the file, would say for itself that it cannot
+    QBuffer encoded; // libpng would print its own error if it wrote to the file directly
     picture.save(&encoded, "PNG");
     const std::optional<InputError> error = writeFile(path, encoded.data());
     return tellOutcome(path, error ? error->message() : QString(), frame);
@@ -209,7 +209,8 @@ void SceneExports::copyPickedPixel()
     emit notice(tr("Pixel (%1, %2) is on the clipboard.").arg(pixel->x()).arg(pixel->y()));
 }
 
-/// The moments are kinds of files to the dialog: every desktop's own shows these as a choice.
+/// The file dialog offers the moments as kinds of files: every desktop's own dialog has a choice of
+/// these.
 std::optional<SceneExports::Target> SceneExports::askForTarget(const QString &title,
                                                                const QString &kind,
                                                                const QString &suffix) const

@@ -16,16 +16,16 @@ class DisplayOptions;
 class Playhead;
 class SceneDocument;
 
-/// The moment of the run that an export tells of.
+/// The moment of the run that is exported.
 enum class ExportMoment {
     Finished,
-    AsDrawn, ///< what is done at the playhead's position
+    AsDrawn, ///< the state at the playhead's position
 };
 
-/// What leaves the window: the picture, the annotated grid, the trace as a table, the raster as
-/// text; and the raster that comes back by the clipboard. All of them finished, but for what a
-/// person wants as it is drawn so far. Of a scene that moves they are of the frame in hand, which
-/// is named in the proposed file name, in what is told of the file, and in all but the raster.
+/// Exports from the window: the picture, the annotated grid, the trace as a table, the raster as
+/// text; and the raster on the clipboard. All are of the finished run, unless asked for as drawn so
+/// far. In a scene that moves they are of the current frame, which is named in the proposed file
+/// name, in the notice about the file, and in every export but the raster.
 class SceneExports : public QObject {
     Q_OBJECT
 
@@ -33,17 +33,17 @@ public:
     SceneExports(const SceneDocument *document, Playhead *playhead, const DisplayOptions *options,
                  QWidget *window);
 
-    /// The name that file dialogs begin with, without its ending and the frame of the motion.
+    /// The name that file dialogs propose, without its ending and the frame of the motion.
     void setBaseName(const QString &name) { m_baseName = name; }
-    /// The scene's file, empty where it has none: file dialogs begin beside it.
+    /// The scene's file, empty where it has none: file dialogs begin in its folder.
     void setScenePath(const QString &path) { m_scenePath = path; }
 
-    /// Each is false after a complaint.
+    /// These return false after a complaint.
     bool writePicture(const QString &path, ExportMoment moment = ExportMoment::Finished);
     bool writeAnnotatedGrid(const QString &path, ExportMoment moment = ExportMoment::Finished);
     bool writeRaster(const QString &path, ExportMoment moment = ExportMoment::Finished);
-    /// Begins to write the run in hand beside the GUI thread, whatever becomes of it there; one
-    /// trace at a time. Only a whole file ever stands at the path.
+    /// Begins to write the current run in a worker thread, unaffected by later changes; one trace
+    /// at a time. The path only ever holds a complete file.
     bool writeTrace(const QString &path, TraceLevel level, TableFormat format,
                     ExportMoment moment = ExportMoment::Finished);
 
@@ -65,14 +65,14 @@ signals:
     void notice(const QString &text);
 
 private:
-    /// Where the person wants a file, and of which moment; none where they do not.
+    /// The file and the moment a person chose; none where they cancelled.
     struct Target {
         QString path;
         ExportMoment moment = ExportMoment::Finished;
     };
     std::optional<Target> askForTarget(const QString &title, const QString &kind,
                                        const QString &suffix) const;
-    /// False after a complaint: nothing is drawn, or the path leads to what was read.
+    /// False after a complaint: nothing is drawn, or the path is that of an input.
     bool mayWriteTo(const QString &path);
     bool hasTrace();
     /// "cube.png", "cube-frame-8.png".
@@ -86,7 +86,7 @@ private:
     QWidget *m_window;
     QString m_baseName;
     QString m_scenePath;
-    Job m_writing; ///< of a trace
+    Job m_writing; ///< writes a trace
     QString m_writtenPath;
 };
 

@@ -18,7 +18,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Bytes. Larger files take longer to read than a person should wait (some 16 µs a triangle).
+/// Bytes. Larger files take too long to read in the GUI thread (about 16 µs per triangle).
 constexpr qint64 largestReadAtOnce = qint64(1) << 18;
 
 } // namespace
@@ -126,7 +126,7 @@ void SceneFiles::takeLoaded(const QString &path, Result<SceneReading> &reading)
         emit loadingFailed();
         return;
     }
-    // The old document could be edited meanwhile.
+    // The old document may have been edited meanwhile.
     const bool wasEdited = m_document->undoStack()->index() != m_editsAtLoad;
     if (wasEdited && !mayReplace()) {
         emit loadingFailed();
@@ -150,7 +150,7 @@ void SceneFiles::show(const QString &path, SceneReading &reading)
         emit notice(snapNote(reading.snaps));
 }
 
-/// Whatever else is being read is not wanted any more.
+/// Cancels any other reading.
 void SceneFiles::replaceBy(Scene scene, const QString &path)
 {
     cancelLoading();
@@ -188,7 +188,7 @@ void SceneFiles::newScene()
     Scene scene;
     scene.frame = m_document->scene().frame;
     scene.settings = m_document->scene().settings;
-    scene.settings.variants = {}; // what is begun is begun right
+    scene.settings.variants = {}; // a new scene starts without defects
     scene.method = m_document->scene().method;
     replaceBy(std::move(scene), {});
     emit begun();
@@ -236,7 +236,7 @@ void SceneFiles::setPath(const QString &path)
     m_path = path;
     if (!path.isEmpty() && !m_documents.contains(path))
         m_documents += path;
-    noteInput(path); // of exports, also where it was never read
+    noteInput(path); // an input of exports, even if never read
     m_watch.follow(path);
     emit pathChanged();
 }

@@ -20,8 +20,8 @@ class RecentFiles;
 class SceneDocument;
 
 /// The document's life as a file: new, open, save, and the question before changes are lost. Large
-/// files are read beside the GUI thread; the old document stays until the new one is whole. Large
-/// scenes are written there as well; nothing replaces the document before its file is whole.
+/// files are read in a worker thread; the old document stays until the new one is complete. Large
+/// scenes are written there too; nothing replaces the document before its file is complete.
 class SceneFiles : public QObject {
     Q_OBJECT
 
@@ -35,31 +35,30 @@ public:
     QString path() const { return m_path; }
     /// The file's name, or "untitled".
     QString displayName() const;
-    QString titleName() const; ///< the same in a window's title
-    /// The file's name without its ending, or "untitled": of what is exported.
+    QString titleName() const; ///< displayName() for a window's title
+    /// The file's name without its ending, or "untitled"; exports are named after it.
     QString baseName() const;
 
-    /// True when the document may be replaced: nothing unsaved, or saved now, or given up.
+    /// True when the document may be replaced: nothing is unsaved, or it was saved now or given up.
     bool mayReplace();
-    /// Opens without asking. False after a complaint; then the document is untouched. A large file
-    /// is open when loaded() says so, and on its way while isLoading().
+    /// Opens without asking. False after a complaint; the document is then untouched. A large file
+    /// is still loading while isLoading(); loaded() reports that it is open.
     bool load(const QString &path);
     bool isLoading() const { return m_loading.isRunning(); }
     const Job &loading() const { return m_loading; }
     const Job &saving() const { return m_saving; }
-    /// False after a complaint. A large scene is saved when the document says that it is
-    /// unmodified.
+    /// False after a complaint. A large scene is saved once the document reports itself unmodified.
     bool saveTo(const QString &path);
     void loadDefault();
-    /// Shows what is kept in a file as a scene without one, and says when it stands there; a person
-    /// may keep the one that is there.
+    /// Shows a kept file as a scene without a file, then calls `shown`; a person may refuse and
+    /// keep the current scene.
     void recover(const QString &path, const std::function<void()> &shown);
-    /// A scene that is in no file; false when the person keeps the one that is there.
+    /// Shows a scene that is in no file; false when the person keeps the current one.
     bool showScene(const Scene &scene);
 
-    /// The question before changes are lost; a test answers it by replacing the function.
+    /// Asks before changes are lost; a test answers by replacing the function.
     std::function<UnsavedChanges()> askAboutChanges;
-    /// The same before going back to the file: Discard or Cancel.
+    /// Asks before going back to the file: Discard or Cancel.
     std::function<UnsavedChanges()> askAboutRevert;
 
 public slots:
@@ -67,19 +66,18 @@ public slots:
     void newScene();
     void open();
     void openFile(const QString &path);
-    /// Where the scene came from; an example is saved where the person says.
+    /// Saves to the scene's own file; for an example, asks where.
     bool save();
     bool saveAs();
     void revert(); ///< to what the file says
 
 signals:
-    /// Another scene is about to stand in the document, which has nothing to do with the one
-    /// before.
+    /// Another scene, unrelated to the current one, is about to enter the document.
     void replacing();
     void pathChanged();
     void loaded();
-    void begun(); ///< after loaded(): the scene is empty, a person begins to draw
-    void loadingFailed(); ///< after a complaint, or cancelled: the document is as it was
+    void begun(); ///< after loaded(): the scene is empty and drawing begins
+    void loadingFailed(); ///< after a complaint or a cancel: the document is unchanged
     void complaint(const QString &text);
     void notice(const QString &text);
 
@@ -104,11 +102,11 @@ private:
     SceneDocument *m_document;
     RecentFiles *m_recent;
     QWidget *m_window;
-    Job m_loading; ///< of a large file: a newer one is read instead
+    Job m_loading; ///< of a large file, until a newer one is asked for
     Job m_saving; ///< of a large scene
     int m_editsAtLoad = 0; ///< the undo stack's place when the reading began
     QString m_path;
-    QStringList m_documents; ///< each that m_path was
+    QStringList m_documents; ///< every value that m_path had
     FileWatch m_watch; ///< of m_path
 };
 

@@ -15,19 +15,19 @@
 #include <algorithm>
 #include <new>
 
-/// The document becomes a file.
+/// Saves the document to files.
 namespace pixelplumb {
 
 namespace {
 
-/// More primitives take longer to write than a person should wait (some 5 µs each).
+/// More primitives take too long to write in the GUI thread (about 5 µs each).
 constexpr std::size_t mostWrittenAtOnce = 5'000;
 
 } // namespace
 
 QString SceneFiles::titleName() const
 {
-    const QString mark = QStringLiteral("[*]"); // of changes; doubled, it is a name's own
+    const QString mark = QStringLiteral("[*]"); // marks changes; doubled, it is literal
     return displayName().replace(mark, mark + mark);
 }
 
@@ -72,8 +72,7 @@ bool SceneFiles::saveTo(const QString &path)
     return !error;
 }
 
-/// A scene that was opened here may be saved over, for it is what is saved; nothing else that was
-/// read.
+/// A file opened as a scene here may be overwritten by saving; any other input may not.
 bool SceneFiles::mayBeReplaced(const QString &path) const
 {
     return !isInput(path) || std::ranges::any_of(m_documents, [&](const QString &document) {
@@ -81,7 +80,7 @@ bool SceneFiles::mayBeReplaced(const QString &path) const
     });
 }
 
-/// The file that was promised is written even when the window is gone meanwhile.
+/// The file is written even when the window closes meanwhile.
 void SceneFiles::startSaving(const QString &path, const std::shared_ptr<const Scene> &scene)
 {
     m_saving.setTitle(tr("Saving %1").arg(shownName(path)));
@@ -111,7 +110,7 @@ void SceneFiles::takeSaved(const QString &path, const std::shared_ptr<const Scen
     m_recent->add(path);
 }
 
-/// Until the file that is being written is whole; false when the person would rather go on.
+/// Waits until the file is complete; false when the person prefers to go on working.
 bool SceneFiles::waitForSaving()
 {
     if (!m_saving.isRunning())
@@ -123,7 +122,7 @@ bool SceneFiles::waitForSaving()
     return dialog.exec() == QDialog::Accepted;
 }
 
-/// Where the scene came from, or beside the last file; never among the program's examples.
+/// The scene's own file, or one beside the last file; never among the program's examples.
 QString SceneFiles::proposedPath() const
 {
     const QString name

@@ -14,9 +14,9 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr qint64 sniffed = 256; ///< bytes that tell JSON from a picture
+constexpr qint64 sniffed = 256; ///< bytes read to tell JSON from a picture
 
-/// The one local file; empty for anything else.
+/// The single local file; empty for anything else.
 QString localFileOf(const QMimeData &data)
 {
     const QList<QUrl> urls = data.urls();

@@ -10,14 +10,14 @@ namespace pixelplumb {
 
 class StudentPicture;
 
-/// How a student's picture comes into the window: chosen, dropped or pasted.
+/// Brings a student's picture into the window: chosen, dropped or pasted.
 class StudentPictureFiles : public QObject {
     Q_OBJECT
 
 public:
     StudentPictureFiles(StudentPicture *student, QWidget *window);
 
-    /// Whether it may hold one: a file, a picture, a raster.
+    /// Whether the data may hold a picture: a file, an image, a raster.
     static bool accepts(const QMimeData &data);
 
 public slots:
@@ -27,12 +27,12 @@ public slots:
 private:
     StudentPicture *m_student;
     QWidget *m_window;
-    QString m_folder; ///< of the last one that was chosen
+    QString m_folder; ///< of the picture chosen last
 };
 
-/// The one local file of what is dragged over the window or copied, where that is a scene: JSON.
+/// The single local file that is dragged over the window or copied, where it is a scene: JSON.
 QString sceneFileOf(const QMimeData &data);
-/// The one local folder of what is dragged over the window.
+/// The single local folder that is dragged over the window.
 QString folderOf(const QMimeData &data);
 
 } // namespace pixelplumb

@@ -28,7 +28,7 @@ constexpr int largestSide = 4096; ///< of the figure; larger frames get smaller 
 constexpr double margin = 16;
 constexpr int fontSize = 13;
 
-/// Figures are for paper, whatever the window looks like.
+/// The palette of figures, for paper whatever the window looks like.
 QPalette paperPalette()
 {
     QPalette palette(Qt::white);
@@ -104,11 +104,11 @@ void drawTriangles(QPainter &painter, FramePainter &frame, const Playhead &playh
                    const ViewMapping &mapping)
 {
     const TracedScene &traced = *playhead.traced();
-    const std::optional<TraceStep> step = playhead.stepInHand();
-    const std::size_t inHand = step ? step->primitive : 0;
+    const std::optional<TraceStep> step = playhead.currentStep();
+    const std::size_t current = step ? step->primitive : 0;
     for (std::size_t index = 0; index < traced.primitives.triangles.size(); ++index) {
         const std::array<Vertex, 3> &vertices = traced.primitives.triangles[index].vertices;
-        const bool isNamed = index == inHand && index < traced.trace->primitiveCount();
+        const bool isNamed = index == current && index < traced.trace->primitiveCount();
         const SetUpRecord setUp = isNamed ? traced.trace->setUp(index) : SetUpRecord{};
         frame.drawOutline({vertices[0].position, vertices[1].position, vertices[2].position},
                           isNamed ? rolesOf(setUp) : EdgeRoles{});
@@ -128,7 +128,7 @@ void drawTriangles(QPainter &painter, FramePainter &frame, const Playhead &playh
 void drawShapes(FramePainter &frame, const Playhead &playhead, const ViewMapping &mapping)
 {
     const Primitives &primitives = playhead.traced()->primitives;
-    const std::optional<TraceStep> step = playhead.stepInHand();
+    const std::optional<TraceStep> step = playhead.currentStep();
     for (std::size_t index = 0; index < primitives.shapes.size(); ++index) {
         const std::vector<Vertex> &vertices = primitives.shapes[index].vertices;
         frame.drawShapeOutline(primitives.shapes[index]);
@@ -203,7 +203,7 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options,
         drawDifferences(painter, traced, playhead.position(), layout.mapping, palette);
     std::vector<RulerMark> columnMarks;
     std::vector<RulerMark> rowMarks;
-    const std::optional<std::size_t> span = playhead.spanInHand();
+    const std::optional<std::size_t> span = playhead.currentSpan();
     const SpanRecord record = span ? traced.trace->span(*span) : SpanRecord();
     if (span)
         frame.drawPlumbLine(record.place);
@@ -211,7 +211,7 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options,
     layers.paintMarks(painter, drawing, surface);
     if (span) {
         frame.drawEdgeTicks(record);
-        const RulerMark mark{double(record.place.coordinate), Sign::ColumnInHand};
+        const RulerMark mark{double(record.place.coordinate), Sign::CurrentColumn};
         if (record.place.axis == SpanAxis::Column)
             columnMarks.push_back(mark);
         else if (record.place.axis == SpanAxis::Row)

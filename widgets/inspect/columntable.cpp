@@ -26,10 +26,10 @@ namespace pixelplumb {
 namespace {
 
 constexpr int rowPadding = 2;
-constexpr int measuredRows = 256; // all of a usual run
+constexpr int measuredRows = 256; // enough for all rows of a usual run
 
-/// Rows spread over the table, its first and last among them: numbers grow and shrink evenly in
-/// between, and their denominators repeat.
+/// Rows spread evenly over the table, including the first and the last: in between, numbers change
+/// evenly and denominators repeat.
 std::vector<int> sampledRows(int rowCount)
 {
     std::vector<int> rows;
@@ -50,7 +50,7 @@ ColumnTable::ColumnTable(Playhead *playhead, QWidget *parent)
 {
     setObjectName(QStringLiteral("columnTable"));
     setAccessibleName(tr("Columns of the scan"));
-    setAccessibleDescription(tr("A row for each column; the current row is the column in hand."));
+    setAccessibleDescription(tr("A row for each column; the highlighted row is the current column."));
     if (const QFont figures = tabularFont(font()); figures != font())
         setFont(figures);
     setFrameShape(QFrame::NoFrame);
@@ -89,7 +89,7 @@ void ColumnTable::takeColumns()
     followPlayhead();
 }
 
-/// Those in sight alone: most of the exact numbers and errors are measured for nobody.
+/// Fits only the visible columns: most exact numbers and errors would be measured for nothing.
 void ColumnTable::fitColumns()
 {
     const QList<int> columns = shownColumns();
@@ -102,7 +102,7 @@ void ColumnTable::fitColumns()
 void ColumnTable::followPlayhead()
 {
     const QScopedValueRollback following(m_following, true);
-    const std::optional<std::size_t> span = m_playhead->spanInHand();
+    const std::optional<std::size_t> span = m_playhead->currentSpan();
     const int row = span ? m_model->rowAt(*span) : firstRowAhead();
     if (!span || row >= m_model->rowCount() || m_model->spanAt(row) != *span) {
         selectionModel()->clear();
@@ -121,10 +121,10 @@ void ColumnTable::followPlayhead()
         bringIntoView(row);
 }
 
-/// The first column of the triangle that is being set up, or of all.
+/// The first column of the triangle being set up, else of the first triangle.
 int ColumnTable::firstRowAhead() const
 {
-    const std::optional<TraceStep> step = m_playhead->stepInHand();
+    const std::optional<TraceStep> step = m_playhead->currentStep();
     return step ? m_model->rowAt(m_playhead->traced()->trace->firstSpanOf(step->primitive)) : 0;
 }
 
@@ -141,14 +141,14 @@ void ColumnTable::bringIntoView(int row)
     if (top < context)
         bar->setValue((row - 1) * height);
     else if (top + height + context > pageHeight)
-        // Whole rows, with one after it where there is room for both.
+        // Whole rows, with one after the current row if there is room for both.
         bar->setValue(std::min(row, std::max(firstShown, row + 3 - pageHeight / height)) * height);
 }
 
 void ColumnTable::resizeEvent(QResizeEvent *event)
 {
     QTableView::resizeEvent(event);
-    if (const std::optional<std::size_t> span = m_playhead->spanInHand())
+    if (const std::optional<std::size_t> span = m_playhead->currentSpan())
         bringIntoView(m_model->rowAt(*span));
 }
 
@@ -172,7 +172,7 @@ QString ColumnTable::asTsv(const QList<int> &rows) const
 {
     QList<int> columns;
     for (int column = 0; column < m_model->columnCount(); ++column) {
-        // On the screen the rows' headers say which primitive is theirs.
+        // On the screen the row headers show the primitive.
         const bool tellsRowsApart = m_model->hasSeveralPrimitives()
             && m_model->fileName(column) == QLatin1String("primitive");
         if (!isColumnHidden(column) || tellsRowsApart)
@@ -213,7 +213,7 @@ void ColumnTable::setFilter(RowFilter filter)
 
 bool ColumnTable::event(QEvent *event)
 {
-    // The window has another use for the copy key; in the table it copies the table's rows.
+    // The window also uses the copy key; in the table it copies the table's rows.
     if (event->type() == QEvent::ShortcutOverride
         && static_cast<QKeyEvent *>(event)->matches(QKeySequence::Copy)) {
         event->accept();
@@ -245,7 +245,8 @@ void ColumnTable::keyPressEvent(QKeyEvent *event)
 
 void ColumnTable::focusInEvent(QFocusEvent *event)
 {
-    // With no current row the base class takes the first; getting the focus is no wish to go there.
+    // Without a current row the base class selects the first; getting the focus must not move
+    // there.
     const QScopedValueRollback following(m_following, true);
     QTableView::focusInEvent(event);
 }

@@ -15,8 +15,8 @@ class ColumnTableHeader;
 class ColumnTableModel;
 class Playhead;
 
-/// The numbers of every column of the scan (objectName "columnTable"). Its current row is the
-/// column in hand, both ways.
+/// The numbers of every column of the scan (objectName "columnTable"). The current row follows the
+/// playhead's column, and the playhead the current row.
 class ColumnTable : public QTableView {
     Q_OBJECT
 
@@ -35,7 +35,7 @@ public:
 
 public slots:
     void copySelection() const;
-    void copyAll() const; ///< every row that is shown, in the same form
+    void copyAll() const; ///< every shown row, in the same form
     void setFilter(pixelplumb::RowFilter filter);
 
 protected:
@@ -73,8 +73,8 @@ private:
     QAction *m_errorAction = nullptr;
     QAction *m_copyAction = nullptr;
     QAction *m_copyAllAction = nullptr;
-    bool m_following = false; ///< the table moves after the playhead, not the other way
-    bool m_isPressed = false; ///< rows stay where they are under the mouse
+    bool m_following = false; ///< the table follows the playhead, not the other way round
+    bool m_isPressed = false; ///< rows must not move under the mouse
 };
 
 } // namespace pixelplumb

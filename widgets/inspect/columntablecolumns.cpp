@@ -67,7 +67,7 @@ bool ColumnTable::hasGroup(NumberGroup group) const
         if (m_model->number(column).group == group)
             return true;
     }
-    return m_model->columnCount() == 0; // before the first run all are there
+    return m_model->columnCount() == 0; // before the first run all columns are shown
 }
 
 void ColumnTable::showChosenColumns()

@@ -15,15 +15,15 @@ namespace {
 
 constexpr int leftPadding = 12; // room for the sign of a change
 constexpr int rightPadding = 6;
-constexpr float inHandTint = 0.16F;
+constexpr float currentTint = 0.16F;
 constexpr float selectionTint = 0.22F;
 constexpr float aheadFade = 0.38F; // keeps 4.5:1 on black and white
 
 QColor backgroundOf(const QStyleOptionViewItem &option, const QModelIndex &index)
 {
     const QColor base = option.palette.color(QPalette::Base);
-    if (index.data(ColumnTableModel::IsInHandRole).toBool())
-        return blended(base, signColour(Sign::ColumnInHand, option.palette), inHandTint);
+    if (index.data(ColumnTableModel::IsCurrentRole).toBool())
+        return blended(base, signColour(Sign::CurrentColumn, option.palette), currentTint);
     if (option.state.testFlag(QStyle::State_Selected))
         return blended(base, option.palette.color(QPalette::Highlight), selectionTint);
     return base;
@@ -60,7 +60,7 @@ void ColumnTableDelegate::paint(QPainter *painter, const QStyleOptionViewItem &o
                                 const QModelIndex &index) const
 {
     const QColor background = backgroundOf(option, index);
-    const bool isInHand = index.data(ColumnTableModel::IsInHandRole).toBool();
+    const bool isCurrent = index.data(ColumnTableModel::IsCurrentRole).toBool();
     const bool isAhead = index.data(ColumnTableModel::IsAheadRole).toBool();
     QColor text = option.palette.color(QPalette::Text);
     if (isAhead)
@@ -72,7 +72,7 @@ void ColumnTableDelegate::paint(QPainter *painter, const QStyleOptionViewItem &o
     drawRowMark(*painter, option, RowMark(index.data(ColumnTableModel::RowMarkRole).toInt()));
     painter->setFont(option.font);
     const QRectF cell = QRectF(option.rect).adjusted(leftPadding, 0, -rightPadding, 0);
-    if (isInHand && index.data(ColumnTableModel::ChangedRole).toBool()) {
+    if (isCurrent && index.data(ColumnTableModel::ChangedRole).toBool()) {
         text = signColour(Sign::Changed, option.palette);
         painter->setPen(text);
         painter->drawText(option.rect.adjusted(1, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,

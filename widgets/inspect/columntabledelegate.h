@@ -9,15 +9,15 @@
 
 namespace pixelplumb {
 
-/// Draws the cells of the column table: figures below figures, the row in hand in the plumb line's
-/// colour, rows that are not drawn yet dimmed.
+/// Draws the cells of the column table: digits aligned, the current row in the plumb line's colour,
+/// rows not drawn yet dimmed.
 class ColumnTableDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
-    /// Forgets all widths and measures these columns by these rows.
+    /// Forgets all widths and measures these columns from these rows.
     void measure(const QAbstractItemModel &model, const QList<int> &columns,
                  const std::vector<int> &rows, const QFont &font);
     /// The width that a column's cells need, px.

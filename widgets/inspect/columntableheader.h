@@ -7,8 +7,8 @@ namespace pixelplumb {
 
 class SymbolText;
 
-/// The column table's header: symbols with their subscripts, above the bar of the edge they belong
-/// to.
+/// The column table's header: symbols with subscripts, above the bar of the edge to which they
+/// belong.
 class ColumnTableHeader : public QHeaderView {
     Q_OBJECT
 

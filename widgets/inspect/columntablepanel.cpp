@@ -36,7 +36,7 @@ ColumnTablePanel::ColumnTablePanel(Playhead *playhead, QWidget *parent)
         button->setToolButtonStyle(Qt::ToolButtonTextOnly);
         button->setObjectName(action->objectName() + QStringLiteral("Button"));
         button->setAccessibleName(action->toolTip());
-        connect(action, &QAction::visibleChanged, button, // a group that the method has not
+        connect(action, &QAction::visibleChanged, button, // a group that the method lacks
                 [button, action] { button->setVisible(action->isVisible()); });
         if (action->objectName() == QLatin1String("showExact"))
             switches->addSpacing(8);
@@ -65,9 +65,8 @@ void ColumnTablePanel::addFilter(QHBoxLayout *row)
     m_filter = box;
     box->setObjectName(QStringLiteral("rowFilterBox"));
     box->setAccessibleName(tr("Rows of the table"));
-    box->setToolTip(
-        tr("Show all rows, or those in which a sample lies on an edge (=), a level left "
-           "0 … 255 (^), or a pixel differs from the truth (?, !, c)"));
+    box->setToolTip(tr("Show all rows, or those in which a sample lies on an edge (=), a level "
+                       "went outside 0 … 255 (^), or a pixel differs from the truth (?, !, c)"));
     box->addItems({tr("all rows"), tr("ties ="), tr("clamps ^"), tr("errors ? ! c")}); // RowFilter
     box->setMinimumWidth(leastFilterWidth); // narrower than its text: the canvas needs the room
     connect(box, &QComboBox::currentIndexChanged, this, [this](int index) {
@@ -113,7 +112,7 @@ void ColumnTablePanel::describe()
     const bool hasSpans = traced && traced->trace->spanCount() > 0;
     const SpanAxis axis = hasSpans ? commonAxis(*traced->trace) : SpanAxis::Column;
     setWindowTitle(titleOf(axis));
-    m_filter->setVisible(traced); // nor does it take room from the panels that are laid out before
+    m_filter->setVisible(traced); // hidden, it takes no room from the panels laid out before a run
     if (!traced) {
         m_summary->clear();
         return;

@@ -11,7 +11,7 @@ class ColumnTable;
 class ElidedLabel;
 class Playhead;
 
-/// The column table below a row of switches for its groups of columns, and the choice of its rows.
+/// The column table below a row of switches for its groups of columns and a row filter.
 class ColumnTablePanel : public QWidget {
     Q_OBJECT
 

@@ -11,7 +11,8 @@ namespace pixelplumb {
 
 namespace {
 
-/// What is no coordinate yet may become one; where it is to be taken, it is told what is wrong.
+/// Accepts input that is no coordinate yet, since it may become one; on Enter the error is
+/// reported.
 class CoordinateValidator final : public QValidator {
 public:
     CoordinateValidator(SceneDocument *document, QObject *parent)

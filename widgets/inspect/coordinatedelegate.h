@@ -7,8 +7,8 @@ namespace pixelplumb {
 
 class SceneDocument;
 
-/// The field in which a coordinate of a list is typed (objectName "coordinateField"). What is none
-/// is not taken; the document tells why (SceneDocument::refused).
+/// The field in which a coordinate of a list is typed (objectName "coordinateField"). Invalid input
+/// is refused; the document tells why (SceneDocument::refused).
 class CoordinateDelegate : public QStyledItemDelegate {
     Q_OBJECT
 

@@ -30,7 +30,7 @@ namespace {
 constexpr int leastFormulaLines = 1;
 constexpr int widthForBeside = 55; ///< characters
 constexpr float bannerTint = 0.18F;
-constexpr double tableExcess = 2; // logical pixels, by columns' widths that are rounded up
+constexpr double tableExcess = 2; // logical pixels from rounded-up column widths
 
 QString nounOf(SpanAxis axis)
 {
@@ -45,7 +45,7 @@ QString nounOf(SpanAxis axis)
     return FormulaPanel::tr("a step");
 }
 
-/// What the panel says where no step is in hand.
+/// What the panel shows without a current step.
 Explanation invitation(const Playhead &playhead)
 {
     Explanation explanation;
@@ -64,7 +64,7 @@ Explanation invitation(const Playhead &playhead)
     return explanation;
 }
 
-constexpr std::size_t measuredSpans = 6; // of a run, at even distances
+constexpr std::size_t measuredSpans = 6; // of a run, evenly spaced
 
 } // namespace
 
@@ -76,7 +76,7 @@ FormulaPanel::FormulaPanel(Playhead *playhead, QWidget *parent)
     , m_formulas(new QTextBrowser(this))
 {
     setObjectName(QStringLiteral("formulaPanel"));
-    setAccessibleName(tr("Formulas of the step in hand"));
+    setAccessibleName(tr("Formulas of the current step"));
     const auto selectable = Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard;
 
     m_heading->setObjectName(QStringLiteral("formulaHeading"));
@@ -131,7 +131,7 @@ void FormulaPanel::explainStep()
 {
     const bool isForeign
         = m_playhead->traced() && !foreignSceneHint(m_playhead->traced()->scene).isEmpty();
-    if (!m_playhead->stepInHand() || isForeign) {
+    if (!m_playhead->currentStep() || isForeign) {
         present(invitation(*m_playhead));
         return;
     }
@@ -145,7 +145,7 @@ void FormulaPanel::present(const Explanation &explanation)
     if (!explanation.event.isEmpty())
         headingPalette.setColor(QPalette::Window,
                                 blended(palette().color(QPalette::Window),
-                                        signColour(Sign::ColumnInHand, palette()), bannerTint));
+                                        signColour(Sign::CurrentColumn, palette()), bannerTint));
     m_heading->setPalette(headingPalette);
     const QString heading = coreWords(explanation.heading, QStringLiteral(": "));
     m_heading->setText(QStringLiteral("<b>%1</b>%2")
@@ -157,7 +157,7 @@ void FormulaPanel::present(const Explanation &explanation)
 
     m_symbols = channelSymbols();
     const int scrolled = m_formulas->verticalScrollBar()->value();
-    // From space to the frame comes before what is done there.
+    // The stages from space to the frame come first.
     m_formulas->setHtml(stagesHtml(explanation, arithmetic(), palette())
                         + formulaHtml(explanation, arithmetic(), palette(), channelSymbols()));
     m_formulas->verticalScrollBar()->setValue(scrolled);
@@ -168,15 +168,15 @@ void FormulaPanel::present(const Explanation &explanation)
         growTo(int(std::ceil(m_formulas->document()->size().height())));
 }
 
-/// Stages are many, and a set-up, one step of a primitive's hundreds, is often twice as long as all
-/// others: the panel would be half empty for its sake.
+/// Whether an explanation may scroll: stages are long, and a set-up, one of a primitive's hundreds
+/// of steps, is often twice as long as any other, so that the panel would be half empty otherwise.
 bool FormulaPanel::isScrolledTo(const Explanation &explanation) const
 {
-    const std::optional<TraceStep> step = m_playhead->stepInHand();
+    const std::optional<TraceStep> step = m_playhead->currentStep();
     return !explanation.stages.empty() || (step && step->kind == StepKind::SetUp);
 }
 
-/// A table of the whole width is taken to be a little wider than it can be.
+/// A table of full width reports itself slightly wider than its room.
 void FormulaPanel::fitScrollBar()
 {
     const double excess = m_formulas->document()->idealWidth() - m_formulas->viewport()->width();
@@ -190,7 +190,7 @@ Arithmetic FormulaPanel::arithmetic() const
                                 : Arithmetic::Exact;
 }
 
-/// A step that was not measured may need more than those that were.
+/// A step that was not measured may need more height than those measured.
 void FormulaPanel::growTo(int formulas)
 {
     const int needed = height() - m_formulas->height() + formulas;
@@ -207,7 +207,7 @@ ChannelSymbols FormulaPanel::channelSymbols() const
         : ChannelSymbols::Above;
 }
 
-/// Were the explanation in the panel.
+/// The height the explanation's sentence would have in the panel.
 int FormulaPanel::sentenceHeight(const Explanation &explanation) const
 {
     const QMargins margins = m_sentence->contentsMargins();
@@ -233,7 +233,7 @@ void FormulaPanel::measureRun()
 {
     const TracedScene *traced = m_playhead->traced();
     if (!isVisible() || !traced)
-        return; // its size is not its own yet, or there is nothing to be seen in it
+        return; // its size is not final yet, or it shows nothing
     const std::tuple run(traced->method->id, traced->scene.settings.arithmetic,
                          m_formulas->viewport()->width());
     const bool isOther = run != m_measured;
@@ -260,7 +260,7 @@ void FormulaPanel::measureRun()
     }
     m_sentence->setMinimumHeight(sentence);
     const int rest = height() - m_formulas->height() - m_sentence->height();
-    // The numbers of a step that was not measured may be longer, and break into one line more.
+    // Longer numbers of a step that was not measured may wrap into one more line.
     const int spare = m_formulas->fontMetrics().lineSpacing();
     const int needed = std::max(isOther ? 0 : m_neededHeight, rest + sentence + formulas + spare);
     if (needed == m_neededHeight && height() >= needed)

@@ -18,7 +18,7 @@ namespace pixelplumb {
 class Playhead;
 struct Explanation;
 
-/// The formulas of the step in hand with its numbers put in (objectName "formulaPanel").
+/// The formulas of the current step with its numbers put in (objectName "formulaPanel").
 class FormulaPanel : public QWidget {
     Q_OBJECT
 
@@ -27,13 +27,13 @@ public:
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
-    /// The height in which no step of the run needs to be scrolled, judged by a few of its steps.
-    /// It changes with the method, the arithmetic and the width; in between it only grows, so that
-    /// the panel does not breathe while stepping.
+    /// The height at which no step of the run needs scrolling, estimated from a few of its steps.
+    /// It resets with the method, the arithmetic and the width; otherwise it only grows, so that
+    /// the panel does not change size while stepping.
     int neededHeight() const { return m_neededHeight; }
 
 signals:
-    /// The needed height is another, or something but the person's hand made the panel lower.
+    /// The needed height has changed, or something other than the person made the panel lower.
     void neededHeightChanged();
 
 protected:
@@ -58,11 +58,11 @@ private:
     QLabel *m_heading;
     QLabel *m_sentence;
     QTextBrowser *m_formulas;
-    ChannelSymbols m_symbols = ChannelSymbols::Above; ///< as they are shown
+    ChannelSymbols m_symbols = ChannelSymbols::Above; ///< as shown
     int m_neededHeight = 0;
-    /// What the needed height is of: method, arithmetic and the width of the formulas.
+    /// What the needed height was measured for: method, arithmetic and the width of the formulas.
     std::tuple<QString, Arithmetic, int> m_measured;
-    QTimer m_measuring; ///< after the panel has its size
+    QTimer m_measuring; ///< waits until the panel has its size
 };
 
 } // namespace pixelplumb

@@ -25,23 +25,23 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int indentation = 20; // logical pixels a depth
+constexpr int indentation = 20; // logical pixels per level
 constexpr float lineTint = 0.18F;
-constexpr int roomAround = 8; // logical pixels beside the lines in hand, when they are scrolled to
+constexpr int roomAround = 8; // logical pixels around the current lines after scrolling
 const QString lineMark = QStringLiteral("▶");
 
-/// A row of the table of lines: the mark beside it, then the text.
-QString lineHtml(const PseudocodeLine &line, bool isInHand, const QColor &tint)
+/// A row of the table of lines: the mark, then the text.
+QString lineHtml(const PseudocodeLine &line, bool isCurrent, const QColor &tint)
 {
     return QStringLiteral("<tr%1><td width=16 align=center>%2</td><td style=\"padding-left:%3px\">"
                           "%4</td></tr>")
-        .arg(isInHand ? QStringLiteral(" bgcolor=\"%1\"").arg(tint.name()) : QString(),
-             isInHand ? lineMark : QString())
+        .arg(isCurrent ? QStringLiteral(" bgcolor=\"%1\"").arg(tint.name()) : QString(),
+             isCurrent ? lineMark : QString())
         .arg(indentation * line.depth + 4)
         .arg(typesetHtml(line.text));
 }
 
-/// In what the run departs from that, and what it does to the picture.
+/// Where the run departs from the method, and how that changes the picture.
 QString variantsHtml(VariantSet variants, SpanAxis axis)
 {
     QString html;
@@ -99,20 +99,20 @@ void MethodPanel::present()
         m_text->clear();
         return;
     }
-    const auto step = m_playhead->stepInHand();
+    const auto step = m_playhead->currentStep();
     std::optional<Moment> moment;
     if (step)
         moment = momentOf(*traced->trace, m_playhead->position() - 1);
     const QColor tint = blended(palette().color(QPalette::Base),
-                                signColour(Sign::ColumnInHand, palette()), lineTint);
+                                signColour(Sign::CurrentColumn, palette()), lineTint);
     QString rows;
-    QStringList inHand;
+    QStringList current;
     for (const PseudocodeLine &line : pseudocodeOf(*traced, step ? step->primitive : 0)) {
-        const bool isInHand
+        const bool isCurrent
             = moment && std::ranges::find(line.moments, *moment) != line.moments.end();
-        rows += lineHtml(line, isInHand, tint);
-        if (isInHand)
-            inHand += line.text;
+        rows += lineHtml(line, isCurrent, tint);
+        if (isCurrent)
+            current += line.text;
     }
     const Method &method = *traced->method;
     const int scrolled = m_text->verticalScrollBar()->value();
@@ -123,18 +123,18 @@ void MethodPanel::present()
                              variantsHtml(traced->scene.settings.variants, method.spanAxis), rows,
                              tr("From: %1.").arg(method.source).toHtmlEscaped()));
     m_text->verticalScrollBar()->setValue(scrolled);
-    showLinesInHand();
-    setAccessibleDescription(inHand.join(QStringLiteral("; ")));
+    showCurrentLines();
+    setAccessibleDescription(current.join(QStringLiteral("; ")));
 }
 
-/// As little as is needed: all lines in hand, or as many as there is room for, from the first.
-void MethodPanel::showLinesInHand()
+/// Scrolls as little as possible: to all current lines, or to as many as fit, from the first.
+void MethodPanel::showCurrentLines()
 {
     const QTextDocument &document = *m_text->document();
     QRectF lines;
     for (QTextCursor mark = document.find(lineMark); !mark.isNull();
          mark = document.find(lineMark, mark)) {
-        // The row's end is that of its text, in the cell behind the mark's.
+        // A row ends where its text does, in the cell after the mark's.
         const QTextBlock text = mark.block().next();
         lines |= document.documentLayout()->blockBoundingRect(mark.block());
         lines |= document.documentLayout()->blockBoundingRect(text);
@@ -151,7 +151,7 @@ void MethodPanel::showLinesInHand()
 void MethodPanel::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    showLinesInHand();
+    showCurrentLines();
 }
 
 void MethodPanel::changeEvent(QEvent *event)

@@ -9,8 +9,8 @@ namespace pixelplumb {
 
 class Playhead;
 
-/// This method: what it does, where it comes from, and its pseudocode with the lines that the step
-/// in hand does marked by ▶ and a tint, and in view (objectName "methodPanel", its text
+/// What the method does, where it comes from, and its pseudocode with the current step's lines
+/// marked by ▶ and a tint, and scrolled into view (objectName "methodPanel", its text
 /// "methodText").
 class MethodPanel : public QWidget {
     Q_OBJECT
@@ -28,11 +28,11 @@ protected:
 private:
     void schedulePresentation();
     void present();
-    void showLinesInHand();
+    void showCurrentLines();
 
     Playhead *m_playhead;
     QTextBrowser *m_text;
-    bool m_isStale = true; ///< while it is not seen
+    bool m_isStale = true; ///< while it is hidden
 };
 
 } // namespace pixelplumb

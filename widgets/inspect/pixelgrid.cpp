@@ -57,7 +57,7 @@ PixelGrid::PixelGrid(Playhead *playhead, DisplayOptions *options, QWidget *paren
 
 QSize PixelGrid::sizeHint() const { return {440, 300}; }
 
-/// The fewest cells can be read.
+/// The fewest cells must stay readable.
 QSize PixelGrid::minimumSizeHint() const
 {
     const PixelGridStyle style = styleOf(*this, *m_options);
@@ -76,7 +76,7 @@ QPoint PixelGrid::centre() const
     return {frame.firstColumn + frame.width / 2, frame.firstRow + frame.height / 2};
 }
 
-/// Of every row of the frame, so that the cells stay where they are.
+/// Considers every row of the frame, so that the cells do not move.
 int PixelGrid::largestRowDigits() const
 {
     if (!m_playhead->traced())
@@ -88,7 +88,7 @@ int PixelGrid::largestRowDigits() const
 
 BoundsRoom PixelGrid::boundsRoom() const
 {
-    const std::optional<std::size_t> span = m_playhead->spanInHand();
+    const std::optional<std::size_t> span = m_playhead->currentSpan();
     const bool hasBounds = span && !m_playhead->traced()->trace->span(*span).lower.isNone();
     return hasBounds ? BoundsRoom::Kept : BoundsRoom::None;
 }
@@ -107,7 +107,7 @@ PixelGridMapping PixelGrid::mapping() const
     int rows = m_cellCount;
     if (!m_isCountChosen)
         rows = std::clamp(fitting(inside.height(), least), fewestCells, m_cellCount);
-    // As many columns as the width holds of cells that are as large as the height allows.
+    // As many columns as fit beside rows of this cell height.
     const int cell = std::max(1, inside.height() / rows);
     const int columns = std::clamp(fitting(inside.width(), cell), fewestCells, mostCells);
     return {area, margins, {columns, rows}, centre(), origin};
@@ -160,7 +160,7 @@ void PixelGrid::goToWriteOf(const QPoint &pixel)
 {
     const TraceNavigation navigation(*m_playhead->traced()->trace);
     const std::size_t position = m_playhead->position();
-    // The write that the frame shows, else the first one to come.
+    // The write that the frame shows, else the next one to come.
     std::optional<std::size_t> write
         = navigation.writeOf(pixel, position + 1, StepDirection::Backward);
     if (!write && !m_playhead->isAheadHidden())
@@ -239,10 +239,10 @@ QString PixelGrid::describe(const QPoint &pixel) const
     const auto name = [](QRgb colour) { return QColor::fromRgb(colour).name(); };
     lines.append(tr("shown %1").arg(name(*frame.at(pixel.x(), pixel.y()))));
     if (m_playhead->isAheadHidden())
-        return lines.join(u'\n'); // the truth is what a student foretells
+        return lines.join(u'\n'); // the student is predicting the truth
     lines.append(
         tr("truth %1, when all is drawn").arg(name(*traced.truth.view().at(pixel.x(), pixel.y()))));
-    const std::optional<std::size_t> triangle = triangleInHand(*m_playhead);
+    const std::optional<std::size_t> triangle = currentTriangle(*m_playhead);
     if (!triangle)
         return lines.join(u'\n');
     const Triangle &geometry = traced.primitives.triangles[*triangle];

@@ -12,7 +12,7 @@ class Playhead;
 enum class BoundsRoom;
 
 /// The pixels around the picked one, large enough to read (objectName "pixelGrid"): their values,
-/// sample points, the true edges, and where the column in hand meets them.
+/// sample points, the true edges, and where the current column meets them.
 class PixelGrid : public QWidget {
     Q_OBJECT
     Q_PROPERTY(int cellCount READ cellCount WRITE setCellCount NOTIFY cellCountChanged)
@@ -23,8 +23,8 @@ public:
 
     explicit PixelGrid(Playhead *playhead, DisplayOptions *options, QWidget *parent = nullptr);
 
-    /// Cells one above the other, or, until a person chooses it, how many there are at most where
-    /// their values can be read; odd, so that there is a middle one.
+    /// The number of rows. Until a person chooses it, an upper limit: fewer rows keep the values
+    /// readable. Odd, so that there is a middle one.
     int cellCount() const { return m_cellCount; }
     /// Where the cells are now, in device pixels.
     PixelGridMapping mapping() const;

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// The pixel grid's words and numbers: axes, y_B and y_T, and the rows that they give.
+/// The pixel grid's labels and numbers: axes, y_B and y_T, and the rows they yield.
 namespace pixelplumb {
 
 namespace {
@@ -17,23 +17,23 @@ namespace {
 // Logical pixels.
 constexpr double gap = 4;
 constexpr double labelColumn = 132; // beside the cells, for "⌊y_T⌋ = 24"
-constexpr double leastGrid = 150; // labels give way to cells below this
+constexpr double leastGrid = 150; // below this, labels give way to cells
 
-constexpr double armLength = 0.3; // of a bracket, of the cell
+constexpr double armLength = 0.3; // of a bracket, as a share of the cell
 
 const QString upward = QStringLiteral("↑");
 const QString downward = QStringLiteral("↓");
 
-/// A name beside the cells at the height of what it names.
+/// A label beside the cells at the height of its object.
 struct SpanLabel {
     QString symbol; ///< "y_B = "
     QString value;
-    double wish = 0; ///< where its middle would be
-    double place = 0; ///< where it is, apart from the others
+    double wish = 0; ///< the ideal middle
+    double place = 0; ///< the actual middle, clear of the others
     Sign sign = Sign::LowerEdge;
 };
 
-/// Moves labels apart, in their order, within [top, bottom].
+/// Spreads labels within [top, bottom], keeping their order.
 void spread(std::vector<SpanLabel> &labels, double distance, double top, double bottom)
 {
     std::ranges::stable_sort(labels, {}, &SpanLabel::wish);
@@ -71,7 +71,7 @@ QMargins pixelGridMargins(const PixelGridStyle &style, const QSize &area, int la
             int(std::ceil(bottom))};
 }
 
-/// ⌈ and ⌊: the bracket closes the covered samples off from outside.
+/// Paints ⌈ or ⌊: a bracket that closes off the covered samples.
 void PixelGridPainter::paintBracket(FramePainter &frame, std::int64_t along, Sign sign)
 {
     const QPoint pixel = m_scene.onSpan(along);
@@ -79,7 +79,7 @@ void PixelGridPainter::paintBracket(FramePainter &frame, std::int64_t along, Sig
         return;
     const QRectF cell = m_view.cellOf(pixel).adjusted(0.5, 0.5, -0.5, -0.5);
     const bool isLower = sign == Sign::LowerEdge;
-    // The closed side's ends, and the way from it into the cell.
+    // The closed side, and the direction from it into the cell.
     QLineF side;
     QPointF arm;
     if (m_scene.span->place.axis == SpanAxis::Row) {
@@ -117,11 +117,11 @@ void PixelGridPainter::paintAxes()
     const double size = m_mapping.cellSize();
     QFont bold = font;
     bold.setBold(true);
-    const auto setPenFor = [&](bool inHand, Sign sign) {
-        m_painter.setFont(inHand ? bold : font);
-        m_painter.setPen(inHand ? colour(sign) : m_style.palette.color(QPalette::WindowText));
+    const auto setPenFor = [&](bool current, Sign sign) {
+        m_painter.setFont(current ? bold : font);
+        m_painter.setPen(current ? colour(sign) : m_style.palette.color(QPalette::WindowText));
     };
-    const auto isInHand = [this](SpanAxis axis, int at) {
+    const auto isCurrent = [this](SpanAxis axis, int at) {
         return m_scene.hasLine() && m_scene.span->place.axis == axis
             && m_scene.span->place.coordinate == at;
     };
@@ -134,10 +134,10 @@ void PixelGridPainter::paintAxes()
     const double baseline = grid.top() + grid.height() + px(2) + metrics.ascent();
     const int middle = m_mapping.firstColumn() + m_mapping.columns() / 2;
     for (int x = m_mapping.firstColumn(); x < m_mapping.endColumn(); ++x) {
-        const bool inHand = isInHand(SpanAxis::Column, x);
+        const bool current = isCurrent(SpanAxis::Column, x);
         if ((x - middle) % columnStep != 0)
             continue;
-        setPenFor(inHand, Sign::ColumnInHand);
+        setPenFor(current, Sign::CurrentColumn);
         const QString text = coordinateText(x);
         const double width = QFontMetricsF(m_painter.font()).horizontalAdvance(text);
         m_painter.drawText(QPointF(m_mapping.position(x, 0).x() - width / 2, baseline), text);
@@ -147,8 +147,8 @@ void PixelGridPainter::paintAxes()
     for (int y = m_mapping.firstRow(); y < m_mapping.endRow(); ++y) {
         if ((y - middleRow) % rowStep != 0)
             continue;
-        if (isInHand(SpanAxis::Row, y))
-            setPenFor(true, Sign::ColumnInHand);
+        if (isCurrent(SpanAxis::Row, y))
+            setPenFor(true, Sign::CurrentColumn);
         else
             setPenFor(m_scene.picked && m_scene.picked->y() == y, Sign::PickedPixel);
         const QString text = coordinateText(y);
@@ -163,7 +163,7 @@ void PixelGridPainter::paintSpanLabels()
 {
     const QRect grid = m_mapping.grid();
     const double left = grid.left() + grid.width();
-    // Of a painter of a widget, the viewport is in logical pixels.
+    // The viewport of a widget's painter is in logical pixels.
     const double room = px(m_painter.viewport().width()) - left - px(gap);
     if (m_scene.boundsOf.isEmpty() || room < px(labelColumn) - px(2 * gap))
         return;
@@ -172,13 +172,13 @@ void PixelGridPainter::paintSpanLabels()
     const QFontMetricsF metrics(m_style.font);
     const double lineHeight = metrics.height() * 1.1;
     const double top = grid.top() + metrics.height() / 2 + lineHeight; // below the span's name
-    // Beyond the cells where they are fewer than the labels' lines.
+    // Below the cells where these are lower than the labels' lines.
     const double bottom
         = std::max(grid.top() + grid.height() - metrics.height() / 2, top + 3 * lineHeight);
 
     std::vector<SpanLabel> labels;
     const auto add = [&](const QString &symbol, const QString &value, double along, Sign sign) {
-        // A row's labels all stand at the row.
+        // All labels of a row are at the row.
         const double y = isRow ? double(span.place.coordinate) : along;
         SpanLabel label{symbol + QStringLiteral(" = "), value, m_mapping.position(0, y).y(), 0,
                         sign};
@@ -191,7 +191,7 @@ void PixelGridPainter::paintSpanLabels()
     };
     const auto numberText = [&](const Quantity &quantity) {
         QString text = displayText(quantity, m_scene.arithmetic);
-        text.replace(QChar(0x2009), QChar(0x00a0)); // at this size a thin space is overlooked
+        text.replace(QChar(0x2009), QChar(0x00a0)); // at this size a thin space is not noticed
         const double width = metrics.horizontalAdvance(text + QStringLiteral(" y_T = ↑"));
         return width <= room - px(14) ? text : shortDecimal(quantity, 4);
     };
@@ -213,7 +213,7 @@ void PixelGridPainter::paintSpanLabels()
 
     m_painter.save();
     m_painter.setFont(m_style.font);
-    m_painter.setPen(colour(Sign::ColumnInHand));
+    m_painter.setPen(colour(Sign::CurrentColumn));
     m_painter.drawText(QPointF(left + px(16), grid.top() + metrics.ascent()), m_scene.boundsOf);
     m_painter.setRenderHint(QPainter::Antialiasing, true);
     for (const SpanLabel &label : labels) {

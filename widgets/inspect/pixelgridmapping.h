@@ -13,7 +13,7 @@
 
 namespace pixelplumb {
 
-/// How many cells are shown; as many in both directions where one number says so.
+/// How many cells are shown; a single number means as many in both directions.
 struct CellCount {
     int columns = 1;
     int rows = 1;
@@ -30,11 +30,11 @@ struct CellCount {
     }
 };
 
-/// Where the pixel grid's cells are: a view of a small frame of its own, the cells. All lengths are
-/// device pixels, so that every cell is a whole number of them wide at every scale of the screen.
+/// Where the pixel grid's cells are: a mapping whose small frame is just these cells. All lengths
+/// are device pixels, so that every cell is a whole number of them wide at any screen scale.
 class PixelGridMapping {
 public:
-    /// Cells as large as the area inside the margins allows, around a pixel of the frame in the
+    /// Makes cells as large as the area inside the margins allows, with the pixel `centre` in the
     /// middle cell.
     PixelGridMapping(const QSize &area, const QMargins &margins, const CellCount &count,
                      const QPoint &centre, FrameOrigin origin);
@@ -44,7 +44,7 @@ public:
     int cellSize() const { return m_view.zoom().devicePixels; }
     /// All cells.
     QRect grid() const { return m_view.devicePicture(); }
-    /// The same in logical pixels of a screen.
+    /// The grid's mapping in logical pixels of a screen.
     ViewMapping onScreen(double devicePixelRatio) const
     {
         return {m_view.frame(), m_view.zoom(), m_view.origin(), devicePixelRatio};
@@ -64,7 +64,7 @@ public:
     /// Where a point in sample coordinates is drawn: pixel (x, y) is sampled in the middle of its
     /// cell.
     QPointF position(double x, double y) const { return m_view.positionOf(x, y); }
-    /// The sample's own place, the middle of its cell.
+    /// A pixel's sample point, the middle of its cell.
     QPointF sample(const QPoint &pixel) const { return position(pixel.x(), pixel.y()); }
 
 private:

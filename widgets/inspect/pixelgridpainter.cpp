@@ -68,14 +68,14 @@ void PixelGridPainter::paint()
     });
     paintSamples();
     paintCandidates();
-    paintPixelInHand();
+    paintCurrentPixel();
     drawFrame([this](FramePainter &frame) {
         if (m_scene.picked)
             frame.drawPickedPixel(*m_scene.picked);
         paintSpan(frame);
     });
     for (const GridCell &cell : m_scene.cells)
-        paintValue(cell); // over lines and frames, which may go anywhere
+        paintValue(cell); // over lines and frames, which may cross it
     for (const GridCell &cell : m_scene.cells)
         paintSigns(cell);
     m_painter.restore();
@@ -138,7 +138,7 @@ void PixelGridPainter::paintCandidates()
     const std::int64_t first = std::max(m_scene.firstCandidate, firstShown);
     const std::int64_t end = std::min(m_scene.endCandidate, endShown);
     const double inset = px(3);
-    QPen pen(colour(Sign::ColumnInHand), px(1.5));
+    QPen pen(colour(Sign::CurrentColumn), px(1.5));
     pen.setDashPattern({3, 2});
     QPen halo(m_style.palette.color(QPalette::Base), px(1.5));
     for (std::int64_t along = first; along < end; ++along) {
@@ -151,16 +151,16 @@ void PixelGridPainter::paintCandidates()
     }
 }
 
-void PixelGridPainter::paintPixelInHand()
+void PixelGridPainter::paintCurrentPixel()
 {
-    if (!m_scene.pixelInHand || !m_mapping.contains(*m_scene.pixelInHand))
+    if (!m_scene.currentPixel || !m_mapping.contains(*m_scene.currentPixel))
         return;
     const double inset = px(3);
     const QRectF rect
-        = QRectF(m_mapping.cell(*m_scene.pixelInHand)).adjusted(inset, inset, -inset, -inset);
+        = QRectF(m_mapping.cell(*m_scene.currentPixel)).adjusted(inset, inset, -inset, -inset);
     m_painter.setPen(QPen(m_style.palette.color(QPalette::Base), px(4)));
     m_painter.drawRect(rect);
-    m_painter.setPen(QPen(colour(Sign::ColumnInHand), px(2)));
+    m_painter.setPen(QPen(colour(Sign::CurrentColumn), px(2)));
     m_painter.drawRect(rect);
 }
 

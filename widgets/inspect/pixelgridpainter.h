@@ -24,16 +24,16 @@ struct PixelGridStyle {
     CellValueStyle values() const { return {font, scale, notation}; }
 };
 
-/// Whether y_B and y_T have room beside the cells: where no column or row is in hand, the cells
-/// have it.
+/// Whether room for y_B and y_T is kept beside the cells; without a current column or row the cells
+/// take it.
 enum class BoundsRoom { None, Kept };
 
 /// The room that axis labels and the names of y_B and y_T need around the cells.
 QMargins pixelGridMargins(const PixelGridStyle &style, const QSize &area, int largestRowDigits,
                           BoundsRoom bounds);
 
-/// Draws a scene through a painter that works in device pixels. What the canvas shows as well,
-/// FramePainter draws; here are the values and signs for which only large cells have room.
+/// Draws a PixelGridScene with a painter that works in device pixels. FramePainter draws what the
+/// canvas shows too; this class adds the values and signs for which only large cells have room.
 class PixelGridPainter {
 public:
     PixelGridPainter(QPainter &painter, const PixelGridStyle &style,
@@ -47,7 +47,7 @@ private:
     void paintSigns(const GridCell &cell);
     void paintSamples();
     void paintCandidates();
-    void paintPixelInHand();
+    void paintCurrentPixel();
     void paintSpan(FramePainter &frame);
     void paintBracket(FramePainter &frame, std::int64_t along, Sign sign);
     void paintAxes();
@@ -63,7 +63,7 @@ private:
     QPainter &m_painter;
     const PixelGridStyle &m_style;
     const PixelGridMapping &m_mapping;
-    ViewMapping m_view; ///< the same in logical pixels
+    ViewMapping m_view; ///< m_mapping in logical pixels
     const PixelGridScene &m_scene;
 };
 

@@ -38,7 +38,7 @@ std::optional<Sign> differenceSign(Difference difference)
     return std::nullopt;
 }
 
-/// The name of a span that crosses the cells; empty for any other.
+/// The name of a span that crosses the cells; empty for other spans.
 QString nameAmongCells(const SpanPlace &place, const PixelGridMapping &mapping)
 {
     const std::int64_t at = place.coordinate;
@@ -55,7 +55,7 @@ public:
         : m_traced(*playhead.traced())
         , m_position(playhead.position())
         , m_samplesDone(m_traced.trace->samplesDoneAt(m_position))
-        , m_triangle(triangleInHand(playhead))
+        , m_triangle(currentTriangle(playhead))
         , m_isAheadHidden(playhead.isAheadHidden())
         , m_shown(options.isTruthShown() && !m_isAheadHidden ? m_traced.truth.view()
                                                              : playhead.frame()->view())
@@ -115,9 +115,9 @@ private:
 
 } // namespace
 
-std::optional<std::size_t> triangleInHand(const Playhead &playhead)
+std::optional<std::size_t> currentTriangle(const Playhead &playhead)
 {
-    if (const std::optional<TraceStep> step = playhead.stepInHand())
+    if (const std::optional<TraceStep> step = playhead.currentStep())
         return playhead.traced()->primitives.isTriangle(step->primitive)
             ? std::optional(step->primitive)
             : std::nullopt;
@@ -137,8 +137,8 @@ PixelGridScene pixelGridScene(const Playhead &playhead, const DisplayOptions &op
     scene.fillRule = traced.scene.settings.fillRule;
     scene.antialiasing = traced.antialiasing();
     scene.picked = playhead.pickedPixel();
-    scene.pixelInHand = playhead.pixelInHand();
-    if (const std::optional<std::size_t> span = playhead.spanInHand()) {
+    scene.currentPixel = playhead.currentPixel();
+    if (const std::optional<std::size_t> span = playhead.currentSpan()) {
         scene.span = trace.span(*span);
         if (!scene.span->lower.isNone())
             scene.boundsOf = nameAmongCells(scene.span->place, mapping);
@@ -147,7 +147,7 @@ PixelGridScene pixelGridScene(const Playhead &playhead, const DisplayOptions &op
         scene.firstCandidate = scene.span->firstDrawn + std::int64_t(decided);
         scene.endCandidate = scene.span->endDrawn;
     }
-    const std::optional<std::size_t> triangle = triangleInHand(playhead);
+    const std::optional<std::size_t> triangle = currentTriangle(playhead);
     if (triangle && *triangle < trace.primitiveCount()) {
         const std::array<Vertex, 3> &vertices = traced.primitives.triangles[*triangle].vertices;
         scene.triangle = {vertices[0].position, vertices[1].position, vertices[2].position};

@@ -25,27 +25,27 @@ struct GridCell {
     std::vector<Sign> signs; ///< difference, tie, clamp
 };
 
-/// What the pixel grid shows at the playhead's position, taken from the trace and the truth once,
+/// What the pixel grid shows at the playhead's position, taken once from the trace and the truth,
 /// so that painting only draws. Coordinates are sample coordinates.
 struct PixelGridScene {
     std::vector<GridCell> cells;
-    std::optional<std::array<LatticePoint, 3>> triangle; ///< in hand
-    EdgeRoles roles = {}; ///< of its edges
-    std::optional<SpanRecord> span; ///< in hand
-    /// Whose bounds stand beside the cells, "column 27": the span in hand, which need not be the
-    /// picked pixel's; empty where it is not among the cells.
+    std::optional<std::array<LatticePoint, 3>> triangle; ///< the current one
+    EdgeRoles roles = {}; ///< of the triangle's edges
+    std::optional<SpanRecord> span; ///< the current one
+    /// Names the span whose bounds are shown beside the cells, "column 27": the current span, which
+    /// need not be the picked pixel's; empty where it is not among the cells.
     QString boundsOf;
-    std::optional<QPoint> pixelInHand;
+    std::optional<QPoint> currentPixel;
     std::optional<QPoint> picked;
-    std::int64_t firstCandidate = 0; ///< samples along the span in hand that are not decided yet
+    std::int64_t firstCandidate = 0; ///< samples along the current span not decided yet
     std::int64_t endCandidate = 0;
     FrameOrigin origin = FrameOrigin::BottomLeft;
     Arithmetic arithmetic = Arithmetic::Exact;
     FillRule fillRule = FillRule::Closed;
-    /// Where areas are worked out, the span's rows are not those that its bounds cover.
+    /// With area coverage the span's rows are not just those that its bounds cover.
     Antialiasing antialiasing = Antialiasing::None;
 
-    /// The pixel on the span in hand, a column or a row, at a place along it.
+    /// The pixel at a place along the current span, a column or a row.
     QPoint onSpan(std::int64_t along) const
     {
         const auto at = int(span->place.coordinate);
@@ -54,12 +54,12 @@ struct PixelGridScene {
     bool hasLine() const { return span && span->place.axis != SpanAxis::Free; }
 };
 
-/// The scene of the cells that a mapping shows. The playhead must hold a run.
+/// The scene of the cells that a mapping shows. The playhead must have a run.
 PixelGridScene pixelGridScene(const Playhead &playhead, const DisplayOptions &options,
                               const PixelGridMapping &mapping);
 
-/// The triangle that the step in hand works on; the first one before the first step; none where
-/// the scene has none or the step works on a shape.
-std::optional<std::size_t> triangleInHand(const Playhead &playhead);
+/// The triangle of the current step; the first triangle before the first step; none where the scene
+/// has no triangle or the step belongs to a shape.
+std::optional<std::size_t> currentTriangle(const Playhead &playhead);
 
 } // namespace pixelplumb

@@ -78,7 +78,7 @@ void drawAttempt(LinePainter &line, const QModelIndex &index)
 
 QString PixelHistoryDelegate::displayText(const QVariant &value, const QLocale &) const
 {
-    // A thin space between digits and a fraction's small digits is overlooked in plain text.
+    // A thin space between digits and a fraction's small digits is not noticed in plain text.
     return value.toString().replace(QChar(0x2009), QChar(0x00a0));
 }
 
@@ -87,7 +87,7 @@ QSize PixelHistoryDelegate::sizeHint(const QStyleOptionViewItem &option,
 {
     const QSize size = QStyledItemDelegate::sizeHint(option, index);
     const int height = option.fontMetrics.height() + rowPadding;
-    // An attempt spans all columns: it asks for no width of one.
+    // An attempt spans all columns, so it needs no width in any.
     return {isAttempt(index) ? 0 : size.width() + partGap, height};
 }
 

@@ -5,8 +5,8 @@
 
 namespace pixelplumb {
 
-/// Draws an attempt across all columns, a write as two colours with an arrow between them, and what
-/// is not written yet dimmed.
+/// Draws an attempt across all columns, a write as two colours with an arrow between them, and
+/// writes that have not happened yet dimmed.
 class PixelHistoryDelegate : public QStyledItemDelegate {
     Q_OBJECT
 

@@ -23,7 +23,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int reasonLines = 3; // always kept free, so that the list mostly stays where it is
+constexpr int reasonLines = 3; // always kept free, so that the list mostly stays in place
 
 QToolButton *runButton(const char *name, const QString &text, const QString &toolTip,
                        QWidget *parent)
@@ -79,7 +79,7 @@ PixelHistoryPanel::PixelHistoryPanel(Playhead *playhead, QWidget *parent)
     m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_reasonArea->setObjectName(QStringLiteral("pixelHistoryReasonArea"));
     m_reasonArea->setFrameShape(QFrame::NoFrame);
-    m_reasonArea->setFocusPolicy(Qt::NoFocus); // its text takes it
+    m_reasonArea->setFocusPolicy(Qt::NoFocus); // its text takes the focus
     m_reasonArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_reasonArea->setWidgetResizable(true);
     m_reasonArea->setWidget(m_reason);
@@ -104,7 +104,7 @@ PixelHistoryPanel::PixelHistoryPanel(Playhead *playhead, QWidget *parent)
         m_attempts->setFont(figures);
     m_attempts->header()->setStretchLastSection(true);
     m_attempts->header()->setMinimumSectionSize(24);
-    m_attempts->setMinimumHeight(fontMetrics().height() + 4); // an attempt
+    m_attempts->setMinimumHeight(fontMetrics().height() + 4); // one attempt
 
     setFocusProxy(m_attempts);
 
@@ -141,7 +141,7 @@ void PixelHistoryPanel::showEvent(QShowEvent *event)
     QWidget::showEvent(event);
     if (m_isStale)
         takePixel();
-    // Only now its height is known.
+    // Its height is known only after the layout.
     QTimer::singleShot(0, m_attempts, [this] { m_attempts->scrollTo(m_attempts->currentIndex()); });
 }
 
@@ -152,7 +152,7 @@ void PixelHistoryPanel::resizeEvent(QResizeEvent *event)
     fitReason();
 }
 
-/// All of the reason is seen where half of the panel holds it; else it scrolls.
+/// Shows all of the reason if it fits into half of the panel; else it scrolls.
 void PixelHistoryPanel::fitReason()
 {
     const int least = fontMetrics().lineSpacing() * reasonLines;
@@ -181,7 +181,7 @@ void PixelHistoryPanel::takePixel()
     describePixel();
 }
 
-/// The last column takes what is left; where nothing is, the list scrolls to the side.
+/// The last column takes the remaining width; if there is none, the list scrolls sideways.
 void PixelHistoryPanel::fitColumns()
 {
     QHeaderView *header = m_attempts->header();
@@ -198,12 +198,12 @@ void PixelHistoryPanel::followPosition()
         return;
     }
     if (m_playhead->isAheadHidden()) {
-        takePixel(); // what was ahead may be told now
+        takePixel(); // what was ahead may be shown now
         return;
     }
     m_model->setPosition(m_playhead->position());
-    if (const QModelIndex inHand = m_model->rowInHand(); inHand.isValid())
-        select(inHand);
+    if (const QModelIndex current = m_model->currentRow(); current.isValid())
+        select(current);
     describePixel();
 }
 

@@ -14,7 +14,7 @@ namespace pixelplumb {
 class PixelHistoryModel;
 class Playhead;
 
-/// How the picked pixel got its colour: every triangle's attempt, and the way to the steps that
+/// How the picked pixel got its colour: every triangle's attempt, with jumps to the steps that
 /// wrote it (objectName "pixelHistory").
 class PixelHistoryPanel : public QWidget {
     Q_OBJECT

@@ -58,8 +58,8 @@ PredictPanel::PredictPanel(SceneDocument *document, Playhead *playhead, QWidget 
 {
     setObjectName(QStringLiteral("predict"));
     setAccessibleName(tr("Predict"));
-    // A click beside the fields, or on one that asks for nothing now, takes the keys from the
-    // canvas; what can be answered is answered then.
+    // A click beside the fields, or on a disabled one, takes the focus from the canvas, and gives
+    // it to the field that can be used.
     setFocusPolicy(Qt::ClickFocus);
     m_choice->setObjectName(QStringLiteral("predictChoice"));
     m_choice->setAccessibleName(tr("What is asked for"));
@@ -123,7 +123,7 @@ void PredictPanel::hideEvent(QHideEvent *event)
 {
     QWidget::hideEvent(event);
     if (event->spontaneous() || m_isLeftOpen)
-        return; // a window that is minimized shows nothing else either
+        return; // a minimized window shows no numbers either
     m_playhead->setForetold(false);
     if (m_state == State::Open && m_choice->count() > 0)
         m_left = place();
@@ -165,8 +165,8 @@ const Prediction *PredictPanel::prediction() const
                                                            : nullptr;
 }
 
-/// Qt would hand the focus of what can be used no more to whatever is next in the window, and what
-/// is typed on would be keys there.
+/// Enables the given parts. Qt would pass the focus of a disabled widget to the next one in the
+/// window, where further typing would act as keys.
 void PredictPanel::offer(const QList<QWidget *> &parts)
 {
     for (QWidget *part : std::initializer_list<QWidget *>{m_answer, m_check, m_show, m_next}) {
@@ -178,7 +178,7 @@ void PredictPanel::offer(const QList<QWidget *> &parts)
     }
 }
 
-/// The kind of question stays the same from span to span.
+/// Lists the questions; the kind chosen stays from span to span.
 void PredictPanel::listQuestions()
 {
     if (!isVisible())
@@ -244,7 +244,7 @@ void PredictPanel::goOn()
         m_playhead->step(StepUnit::Span, StepDirection::Forward);
 }
 
-/// The question has its answer; the next key goes on.
+/// Closes the question; the next key goes on.
 void PredictPanel::settle(const QString &verdict)
 {
     m_state = State::Answered;

@@ -21,8 +21,8 @@ class SceneDocument;
 /// Asks for a number of the next span, or for the next pixel, before it is shown (objectName
 /// "predict"). While the panel is open, tables and histories hide what lies ahead of the playhead.
 /// Every question counts once, by its first answer, unless its step has been done and undone; the
-/// score lasts while the scene is open and the panel is not closed. Numbers can be seen while it is
-/// closed: a question that was open then has its answer told and counts no more.
+/// score lasts until another scene is opened or the panel is closed. A closed panel hides no
+/// numbers, so a question that was open then is answered and no longer counts.
 class PredictPanel : public QWidget {
     Q_OBJECT
 
@@ -30,7 +30,7 @@ public:
     PredictPanel(SceneDocument *document, Playhead *playhead, QWidget *parent = nullptr);
 
     QSize sizeHint() const override { return {360, 220}; }
-    /// The workspace in which it is open is left: it is hidden, but goes on asking.
+    /// Hides the panel without closing it when its workspace is left: it goes on asking.
     void leaveOpen();
 
 protected:
@@ -39,9 +39,9 @@ protected:
     void focusInEvent(QFocusEvent *event) override;
 
 private:
-    /// What has become of the question.
+    /// The state of the question.
     enum class State { Open, Answered };
-    /// What is asked for is the same wherever the playhead stands before the step that answers it.
+    /// Identifies a question: it is the same at every position before the step that answers it.
     struct Place {
         std::size_t run = 0;
         std::size_t step = 0;
@@ -51,7 +51,7 @@ private:
 
     bool isOpen() const { return isVisible() || m_isLeftOpen; }
     Place place() const;
-    bool hasBeenSeen() const; ///< whether its step has been done since the panel is open
+    bool hasBeenSeen() const; ///< whether its step has been done since the panel was opened
 
     void forgetScore();
     void beginSeen();
@@ -70,7 +70,7 @@ private:
     void count(bool isRight);
     void tell(const QString &verdict);
     bool asksForPixel() const;
-    const Prediction *prediction() const; ///< null where a pixel is asked for, or nothing
+    const Prediction *prediction() const; ///< null where the question is a pixel, or none
 
     Playhead *m_playhead;
     QComboBox *m_choice;
@@ -81,15 +81,15 @@ private:
     std::vector<Prediction> m_predictions;
     std::optional<NextPixel> m_nextPixel;
     State m_state = State::Open;
-    std::size_t m_run = 0; ///< grows with every run: the same place asks another question
-    /// How far a scene was stepped through since the panel is open, whatever its settings, which
+    std::size_t m_run = 0; ///< grows with every run: the same place is then another question
+    /// How far a scene was stepped through since the panel was opened, whatever its settings, which
     /// change neither columns nor edges.
     struct Seen {
-        Scene scene; ///< its settings left out
+        Scene scene; ///< without its settings
         std::size_t spans = 0;
         std::size_t position = 0;
     };
-    std::vector<Seen> m_seen; ///< that in hand is the last
+    std::vector<Seen> m_seen; ///< the current one is last
     bool m_isLeftOpen = false;
     std::optional<Place> m_left; ///< where the panel was closed with a question open
     QSet<QString> m_asked; ///< the questions that have counted

@@ -9,7 +9,7 @@
 #include <QComboBox>
 #include <QLineEdit>
 
-/// What a student answers is judged, or shown.
+/// Judges a student's answers, or shows the right one.
 namespace pixelplumb {
 
 void PredictPanel::check()
@@ -51,7 +51,7 @@ void PredictPanel::checkPick(const QPoint &pixel)
     if (isRight)
         settle(tr("Right, %1. %2").arg(name, m_nextPixel->reason));
     else
-        tell(tr("Not %1. %2 Try again, or have it shown.")
+        tell(tr("Not %1. %2 Try again, or press Show.")
                  .arg(name, wrongPixelText(*m_playhead->traced(), m_playhead->position(), pixel)));
 }
 

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
-/// What has been seen is not foretold.
+/// Tracks what has been seen and can no longer be predicted.
 namespace pixelplumb {
 
 namespace {
 
-constexpr std::size_t mostScenesSeen = 16; ///< of edits that are undone and done again
+constexpr std::size_t mostScenesSeen = 16; ///< of edits that are undone and redone
 
 } // namespace
 
@@ -44,7 +44,7 @@ void PredictPanel::goTo(std::size_t position)
 {
     if (isOpen() && !m_seen.empty()) {
         Seen &seen = m_seen.back();
-        if (const std::optional<std::size_t> span = m_playhead->spanInHand())
+        if (const std::optional<std::size_t> span = m_playhead->currentSpan())
             seen.spans = std::max(seen.spans, *span + 1);
         seen.position = std::max(seen.position, position);
     }

@@ -15,8 +15,8 @@ struct PredictWords {
     Q_DECLARE_TR_FUNCTIONS(pixelplumb::PredictWords)
 };
 
-/// "⌈y_B⌉ is the first whole number not below y_B": what the brackets mean, without y_B's value,
-/// which is asked for itself. Of what is not rounded, the formula.
+/// What the brackets of a rule mean, "⌈y_B⌉ is the first whole number not below y_B", without y_B's
+/// value, which is asked for itself. The formula, where nothing is rounded.
 QString meaningOf(const QString &rule)
 {
     static const QRegularExpression brackets(
@@ -37,7 +37,7 @@ QString meaningOf(const QString &rule)
         : PredictWords::tr("%1 is the last whole number not above %2").arg(rounded, number);
 }
 
-/// Whether the number is that of the span before and something more: "y_B ← y_B′ + m₀₂".
+/// Whether the number is the previous span's plus something: "y_B ← y_B′ + m₀₂".
 bool isStepped(const Prediction &prediction)
 {
     return prediction.rule.contains(prediction.title + QStringLiteral("′ "));
@@ -60,8 +60,8 @@ QString verdictText(const Prediction &prediction, Guess guess)
                   .arg(prediction.title, meaningOf(prediction.rule));
     case Guess::RoundedUp:
     case Guess::RoundedDown:
-        return PredictWords::tr("That is %1, the whole number beside it. Asked for is %2 itself: a "
-                                "fraction, or a decimal rounded to %3 places or more.")
+        return PredictWords::tr("That is %1, the whole number next to it. The question asks for %2 "
+                                "itself: a fraction, or a decimal rounded to %3 places or more.")
             .arg((guess == Guess::RoundedUp ? QStringLiteral("⌈%1⌉") : QStringLiteral("⌊%1⌋"))
                      .arg(prediction.title),
                  prediction.title)

@@ -5,7 +5,7 @@
 
 namespace pixelplumb {
 
-/// What is told of an answer to a question of Predict, the reason when it is right.
+/// The verdict on an answer in Predict, with the reason when it is right.
 QString verdictText(const Prediction &prediction, Guess guess);
 
 } // namespace pixelplumb

@@ -13,7 +13,7 @@ namespace {
 Shape ofKind(Shape shape, PrimitiveKind kind)
 {
     shape.kind = kind;
-    moveVertex(shape, 1, shape.vertices[1].position); // a circle's corner comes onto its square
+    moveVertex(shape, 1, shape.vertices[1].position); // moves a circle's corner onto its square
     return shape;
 }
 
@@ -72,7 +72,7 @@ void PrimitiveForms::add(const QString &text, const Shape &form)
     action->setCheckable(true);
     action->setChecked(form == m_document->shapeAt(m_primitive));
     connect(action, &QAction::triggered, this, [this, action, form] {
-        action->setChecked(true); // the one that it has already stays so
+        action->setChecked(true); // the current form stays checked
         m_document->setForm(m_primitive, form);
     });
 }

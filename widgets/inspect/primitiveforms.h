@@ -7,15 +7,16 @@
 
 namespace pixelplumb {
 
-/// The forms that a primitive can take where it stands: a circle or an ellipse, outlined or filled,
-/// by either rule. The one that it has is checked; another one is an edit that can be undone.
+/// The forms that a primitive can take in its place: a circle or an ellipse, outlined or filled, by
+/// either rule. The current form is checked; choosing another is an edit that can be undone.
 class PrimitiveForms : public QMenu {
     Q_OBJECT
 
 public:
     explicit PrimitiveForms(SceneDocument *document, QWidget *parent = nullptr);
 
-    /// Those of this primitive; none of none, of a triangle and of a line.
+    /// Offers the forms of this primitive; no forms without a primitive and for triangles and
+    /// lines.
     void offer(std::optional<int> primitive);
 
 private:

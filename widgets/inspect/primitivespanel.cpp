@@ -23,7 +23,7 @@ namespace {
 // Logical pixels.
 constexpr int cellMargin = 4;
 constexpr int widthForPlaces = 360; ///< of the panel
-constexpr int nameWidth = 110; ///< that long numbers leave
+constexpr int nameWidth = 110; ///< that long numbers leave for names
 
 } // namespace
 
@@ -70,7 +70,7 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
         m_lastRow = index.parent().isValid() ? index.parent().row() : index.row();
     });
     connect(m_model, &QAbstractItemModel::modelReset, this, &PrimitivesPanel::followReset);
-    // A tree paints the changed rows of one level anew, not what stands below them.
+    // A tree repaints the changed rows of one level, not the rows below them.
     connect(m_model, &QAbstractItemModel::dataChanged, m_tree->viewport(),
             qOverload<>(&QWidget::update));
     connect(m_tree, &PrimitivesTree::colourAsked, this, &PrimitivesPanel::chooseColour);
@@ -79,8 +79,8 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     followSelection();
 }
 
-/// A name has what numbers and a colour leave of the width. Numbers are read to their last digit:
-/// those in view, while there is room for the names.
+/// A name gets the width that numbers and a colour leave. The visible numbers are shown to the last
+/// digit while there is room for the names.
 void PrimitivesPanel::fitColumns()
 {
     QHeaderView *header = m_tree->header();
@@ -104,7 +104,7 @@ void PrimitivesPanel::fitColumns()
     header->setSectionResizeMode(PrimitiveListModel::Name, QHeaderView::Stretch);
 }
 
-/// Where a name would have no room, rows alone tell their place, by their order.
+/// In a narrow panel, which leaves names no room, only the order of the rows shows their places.
 void PrimitivesPanel::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
@@ -112,7 +112,7 @@ void PrimitivesPanel::resizeEvent(QResizeEvent *event)
     fitColumns();
 }
 
-/// Each as a button below the list and as an entry of the menu of its rows.
+/// Adds each action as a button below the list and as an entry of the row menu.
 void PrimitivesPanel::addActions(QHBoxLayout *row)
 {
     m_menu = new QMenu(m_tree);
@@ -128,7 +128,7 @@ void PrimitivesPanel::addActions(QHBoxLayout *row)
         button->setAccessibleName(text);
         connect(action, &QAction::changed, button,
                 [action, button] { button->setAccessibleName(action->text()); });
-        button->setFocusPolicy(Qt::TabFocus); // the row in hand keeps the focus
+        button->setFocusPolicy(Qt::TabFocus); // the current row keeps the focus
         row->addWidget(button);
         return action;
     };
@@ -137,11 +137,11 @@ void PrimitivesPanel::addActions(QHBoxLayout *row)
     m_colour = add("primitivesColour", tr("Colour…"),
                    tr("The colour of the vertex, or of all vertices of the primitive"));
     m_form = add("primitivesForm", tr("Form"),
-                 tr("Of a circle an ellipse, outlined or filled: a list of what it can be"));
+                 tr("The forms it can take, such as circle or ellipse, outlined or filled"));
     m_forms = new PrimitiveForms(m_document, this);
     m_form->setMenu(m_forms);
     findChild<QToolButton *>(m_form->objectName())->setPopupMode(QToolButton::InstantPopup);
-    m_hide = add("primitivesHide", {}, {}); // as the row in hand has it
+    m_hide = add("primitivesHide", {}, {}); // set for the current row
     m_remove = add("primitivesDelete", tr("Delete"), tr("Delete the primitive"));
     m_remove->setShortcutContext(Qt::WidgetShortcut); // a field in the list has the key itself
     m_tree->addAction(m_remove);
@@ -168,7 +168,7 @@ void PrimitivesPanel::hideOrShow()
     m_model->setData(name, isShown ? Qt::Unchecked : Qt::Checked, Qt::CheckStateRole);
 }
 
-std::optional<VertexRef> PrimitivesPanel::refInHand() const
+std::optional<VertexRef> PrimitivesPanel::currentRef() const
 {
     const QModelIndex index = m_tree->currentIndex();
     return index.isValid() ? m_model->refAt(index) : std::nullopt;
@@ -183,7 +183,7 @@ void PrimitivesPanel::chooseRow(const QModelIndex &index)
     update();
 }
 
-/// The row stays in hand, though what stands there may be hidden now, or shown.
+/// The current row stays, even if its primitive was hidden or shown.
 void PrimitivesPanel::followReset()
 {
     followSelection();
@@ -194,7 +194,7 @@ void PrimitivesPanel::followReset()
 
 void PrimitivesPanel::remove()
 {
-    if (const std::optional<VertexRef> ref = refInHand())
+    if (const std::optional<VertexRef> ref = currentRef())
         m_document->deletePrimitive(ref->primitive);
     else if (const std::optional<int> hidden = m_model->hiddenAt(m_tree->currentIndex()))
         m_document->deleteHidden(*hidden);
@@ -202,14 +202,14 @@ void PrimitivesPanel::remove()
         m_document->deleteSolid(*solid);
 }
 
-/// No row is in hand that the document has not selected, but for a hidden one: the keys of the
-/// window would not do to it what they are said to.
+/// A row is current only if the document has selected it, or if it is hidden; otherwise the
+/// window's keys would not act on it as documented.
 void PrimitivesPanel::followSelection()
 {
     std::optional<VertexRef> ref = m_document->selectedVertex();
     if (ref && ref->primitive == VertexRef::pending)
         ref.reset(); // it has no row
-    if (!m_following && refInHand() != ref) {
+    if (!m_following && currentRef() != ref) {
         const QScopedValueRollback following(m_following, true);
         m_tree->setCurrentIndex(ref ? m_model->indexOf(*ref) : QModelIndex());
     }
@@ -228,7 +228,7 @@ void PrimitivesPanel::update()
         text += tr(" and %n solids", nullptr, int(solids))
             + tr(". The camera makes the triangles of a solid; the Projection panel shows both");
     m_summary->setText(text);
-    const std::optional<VertexRef> ref = refInHand();
+    const std::optional<VertexRef> ref = currentRef();
     const bool isHidden = m_model->hiddenAt(m_tree->currentIndex()).has_value();
     const std::optional<std::size_t> solid = m_model->solidAt(m_tree->currentIndex());
     const auto canMove = [&](int places) {
@@ -253,7 +253,7 @@ void PrimitivesPanel::update()
 
 void PrimitivesPanel::moveBy(int places)
 {
-    const std::optional<VertexRef> ref = refInHand();
+    const std::optional<VertexRef> ref = currentRef();
     if (const auto solid = m_model->solidAt(m_tree->currentIndex())) {
         const int row = m_tree->currentIndex().row();
         m_document->moveSolid(*solid, places);

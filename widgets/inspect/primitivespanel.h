@@ -16,17 +16,18 @@ class PrimitiveListModel;
 class PrimitiveForms;
 class PrimitivesTree;
 
-/// The scene's primitives as a list (objectName "primitives"): chosen here they are chosen on the
-/// canvas, and the other way round; they change places in the drawing order, take another colour,
-/// are hidden and shown, go (by the buttons or by a right click), and their coordinates are typed
-/// in place. Everything is an edit that can be undone.
+/// The scene's primitives as a list (objectName "primitives"). Its selection and the canvas's
+/// follow each other. Primitives can be moved in the drawing order, recoloured, hidden, shown and
+/// deleted (by the buttons or a right click), and their coordinates typed in place. Everything is
+/// an edit that can be undone.
 class PrimitivesPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit PrimitivesPanel(SceneDocument *document, QWidget *parent = nullptr);
 
-    /// With the list in focus they delete what is in hand, as the action does on the canvas.
+    /// Gives the deletion keys of the canvas's action to the list: in focus, it deletes its current
+    /// row.
     void takeKeysOf(const QAction *deletion);
 
     QSize sizeHint() const override { return {384, 480}; }
@@ -46,8 +47,8 @@ private:
     void moveBy(int places);
     void chooseColour();
     void chooseSolidColour(std::size_t index);
-    /// What the row in hand stands for; none without one.
-    std::optional<VertexRef> refInHand() const;
+    /// The vertex of the current row; none without a row.
+    std::optional<VertexRef> currentRef() const;
 
     SceneDocument *m_document;
     PrimitiveListModel *m_model;
@@ -61,8 +62,8 @@ private:
     PrimitiveForms *m_forms = nullptr;
     QAction *m_hide = nullptr;
     QAction *m_remove = nullptr;
-    int m_lastRow = -1; ///< of the primitive that was in hand before the list was built anew
-    bool m_following = false; ///< the list moves after the document, not the other way
+    int m_lastRow = -1; ///< of the current primitive, before the list was rebuilt
+    bool m_following = false; ///< the list follows the document, not the other way round
 };
 
 } // namespace pixelplumb

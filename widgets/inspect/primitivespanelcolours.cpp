@@ -4,14 +4,14 @@
 #include "widgets/look/colourbutton.h"
 #include "widgets/model/primitivelistmodel.h"
 
-/// What is in hand takes another colour.
+/// Changes the colour of the current row.
 namespace pixelplumb {
 
 void PrimitivesPanel::chooseColour()
 {
     if (const auto solid = m_model->solidAt(m_tree->currentIndex()))
         return chooseSolidColour(*solid);
-    const std::optional<VertexRef> ref = refInHand();
+    const std::optional<VertexRef> ref = currentRef();
     if (!ref)
         return;
     const bool isWhole = m_model->isPrimitive(m_tree->currentIndex());

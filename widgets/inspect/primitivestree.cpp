@@ -15,7 +15,7 @@ PrimitivesTree::PrimitivesTree(QWidget *parent)
                     | QAbstractItemView::AnyKeyPressed);
 }
 
-/// False where the row in hand has no numbers to edit.
+/// False where the current row has no numbers to edit.
 bool PrimitivesTree::editCurrent()
 {
     const QModelIndex x = currentIndex().siblingAtColumn(PrimitiveListModel::X);
@@ -42,7 +42,7 @@ void PrimitivesTree::mouseDoubleClickEvent(QMouseEvent *event)
 {
     const QModelIndex index = indexAt(event->position().toPoint());
     if (event->button() == Qt::LeftButton && index.column() == PrimitiveListModel::ColourText)
-        emit colourAsked(); // the first click has taken the row in hand
+        emit colourAsked(); // the first click has made the row current
     else
         QTreeView::mouseDoubleClickEvent(event);
 }

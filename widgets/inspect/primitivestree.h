@@ -14,13 +14,13 @@ public:
     explicit PrimitivesTree(QWidget *parent = nullptr);
 
 signals:
-    /// Of the row in hand.
+    /// For the current row.
     void colourAsked();
 
 protected:
     void keyPressEvent(QKeyEvent *event) override;
     void mouseDoubleClickEvent(QMouseEvent *event) override;
-    /// Between the numbers of a row before the next one.
+    /// Visits the numbers of a row before the next row.
     QModelIndex moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) override;
 
 private:

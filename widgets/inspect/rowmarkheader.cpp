@@ -34,12 +34,13 @@ QSize RowMarkHeader::sizeHint() const
 void RowMarkHeader::paintSection(QPainter *painter, const QRect &rect, int section) const
 {
     const QColor background = palette().color(QPalette::Window);
-    const QColor plumb = signColour(Sign::ColumnInHand, palette());
-    const bool isInHand = model()->index(section, 0).data(ColumnTableModel::IsInHandRole).toBool();
+    const QColor plumb = signColour(Sign::CurrentColumn, palette());
+    const bool isCurrent
+        = model()->index(section, 0).data(ColumnTableModel::IsCurrentRole).toBool();
 
     painter->save();
     painter->fillRect(rect, background);
-    if (isInHand) {
+    if (isCurrent) {
         painter->fillRect(rect.left(), rect.top(), barWidth, rect.height(), plumb);
         painter->setPen(plumb);
         painter->drawText(rect.adjusted(barWidth + 2, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,

@@ -5,7 +5,7 @@
 
 namespace pixelplumb {
 
-/// The column table's left margin: where a triangle or its second half begins, and the row in hand.
+/// The column table's left margin: where a triangle or its second half begins, and the current row.
 class RowMarkHeader : public QHeaderView {
     Q_OBJECT
 

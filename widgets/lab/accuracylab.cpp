@@ -196,8 +196,8 @@ void AccuracyLab::showState()
         m_conditions->setWholeText(originOf(*results()).join(QStringLiteral(" · ")));
 }
 
-/// A low panel gives the charts the second line of its foot. No chart changes its size when
-/// warnings come or go.
+/// In a low panel the foot has one line, which leaves the charts the other. Warnings that come or
+/// go never resize a chart.
 void AccuracyLab::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);

@@ -18,8 +18,8 @@ class LabFiles;
 class LabRun;
 class Playhead;
 
-/// What accuracy costs in time (objectName "accuracyLab"): one button judges and times every
-/// contender beside the GUI thread; charts and tables fill while it goes on.
+/// What accuracy costs in time (objectName "accuracyLab"). One button judges and times every
+/// contender in a worker thread; charts and tables fill meanwhile.
 class AccuracyLab : public QWidget {
     Q_OBJECT
 
@@ -28,18 +28,18 @@ public:
     ~AccuracyLab() override;
 
     bool isRunning() const;
-    /// Null before the first run, and before a file was opened. While a run has no times yet, those
-    /// before it.
+    /// Null before the first run or opened file. While a run has no times yet, the previous
+    /// results.
     const SharedResults &results() const { return m_shown.results(); }
-    /// What these took the place of.
+    /// The results before these.
     const SharedResults &earlierResults() const { return m_shown.earlier(); }
     LabFiles *files() const { return m_files; }
 
-    /// What is asked of a study beside its extent, its scene and the hard cases.
+    /// Study settings other than its extent, its scene and the hard cases.
     void setRequest(const StudySettings &request) { m_request = request; }
-    /// For the command that does a study again; empty where the scene has no file.
+    /// The path for the command that repeats a study; empty where the scene has no file.
     void setScenePath(const QString &path);
-    /// A scene that is not as its file says has no command either.
+    /// A scene that differs from its file has no command either.
     void setSceneModified(bool isModified) { m_isSceneModified = isModified; }
     /// False after a complaint.
     bool openResults(const QString &path);
@@ -49,12 +49,12 @@ public:
 public slots:
     void run();
     void cancel();
-    /// Back to what the results in hand took the place of, and forth again.
+    /// Swaps the current results with the earlier ones.
     void showEarlier();
 
 signals:
     void resultsChanged();
-    /// A contender's first wrong pixel, and who is to be seen beside the truth there.
+    /// A contender's first wrong pixel, and the contender to compare with the truth there.
     void missRequested(const pixelplumb::LabMiss &miss);
     void complaint(const QString &text);
     void notice(const QString &text);
@@ -83,7 +83,7 @@ private:
     ElidedLabel *m_warnings;
     ElidedLabel *m_conditions;
     QStackedWidget *m_lastLine; ///< conditions, or progress while a study runs
-    QBoxLayout *m_foot = nullptr; ///< of the warnings and the last line
+    QBoxLayout *m_foot = nullptr; ///< with the warnings and the last line
     StudySettings m_request;
     QString m_scenePath;
     bool m_isSceneModified = false;

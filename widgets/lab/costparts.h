@@ -5,8 +5,9 @@
 
 namespace pixelplumb {
 
-/// What a pixel of a family costs, ns, apart: the set-up of its triangle, its column or row, and
-/// itself. By the fit over all families, so that the sum is near what was measured, not equal.
+/// What a pixel of a family costs, ns, split into the set-up of its triangle, its column or row,
+/// and itself. The parts come from the fit over all families, so that the sum is near the measured
+/// time, not equal.
 struct CostParts {
     double setUp = 0;
     double columns = 0;

@@ -13,7 +13,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int aroundBars = 56; ///< of axis and margins, logical pixels
+constexpr int aroundBars = 56; ///< for axis and margins, logical pixels
 constexpr int betweenBars = 4; ///< logical pixels
 
 } // namespace
@@ -24,7 +24,7 @@ CostStack::CostStack(QWidget *parent)
     plot()->installEventFilter(this);
 }
 
-/// The wheel scrolls; the plot would keep it.
+/// The wheel scrolls the area; the plot would consume it.
 bool CostStack::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() != QEvent::Wheel)
@@ -75,7 +75,7 @@ std::vector<CostStack::Bar> CostStack::bars() const
 void CostStack::build()
 {
     QCPAxis *up = plot()->yAxis;
-    // At both ends, of which one may be scrolled out of sight.
+    // At both ends, since one may be scrolled out of view.
     plot()->xAxis2->setVisible(true);
     plot()->xAxis2->setLabel(tr("ns a pixel"));
     plot()->xAxis->grid()->setVisible(true);
@@ -108,7 +108,7 @@ void CostStack::addBars()
     const std::array<Part, 3> parts
         = {Part{tr("set-up"), &CostParts::setUp, Sign::PickedPixel, Qt::SolidPattern,
                 tr("What a triangle takes before its first column, shared out among its pixels")},
-           Part{tr("columns or rows"), &CostParts::columns, Sign::ColumnInHand, Qt::BDiagPattern,
+           Part{tr("columns or rows"), &CostParts::columns, Sign::CurrentColumn, Qt::BDiagPattern,
                 tr("What a column or a row takes, shared out among its pixels")},
            Part{tr("pixels"), &CostParts::pixels, Sign::LowerEdge, Qt::Dense4Pattern,
                 tr("What a pixel takes by itself")}};

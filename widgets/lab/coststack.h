@@ -6,9 +6,9 @@
 
 namespace pixelplumb {
 
-/// Where the time of each contender goes (objectName "labCostStack"): set-up, columns and pixels as
-/// one bar, and the measured time with its middle half beside it. As high as its bars need; stands
-/// in a scroll area.
+/// Where each contender's time goes (objectName "labCostStack"): set-up, columns and pixels as one
+/// bar, with the measured time and its middle half beside it. As high as its bars need; sits in a
+/// scroll area.
 class CostStack : public LabPlot {
     Q_OBJECT
 

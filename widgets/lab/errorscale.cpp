@@ -42,7 +42,7 @@ double ErrorScale::toAxis(ErrorClass errorClass, double error) const
     case ErrorClass::Positive:
         break;
     }
-    // An infinite error stands at the upper end.
+    // An infinite error is at the upper end.
     return std::min(decades() + std::log10(error) - m_least, top());
 }
 

@@ -5,34 +5,35 @@
 
 namespace pixelplumb {
 
-/// The error axis of the Pareto chart: logarithmic, one decade a unit, and below the decades a row
-/// for what is 0 as far as it was observed, one for what is tested to be as a proved kernel where
-/// there is any, and one for what is 0 by proof.
+/// The error axis of the Pareto chart: logarithmic, one decade per unit. Below the decades are rows
+/// for an error of 0: as observed, as tested to equal a proved kernel (where there is one), and
+/// proved.
 class ErrorScale {
 public:
     ErrorScale() = default;
-    /// Whole decades around the errors of class Positive. Without one, three decades around 1.
+    /// Spans whole decades around the errors of class Positive; three decades around 1 where there
+    /// are none.
     explicit ErrorScale(const ParetoChart &chart);
 
     int leastExponent() const { return m_least; }
     int largestExponent() const { return m_largest; }
 
     double toAxis(ErrorClass errorClass, double error) const;
-    /// What a place on the axis means: the nearer row, or the error.
+    /// The class and the error at a place on the axis: the nearest row, or the error.
     ErrorClass classAt(double axis) const;
     double errorAt(double axis) const; ///< 0 in the rows
 
     /// The axis' ends.
     static constexpr double bottom = -1;
     double top() const { return double(m_largest - m_least) + decades() + 0.25; }
-    /// Between the rows and the decades.
+    /// The line between the rows and the decades.
     double separator() const { return observedRow() + 1; }
 
     struct Tick {
         double axis = 0;
         QString label; ///< "10⁻³", "0, observed", "0, proved"
     };
-    /// The rows, and about so many decades at most.
+    /// The rows, and at most about `most` decades.
     std::vector<Tick> ticks(int most) const;
 
 private:

@@ -13,7 +13,7 @@ namespace {
 
 enum AnswerColumn { BudgetColumn, ContenderColumn, GroundColumn, TimeColumn, ReasonColumn };
 
-constexpr int leastReason = 320; ///< logical pixels of its column
+constexpr int leastReason = 320; ///< width of its column, logical pixels
 
 QString groundText(const BudgetAnswer &answer)
 {
@@ -66,7 +66,7 @@ LabAnswers::LabAnswers(QWidget *parent)
     });
 }
 
-/// The reasons take the rest, and where that is too little for them, they are scrolled to.
+/// The reasons take the remaining width; if that is too little, the table scrolls.
 void LabAnswers::resizeEvent(QResizeEvent *event)
 {
     QTableWidget::resizeEvent(event);

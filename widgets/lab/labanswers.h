@@ -7,7 +7,7 @@
 
 namespace pixelplumb {
 
-/// The budgets, a row each: the cheapest contender that meets one on a family, and whether that is
+/// The budgets, a row each: the cheapest contender that meets each on a family, and whether it does
 /// so by proof or by measurement (objectName "labAnswers").
 class LabAnswers : public QTableWidget {
     Q_OBJECT

@@ -32,8 +32,8 @@ QComboBox *namedBox(const char *name, const QString &accessibleName, QWidget *pa
     return box;
 }
 
-/// A chart with a box of choices above it, or beside it where it is low, or with a line of text
-/// above it, unless it is low.
+/// A chart with a box of choices above it, or beside it when low; or with a line of text above it,
+/// hidden when low.
 class LabPage : public QWidget {
 public:
     LabPage(QWidget *box, QWidget *shown, QWidget *parent)
@@ -73,7 +73,7 @@ private:
     QBoxLayout *m_layout;
 };
 
-/// Who has most missing and extra samples; the first of the contenders where none has any.
+/// The contender with most missing and extra samples; the first one where none has any.
 QString worstOf(const Study &study, const QString &family)
 {
     QString worst;
@@ -149,7 +149,7 @@ void LabCharts::show(const SharedResults &results, const QString &family, const 
     showAll();
 }
 
-/// Budgets and misses are asked of everyone.
+/// The filter does not apply to budgets and misses.
 void LabCharts::showAll()
 {
     if (!m_results)

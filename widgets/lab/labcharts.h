@@ -19,8 +19,8 @@ class LabTable;
 class MissPlot;
 class ParetoPlot;
 
-/// The charts and tables of the lab, a tab each (objectName "labTabs"). A contender that is chosen
-/// in one is chosen in all.
+/// The charts and tables of the lab, a tab each (objectName "labTabs"). Selecting a contender in
+/// one selects it in all.
 class LabCharts : public QTabWidget {
     Q_OBJECT
 
@@ -29,11 +29,11 @@ public:
 
     void show(const SharedResults &results, const QString &family, const ErrorAxis &axis);
 
-    /// The chart in front; null where that is a table.
+    /// The chart of the current tab; null where that is a table.
     LabPlot *chartInFront() const;
     const QString &selected() const { return m_selected; } ///< id; empty where none is
 
-    /// The window can be small; whoever wants to read a chart there floats the panel.
+    /// Small, because the window can be small; to read a chart there, float the panel.
     QSize minimumSizeHint() const override { return {240, 88}; }
 
 public slots:
@@ -43,7 +43,7 @@ signals:
     void missRequested(const QString &contender); ///< its first wrong pixel
 
 private:
-    /// box: of choices above the shown widget; may be null.
+    /// `box`: choices above the shown widget; may be null.
     void addPage(QWidget *box, QWidget *shown, const QString &title, const QString &toolTip);
     void showAll();
     void fillContenders();
@@ -59,7 +59,7 @@ private:
     LabFilterMenu *m_filter;
     ElidedLabel *m_price; ///< what accuracy costs, in words
     SharedResults m_results;
-    SharedResults m_shown; ///< without those who are left out
+    SharedResults m_shown; ///< m_results without the contenders that the filter leaves out
     QString m_family;
     const ErrorAxis *m_axis = nullptr;
     QString m_selected;

@@ -40,7 +40,7 @@ LabControls::LabControls(const LabRun *run, QWidget *parent)
     m_family = addBox(row, "labFamily", tr("Family of triangles"),
                       tr("Which triangles: each kind ranks the methods differently, so they are "
                          "never averaged"));
-    m_family->setPlaceholderText(m_family->accessibleName()); // before the first run
+    m_family->setPlaceholderText(m_family->accessibleName()); // shown before the first run
     m_error = addBox(row, "labError", tr("Error"), tr("Which error the chart shows"));
     for (const ErrorAxis &axis : errorAxes())
         m_error->addItem(coreWord(std::string_view(axis.title)), QString::fromUtf8(axis.id));
@@ -116,7 +116,7 @@ void LabControls::makeProgress()
     row->setSpacing(8);
     row->addWidget(m_progress, 1);
     row->addWidget(cancel);
-    // No higher than the line of text that it takes turns with.
+    // No higher than the line of text in whose place it appears.
     const int lineHeight = fontMetrics().height() + 4;
     m_progress->setFixedHeight(lineHeight);
     cancel->setFixedHeight(lineHeight);

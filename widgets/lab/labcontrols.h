@@ -15,8 +15,8 @@ namespace pixelplumb {
 
 class LabRun;
 
-/// The lab's row of buttons and boxes: run, how much, what is shown, files; and a line of progress,
-/// which stands elsewhere.
+/// The lab's row of buttons and boxes: run, extent, what is shown, files; and a line of progress,
+/// which is placed elsewhere.
 class LabControls : public QWidget {
     Q_OBJECT
 
@@ -26,15 +26,15 @@ public:
     StudyExtent extent() const;
     QString family() const; ///< id; empty before there are any
     const ErrorAxis &errorAxis() const;
-    /// The progress of a running study, and how to end it; a line for whoever has room for it.
+    /// The progress of a running study with its cancel button, a line to be placed by the caller.
     QWidget *progress() const { return m_running; }
 
-    /// Keeps the choice where the new ones have it.
+    /// Keeps the chosen family where the new list has it.
     void setFamilies(const std::vector<StudyFamily> &families);
     /// Whether there is anything to save.
     void setHasResults(bool hasResults);
-    void setHasEarlier(bool hasEarlier); ///< results that can be brought back
-    void showRunning(); ///< or not
+    void setHasEarlier(bool hasEarlier); ///< results that can be restored
+    void showRunning(); ///< or not, following the run
 
 signals:
     void runRequested();

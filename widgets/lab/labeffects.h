@@ -7,7 +7,7 @@
 
 namespace pixelplumb {
 
-/// What effects cost and what they mend, a group for each scene (objectName "labEffects").
+/// What effects cost and correct, a group per scene (objectName "labEffects").
 class LabEffects : public QTreeWidget {
     Q_OBJECT
 

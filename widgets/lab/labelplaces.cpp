@@ -9,10 +9,10 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr double dotRadius = 8; // with a ring
+constexpr double dotRadius = 8; // including a ring
 constexpr double gap = 3;
 
-/// Right of the dot, left, above, below, and the four corners.
+/// Candidates: right of the dot, left, above, below, and the four corners.
 std::array<QPointF, 8> cornersFor(const LabelledDot &dot)
 {
     const double right = dot.centre.x() + dotRadius + gap;
@@ -52,7 +52,7 @@ double distanceTo(const QRectF &label, const QPointF &dot)
     return std::hypot(x, y);
 }
 
-/// Whether people take it for the label of another dot, which is as near.
+/// Whether the label seems to belong to another dot that is as near.
 bool seemsAnothers(const QRectF &label, const LabelledDot &own,
                    const std::vector<LabelledDot> &dots)
 {

@@ -15,23 +15,23 @@ struct LabelledDot {
     QSizeF label; ///< empty: none
 };
 
-/// What a dot covers.
+/// The rectangle a dot covers.
 QRectF coveredBy(const QPointF &dot);
 
-/// What stands around the dots.
+/// The surroundings of the dots.
 struct LabelArea {
-    QRectF whole; ///< that labels stay in
-    std::vector<QRectF> others; ///< that no label covers, such as dots without one
-    std::vector<QRectF> lines; ///< that a label covers only where there is no other place for it
+    QRectF whole; ///< labels stay in it
+    std::vector<QRectF> others; ///< no label covers these, such as dots without one
+    std::vector<QRectF> lines; ///< covered only where a label has no other place
     enum class Sides {
         All, ///< beside, above and below the dot
-        Beside, ///< where rows are so close that what stands above a dot seems to be another's
+        Beside, ///< for close rows, where a label above a dot would seem to be another's
     } sides
         = Sides::All;
 };
 
-/// Where labels stand so that none covers another or a dot, or stands as near to another dot as to
-/// its own; none where there is no room for it. The first dots choose first.
+/// Places labels so that none covers another or a dot, or is as near to another dot as to its own;
+/// none where there is no room. Earlier dots choose first.
 std::vector<std::optional<QRectF>> placeLabels(const std::vector<LabelledDot> &dots,
                                                const LabelArea &area);
 

@@ -13,22 +13,22 @@ namespace pixelplumb {
 
 class LabPlot;
 
-/// Results and charts of the lab as files. Nothing is written over a file that was read.
+/// Results and charts of the lab as files. Never overwrites a file that was read.
 class LabFiles : public QObject {
     Q_OBJECT
 
 public:
     explicit LabFiles(QWidget *window);
 
-    /// Each is false or none after a complaint.
+    /// These return false or none after a complaint.
     bool writeResults(const QString &path, const Study &study);
     bool writeTable(const QString &path, const Study &study);
-    /// A figure or its numbers, SVG, PNG or CSV by the path's ending, with the machine, the command
-    /// and all warnings.
+    /// Writes a figure or its numbers, SVG, PNG or CSV by the path's ending, with the machine, the
+    /// command and all warnings.
     bool writeChart(const QString &path, LabPlot &chart, const Study &study);
     std::optional<Study> read(const QString &path);
 
-    /// The same after a question; empty where the person thinks better of it.
+    /// Ask for a path; empty where the person cancels.
     QString askForOutput(const QString &title, const QString &filter, const QString &suffix) const;
     QString askForInput(const QString &title) const;
 

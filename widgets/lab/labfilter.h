@@ -8,7 +8,7 @@
 
 namespace pixelplumb {
 
-/// Who is left out of charts and table.
+/// The contenders left out of charts and table.
 struct LabFilter {
     std::set<Arithmetic> arithmetics;
     std::set<LabKernel> kernels;
@@ -22,7 +22,7 @@ struct LabFilter {
     friend bool operator==(const LabFilter &, const LabFilter &) = default;
 };
 
-/// The same without those who are left out.
+/// The results without the contenders left out.
 std::shared_ptr<const Study> filtered(const std::shared_ptr<const Study> &results,
                                       const LabFilter &filter);
 

@@ -57,9 +57,8 @@ LabFilterMenu::LabFilterMenu(QWidget *parent)
 {
     setObjectName(QStringLiteral("labShown"));
     setAccessibleName(tr("Who is shown"));
-    setToolTip(
-        tr("Choose whom charts and table show: arithmetics, kernels, methods. Best is who is "
-           "best of those shown."));
+    setToolTip(tr("Choose what charts and table show: arithmetics, kernels, methods. The best are "
+                  "the best of those shown."));
     setPopupMode(QToolButton::InstantPopup);
     setAutoRaise(true);
     setMenu(m_menu);
@@ -123,7 +122,7 @@ void LabFilterMenu::fill()
     }
 }
 
-/// That somebody is left out is seen without opening the menu.
+/// Shows without opening the menu that some are left out.
 void LabFilterMenu::tell()
 {
     setText(m_filter.leavesNobodyOut() ? tr("Show: all") : tr("Show: some"));

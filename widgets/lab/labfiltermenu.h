@@ -9,8 +9,8 @@ class QMenu;
 
 namespace pixelplumb {
 
-/// Chooses who is seen (objectName "labShown"): arithmetics with their dots, kernels, methods and
-/// straight loops, a tick each.
+/// Chooses the contenders shown (objectName "labShown"): arithmetics with their dots, kernels,
+/// methods and straight loops, a tick each.
 class LabFilterMenu : public QToolButton {
     Q_OBJECT
 
@@ -18,7 +18,7 @@ public:
     explicit LabFilterMenu(QWidget *parent = nullptr);
 
     const LabFilter &filter() const { return m_filter; }
-    /// Whose methods can be chosen.
+    /// Offers these contenders' methods.
     void setContenders(const std::vector<StudyContender> &contenders);
 
 signals:

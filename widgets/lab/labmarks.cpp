@@ -10,9 +10,9 @@ namespace pixelplumb {
 namespace {
 
 constexpr double dotSize = 9; ///< logical pixels
-constexpr double pathSize = 6; ///< of a painter path that is drawn as it is
-constexpr double besideCentre = 4; ///< logical pixels to the middle of each half of a double dot
-constexpr double halfDot = 3.25; ///< half the size of those
+constexpr double pathSize = 6; ///< for a painter path, which is drawn unscaled
+constexpr double besideCentre = 4; ///< logical pixels from the middle to each half of a double dot
+constexpr double halfDot = 3.25; ///< half the size of such a half
 constexpr float faint = 0.45F;
 
 QCPScatterStyle::ScatterShape dotShapeOf(Arithmetic arithmetic)
@@ -32,7 +32,7 @@ QCPScatterStyle::ScatterShape dotShapeOf(Arithmetic arithmetic)
     return QCPScatterStyle::ssCircle;
 }
 
-/// The same shapes as paths around a place on the horizontal.
+/// The arithmetic's shape as a path around (x, 0).
 QPainterPath dotPath(Arithmetic arithmetic, double x)
 {
     constexpr double r = halfDot;

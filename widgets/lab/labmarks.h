@@ -8,14 +8,15 @@
 
 namespace pixelplumb {
 
-/// The dot of an arithmetic in the charts of the lab: each shape is one arithmetic's alone. That of
-/// a SIMD kernel, which draws several pixels at once, stands twice, side by side.
+/// The dot of an arithmetic in the charts of the lab; each shape belongs to one arithmetic. A SIMD
+/// kernel, which draws several pixels at once, has the dot twice, side by side.
 QCPScatterStyle kernelDot(Arithmetic arithmetic, LabKernel kernel, const QPalette &palette);
-/// The hollow dot of its straight loop.
+/// The hollow dot of an arithmetic's straight loop.
 QCPScatterStyle straightLoopDot(Arithmetic arithmetic, const QPalette &palette);
-/// A cross, where the column scan in this arithmetic has the dot; another one for the next method.
+/// The cross of another method in this arithmetic, where the column scan has the dot; each method
+/// has another cross.
 QCPScatterStyle otherMethodDot(Arithmetic arithmetic, std::size_t method, const QPalette &palette);
-/// The same, faint: there is no time yet.
+/// The dot, faint: there is no time yet.
 QCPScatterStyle waitingDot(QCPScatterStyle dot);
 
 } // namespace pixelplumb

@@ -15,10 +15,10 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr double fewDecades = 3; ///< up to so many, 2 and 5 have ticks of their own
-constexpr double mostDecades = 6; ///< with a figure each
-constexpr int aroundAxis = 50; ///< of labels and margins beside an axis, logical pixels
-constexpr double tickWidth = 45; ///< of a figure on a horizontal axis, logical pixels
+constexpr double fewDecades = 3; ///< up to this many, 2 and 5 have ticks of their own
+constexpr double mostDecades = 6; ///< up to this many, each has a number
+constexpr int aroundAxis = 50; ///< for labels and margins beside an axis, logical pixels
+constexpr double tickWidth = 45; ///< for a number on a horizontal axis, logical pixels
 constexpr int lowHeight = 220; ///< logical pixels
 constexpr QSize iconSize(24, 14); ///< of the legend, logical pixels
 constexpr int besideIcon = 20; ///< the legend's paddings in a line, logical pixels
@@ -133,7 +133,8 @@ void LabPlot::layOut()
     m_plot->replot();
 }
 
-/// In columns where it is higher than the chart; nowhere where it would take the chart's room.
+/// Arranges the legend in columns where it is higher than the chart; removes it where it would take
+/// too much of the chart's width.
 void LabPlot::fitLegend()
 {
     QCPLegend *legend = m_plot->legend;

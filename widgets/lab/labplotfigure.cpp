@@ -14,9 +14,9 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr QSize figureSize(960, 640); ///< logical pixels, captions included; at least so high
+constexpr QSize figureSize(960, 640); ///< logical pixels, with captions; the height is a minimum
 constexpr int figureMargin = 16;
-constexpr double figureRatio = 2; ///< of the picture's pixels to logical ones
+constexpr double figureRatio = 2; ///< picture pixels per logical one
 
 /// Lines of text, one below the other, wrapped to the figure's width.
 class Caption {
@@ -84,7 +84,7 @@ void LabPlot::paintFigure(QCPPainter &painter, const QStringList &origin)
     const int bottom = size.height() - figureMargin - below.height();
     const int width = size.width() - 2 * figureMargin;
     const int height = bottom - figureMargin / 2 - top;
-    // Labels find their places in the size at hand.
+    // Labels depend on the current size.
     m_plot->setGeometry(0, 0, width, height);
     rebuild();
     painter.fillRect(QRect(QPoint(), size), Qt::white);
@@ -127,7 +127,7 @@ QByteArray LabPlot::png(const QStringList &origin)
 
 namespace {
 
-/// Numbers, and names, which may come from a file of results.
+/// Numbers as they are, and names made safe, which may come from a results file.
 std::vector<Cell> cellsOf(const QStringList &texts)
 {
     std::vector<Cell> cells;

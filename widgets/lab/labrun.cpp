@@ -12,14 +12,14 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto betweenNews = 250ms; ///< a copy of a study takes time from what is measured
+constexpr auto betweenNews = 250ms; ///< copying a study disturbs the measurement
 
 } // namespace
 
-/// Where the worker leaves what it has.
+/// Where the worker leaves its results.
 class LabRun::Board {
 public:
-    /// The study so far, unless the last one was left there just now.
+    /// Copies the study so far, unless the last copy is recent.
     void offer(const Study &study)
     {
         const TimeLeft::Clock::time_point now = TimeLeft::Clock::now();
@@ -54,7 +54,7 @@ private:
     std::mutex m_mutex;
     Study m_results;
     bool m_isNews = false;
-    TimeLeft::Clock::time_point m_lastOffer; ///< the worker's
+    TimeLeft::Clock::time_point m_lastOffer; ///< used by the worker only
 };
 
 LabRun::LabRun(QObject *parent)

@@ -9,8 +9,8 @@
 
 namespace pixelplumb {
 
-/// Runs a study beside the GUI thread and shows what there is of it while it goes on. A cancelled
-/// run keeps what it has. Waits while something else is being timed.
+/// Runs a study in a worker thread and shows its results so far. A cancelled run keeps what it has.
+/// Waits while something else is being timed.
 class LabRun : public QObject {
     Q_OBJECT
 
@@ -19,13 +19,13 @@ public:
     ~LabRun() override;
 
     bool isRunning() const { return m_job.isRunning(); }
-    /// How far it is and how long it will take, for people.
+    /// The progress and the time left.
     const TimeLeft &timeLeft() const { return m_timeLeft; }
 
     void start(const StudySettings &settings);
-    /// Ends it after the sample that it is at; then what it has is told, and ended().
+    /// Ends the run after the current sample; its results so far are then reported, and ended().
     void cancel();
-    /// Ends it without a word and drops what it has.
+    /// Ends the run without signals and drops its results.
     void drop();
 
 signals:

@@ -31,7 +31,7 @@ Figure ties(const Study &, const LabRow &row)
 
 Figure perPixel(const Study &study, const LabRow &row) { return study.perPixel(row); }
 
-/// The middle half, of the median.
+/// The middle half as a percentage of the median.
 Figure spreadShare(const Study &, const LabRow &row)
 {
     if (!row.cost || row.cost->perDraw.median <= 0)

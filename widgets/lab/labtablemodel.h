@@ -9,13 +9,13 @@
 
 namespace pixelplumb {
 
-/// The contenders of a study on one family, a row each. A column is a row of a table in the source
-/// file; what was not measured is empty and sorts last.
+/// The contenders of a study on one family, a row each. The columns are a table in the source file;
+/// what was not measured is empty and sorts last.
 class LabTableModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    /// A figure to sort by; of text columns the text.
+    /// A number to sort by; the text in text columns.
     static constexpr int SortRole = Qt::UserRole;
     static constexpr int costColumn = 2; ///< ns a pixel
     static constexpr int ContenderRole = Qt::UserRole + 1; ///< id
@@ -23,7 +23,7 @@ public:
     using QAbstractTableModel::QAbstractTableModel;
 
     void show(const std::shared_ptr<const Study> &results, const QString &family);
-    /// −1 where the contender is not there.
+    /// −1 where the contender is not in the table.
     int rowOf(const QString &contender) const;
     const LabRow &rowAt(int row) const { return *m_rows[std::size_t(row)]; }
 

@@ -20,7 +20,7 @@ struct LabText {
 
 QString figureText(double value)
 {
-    // Three figures that count, so that points stand below each other; of small ones as many.
+    // Three significant digits, so that points align; two for small numbers.
     if (value == 0)
         return QStringLiteral("0");
     if (value >= 100)
@@ -54,7 +54,7 @@ QString wrongText(const AccuracyFigures &figures)
 
 namespace {
 
-/// Its name, what it gets wrong, and what is known about a zero.
+/// The point's name, its errors, and what is known about a zero.
 QStringList errorLines(const Study &study, const ParetoPoint &point, const LabRow *row)
 {
     QStringList lines = {QStringLiteral("<b>%1</b>").arg(point.label.toHtmlEscaped())};
@@ -239,9 +239,9 @@ QString priceText(const Study &study, const QString &family)
 
 QString invitationText(StudyExtent extent, double seconds)
 {
-    const QString what = LabText::tr("Run draws the same triangles by every contender, counts the "
-                                     "pixels that differ from the truth, and times all of them in "
-                                     "turn, beside straight loops that do the same work.");
+    const QString what = LabText::tr(
+        "Run draws the same triangles with every contender, counts the pixels that differ from the "
+        "truth, and times them all in turn, along with straight loops that do the same work.");
     const QString howLong = extent == StudyExtent::Quick
         ? LabText::tr("The quick study takes fifteen contenders and %1.")
         : LabText::tr("The full study takes every method in every arithmetic and %1.");

@@ -15,10 +15,10 @@ namespace {
 
 constexpr int narrow = 560; ///< logical pixels
 constexpr int wide = 760; ///< logical pixels
-constexpr double tiePlace = 0.5; ///< of the ties' two bars, at both sides of 0
+constexpr double tiePlace = 0.5; ///< of the ties' two bars, on both sides of 0
 constexpr double barWidth = 0.8;
-constexpr double baseline = 0.5; ///< of a logarithmic axis of counts: one is to be seen
-constexpr double firstBin = 2; ///< place of the nearest bin
+constexpr double baseline = 0.5; ///< of a logarithmic axis of counts: a count of 1 is visible
+constexpr double firstBin = 2; ///< place of the bin nearest to the boundary
 constexpr double farthest = firstBin + double(MissHistogram::bins);
 
 QString binText(std::size_t bin)
@@ -85,7 +85,7 @@ void MissPlot::build()
     up->setLabel(tr("samples"));
     const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText);
     ticker->addTick(0, QStringLiteral("="));
-    // A tick stands where the bin's nearer end is: between two bars.
+    // A tick marks the bin's nearer end, between two bars.
     const int stride = width() < narrow ? 4 : width() < wide ? 3 : 2;
     for (int exponent = -7; exponent <= 2; exponent += stride) {
         const double place = firstBin + 0.5 + exponent + 7;

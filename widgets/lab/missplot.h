@@ -5,8 +5,8 @@
 
 namespace pixelplumb {
 
-/// How far from the triangle's boundary a contender's missed samples lie (objectName "labMisses"):
-/// missing ones at the left, extra ones at the right, ties, which lie on it, in the middle.
+/// How far a contender's missed samples lie from the triangle's boundary (objectName "labMisses"):
+/// missing ones left, extra ones right, ties, which lie on it, in the middle.
 class MissPlot : public LabPlot {
     Q_OBJECT
 
@@ -15,8 +15,8 @@ public:
 
     void show(const SharedResults &results, const QString &family, const QString &contender);
 
-    /// Where a bin's bar stands on the axis of distances: extra at 2, 3, …, missing at −2, −3, …,
-    /// ties around 0.
+    /// The place of a bin's bar on the distance axis: extra at 2, 3, …, missing at −2, −3, …, ties
+    /// around 0.
     enum class Side { Missing, Extra };
     static double placeOf(Side side, std::size_t bin);
 

@@ -14,19 +14,19 @@ namespace pixelplumb {
 namespace {
 
 constexpr int marginsOfAxis = 70; ///< logical pixels above and below the axis, together
-constexpr double roomBeside = 1.25; ///< of the outermost dots, as a factor
-constexpr double waitingShare = 0.14; ///< of the axis, for dots that have no time
+constexpr double roomBeside = 1.25; ///< beside the outermost dots, as a factor
+constexpr double waitingShare = 0.14; ///< of the axis, for dots without a time
 constexpr double betweenWaiting = 15; ///< logical pixels
 
 } // namespace
 
-/// Around the dot of who takes much longer than a straight loop.
+/// The ring around the dot of a contender much slower than its straight loop.
 QPen ParetoPlot::missPen() const { return {palette().color(QPalette::Text), 1.5, Qt::DashLine}; }
 
 QColor ParetoPlot::staircaseColour(LabKernel kernel) const
 {
     QColor colour = kernel == LabKernel::Plain ? palette().color(QPalette::Text)
-                                               : signColour(Sign::ColumnInHand, palette());
+                                               : signColour(Sign::CurrentColumn, palette());
     colour.setAlphaF(kernel == LabKernel::Plain ? 0.6F : 1.0F);
     return colour;
 }
@@ -74,7 +74,7 @@ void ParetoPlot::setAxes()
     high = std::max(high, low) * roomBeside;
     if (!m_chart.untimed.empty())
         low /= std::pow(high / low, waitingShare / (1 - waitingShare));
-    // Where the chart is low, the figures say what they are, and the words leave their room.
+    // In a low chart the numbers carry their unit, and the axis label gives up its room.
     setLogRange(plot()->xAxis, low, high, isLow() ? tr("%1 ns") : QStringLiteral("%1"));
     plot()->xAxis->setLabel(isLow()                      ? QString()
                                 : m_chart.points.empty() ? tr("cost, ns a pixel: not known yet")
@@ -100,7 +100,7 @@ void ParetoPlot::setErrorTicks()
     plot()->yAxis->setLabel(errorLabel(*m_axis, isLow() ? LabelLength::Short : LabelLength::Whole));
 }
 
-/// Side by side at the left, where their errors do not keep them apart.
+/// Places waiting dots side by side at the left, where their errors do not separate them.
 void ParetoPlot::setWaitingPlaces()
 {
     std::vector<QPointF> taken;
@@ -119,7 +119,7 @@ void ParetoPlot::setWaitingPlaces()
     }
 }
 
-/// What separates the rows of the zeros from the decades.
+/// Adds the line between the rows of the zeros and the decades.
 void ParetoPlot::addRows()
 {
     QColor faint = palette().color(QPalette::Text);
@@ -152,7 +152,7 @@ void ParetoPlot::addStaircase(LabKernel kernel)
         costs.append(corner.cost);
         errors.append(m_scale.toAxis(corner.errorClass, corner.error));
     }
-    // Nobody is cheaper than the first, however wrong, nor more exact than the last.
+    // Nothing is cheaper than the first, however wrong, nor more exact than the last.
     costs.prepend(costs.constFirst());
     errors.prepend(m_scale.top());
     costs.append(plot()->xAxis->range().upper);

@@ -11,9 +11,9 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr double lineMargin = 2; ///< logical pixels that a label keeps off a line
+constexpr double lineMargin = 2; ///< logical pixels between a label and a line
 constexpr double tickLength = 6; ///< of an axis, inwards
-constexpr float seenThrough = 0.7F; ///< so opaque is a label over a line that it must cross
+constexpr float seenThrough = 0.7F; ///< opacity of a label over a line that it must cross
 
 } // namespace
 
@@ -50,8 +50,7 @@ LabelArea ParetoPlot::labelArea() const
     return area;
 }
 
-/// The dots that matter most choose their labels' places first; in a low chart the others have
-/// none.
+/// Places the labels, those of the most important dots first; in a low chart the others have none.
 void ParetoPlot::addLabels()
 {
     const auto rank = [this](const Dot *dot) {

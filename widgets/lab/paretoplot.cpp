@@ -15,7 +15,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr double reach = 12; ///< logical pixels from a dot to a pointer that means it
+constexpr double reach = 12; ///< logical pixels from a dot within which the pointer hits it
 
 } // namespace
 

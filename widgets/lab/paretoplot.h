@@ -12,10 +12,11 @@ class QCPScatterStyle;
 namespace pixelplumb {
 
 /// What accuracy costs in time (objectName "labPareto"): cost against error, both logarithmic, with
-/// rows below for no error at all; a staircase for the frontier of the plain kernels and a dashed
-/// one for that of the SIMD kernels, times ×1 by the assignment's method, a hollow dot for each
-/// straight loop. A dot's shape and colour tell its arithmetic; those that have no time yet wait at
-/// the left. Left and Right go from dot to dot, Return opens its first wrong pixel.
+/// rows below for no error at all. A staircase marks the frontier of the plain kernels, a dashed
+/// one that of the SIMD kernels; times are relative to the assignment's method (×1), and each
+/// straight loop has a hollow dot. A dot's shape and colour show its arithmetic; contenders without
+/// a time yet wait at the left. Left and Right move between dots, Return opens the dot's first
+/// wrong pixel.
 class ParetoPlot : public LabPlot {
     Q_OBJECT
 
@@ -29,7 +30,7 @@ public:
 
     const ParetoChart &chart() const { return m_chart; }
     const ErrorScale &scale() const { return m_scale; }
-    /// Where a contender's dot is, in the widget, for programs that click; none without one.
+    /// Where a contender's dot is in the widget, for programs that click; none where it has no dot.
     std::optional<QPointF> positionOf(const QString &contender) const;
 
     QString textAt(const QPointF &position) const override;
@@ -38,7 +39,7 @@ public:
 
 signals:
     void contenderSelected(const QString &contender); ///< by a key
-    void contenderClicked(const QString &contender); ///< or Return
+    void contenderClicked(const QString &contender); ///< or activated by Return
 
 protected:
     void build() override;
@@ -78,7 +79,7 @@ private:
     const ErrorAxis *m_axis = nullptr;
     ParetoChart m_chart;
     ErrorScale m_scale;
-    std::vector<Dot> m_dots; ///< the cheapest first, then those that wait
+    std::vector<Dot> m_dots; ///< the cheapest first, then those without a time
     QString m_selected;
 };
 

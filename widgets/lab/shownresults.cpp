@@ -8,7 +8,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Whether a family, or any where a study has none of that name, has times or never will.
+/// Whether a family (any, where the study lacks it) has times, or never will.
 bool hasTimes(const Study &study, const QString &family)
 {
     const bool isThere = study.family(family) != nullptr;

@@ -5,21 +5,21 @@
 
 namespace pixelplumb {
 
-/// Which results the lab shows while runs and files come and go: nothing that was shown is lost
-/// before something else can be shown in its place, and the last that was can be had back.
+/// Which results the lab shows while runs and files come and go: results stay until others can be
+/// shown in their place, and the previous ones can be restored.
 class ShownResults {
 public:
     const SharedResults &results() const { return m_results; } ///< null before the first ones
-    /// What these took the place of; null where they are the first.
+    /// The results before these; null where these are the first.
     const SharedResults &earlier() const { return m_earlier; }
-    /// Of the last run; else they are those of before it.
+    /// Whether the results are from the last run, not from before it.
     bool areOfRun() const { return m_areOfRun; }
 
     void beginRun();
-    /// What a run has so far. It is not shown in the place of others before it has times of the
-    /// family that is looked at; false then.
+    /// Takes a run's results so far. They do not replace others, and this returns false, until they
+    /// have times of the shown family.
     bool takeNews(const SharedResults &news, const QString &family);
-    /// Whatever has times is shown at the end of a run. False where nothing changes.
+    /// Shows the run's results if they have times. False where nothing changes.
     bool endRun();
 
     void replaceBy(SharedResults results);
@@ -29,7 +29,7 @@ private:
 
     SharedResults m_results;
     SharedResults m_earlier;
-    SharedResults m_news; ///< of the run, while they are not shown
+    SharedResults m_news; ///< of the run, while not shown
     bool m_areOfRun = false;
 };
 

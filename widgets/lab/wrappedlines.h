@@ -6,7 +6,8 @@
 
 namespace pixelplumb {
 
-/// Lines of at most so many logical pixels: broken between words, and within those that are longer.
+/// Breaks a text into lines of at most `width` logical pixels, between words, and within words that
+/// are longer.
 QStringList wrappedLines(const QString &text, const QFont &font, double width);
 
 } // namespace pixelplumb

@@ -160,7 +160,7 @@ QFont withTabularFigures(const QFont &font)
 
 void applyAppearance(PaletteChoice choice)
 {
-    const bool darkDesktop = desktopIsDark(); // asked before the palette below hides the answer
+    const bool darkDesktop = desktopIsDark(); // determined before the palette below hides it
     const bool dark
         = choice == PaletteChoice::Dark || (choice == PaletteChoice::System && darkDesktop);
     if (!qobject_cast<ToggleStyle *>(QApplication::style()))

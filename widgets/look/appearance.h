@@ -15,14 +15,15 @@ enum class PaletteChoice { System, Light, Dark };
 QString nameOf(PaletteChoice choice);
 std::optional<PaletteChoice> paletteNamed(QStringView name);
 
-/// Both keep at least 4.5:1 between text and what is behind it, 3:1 for disabled text.
+/// Both keep at least 4.5:1 between text and its background, 3:1 for disabled text.
 QPalette lightPalette();
 QPalette darkPalette();
 
 /// The contrast of two opaque colours after WCAG 2.1, 1 … 21.
 double contrastRatio(const QColor &a, const QColor &b);
 
-/// The font itself when its ten figures are equally wide, else the nearest one whose figures are.
+/// The font itself when its ten digits are equally wide, else DejaVu, Noto or Liberation Sans, the
+/// first with such digits; failing these, the font itself.
 QFont withTabularFigures(const QFont &font);
 
 /// Gives the whole program the Fusion style, the chosen palette and a font with tabular figures.

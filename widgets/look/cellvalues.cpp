@@ -14,7 +14,7 @@ namespace pixelplumb {
 namespace {
 
 // Logical pixels.
-// A value stands between the cell's left side and what goes through its sample.
+// A value is between the cell's left side and the lines through its sample.
 constexpr double leastValueSize = 7; // of its font
 constexpr double largestValueSize = 12;
 constexpr double valueGap = 1.5; // from the side
@@ -26,7 +26,7 @@ QFont withSize(QFont font, double size)
     return font;
 }
 
-/// The same in both notations: nothing moves when the other one is chosen.
+/// Equal in both notations, so that nothing moves when they are switched.
 double widestValue(const QFont &font)
 {
     return QFontMetricsF(font).horizontalAdvance(QStringLiteral("000"));

@@ -18,15 +18,15 @@ struct CellValueStyle {
     ByteNotation notation = ByteNotation::Decimal;
 };
 
-/// Black or white, whichever is read better on a colour: relative luminance of sRGB against its
+/// Black or white, whichever is easier to read on a colour: its sRGB relative luminance against the
 /// middle (WCAG 2.1).
 QColor textColourOn(QRgb colour);
 
-/// The smallest cell that has room for three numbers beside its sample, painter's units.
+/// The smallest cell with room for three numbers beside its sample, in painter's units.
 double leastReadableCell(const CellValueStyle &style);
 
-/// R, G and B one below the other, as large as fits; nothing in cells that are too small. They
-/// stand on the cell's colour, so that no line that is there already runs through the digits.
+/// Draws R, G and B one below the other, as large as fits; nothing in cells that are too small.
+/// Each has a patch of the cell's colour behind it, so that no line runs through the digits.
 void drawCellValues(QPainter &painter, const QRectF &cell, QRgb colour, const QColor &ink,
                     const CellValueStyle &style);
 

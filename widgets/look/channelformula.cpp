@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// C for the letters that stand for the channel: "ΔR", but not the right bound in "x_R".
+/// Replaces the channel's letter by C: in "ΔR", but not the right bound in "x_R".
 QString withoutChannel(QString symbols, QChar channel)
 {
     const QRegularExpression letter(QStringLiteral("(?<![A-Za-z_])%1(?![A-Za-z])").arg(channel));

@@ -9,18 +9,18 @@
 
 namespace pixelplumb {
 
-/// One formula of the channels. Red, green and blue go the same way, so that what they share, the
-/// symbols, need be read only once.
+/// One formula of the channels. Red, green and blue share the symbols, which then need to be read
+/// only once.
 struct ChannelFormula {
     QString symbols; ///< with C for the channel: "C ← C + ΔC"
-    std::vector<const FormulaLine *> lines; ///< at most one a channel
+    std::vector<const FormulaLine *> lines; ///< at most one per channel
 };
 
-/// The colour formulas of an explanation, in the order of their first lines, which must outlive
-/// them.
+/// Groups the colour formulas of an explanation, in the order of their first lines. `lines` must
+/// outlive the result.
 std::vector<ChannelFormula> channelFormulas(std::span<const FormulaLine> lines);
 
-/// The channel of a line's subject; none of a line that is no colour's.
+/// The channel of a line's subject; none where the subject is no colour.
 std::optional<QChar> channelOf(const FormulaLine &line);
 
 } // namespace pixelplumb

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char *context = "pixelplumb::CoreWords";
 
-/// What lupdate finds. The program looks words up by what core says, not in this list.
+/// A list for lupdate only. At run time words are looked up by core's text, not here.
 [[maybe_unused]] constexpr const char *translatableWords[] = {
     // Kinds of primitives, of solids and of surfaces.
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "triangle"),
@@ -110,7 +110,7 @@ constexpr const char *context = "pixelplumb::CoreWords";
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "called for"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "not called for"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "not ruled out"),
-    // Why pictures part.
+    // Why pictures differ.
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "agreed"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "tie rule"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "kind not drawn"),
@@ -146,7 +146,7 @@ constexpr const char *context = "pixelplumb::CoreWords";
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "Brightness by direction"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "Sampling points"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "Addresses in memory"),
-    // What a job is at.
+    // The phases of a job.
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "reading"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "projecting"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "drawing"),
@@ -157,7 +157,7 @@ constexpr const char *context = "pixelplumb::CoreWords";
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "measuring"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "writing"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "checking"),
-    // Operations, and what they were counted in.
+    // Operations, and the arithmetics in which they were counted.
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "divisions"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "roundings"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "float additions"),
@@ -203,7 +203,7 @@ constexpr const char *context = "pixelplumb::CoreWords";
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "at most one level"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "at most %1 wrong pixels per million"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "%1 ms a frame"),
-    // Errors and times of the scene in hand, and the time that is left.
+    // Errors and times of the current scene, and the time left.
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "nothing to measure yet"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "truth not known"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "When finished: all pixels correct"),

@@ -5,8 +5,8 @@
 
 namespace pixelplumb {
 
-/// A spin box of decimals with a point, as all numbers of the window have. A comma that is typed is
-/// taken for a point: Qt's own box drops it, and 0,5 becomes 5.
+/// A spin box of decimals with a point, like all numbers of the window. It accepts a comma as a
+/// point: Qt's own box drops it, and 0,5 becomes 5.
 class DecimalBox : public QDoubleSpinBox {
 public:
     using QDoubleSpinBox::QDoubleSpinBox;

@@ -14,11 +14,11 @@ namespace pixelplumb {
 /// How the bytes in cells are written: 0 … 255 or 00 … ff.
 enum class ByteNotation { Decimal, Hexadecimal };
 
-/// How long Shift is held alone before the canvas shows the truth: longer than a hand needs to get
-/// from Shift to the key that it presses with it.
+/// How long Shift alone is held before the canvas shows the truth: longer than it takes to press
+/// the second key of a Shift combination.
 inline constexpr std::chrono::milliseconds peekDelay(700);
 
-/// What the views draw over the frame. Shared by the canvas, the pixel grid and the menus.
+/// What the views draw over the frame; shared by the canvas, the pixel grid and the menus.
 class DisplayOptions : public QObject {
     Q_OBJECT
     Q_PROPERTY(bool gridShown READ isGridShown WRITE setGridShown NOTIFY changed)
@@ -34,18 +34,18 @@ public:
 
     bool isGridShown() const { return m_grid; }
     bool areDifferencesShown() const { return m_differences; }
-    /// The polygon that clipping makes of the face whose triangle is in hand.
+    /// Whether the polygon is shown that clipping makes of the current triangle's face.
     bool isClippingShown() const { return m_clipping; }
     bool isHexadecimal() const { return m_hexadecimal; }
     ByteNotation notation() const
     {
         return m_hexadecimal ? ByteNotation::Hexadecimal : ByteNotation::Decimal;
     }
-    /// The oracle's finished picture instead of the frame at the position.
+    /// Whether the oracle's finished picture is shown instead of the frame at the position.
     bool isTruthShown() const { return m_truth; }
     /// The ids of the layers that lie over the frame.
     const QStringList &layers() const { return m_layers; }
-    /// Where the layer of the affine map takes a triangle; none: where its first map does.
+    /// The image to which the affine-map layer takes a triangle; none: that of its first map.
     const std::optional<AffineImage> &affineImage() const { return m_affineImage; }
     void setAffineImage(const std::optional<AffineImage> &image)
     {
@@ -68,7 +68,7 @@ public slots:
         m_layers = ids;
         emit changed();
     }
-    /// Adds a layer, or takes it away.
+    /// Adds a layer, or removes it.
     void toggleLayer(const QString &id)
     {
         if (m_layers.removeAll(id) == 0)

@@ -5,8 +5,8 @@
 
 namespace pixelplumb {
 
-/// One line of plain text that ends in an ellipsis where there is no room for all of it; the tool
-/// tip has the whole.
+/// One line of plain text that ends in an ellipsis where it does not fit; the tool tip has the
+/// whole.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 
@@ -14,7 +14,7 @@ public:
     explicit ElidedLabel(QWidget *parent = nullptr);
 
     void setWholeText(const QString &text);
-    /// As far as there is room for it.
+    /// The part that fits.
     QString shownText() const;
 
     QSize minimumSizeHint() const override { return {0, QLabel::minimumSizeHint().height()}; }

@@ -10,7 +10,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr qsizetype fewLetters = 3; ///< with an ellipsis among them they tell less than without
+constexpr qsizetype fewLetters = 3; ///< with an ellipsis, so few letters say less than without
 
 } // namespace
 
@@ -20,7 +20,7 @@ QString ElidingBox::shownText() const
     initStyleOption(&option);
     const QRect room
         = style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this);
-    // Styles begin the text a pixel inside the field.
+    // Styles start the text one pixel inside the field.
     const QString text = currentIndex() < 0 ? placeholderText() : currentText();
     const int width = room.width() - 2;
     const QString elided = fontMetrics().elidedText(text, Qt::ElideMiddle, width);

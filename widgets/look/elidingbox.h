@@ -5,16 +5,16 @@
 
 namespace pixelplumb {
 
-/// A combo box that leaves out the middle of a text too long for it, where Qt's own cuts a letter:
-/// titles that begin alike are told apart.
+/// A combo box that elides the middle of a text too long for it, where Qt's own cuts through a
+/// letter, so that titles with the same beginning differ.
 class ElidingBox : public QComboBox {
     Q_OBJECT
 
 public:
     using QComboBox::QComboBox;
 
-    /// The current text, or the placeholder's where there is none; an ellipsis where there is no
-    /// room for all of it, its first letters where there is hardly any. The tool tip has it whole.
+    /// The current text, or the placeholder where there is none; elided where it does not fit, its
+    /// first letters where there is hardly any room. The tool tip has the whole.
     QString shownText() const;
 
 protected:

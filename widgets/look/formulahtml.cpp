@@ -18,8 +18,8 @@ namespace pixelplumb {
 namespace {
 
 constexpr float quietShare = 0.38F; // keeps 4.5:1 on black and white
-/// Of longer numbers lines may end within: they would not fit into a panel.
-constexpr qsizetype mostUnbroken = 26; // characters, as a double's with sign and exponent
+/// Lines may break within longer numbers, which would not fit into a panel.
+constexpr qsizetype mostUnbroken = 26; // characters: a double's with sign and exponent
 
 constexpr std::array otherSubjects
     = {NumberSubject::General, NumberSubject::LowerEdge, NumberSubject::UpperEdge,
@@ -42,8 +42,8 @@ QString titleOf(NumberSubject subject)
     return {};
 }
 
-/// The two edges have their signs' colours. The channels keep the text's: red, green and blue are
-/// not told apart by everybody, and their letters are.
+/// The two edges have their signs' colours. The channels keep the text's: not everybody can tell
+/// red, green and blue apart, but their letters differ.
 QColor barColour(NumberSubject subject, const QPalette &palette)
 {
     if (subject == NumberSubject::LowerEdge || subject == NumberSubject::LeftEdge)
@@ -53,24 +53,25 @@ QColor barColour(NumberSubject subject, const QPalette &palette)
     return palette.color(QPalette::Mid);
 }
 
-/// Formulas without parentheses are short in every arithmetic: symbols and numbers share a line. By
-/// the symbols, not by the numbers, so that a formula keeps its lines from step to step.
+/// Whether symbols and numbers share a line: formulas without parentheses are short in every
+/// arithmetic. The symbols decide, not the numbers, so that a formula keeps its layout from step to
+/// step.
 bool isShort(const FormulaLine &line) { return !line.symbols.contains(u'('); }
 
-/// Whether the exact number and the error stand beside a number: where it may have been rounded.
+/// Whether the exact number and the error are shown beside a number: where it may be rounded.
 bool isCompared(const FormulaLine &line, Arithmetic arithmetic)
 {
     const bool isRounded = arithmetic != Arithmetic::Exact || !line.used.isRational();
     return isRounded && !line.used.isNone() && !line.exact.isNone();
 }
 
-/// Nothing was lost: the exact number needs no line of its own.
+/// Whether nothing was lost: the exact number then needs no line of its own.
 bool isSameAsExact(const FormulaLine &line)
 {
     return displayError(line.used, line.exact) == QStringLiteral("0");
 }
 
-/// The number used, underlined from the first digit that the exact one does not have.
+/// The number used, underlined from the first digit that differs from the exact one.
 QString usedHtml(const FormulaLine &line, Arithmetic arithmetic)
 {
     const QString text = displayText(line.used, arithmetic);
@@ -116,7 +117,7 @@ public:
             m_html += QStringLiteral("<tr><td colspan='5' style='font-size:3px'>&nbsp;</td></tr>");
     }
 
-    /// The heading of a stage.
+    /// Begins a stage with its heading.
     void begin(const StageFormulas &stage)
     {
         begin(NumberSubject::General);
@@ -138,7 +139,7 @@ public:
         compare(line);
     }
 
-    /// The symbols once, beside the channels' rows where they are short, else above them.
+    /// Appends the symbols once, beside the channels' rows where they are short, else above them.
     void append(const ChannelFormula &formula)
     {
         const auto place = isShort(*formula.lines.front()) ? m_symbols : ChannelSymbols::Above;
@@ -163,7 +164,7 @@ public:
     }
 
 private:
-    /// The group's title, before its first line alone.
+    /// The group's title, for its first line only.
     QString takeTitle()
     {
         const QString title = std::exchange(m_title, QString());
@@ -182,7 +183,7 @@ private:
         return QStringLiteral("<td colspan='2'>%1</td>").arg(html);
     }
 
-    /// The first cell is as wide as its text.
+    /// Two cells; the first is as wide as its text.
     static QString beside(const QString &symbols, const QString &html)
     {
         return QStringLiteral("<td width='1'>%1</td><td>%2</td>")
@@ -205,7 +206,7 @@ private:
             .arg(isWhole ? unbroken(html) : html);
     }
 
-    /// The exact number and the error, where the arithmetic has rounded.
+    /// Adds the exact number and the error, where the arithmetic has rounded.
     void compare(const FormulaLine &line, ChannelSymbols symbols = ChannelSymbols::Above)
     {
         if (!isCompared(line, m_arithmetic) || isSameAsExact(line))

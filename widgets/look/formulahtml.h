@@ -8,20 +8,20 @@
 
 namespace pixelplumb {
 
-/// Where a formula that three channels share is written in symbols: above their rows, or, where it
-/// is short and there is the width, beside them.
+/// Where the symbols of a formula that three channels share are written: above their rows, or,
+/// where they are short and there is room, beside them.
 enum class ChannelSymbols { Above, Beside };
 
-/// The formulas of an explanation as rich text, grouped by subject: the symbols and what came out,
-/// below it the numbers put in, and in a rounding arithmetic the exact number and the error.
+/// The formulas of an explanation as rich text, grouped by subject: the symbols and the result,
+/// below them the numbers put in, and in a rounding arithmetic the exact number and the error.
 QString formulaHtml(const Explanation &explanation, Arithmetic arithmetic, const QPalette &palette,
                     ChannelSymbols symbols = ChannelSymbols::Above);
 
-/// The stages of an explanation, each with a heading; the exact numbers and the errors stand there
-/// in every arithmetic, because stages are computed in double.
+/// The stages of an explanation, each with a heading. They show exact numbers and errors in every
+/// arithmetic, because stages are computed in double.
 QString stagesHtml(const Explanation &explanation, Arithmetic arithmetic, const QPalette &palette);
 
-/// The formulas in plain text, a formula a line, for screen readers; the stages after them.
+/// The formulas as plain text for screen readers, one per line, followed by the stages.
 QString formulaText(const Explanation &explanation, Arithmetic arithmetic);
 
 } // namespace pixelplumb

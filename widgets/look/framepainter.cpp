@@ -158,7 +158,7 @@ void FramePainter::drawPlumbLine(const SpanPlace &place)
     const QRect cell = m_mapping.deviceCellOf(isColumn ? QPoint(at, frame.firstRow)
                                                        : QPoint(frame.firstColumn, at));
     const QRect view = m_mapping.deviceRect(m_view);
-    // An even cell has no middle device pixel, so its line is two wide: it stands exactly on the
+    // An even cell has no middle device pixel, so its line is two pixels wide and centred on the
     // samples.
     const int extent = isColumn ? cell.width() : cell.height();
     const int width = extent % 2 == 0 ? 2 : 1;
@@ -169,7 +169,7 @@ void FramePainter::drawPlumbLine(const SpanPlace &place)
                         : QRect(view.left(), from, view.width(), thickness);
     };
     fillDevice(line(start - side, width + 2 * side), withOpacity(casing(), 0.55));
-    fillDevice(line(start, width), signColour(Sign::ColumnInHand, m_palette));
+    fillDevice(line(start, width), signColour(Sign::CurrentColumn, m_palette));
 }
 
 void FramePainter::drawPickedPixel(const QPoint &pixel)

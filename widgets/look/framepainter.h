@@ -16,10 +16,10 @@ class QPainter;
 
 namespace pixelplumb {
 
-/// Names of a primitive's vertices that are drawn: more would hide what they name.
+/// How many of a primitive's vertex names are drawn at most: more would hide the vertices.
 inline constexpr std::size_t mostVertexNames = 12;
 
-/// What an edge of a triangle is to the column scan.
+/// The role of a triangle's edge in the column scan.
 enum class EdgeRole { Plain, Lower, Upper };
 
 /// The roles of the edges 0–1, 1–2, 2–0 of the caller's triangle.
@@ -28,15 +28,15 @@ EdgeRoles rolesOf(const SetUpRecord &setUp);
 
 enum class HandleState { Idle, Hovered, Selected };
 
-/// Whether y_B and y_T stand beside the ticks.
+/// Whether the ticks are labelled y_B and y_T.
 enum class EdgeNames { Hidden, Shown };
 
-/// Where a note stands from its anchor.
+/// The position of a note relative to its anchor.
 enum class NoteSide { Right, Above, Below, AboveRight, BelowRight, AboveLeft, BelowLeft };
 
-/// Draws what is known of a frame over its cells, on the screen or into a figure. Thin lines have a
-/// casing of the opposite lightness, so that they can be read on every colour that a frame may
-/// hold. Positions are in sample coordinates.
+/// Draws annotations over a frame's cells, on the screen or into a figure. Thin lines have a casing
+/// of the opposite lightness, so that they are visible on every colour. Positions are in sample
+/// coordinates.
 class FramePainter {
 public:
     /// view: the part of the paint device that shows the frame; lines are clipped to it.
@@ -44,47 +44,48 @@ public:
                  const QRectF &view);
 
     void drawFrameEdge();
-    /// Lines between the cells, for figures; blendGrid() does the same for the screen.
+    /// Draws the lines between cells, for figures; blendGrid() does it for the screen.
     void drawGrid();
     void drawOutline(const std::array<LatticePoint, 3> &corners, const EdgeRoles &roles);
-    /// The curve that a shape stands for, a Bézier curve's control polygon, and how the corner of a
-    /// circle's box belongs to it. Where it would be so dense that it hides the picture, the bounds
-    /// of its vertices, dashed.
+    /// Draws the curve of a shape, a Bézier curve's control polygon, and the link from a circle to
+    /// the corner of its box. Where all that would be so dense that it hides the picture, only the
+    /// dashed bounds of its vertices.
     void drawShapeOutline(const Shape &shape);
-    /// The edges and the corners C₀, C₁, … of a polygon that clipping made, and between its corners
-    /// those of the fan of triangles that is drawn.
+    /// Draws the edges and the corners C₀, C₁, … of a clipped polygon, and between its corners the
+    /// edges of the fan of triangles that is drawn.
     void drawClippedPolygon(const std::vector<LatticePoint> &corners);
     void drawRubberPath(const std::vector<LatticePoint> &points);
-    /// A line to a vertex that is not placed yet.
+    /// Draws a line to a vertex that is not placed yet.
     void drawRubberLine(const LatticePoint &from, const LatticePoint &to);
     void drawHandle(const LatticePoint &point, const Colour &colour, HandleState state);
-    /// A vertex that a click would place.
+    /// Draws a vertex that a click would place.
     void drawCandidate(const LatticePoint &point, const Colour &colour);
-    /// P0, P1 or P2 beside a vertex, on the side that is turned away from `inside`, or as near to
-    /// it as no other name stands.
+    /// Draws P0, P1 or P2 beside a vertex, on the side away from `inside`, or as near to that as
+    /// other names allow.
     void drawVertexName(const QString &name, const LatticePoint &point, const QPointF &inside);
-    /// Through all samples of a column or a row.
+    /// Draws a line through all samples of a column or a row.
     void drawPlumbLine(const SpanPlace &place);
-    /// y_B and y_T where they meet the plumb line.
+    /// Draws ticks for y_B and y_T where they meet the plumb line.
     void drawEdgeTicks(const SpanRecord &span, EdgeNames names = EdgeNames::Shown);
-    /// The point of the rule off-screen-point; out of view, an arrow towards it at the border.
+    /// Draws the point of the rule off-screen-point; where it is out of view, an arrow towards it
+    /// at the border.
     void drawOffScreenPoint(const LatticePoint &point);
     void drawPickedPixel(const QPoint &pixel);
     void drawPixelBreakpoint(const QPoint &pixel);
     void drawNote(const QString &text, const QPointF &anchor, NoteSide side);
-    /// Below the pointer and to its right, or in the first of its other quarters where it covers
-    /// no note and none of those places; where all cover a note, beside that.
+    /// Draws a note below and right of the pointer, or in the first of its other quarters where it
+    /// covers no note and none of `places`; where each covers a note, next to that note.
     void drawPointerNote(const QString &text, const QPointF &pointer,
                          std::span<const QRectF> places);
-    /// In a corner of the view or between two, in long lines or in short ones, where it covers no
-    /// handle, least of what else has a place, those places included, and least of the frame; of
-    /// equal ones the first from the lower left.
+    /// Draws a note in a corner of the view or between two corners, in long or short lines. It goes
+    /// where it covers least of the handles, then of other notes, names and `places`, then of the
+    /// frame; among equals, the first from the lower left.
     void drawCornerNote(const QString &text, std::span<const QRectF> places = {});
-    /// Between two positions.
+    /// Draws a line with a casing between two positions.
     void drawCased(const QLineF &line, const QColor &colour, double width,
                    Qt::PenStyle style = Qt::SolidLine);
 
-    /// Where handles, names and notes stand so far.
+    /// The rectangles of the handles, names and notes drawn so far.
     const std::vector<QRectF> &plates() const { return m_plates; }
 
 private:
@@ -105,9 +106,9 @@ private:
     QSizeF noteSize(const QString &text, double widest) const;
     void drawNoteIn(const QRectF &plate, const QString &text);
     QRectF plateAt(const QSizeF &text, const QPointF &anchor, NoteSide side) const;
-    bool isFree(const QRectF &plate) const; ///< of all that has a place
+    bool isFree(const QRectF &plate) const; ///< of all drawn plates
     QRectF drawPlate(const QSizeF &text, const QPointF &anchor, NoteSide side);
-    QRectF drawPlateIn(const QRectF &plate); ///< returns where its text stands
+    QRectF drawPlateIn(const QRectF &plate); ///< returns the rectangle of its text
     bool isNearView(const QPointF &position) const;
 
     QPainter &m_painter;
@@ -115,19 +116,19 @@ private:
     const QPalette &m_palette;
     QRectF m_view;
     std::vector<QRectF> m_plates;
-    std::vector<QRectF> m_handles, m_notes; ///< those among them, but for the pointer's note
+    std::vector<QRectF> m_handles, m_notes; ///< parts of m_plates, without the pointer's note
 };
 
 /// The colour of the lines between cells; they fade in as the cells grow, and are transparent where
-/// cells are too small for them.
+/// cells are too small.
 QColor gridColour(const ViewMapping &mapping);
 
-/// The smallest cell that has room for a difference's glyph, in logical pixels.
+/// The smallest cell with room for a difference's glyph, in logical pixels.
 inline constexpr double leastGlyphCell = 9;
 
-/// Marks a cell: the sign's glyph where it has room, else a frame, else the colour alone.
+/// Marks a cell: by the sign's glyph where it has room, else by a frame, else by the colour alone.
 void paintMark(QPainter &painter, const QRectF &cell, Sign sign, const QPalette &palette);
-/// The same of a difference from the truth; nothing where there is none.
+/// Marks a difference from the truth as paintMark() does; nothing where there is none.
 void paintDifference(QPainter &painter, const QRectF &cell, Difference kind,
                      const QPalette &palette);
 

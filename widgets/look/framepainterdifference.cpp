@@ -28,7 +28,7 @@ Sign signOf(Difference kind)
     return Sign::ColourDiffers;
 }
 
-/// The glyph's outline with the middle of its ink in the middle of a cell.
+/// The glyph's outline with its ink centred in a cell.
 QPainterPath glyphPath(const QString &glyph, QFont font, const QRectF &cell)
 {
     font.setBold(true);

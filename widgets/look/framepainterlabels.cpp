@@ -23,17 +23,18 @@ constexpr int noteFlags = int(Qt::AlignCenter) | Qt::TextWordWrap;
 constexpr double platePadding = 3;
 constexpr QSizeF pointerSize(6, 10); ///< beyond its hot spot
 
-/// Of the view, where a note may stand, by choice: the corners from the lower left, then between.
+/// Places for a note in the view, in order of preference: the corners from the lower left, then
+/// between them.
 constexpr std::array notePlaces
     = {QPointF(0, 1),   QPointF(1, 1),   QPointF(0, 0),   QPointF(1, 0),
        QPointF(0.5, 1), QPointF(0.5, 0), QPointF(0, 0.5), QPointF(1, 0.5)};
-constexpr std::array noteShares = {1.0, 0.5, 0.33}; ///< how much of its width a note may take
+constexpr std::array noteShares = {1.0, 0.5, 0.33}; ///< of the widest note, to try
 
-/// Of the pointer, where its note may stand, by choice.
+/// Places for the pointer's note around it, in order of preference.
 constexpr std::array pointerSides
     = {NoteSide::BelowRight, NoteSide::AboveRight, NoteSide::BelowLeft, NoteSide::AboveLeft};
 
-/// Radians from the side on which a vertex's name stands by choice, nearest first.
+/// Radians from the preferred side of a vertex's name, nearest first.
 constexpr std::array nameTurns
     = {0.0, 0.4, -0.4, 0.8, -0.8, 1.2, -1.2, 1.6, -1.6, 2.0, -2.0, 2.4, -2.4, 2.8, -2.8};
 
@@ -48,7 +49,7 @@ std::ptrdiff_t coveredBy(const QRectF &plate, std::span<const QRectF> places)
                                  [&plate](const QRectF &place) { return place.intersects(plate); });
 }
 
-/// Where a plate of a size stands beside its anchor.
+/// The rectangle of a plate beside its anchor.
 QRectF placed(const QSizeF &size, const QPointF &anchor, NoteSide side)
 {
     const double right = anchor.x() + noteGap;
@@ -88,7 +89,7 @@ void FramePainter::drawVertexName(const QString &name, const LatticePoint &point
     const QPointF direction = distance > 0 ? away / distance : QPointF(0, -1);
     const QFontMetricsF metrics(m_painter.font());
     const QSizeF size(metrics.horizontalAdvance(name), metrics.height());
-    // So far that a side of the plate is clear of the handle.
+    // Far enough for a side of the plate to clear the handle.
     const QSizeF clear = plateSize(size) / 2 + QSizeF(handleRadius + 4, handleRadius + 4);
     const auto anchorAt = [&](double turn) {
         const QPointF turned(direction.x() * std::cos(turn) - direction.y() * std::sin(turn),
@@ -128,7 +129,7 @@ void FramePainter::drawEdgeTicks(const SpanRecord &span, EdgeNames names)
     const QPointF bottom = m_mapping.positionOf(at, lower);
     const QPointF top = m_mapping.positionOf(at, upper);
     const bool upward = m_mapping.frame().origin == FrameOrigin::BottomLeft;
-    // Where the edges meet, the names part so that the vertex's own name fits between them.
+    // Where the edges meet, the names move apart so that the vertex's own name fits between them.
     const double parting = std::abs(top.y() - bottom.y()) < nearTicks ? nameParting : 0;
     const QPointF away(0, upward ? -parting : parting);
     drawEdgeTick(bottom, Sign::LowerEdge, Qt::Horizontal);
@@ -180,7 +181,7 @@ void FramePainter::drawPointerNote(const QString &text, const QPointF &pointer,
                                    std::span<const QRectF> places)
 {
     const QSizeF size = noteSize(text, widestNote());
-    std::vector<QRectF> plates; // by choice
+    std::vector<QRectF> plates; // by preference
     for (const NoteSide side : pointerSides) {
         const bool isRight = side == NoteSide::BelowRight || side == NoteSide::AboveRight;
         const bool isBelow = side == NoteSide::BelowRight || side == NoteSide::BelowLeft;
@@ -210,7 +211,7 @@ void FramePainter::drawPointerNote(const QString &text, const QPointF &pointer,
 void FramePainter::drawCornerNote(const QString &text, std::span<const QRectF> places)
 {
     const QRectF within = m_view.adjusted(noteGap, noteGap / 2, -noteGap, -noteGap / 2);
-    std::vector<QRectF> plates; // by choice
+    std::vector<QRectF> plates; // by preference
     for (const double share : noteShares) {
         const QSizeF size = plateSize(noteSize(text, widestNote() * share));
         const QSizeF room = within.size() - size;
@@ -237,7 +238,7 @@ double FramePainter::widestNote() const
     return std::max(m_view.width() - 2 * (noteGap + platePadding), 1.0);
 }
 
-/// Broken into lines.
+/// The size of the text broken into lines.
 QSizeF FramePainter::noteSize(const QString &text, double widest) const
 {
     return QFontMetricsF(m_painter.font())
@@ -256,7 +257,7 @@ QRectF FramePainter::plateAt(const QSizeF &text, const QPointF &anchor, NoteSide
 {
     const QSizeF size = plateSize(text);
     QRectF plate = placed(size, anchor, side);
-    // Kept in view, so that a name near the border can be read.
+    // Kept inside the view, so that a name near the border can be read.
     plate.moveLeft(std::max(std::min(plate.left(), m_view.right() - size.width()), m_view.left()));
     plate.moveTop(std::max(std::min(plate.top(), m_view.bottom() - size.height()), m_view.top()));
     return plate;

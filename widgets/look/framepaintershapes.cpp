@@ -22,12 +22,12 @@ constexpr double outlineWidth = 1.5;
 constexpr double clippedWidth = 2.5; ///< of the polygon that clipping made
 constexpr double offScreenSize = 7; ///< of the off-screen point's mark, from its middle
 constexpr double largestCurve = 1e6;
-/// Of all lines of one outline that are seen. More hide the picture, and take longer than a hand
-/// waits: some 0.2 ms for 700 px of one line, twenty times that for 700 px of one stroke along a
-/// path that crosses itself.
+/// Limits for all visible lines of one outline. More would hide the picture and take too long to
+/// drag: about 0.2 ms for 700 px of one line, twenty times that for 700 px of one stroke along a
+/// self-crossing path.
 constexpr double longestOutline = 60'000;
 constexpr double longestStroke = 4'000;
-constexpr std::size_t mostOutlineLines = 1'000; ///< of curves, the pieces that they are drawn by
+constexpr std::size_t mostOutlineLines = 1'000; ///< for curves, of the pieces that approximate them
 
 std::vector<QPointF> positionsOf(const Shape &shape, const ViewMapping &mapping)
 {
@@ -37,8 +37,8 @@ std::vector<QPointF> positionsOf(const Shape &shape, const ViewMapping &mapping)
     return positions;
 }
 
-/// The pieces of a Bézier path one after another, each with its control points, or the contours of
-/// a polygon.
+/// The pieces of a Bézier path in order, each with its control points, or the contours of a
+/// polygon.
 std::vector<std::span<const QPointF>> piecesOf(const Shape &path,
                                                const std::vector<QPointF> &points)
 {
@@ -53,7 +53,8 @@ std::vector<std::span<const QPointF>> piecesOf(const Shape &path,
     return pieces;
 }
 
-/// What is filled is closed, by straight edges where the pieces leave gaps.
+/// The path of a Bézier shape. A filled one is closed with straight edges where the pieces leave
+/// gaps.
 QPainterPath bezierPath(const Shape &shape, const std::vector<QPointF> &points)
 {
     QPainterPath path(points.front());
@@ -70,8 +71,8 @@ QPainterPath bezierPath(const Shape &shape, const std::vector<QPointF> &points)
     return path;
 }
 
-/// The curve that the shape stands for; empty of polygons, whose edges are their contours', and
-/// where the vertices say it all.
+/// The curve of the shape; empty for polygons, which consist of their contours' edges, and where
+/// the vertices are all there is.
 QPainterPath curveOf(const Shape &shape, const std::vector<QPointF> &points)
 {
     QPainterPath path;
@@ -107,14 +108,14 @@ bool hasCurves(const QPainterPath &path)
     return false;
 }
 
-/// What of an outline lies in a rectangle: painters lose precision far outside. Its extent may be
-/// zero in either direction, as a level line's is.
+/// The part of an outline inside a rectangle: painters lose precision far outside. The extent may
+/// be zero in either direction, as for a level line.
 struct VisibleLines {
-    std::vector<QLineF> lines; ///< one after the other along the outline
+    std::vector<QLineF> lines; ///< in order along the outline
     double length = 0; ///< of all, logical pixels
-    bool isTooDense = false; ///< there are more; those are not all
+    bool isTooDense = false; ///< there are more lines than these
 
-    /// Whether there is room for more.
+    /// Adds a line's visible part; false when there is no room for more.
     bool add(const QPointF &from, const QPointF &to, const QRectF &rect)
     {
         if (const std::optional<QLineF> piece = clipped({from, to}, rect)) {
@@ -129,7 +130,7 @@ struct VisibleLines {
 VisibleLines visibleLines(const QPainterPath &path, const QRectF &rect)
 {
     VisibleLines visible;
-    // Where curves are larger, their pieces are not straight to a pixel any more.
+    // The pieces of larger curves are no longer straight to a pixel.
     const QRectF extent = path.boundingRect();
     if (std::max(extent.width(), extent.height()) > largestCurve && hasCurves(path))
         return visible;
@@ -142,7 +143,7 @@ VisibleLines visibleLines(const QPainterPath &path, const QRectF &rect)
     return visible;
 }
 
-/// Without a path: of many edges, most are not looked at.
+/// Clips without a path: of many edges, most lie outside.
 VisibleLines visibleEdges(const Shape &polygon, const std::vector<QPointF> &points,
                           const QRectF &rect)
 {
@@ -156,8 +157,8 @@ VisibleLines visibleEdges(const Shape &polygon, const std::vector<QPointF> &poin
     return visible;
 }
 
-/// Corners of the box that a long text takes up: as far as its first characters go, and the others
-/// as far as these on average.
+/// Corners of the box of a long text: the extent of its first characters, extrapolated to the
+/// others by their average.
 std::vector<QPointF> textCorners(const Shape &text, const ViewMapping &mapping)
 {
     constexpr std::size_t mostMeasured = 256; // bytes: a millisecond
@@ -183,7 +184,8 @@ QPainterPath joined(const std::vector<QLineF> &lines)
 
 } // namespace
 
-/// One stroke along the whole path has the better joints and takes far longer.
+/// Draws one stroke along the whole path where that is fast enough: it has better joints but takes
+/// far longer.
 void FramePainter::drawOutlineLines(const std::vector<QLineF> &lines, double length)
 {
     QColor around = casing();
@@ -229,7 +231,7 @@ void FramePainter::drawShapeOutline(const Shape &shape)
                           Qt::DotLine);
         }
     }
-    // The corner is no point of the curve: it hangs on it by two tangents, a radius long each.
+    // The corner is not on the curve: two tangents, each a radius long, connect it.
     if (shape.kind == PrimitiveKind::Circle || shape.kind == PrimitiveKind::Ellipse) {
         for (const QPointF &touching :
              {QPointF(points[0].x(), points[1].y()), QPointF(points[1].x(), points[0].y())})

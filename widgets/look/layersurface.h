@@ -8,7 +8,7 @@
 
 namespace pixelplumb {
 
-/// Where layers are painted over a frame that stands in a view.
+/// Where layers are painted over a frame in a view.
 LayerSurface layerSurface(const ViewMapping &mapping, const QRectF &view, const QPalette &palette);
 
 /// A pixel's side, logical px.

@@ -5,7 +5,7 @@
 
 namespace pixelplumb {
 
-/// Relative, as WCAG 2.1 has it: 0 of black, 1 of white.
+/// The relative luminance of WCAG 2.1: 0 for black, 1 for white.
 double luminance(const QColor &colour);
 
 } // namespace pixelplumb

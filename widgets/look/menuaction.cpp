@@ -28,7 +28,7 @@ QString withoutMnemonic(QString text)
     text.remove(QLatin1Char('&'));
     if (text.endsWith(QChar(0x2026))) // …
         text.chop(1);
-    return text.trimmed(); // some languages set it apart
+    return text.trimmed(); // some languages separate it
 }
 
 QString listedText(const QAction &action)

@@ -19,22 +19,23 @@ QAction *addMenuAction(QMenu *menu, const char *name, const QString &text, const
     return action;
 }
 
-/// The menu's actions and those of the menus in it, without separators.
+/// The menu's actions and those of its submenus, without separators.
 QList<QAction *> actionsIn(const QMenu &menu);
 
-/// "&Open…" as it is read: "Open".
+/// A menu text as it is read: "Open" for "&Open…".
 QString withoutMnemonic(QString text);
 
-/// What lists of keys call an action: as withoutMnemonic(), but for one whose text in its menu says
-/// what it would do now, such as "Undo place vertex". That one is called as it was last set here.
+/// The name of an action in lists of keys: as withoutMnemonic(), except that an action whose menu
+/// text says what it would do now, such as "Undo place vertex", has the name last set with
+/// setListedText().
 QString listedText(const QAction &action);
 void setListedText(QAction *action, const QString &text);
 
-/// "Play (Space)"; without a key the tip alone.
+/// The tip with its key, "Play (Space)"; the tip alone without a key.
 QString tipWithKey(const QString &tip, const QKeySequence &key);
 
-/// Lets the action's key act only while the widget has the focus: for keys that are letters or
-/// digits, which belong to whatever is typed elsewhere.
+/// Lets the action's key act only while the widget has the focus: for letters and digits, which
+/// elsewhere are typed as text.
 void confineKeyTo(QWidget *widget, QAction *action);
 
 } // namespace pixelplumb

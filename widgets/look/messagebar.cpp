@@ -36,7 +36,7 @@ MessageBar::MessageBar(QWidget *covered)
     setAccessibleName(tr("Message"));
     setAutoFillBackground(true);
     setFrameShape(QFrame::StyledPanel);
-    setMouseTracking(true); // what is not the button's goes on to the widget below
+    setMouseTracking(true); // clicks outside the button go to the widget below
     setBackgroundRole(QPalette::ToolTipBase);
     setForegroundRole(QPalette::ToolTipText);
     m_glyph->setObjectName(QStringLiteral("messageKind"));
@@ -78,8 +78,8 @@ bool MessageBar::eventFilter(QObject *watched, QEvent *event)
     return QFrame::eventFilter(watched, event);
 }
 
-/// Shift and its like alone choose nothing. A click on the bar is one on what lies below, which
-/// gets it through the bar: that goes at its end.
+/// Whether an event is the person's next action. Shift and other modifiers alone are not. A click
+/// on the bar goes through to the widget below; its release hides the bar.
 bool MessageBar::isNextChoice(const QObject &watched, const QEvent &event) const
 {
     if (!watched.isWidgetType() || !isVisible())
@@ -110,7 +110,7 @@ void MessageBar::hideEvent(QHideEvent *event)
     qApp->removeEventFilter(this);
 }
 
-/// As wide as the text asks for, and as high as that makes it.
+/// Makes the bar as wide as the text needs, and as high as that width requires.
 void MessageBar::place()
 {
     const QSize room = parentWidget()->size();
@@ -139,7 +139,7 @@ void MessageBar::show(Kind kind, const QString &text)
     QPalette colours;
     colours.setColor(QPalette::WindowText,
                      isError ? signColour(Sign::Breakpoint, palette())
-                             : signColour(Sign::ColumnInHand, palette()));
+                             : signColour(Sign::CurrentColumn, palette()));
     m_glyph->setPalette(colours);
     m_glyph->setText(isError ? tr("Error") : tr("Note"));
     constexpr qsizetype longestMessage = 2000; // characters
@@ -149,7 +149,7 @@ void MessageBar::show(Kind kind, const QString &text)
     setAccessibleDescription(shown);
     place();
     setVisible(true);
-    // The key that caused it may be on its way to the parents of the widget that had it.
+    // The key that caused it may still propagate to parents of the focused widget.
     m_isFresh = true;
     QTimer::singleShot(0, this, [this] { m_isFresh = false; });
     QAccessibleEvent alert(this, QAccessible::Alert);

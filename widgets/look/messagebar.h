@@ -7,9 +7,9 @@ class QLabel;
 
 namespace pixelplumb {
 
-/// What went wrong or is worth knowing, told over the lower part of a widget without moving it.
-/// Stays until it is closed, replaced or hidden, or until the person goes on: with a key, or with a
-/// press elsewhere. What lies under it can be clicked all the same.
+/// Shows errors and notes over the lower part of a widget without moving it. The bar stays until it
+/// is closed, replaced or hidden, or until the person presses a key, or the mouse elsewhere. What
+/// lies under it can still be clicked.
 class MessageBar : public QFrame {
     Q_OBJECT
 
@@ -34,7 +34,7 @@ private:
     void place();
     bool isNextChoice(const QObject &watched, const QEvent &event) const;
 
-    bool m_isFresh = false; ///< told while the event in hand is delivered
+    bool m_isFresh = false; ///< shown by the event that is being delivered
     QLabel *m_glyph;
     QLabel *m_text;
 };

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char *context = "pixelplumb::MethodSummary";
 
-/// What lupdate finds. The program looks sentences up by what methods say, not in this list.
+/// A list for lupdate only. At run time sentences are looked up by the methods' text, not here.
 [[maybe_unused]] constexpr const char *translatableSummaries[] = {
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
                       "Walks the columns between two edges and colours the samples from y_B to "

@@ -7,8 +7,8 @@ namespace pixelplumb {
 
 struct Method;
 
-/// The sentence that a method says of itself, in the window's language; in English where that has
-/// no words for it.
+/// A method's sentence about itself, in the window's language; in English where there is no
+/// translation.
 QString methodSummary(const Method &method);
 
 } // namespace pixelplumb

@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// What lupdate finds. The program looks titles up by what methods say, not in this list.
+/// A list for lupdate only. At run time titles are looked up by the methods' text, not here.
 [[maybe_unused]] constexpr const char *translatableTitles[] = {
     QT_TRANSLATE_NOOP("pixelplumb::MethodTitle", "Column scan"),
     QT_TRANSLATE_NOOP("pixelplumb::MethodTitle", "Row edge walking"),

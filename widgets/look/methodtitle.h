@@ -7,8 +7,8 @@ namespace pixelplumb {
 
 struct Method;
 
-/// What a method is called in the window's language; in English, as files, exports and the command
-/// line call it, where that has no words for it.
+/// A method's name in the window's language; in English, as in files, exports and on the command
+/// line, where there is no translation.
 QString methodTitle(const Method &method);
 
 } // namespace pixelplumb

@@ -5,8 +5,7 @@
 
 namespace pixelplumb {
 
-/// Gives a widget its object name, and in words what a screen reader says of it and its tool tip
-/// shows.
+/// Names a widget: its object name, and in words its accessible name and tool tip.
 template <class Widget>
 Widget *named(Widget *widget, const char *name, const QString &inWords)
 {

@@ -35,7 +35,7 @@ QString nonFiniteText(double value)
     return value < 0 ? QStringLiteral("−∞") : QStringLiteral("∞");
 }
 
-/// The fewest digits that read back as the same value; plain notation between 10^-9 and 10^15.
+/// The fewest digits that read back as the same value; plain notation from 10^-9 to below 10^15.
 template <class Float>
 QString shortestDecimal(Float value)
 {
@@ -118,7 +118,7 @@ QString shortDecimal(const Quantity &quantity, int places)
 {
     const QString decimal = displayDecimal(quantity, places);
     if (!quantity.isFinite() || decimal.size() <= toDecimal(quantity, places).size() + 1)
-        return decimal; // with an ellipsis
+        return decimal; // ends in an ellipsis
     const double whole = std::round(quantity.toDouble());
     const double rest = errorOf(quantity, Quantity::of(whole));
     return withMinus(QString::number(whole, 'f', 0))

@@ -13,7 +13,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr double fractionSize = 0.86; // of the line's
+constexpr double fractionSize = 0.86; // relative to the line's
 
 QFont fractionFont(QFont font)
 {

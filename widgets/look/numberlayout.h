@@ -9,7 +9,7 @@ class QPainter;
 
 namespace pixelplumb {
 
-/// A display text taken apart where a column of figures aligns it: 17 | 3 / 8 or 17 | .375.
+/// A display text split as a column of numbers aligns it: 17 | 3 / 8 or 17 | .375.
 struct NumberParts {
     QString whole; ///< with its sign
     QString numerator, denominator; ///< of a mixed number; then decimals is empty
@@ -20,17 +20,18 @@ struct NumberParts {
 
 NumberParts partsOf(const QString &displayText);
 
-/// The widths that a column of figures reserves, so that points, slashes and units stand below each
-/// other and nothing moves when a value changes. Fractions are set smaller, so that 7 11/54 is not
-/// read as 711/54.
+/// The widths that a column of numbers reserves, so that points, slashes and units align and
+/// nothing moves when a value changes. Fractions are smaller, so that 7 11/54 is not read as
+/// 711/54.
 class NumberLayout {
 public:
-    /// Makes room for a text. A numerator gets the room of its denominator, which it cannot exceed.
+    /// Makes room for a text. A numerator gets the room of its denominator, which it cannot exceed
+    /// in width.
     void include(const QString &displayText, const QFont &font);
     double width() const { return m_whole + tailWidth(); }
 
-    /// Draws the text into the rectangle, the column's right side at the rectangle's. Characters
-    /// from `marked` on (−1: none) are underlined. Text that is not a number is right-aligned.
+    /// Draws the text into the rectangle, with the column right-aligned in it. Characters from
+    /// `marked` on (−1: none) are underlined. Text that is not a number is right-aligned.
     void draw(QPainter &painter, const QRectF &rect, const QString &displayText, int marked) const;
 
 private:
@@ -45,7 +46,7 @@ private:
     double m_decimals = 0;
 };
 
-/// The font itself when all its digits have one width, else the system's fixed font at that size.
+/// The font itself when all its digits are equally wide, else the system's fixed font at that size.
 QFont tabularFont(const QFont &font);
 
 } // namespace pixelplumb

@@ -7,12 +7,12 @@
 
 namespace pixelplumb {
 
-/// A title or formula without the signs that set subscripts: "yB".
+/// A title or formula without the markup of subscripts: "yB".
 QString withoutMarkup(QString symbols);
 
-/// What a number is and where it comes from.
+/// The tool tip of a number: what it is and where it comes from.
 QString numberToolTip(const NumberDescription &number);
-/// The same with its value in hand, and the exact one where there is one to compare.
+/// The tool tip with the number's current value, and the exact one where there is one to compare.
 QString numberToolTip(const NumberDescription &number, const Quantity &used, const Quantity &exact,
                       Arithmetic arithmetic);
 

@@ -7,7 +7,7 @@
 
 namespace pixelplumb {
 
-/// The palette that the person chose, applied at once and kept in QSettings.
+/// The palette that the person chose; applied at once and kept in QSettings.
 class PaletteSwitch : public QObject {
     Q_OBJECT
 

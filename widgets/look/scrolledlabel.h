@@ -7,13 +7,13 @@ class QLabel;
 
 namespace pixelplumb {
 
-/// A text in as many lines as it takes where there is room; in a small window, which it must not
-/// make higher, two are in sight and the others are scrolled to. It can be selected.
+/// A text that wraps to as many lines as it needs; a small window, whose height it must not
+/// increase, shows two and scrolls the rest. It can be selected.
 class ScrolledLabel : public QScrollArea {
     Q_OBJECT
 
 public:
-    /// The name and the accessible name are the label's own.
+    /// Both names are also the label's own.
     ScrolledLabel(const QString &name, const QString &accessibleName, QWidget *parent = nullptr);
 
     void setText(const QString &text);

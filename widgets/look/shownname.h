@@ -5,8 +5,8 @@
 
 namespace pixelplumb {
 
-/// The name of a file at a path as titles, labels and menus show it: shortened where it is very
-/// long, what cannot be shown as its code.
+/// The name of a file as titles, labels and menus show it: shortened where it is very long,
+/// unprintable characters as their codes.
 QString shownName(const QString &path);
 
 } // namespace pixelplumb

@@ -19,7 +19,7 @@ SignColours coloursOf(Sign sign)
         return {0x0072b2, 0x56b4e9};
     case Sign::UpperEdge:
         return {0xb34700, 0xff9e4a};
-    case Sign::ColumnInHand:
+    case Sign::CurrentColumn:
         return {0x00775a, 0x2fd0a0};
     case Sign::PickedPixel:
         return {0x8a3f6e, 0xe39ac4};
@@ -74,7 +74,7 @@ QString signGlyph(Sign sign)
         return QStringLiteral("•");
     case Sign::LowerEdge:
     case Sign::UpperEdge:
-    case Sign::ColumnInHand:
+    case Sign::CurrentColumn:
     case Sign::PickedPixel:
     case Sign::VertexMark:
         break;

@@ -11,7 +11,7 @@ namespace pixelplumb {
 enum class Sign {
     LowerEdge, ///< y_B
     UpperEdge, ///< y_T
-    ColumnInHand, ///< the plumb line
+    CurrentColumn, ///< the plumb line
     PickedPixel,
     Missing, ///< ?
     Extra, ///< !
@@ -21,13 +21,13 @@ enum class Sign {
     FirstDifference, ///< ≠, on the scrubber
     VertexMark, ///< a vertex and its column on the scrubber
     Breakpoint,
-    Changed, ///< a number that differs from the last column's
+    Changed, ///< a number that differs from the previous column's
 };
 
-/// From the Okabe–Ito set, darkened or lightened so that text in it keeps 4.5:1 on the palette's
-/// base.
+/// A sign's colour from the Okabe–Ito set, darkened or lightened so that text in it keeps 4.5:1 on
+/// the palette's base.
 QColor signColour(Sign sign, const QPalette &palette);
-/// The second sign beside the colour; empty where position is the second sign.
+/// The glyph that marks a sign in addition to its colour; empty where its position does so.
 QString signGlyph(Sign sign);
 bool isDark(const QPalette &palette);
 

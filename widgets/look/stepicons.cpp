@@ -42,7 +42,7 @@ public:
     QIconEngine *clone() const override { return new StepIconEngine(m_sign); }
 
 private:
-    /// On a field of 16 × 16.
+    /// Paints the sign on a 16 × 16 field.
     void paintSign(QPainter *painter) const
     {
         const QPolygonF rightward({{4, 3}, {4, 13}, {13, 8}});

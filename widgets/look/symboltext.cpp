@@ -8,8 +8,8 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr double subscriptSize = 0.75; // of the line's
-constexpr double subscriptDrop = 0.18; // of the line's ascent
+constexpr double subscriptSize = 0.75; // relative to the line's
+constexpr double subscriptDrop = 0.18; // relative to the line's ascent
 
 double pixelSizeOf(const QFont &font)
 {

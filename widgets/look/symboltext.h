@@ -33,10 +33,10 @@ private:
     std::vector<SymbolRun> m_runs;
 };
 
-/// Lines of a tooltip, with their subscripts.
+/// A tool tip's lines as rich text, with their subscripts.
 QString toolTipHtml(const QStringList &lines);
 
-/// Which edge a symbol belongs to: what is lowered by B to the lower, by T to the upper one.
+/// The edge to which a symbol belongs: the lower one with subscript B, the upper one with T.
 std::optional<Sign> edgeSignOf(const QString &symbol);
 
 } // namespace pixelplumb

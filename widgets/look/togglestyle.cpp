@@ -11,9 +11,9 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr float tintShare = 0.7F; // of the window in a tint of the highlight: texts stay readable
+constexpr float tintShare = 0.7F; // window colour in the highlight's tint: texts stay readable
 constexpr double cornerRadius = 3;
-constexpr float offShare = 0.5F; // of the window in the frame of what is off: 3:1 and more
+constexpr float offShare = 0.5F; // window colour in an unchecked button's frame: at least 3:1
 
 QColor frameOf(const QPalette &palette)
 {
@@ -49,7 +49,7 @@ void ToggleStyle::drawComplexControl(ComplexControl control, const QStyleOptionC
                                      QPainter *painter, const QWidget *widget) const
 {
     QProxyStyle::drawComplexControl(control, option, painter, widget);
-    // An off button in a tool bar has no panel of its own until it is pointed at.
+    // In a tool bar an unchecked button has no panel until it is hovered.
     if (control == CC_ToolButton && isToggle(widget) && !option->state.testFlag(State_On))
         drawFrame(*option, *painter, Qt::NoBrush, frameOf(option->palette));
 }

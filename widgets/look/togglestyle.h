@@ -5,10 +5,9 @@
 
 namespace pixelplumb {
 
-/// Fusion, but that a tool button that can be switched on has a frame, and a tint while it is on:
-/// Fusion draws one that is off as a label, and darkens one that is on, which on a dark window is
-/// not to be seen. The outline of a check box, of a menu's and a list's too, is lighter for the
-/// same reason.
+/// Fusion with frames and tints for checkable tool buttons: Fusion draws an unchecked one as a
+/// label and darkens a checked one, which cannot be seen in a dark window. The outlines of check
+/// boxes, also in menus and lists, are lighter for the same reason.
 class ToggleStyle : public QProxyStyle {
     Q_OBJECT
 

@@ -6,14 +6,14 @@
 
 namespace pixelplumb {
 
-/// The window's words in a person's language, and in the same one those of Qt's own dialogs (OK,
-/// Cancel), as long as it lives. The texts in the sources are English; what English has a file for
-/// is its plural forms.
+/// The translations of the window's texts and of Qt's own dialogs (OK, Cancel) into one language,
+/// while the object lives. The texts in the sources are English; the English file holds only plural
+/// forms.
 class Translation {
 public:
-    /// Of the languages, "de-AT" or "de_AT", in the order in which a person wants them, the first
-    /// that there is a file for; English where there is none. It has to stand before the first
-    /// widget, and after the application.
+    /// Loads the first of the languages ("de-AT" or "de_AT", the preferred one first) that has a
+    /// file; English where none has. Must be constructed after the application and before the first
+    /// widget.
     explicit Translation(const QStringList &languages);
 
     QString language() const { return m_ours.language(); } ///< "de"

@@ -19,8 +19,8 @@ QString typesetHtml(const QString &text)
 {
     static const QRegularExpression fraction(
         QStringLiteral("(?<![\\d).])(\\d+/\\d+)(?!\\d|\\.\\d)"));
-    // Rich text takes every space but one for an ordinary one, at which a line may break, as it may
-    // at the sign of an exponent.
+    // Rich text turns every space except the no-break space into an ordinary one, at which a line
+    // may break, as it may at an exponent's sign.
     static const QRegularExpression exponent(QStringLiteral("(\\de)([-−+])(?=\\d)"));
     QString whole = typeset(text).replace(u'\u202f', QChar::Nbsp);
     whole.replace(QStringLiteral("else "), QStringLiteral("else\u00a0"));

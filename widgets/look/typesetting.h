@@ -5,10 +5,10 @@
 
 namespace pixelplumb {
 
-/// True minus signs, and thin spaces that do not break in mixed numbers: "12 5/54".
+/// Text with true minus signs, and no-break thin spaces in mixed numbers: "12 5/54".
 QString typeset(QString text);
 
-/// The same as rich text, with symbols (SymbolText) and smaller fractions, so that 7 11/54 is not
+/// typeset() as rich text, with symbols (SymbolText) and smaller fractions, so that 7 11/54 is not
 /// read as 711/54.
 QString typesetHtml(const QString &text);
 

@@ -13,26 +13,26 @@ namespace pixelplumb {
 
 namespace {
 
-// Every step is between a fifth and a doubling, so that 1 to 64 takes fifteen notches of a wheel.
+// Each step is a factor between 1.2 and 2; from 1 to 64 a wheel needs fifteen notches.
 constexpr std::array zoomSteps = {-64, -48, -32, -24, -16, -12, -8, -6, -4, -3, -2, 1,  2,  3,  4,
                                   5,   6,   8,   10,  12,  16,  20, 24, 32, 40, 48, 64, 96, 128};
 
-// Positions that events report are device pixels divided by the ratio; the product may fall short
-// of the whole number by a few units in the last place.
+// Event positions are device pixels divided by the ratio; the product may fall short of the integer
+// by a few units in the last place.
 constexpr double hair = 1e-6;
 
-/// How much of the frame stays in view however far it is moved, in device pixels.
+/// The part of the frame that always stays visible when moved, in device pixels.
 constexpr int leastVisible = 24;
 
-/// The place of a device pixel in the picture, in frame pixels: the pixel itself, or, below 1:1,
-/// the one in the middle of those that share the device pixel.
+/// The frame pixel of the picture at a device pixel; below 1:1, the middle one of those that share
+/// it.
 std::int64_t picturePixelAt(int device, int origin, const ViewZoom &zoom)
 {
     return floorDivide(std::int64_t(device - origin) * zoom.framePixels + zoom.framePixels / 2,
                        std::int64_t(zoom.devicePixels));
 }
 
-/// The same in lattice units from the picture's edge.
+/// picturePixelAt() in lattice units from the picture's edge.
 Lattice pictureUnitsAt(int device, int origin, const ViewZoom &zoom)
 {
     if (zoom.framePixels > 1)
@@ -46,7 +46,7 @@ int deviceLength(std::int32_t framePixels, const ViewZoom &zoom)
     return (framePixels * zoom.devicePixels + zoom.framePixels - 1) / zoom.framePixels;
 }
 
-/// The largest zoom at which so many frame pixels fit into so many device pixels.
+/// The largest zoom at which `framePixels` fit into `devicePixels`.
 int fittingZoom(std::int32_t framePixels, int devicePixels)
 {
     const int device = std::max(devicePixels, 1);
@@ -115,8 +115,8 @@ ViewMapping ViewMapping::zoomedAt(const QPointF &anchor, const ViewZoom &zoom) c
 {
     const QPoint device = deviceAt(anchor);
     const double growth = zoom.factor() / m_zoom.factor();
-    // The middle of the device pixel under the anchor stays where it is, so that zooming in and out
-    // again does not creep.
+    // The middle of the device pixel under the anchor stays fixed, so that zooming in and out again
+    // does not drift.
     const auto moved = [growth](int fixed, int origin) {
         return int(std::floor(fixed + 0.5 - (fixed + 0.5 - origin) * growth + 0.5));
     };
@@ -160,7 +160,7 @@ QRect ViewMapping::deviceRect(const QRectF &rect) const
 
 int ViewMapping::pictureColumnAt(int deviceX) const
 {
-    // Below 1:1 the last device pixel may stand for fewer frame pixels than the others.
+    // Below 1:1 the last device pixel may cover fewer frame pixels than the others.
     const std::int64_t column = picturePixelAt(deviceX, m_origin.x(), m_zoom);
     const bool isLast = column >= m_frame.width && devicePicture().right() == deviceX;
     return isLast ? m_frame.width - 1 : int(column);

@@ -12,16 +12,17 @@
 namespace pixelplumb {
 
 /// How large a frame pixel is on the screen: devicePixels : framePixels, one of which is 1, so that
-/// every cell of the picture has the same whole number of device pixels.
+/// all cells of the picture have the same whole number of device pixels.
 struct ViewZoom {
-    /// In either direction; at three device pixels a logical one, cells still hold numbers.
+    /// The limit in either direction; at three device pixels per logical one, cells still have room
+    /// for numbers.
     static constexpr int largest = 128;
 
     int devicePixels = 1;
     int framePixels = 1;
 
-    /// One number for both directions: 8 is 8 device pixels a frame pixel, −4 is 4 frame pixels a
-    /// device pixel. 0 and −1 are 1:1; others are clamped to ±largest.
+    /// One number for both directions: 8 is 8 device pixels per frame pixel, −4 is 4 frame pixels
+    /// per device pixel. 0 and −1 are 1:1; others are clamped to ±largest.
     static ViewZoom fromNumber(int number);
     int number() const { return framePixels > 1 ? -framePixels : devicePixels; }
     double factor() const { return double(devicePixels) / framePixels; }
@@ -32,25 +33,24 @@ struct ViewZoom {
     friend bool operator==(const ViewZoom &, const ViewZoom &) = default;
 };
 
-/// Where the frame stands in a widget. Three kinds of coordinates meet here:
+/// Where the frame is in a widget. It relates three kinds of coordinates:
 ///
 /// - sample coordinates, in lattice units: pixel (x, y) is the sample at (x, y), and its cell
-/// reaches
-///   half a pixel to each side of it;
+///   extends half a pixel to each side of it;
 /// - device pixels of the window's grid, whole numbers: cell edges lie on them;
 /// - logical positions in the widget, as events and painters use them.
 ///
-/// The widget's own corner may lie between device pixels at a fractional device pixel ratio; the
-/// mapping takes that fraction into account, so that what is drawn and what is hit stay the same.
+/// At a fractional device pixel ratio the widget's own corner may lie between device pixels; the
+/// mapping includes that fraction, so that what is drawn and what is hit stay the same.
 class ViewMapping {
 public:
     ViewMapping() = default;
-    /// origin: the device pixel at the upper left corner of the picture.
-    /// fraction: where the widget's corner lies in its device pixel, 0 ≤ each < 1.
+    /// `origin`: the device pixel at the upper left corner of the picture. `fraction`: where the
+    /// widget's corner lies in its device pixel, 0 ≤ each < 1.
     ViewMapping(const FrameSpec &frame, const ViewZoom &zoom, const QPoint &origin,
                 double devicePixelRatio = 1, const QPointF &fraction = {});
 
-    /// The whole frame in the middle of a view, as large as fits.
+    /// The whole frame in the middle of a view, as large as it fits.
     static ViewMapping fitted(const FrameSpec &frame, const QRectF &view, double devicePixelRatio,
                               const QPointF &fraction = {});
 
@@ -60,10 +60,10 @@ public:
     double devicePixelRatio() const { return m_devicePixelRatio; }
     QPointF fraction() const { return m_fraction; }
 
-    /// The same place under an anchor, at another zoom.
+    /// This mapping at another zoom, with the same point under the anchor.
     ViewMapping zoomedAt(const QPointF &anchor, const ViewZoom &zoom) const;
     ViewMapping movedBy(const QPoint &devicePixels) const;
-    /// Moved as little as keeps a part of the frame inside the view.
+    /// This mapping, moved no more than needed to keep part of the frame inside the view.
     ViewMapping keptInside(const QRectF &view) const;
 
     QPoint deviceAt(const QPointF &position) const;
@@ -79,20 +79,20 @@ public:
     /// The sample point under a position, inside the frame or not.
     LatticePoint latticeAt(const QPointF &position) const;
 
-    /// The middle device pixel of a cell, as an event there would report it.
+    /// The middle device pixel of a cell, as an event there would report its position.
     QPointF positionOf(const QPoint &pixel) const;
-    /// Where a sample point is, in px of sample coordinates.
+    /// The position of a sample point, given in px of sample coordinates.
     QPointF positionOf(double x, double y) const;
     QPointF positionOf(const LatticePoint &point) const;
     /// A pixel's cell.
     QRect deviceCellOf(const QPoint &pixel) const;
     QRectF cellOf(const QPoint &pixel) const;
 
-    /// The picture's place, and its part [columns, lines) that a device rectangle shows: a
-    /// rectangle in lines and columns of the picture, 0 at its upper left.
+    /// The picture's rectangle, and the part of it that a device rectangle shows, in columns and
+    /// lines of the picture, 0 at its upper left.
     QRect devicePicture() const;
     QRect pictureIn(const QRect &device) const;
-    /// The column or line of the picture that is drawn at a device pixel.
+    /// The column or line of the picture at a device pixel.
     int pictureColumnAt(int deviceX) const;
     int pictureLineAt(int deviceY) const;
 

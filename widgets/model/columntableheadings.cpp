@@ -5,12 +5,12 @@
 #include "widgets/look/numbertooltip.h"
 #include "widgets/model/columntablemodel.h"
 
-/// What the rows and columns of the table are called.
+/// The names of the table's rows and columns.
 namespace pixelplumb {
 
 namespace {
 
-/// "△ 2", "line 0": where a primitive's rows begin.
+/// The mark at the first row of a primitive: "△ 2", "line 0".
 QString markText(const TracedScene &traced, std::size_t span)
 {
     const std::size_t primitive = traced.trace->primitiveOf(span);
@@ -20,8 +20,7 @@ QString markText(const TracedScene &traced, std::size_t span)
     return QStringLiteral("%1 %2").arg(kind, QString::number(primitive));
 }
 
-/// The edge that is switched in where a sorted triangle's second part begins, else the
-/// part's name.
+/// The edge added where a sorted triangle's second part begins, else the part's name.
 QString partText(const TracedScene &traced, std::size_t span)
 {
     if (traced.primitives.isTriangle(traced.trace->primitiveOf(span)))

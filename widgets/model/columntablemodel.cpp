@@ -74,9 +74,9 @@ int ColumnTableModel::rowAt(std::size_t span) const
 void ColumnTableModel::followPosition()
 {
     m_position = m_playhead->position();
-    // Numbers that were hidden ahead may be seen now.
+    // Numbers that were hidden ahead may be visible now.
     const QList<int> roles
-        = m_playhead->isAheadHidden() ? QList<int>() : QList<int>{IsAheadRole, IsInHandRole};
+        = m_playhead->isAheadHidden() ? QList<int>() : QList<int>{IsAheadRole, IsCurrentRole};
     if (rowCount() > 0)
         emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1), roles);
 }
@@ -119,7 +119,7 @@ const ColumnTableModel::RowNumbers &ColumnTableModel::numbersOf(std::size_t span
         numbers->exact = exactSpanCells(*m_traced, span);
     if (span > trace.firstSpanOf(primitive))
         numbers->previous = trace.span(span - 1);
-    m_cache.insert(span, numbers); // the cache owns it
+    m_cache.insert(span, numbers); // the cache takes ownership
     return *numbers;
 }
 
@@ -212,13 +212,14 @@ RowMark ColumnTableModel::markOf(std::size_t span) const
                                                               : RowMark::PartBegins;
 }
 
-/// Which row it is and how it is painted is no secret; what its formulas give is.
+/// Whether data may be shown ahead: the row's identity and appearance may, the results of its
+/// formulas may not.
 bool ColumnTableModel::isToldAhead(int column, int role) const
 {
     switch (role) {
     case Qt::TextAlignmentRole:
     case IsAheadRole:
-    case IsInHandRole:
+    case IsCurrentRole:
     case PrimitiveRole:
     case RowMarkRole:
     case MeasuredTextRole:
@@ -243,8 +244,8 @@ QVariant ColumnTableModel::data(const QModelIndex &index, int role) const
         return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
     case IsAheadRole:
         return isAhead;
-    case IsInHandRole:
-        return m_playhead->spanInHand() == span;
+    case IsCurrentRole:
+        return m_playhead->currentSpan() == span;
     case PrimitiveRole:
         return int(m_traced->trace->primitiveOf(span));
     case RowMarkRole:

@@ -14,17 +14,16 @@ namespace pixelplumb {
 
 class Playhead;
 
-/// Which of its three numbers a column of the table shows: the kernel's, the true one, their
+/// Which number of its three a column of the table shows: the kernel's, the true one, or their
 /// difference.
 enum class NumberFace { Used, Exact, Error };
 
-/// Where a row begins something.
+/// What begins at a row.
 enum class RowMark { None, PrimitiveBegins, PartBegins };
 
-/// The trace's spans as rows, in drawing order over all primitives: all of them, or those that a
-/// filter lets through. Nothing is computed at a
-/// reset: the numbers of a row are taken from the trace when a view asks for them, and kept for the
-/// last few rows.
+/// The trace's spans as rows, in drawing order over all primitives: all of them, or those that pass
+/// a filter. A reset computes nothing: a row's numbers are taken from the trace when a view asks
+/// for them, and cached for the last few rows.
 class ColumnTableModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -33,13 +32,13 @@ public:
         UsedTextRole = Qt::UserRole + 1, ///< displayed text of the number used
         ExactTextRole,
         ErrorTextRole,
-        MeasuredTextRole, ///< what the cell shows once it is told: the room that it needs
+        MeasuredTextRole, ///< the number that the cell will show, also while hidden: for its width
         CanonicalTextRole, ///< of the cell's own face, as `pixelplumb-cli trace` writes it
-        ChangedRole, ///< bool: differs from the primitive's span before
-        MarkedDigitRole, ///< int: first character of DisplayRole that the exact number does not
-                         ///< have, or −1
+        ChangedRole, ///< bool: differs from the primitive's previous span
+        MarkedDigitRole, ///< int: index of the first character of DisplayRole that differs from the
+                         ///< exact number, or −1
         IsAheadRole, ///< bool: the position is before this span
-        IsInHandRole, ///< bool
+        IsCurrentRole, ///< bool
         RowMarkRole, ///< int of RowMark
         PrimitiveRole, ///< int
     };
@@ -57,22 +56,22 @@ public:
     void setFilter(RowFilter filter);
     /// The span of a row.
     std::size_t spanAt(int row) const;
-    /// The row of a span, or of the next one that is there; rowCount() where none is.
+    /// The row of a span, or of the next span in the table; rowCount() where there is none.
     int rowAt(std::size_t span) const;
 
-    /// What a column of the table shows, as it is true of all rows.
+    /// The description of a column's number, which holds for all rows.
     const NumberDescription &number(int column) const;
     NumberFace face(int column) const { return m_entries[std::size_t(column)].face; }
     /// "y_B", "y_B_exact", "y_B_error": the column's name in files.
     QString fileName(int column) const;
 
-    /// True where numbers are rounded, so that exact and error say something.
+    /// True where numbers are rounded, so that the exact number and the error are informative.
     bool isRounding() const;
     bool hasSeveralPrimitives() const;
 
 private:
     struct Entry {
-        std::size_t number = 0; ///< its place among the method's
+        std::size_t number = 0; ///< its index among the method's
         NumberFace face = NumberFace::Used;
     };
     struct RowNumbers {

@@ -10,8 +10,8 @@
 
 namespace pixelplumb {
 
-/// What a person switches by hand to see what an effect costs or changes. Of the picture, not of
-/// the document: nothing of it is saved or undone.
+/// What a person switches by hand to see what an effect costs or changes. It belongs to the
+/// picture, not to the document: it is neither saved nor undone.
 class EffectSwitches : public QObject {
     Q_OBJECT
 
@@ -20,13 +20,13 @@ public:
 
     const EffectForcing &forced() const { return m_forced; }
     void force(Effect effect, Forcing forcing);
-    /// All as called for.
+    /// Sets all effects back to what the scene calls for.
     void reset();
 
-    /// The scene as it is drawn: itself where nothing is forced.
+    /// The scene as it is drawn; the scene itself where nothing is forced.
     std::shared_ptr<const Scene> applied(const std::shared_ptr<const Scene> &scene) const;
 
-    /// What forcing changes of the scene's picture; null while that is not known, and while nothing
+    /// What forcing changes in the scene's picture; null while that is unknown, and while nothing
     /// is forced.
     const std::shared_ptr<const DifferenceMap> &changes() const { return m_changes; }
     void setChanges(std::shared_ptr<const DifferenceMap> changes);

@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// For translation.
+/// The translation context.
 struct FrameText {
     Q_DECLARE_TR_FUNCTIONS(pixelplumb::FrameText)
 };
@@ -18,7 +18,7 @@ struct FrameText {
 
 std::optional<int> movingFrame(const SceneDocument &document)
 {
-    return document.scene().motion ? std::optional(document.frameInHand()) : std::nullopt;
+    return document.scene().motion ? std::optional(document.currentFrame()) : std::nullopt;
 }
 
 QString frameText(const SceneDocument &document)

@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 class SceneDocument;
 
-/// The frame in hand of a scene that moves, from 0; none of a still one.
+/// The current frame of a moving scene, from 0; none for a still one.
 std::optional<int> movingFrame(const SceneDocument &document);
 /// "frame 8 of 24 of the motion"; empty where the scene stands still.
 QString frameText(const SceneDocument &document);

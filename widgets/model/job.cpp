@@ -12,11 +12,11 @@ namespace pixelplumb {
 
 using namespace std::chrono_literals;
 
-/// Of one run. It outlives the job when that goes away first.
+/// The state of one run; it may outlive the job.
 struct Job::Control {
     std::atomic<bool> isCancelled = false;
     std::mutex mutex; ///< of the progress
-    std::optional<JobProgress> progress; ///< none before the work told any
+    std::optional<JobProgress> progress; ///< none before the first report
 
     bool hear(const JobProgress &told)
     {
@@ -75,7 +75,7 @@ void Job::enqueue(Run run)
     emit started();
 }
 
-/// Whichever ends later, the cancelled run or the rest, begins the next one.
+/// Called when the cancelled run or the rest ends; the later call starts the next run.
 void Job::startNext()
 {
     if (!m_next || m_control || m_restTimer.isActive())
@@ -91,7 +91,7 @@ void Job::startNext()
 void Job::end()
 {
     m_progressTimer.stop();
-    // Taken, so that the watcher does not keep a large outcome alive beside the one that is shown.
+    // Moved out, so that the watcher does not keep a large outcome alive beside the shown one.
     const Delivery deliver = m_watcher.future().takeResult();
     if (std::exchange(m_control, nullptr)->isCancelled) {
         startNext();

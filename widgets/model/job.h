@@ -18,31 +18,31 @@ class QThreadPool;
 
 namespace pixelplumb {
 
-/// Runs one piece of work at a time beside the GUI thread, which never waits for it. Newer work
+/// Runs one piece of work at a time in a worker thread; the GUI thread never waits. Newer work
 /// cancels the older, whose outcome is dropped, and begins when that has ended: two large outcomes
-/// never stand in memory together.
+/// are never in memory together.
 class Job : public QObject {
     Q_OBJECT
 
 public:
-    /// In the given pool, else in the program's.
+    /// Runs in the given pool, else in the program's.
     explicit Job(QObject *parent = nullptr, QThreadPool *pool = nullptr);
-    /// Cancels, and does not wait: what the work needs must belong to it.
+    /// Cancels without waiting: the work must own what it needs.
     ~Job() override;
 
-    /// Work is under way or waits for its turn, and its outcome is wanted.
+    /// Whether work is running or waiting, and its outcome is wanted.
     bool isRunning() const;
 
-    /// What a person reads of it while it is under way: "Opening scene.json".
+    /// The text shown while the work is running: "Opening scene.json".
     void setTitle(const QString &title) { m_title = title; }
     const QString &title() const { return m_title; }
-    /// Newer work waits that long for a still newer one: work that a drag would cancel at each move
-    /// only takes time from what is seen of it.
+    /// How long newer work waits for still newer work: work that a drag cancels at each move only
+    /// slows down what the drag shows.
     void setRest(std::chrono::milliseconds rest) { m_restTimer.setInterval(rest); }
 
-    /// `work(listener)` runs in another thread, tells the listener how far it is and ends when that
-    /// says so; `take(outcome)` then runs in this one. An outcome that did not fit into memory, or
-    /// did not come about by another error, is a default one.
+    /// Runs `work(listener)` in another thread; it reports its progress to the listener and ends
+    /// when that says so. `take(outcome)` then runs in this thread. Where memory ran out or another
+    /// error occurred, the outcome is a default one.
     template <class Work, class Take>
     void start(Work work, Take take)
     {
@@ -60,10 +60,10 @@ public slots:
     void cancel();
 
 signals:
-    void started(); ///< or waits for its turn
-    /// Some 20 times a second.
+    void started(); ///< or waiting
+    /// About 20 times a second.
     void progressChanged(const pixelplumb::JobProgress &progress);
-    void ended(); ///< before the outcome is taken, or cancelled
+    void ended(); ///< before the outcome is taken, or when cancelled
 
 private:
     using Delivery = std::function<void()>; ///< takes the outcome; runs in the GUI thread

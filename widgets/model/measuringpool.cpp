@@ -11,7 +11,7 @@ QThreadPool *measuringPool()
 {
     static QPointer<QThreadPool> pool;
     if (!pool) {
-        pool = new QThreadPool(QCoreApplication::instance()); // ends with it
+        pool = new QThreadPool(QCoreApplication::instance()); // destroyed with the application
         pool->setMaxThreadCount(1);
     }
     return pool;

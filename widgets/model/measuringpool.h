@@ -7,11 +7,11 @@ class QThreadPool;
 
 namespace pixelplumb {
 
-/// For all jobs that time something: it runs one at a time, so that none disturbs another. The
-/// others wait, and then measure.
+/// The pool for all jobs that time something: it runs one at a time, so that none disturbs another;
+/// the others wait.
 QThreadPool *measuringPool();
 
-/// What a job says that is about to be put there: "Measuring …", or that it waits.
+/// The title of a job about to be put there: "Measuring …", or that it waits.
 QString measuringNote();
 
 } // namespace pixelplumb

@@ -5,8 +5,8 @@
 
 namespace pixelplumb {
 
-/// Whether a primitive is painted in one colour, its first vertex's. A document keeps all of its
-/// vertices in it, so that their handles have the colour that is seen.
+/// Whether a primitive is painted in one colour, that of its first vertex. A document gives it to
+/// all of its vertices, so that their handles have the visible colour.
 constexpr bool hasOneColour(PrimitiveKind kind)
 {
     switch (kind) {

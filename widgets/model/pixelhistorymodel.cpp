@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr quintptr topLevel = 0; // internal ids: 0 for attempts, 1 + row of the attempt for details
+constexpr quintptr topLevel = 0; // internal ids: 0 for attempts, 1 + the attempt's row for details
 constexpr int edgeRows = 3;
 
 } // namespace
@@ -40,7 +40,7 @@ void PixelHistoryModel::setPosition(std::size_t position)
     if (m_attempts.empty())
         return;
     emit dataChanged(index(0, 0), index(int(m_attempts.size()) - 1, columnTotal - 1));
-    // The channels of a write are grey until it is done.
+    // The channels of a write are grey until it happens.
     for (int row = 0; row < int(m_attempts.size()); ++row) {
         const QModelIndex attempt = index(row, 0);
         if (m_attempts[std::size_t(row)].written)
@@ -53,8 +53,8 @@ QModelIndex PixelHistoryModel::decisiveRow() const
 {
     if (m_attempts.empty())
         return {};
-    if (const QModelIndex inHand = rowInHand(); inHand.isValid())
-        return inHand;
+    if (const QModelIndex current = currentRow(); current.isValid())
+        return current;
     int decisive = -1;
     for (int row = 0; row < int(m_attempts.size()); ++row) {
         const PixelAttempt &attempt = m_attempts[std::size_t(row)];
@@ -66,12 +66,13 @@ QModelIndex PixelHistoryModel::decisiveRow() const
     return index(std::max(0, decisive), 0);
 }
 
-QModelIndex PixelHistoryModel::rowInHand() const
+QModelIndex PixelHistoryModel::currentRow() const
 {
-    const auto inHand = std::ranges::find_if(m_attempts, [this](const PixelAttempt &attempt) {
+    const auto current = std::ranges::find_if(m_attempts, [this](const PixelAttempt &attempt) {
         return attempt.sample && attempt.step + 1 == m_position;
     });
-    return inHand == m_attempts.end() ? QModelIndex() : index(int(inHand - m_attempts.begin()), 0);
+    return current == m_attempts.end() ? QModelIndex()
+                                       : index(int(current - m_attempts.begin()), 0);
 }
 
 bool PixelHistoryModel::isCountRow(const QModelIndex &index) const
@@ -132,7 +133,7 @@ QVariant PixelHistoryModel::data(const QModelIndex &index, int role) const
         return attempt.reason;
     case StepRole:
         return attempt.written ? QVariant(qulonglong(attempt.step)) : QVariant();
-    case IsAheadRole: // of an edge it is said that it accepts or refuses, at any time
+    case IsAheadRole: // an edge's verdict is shown at any time
         return attempt.written && attempt.step >= m_position
             && !(isDetail && index.row() >= channelRows + int(attempt.carried.size()));
     case BeforeColourRole:

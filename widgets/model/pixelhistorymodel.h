@@ -12,8 +12,8 @@
 namespace pixelplumb {
 
 /// What each triangle did to one pixel, in drawing order, with the numbers of each attempt below
-/// it: three channels where it wrote, three edges where one of them refuses. Of the triangles that
-/// refuse the pixel only the first few are listed; a last row counts the others.
+/// it: three channels where it wrote, three edges where one rejected the pixel. Only the first few
+/// triangles that reject the pixel are listed; a last row counts the others.
 class PixelHistoryModel : public QAbstractItemModel {
     Q_OBJECT
 
@@ -34,14 +34,14 @@ public:
     void setPixel(std::shared_ptr<const TracedScene> traced, const std::optional<QPoint> &pixel,
                   Ahead ahead = Ahead::Shown);
     void setPosition(std::size_t position);
-    /// Whether attempts are left out because they are ahead.
+    /// Whether attempts are left out because they lie ahead.
     bool isSomethingHidden() const { return m_isSomethingHidden; }
 
-    /// The row of the write that the frame shows, else of the first to come, else 0; none when
+    /// The row of the write that the frame shows, else of the next write to come, else 0; none when
     /// empty.
     QModelIndex decisiveRow() const;
-    /// The attempt that the step in hand is; invalid where it is none of the pixel's.
-    QModelIndex rowInHand() const;
+    /// The attempt of the current step; invalid where the step belongs to another pixel.
+    QModelIndex currentRow() const;
 
     QModelIndex index(int row, int column, const QModelIndex &parent = {}) const override;
     QModelIndex parent(const QModelIndex &child) const override;
@@ -62,8 +62,8 @@ private:
     QString detailText(const PixelAttempt &attempt, std::size_t row, int column) const;
 
     std::shared_ptr<const TracedScene> m_traced;
-    std::vector<PixelAttempt> m_attempts; ///< those that are listed
-    std::size_t m_unlisted = 0; ///< refusals beyond them
+    std::vector<PixelAttempt> m_attempts; ///< the listed ones
+    std::size_t m_unlisted = 0; ///< further refusals
     std::size_t m_position = 0;
     bool m_isSomethingHidden = false;
 };

@@ -8,12 +8,12 @@
 
 #include <algorithm>
 
-/// What the rows say.
+/// The texts of the rows.
 namespace pixelplumb {
 
 namespace {
 
-/// "△ 2", "line 0".
+/// A primitive's name: "△ 2", "line 0".
 QString nameText(const PixelAttempt &attempt)
 {
     const QString kind = attempt.kind == PrimitiveKind::Triangle ? QStringLiteral("△")
@@ -23,7 +23,7 @@ QString nameText(const PixelAttempt &attempt)
 
 QColor opaque(QRgb colour) { return QColor::fromRgb(colour); }
 
-/// Whether effects have made other bytes of the colour that the sample had.
+/// Whether effects have changed the bytes of the sample's colour.
 bool isOfBase(const PixelAttempt &attempt)
 {
     const Colour written = unpacked(attempt.change.after);
@@ -34,7 +34,7 @@ bool isOfBase(const PixelAttempt &attempt)
     return false;
 }
 
-/// Why the triangle keeps the sample out: the edge that is farthest from accepting it.
+/// The edge that rejects the sample most strongly.
 std::size_t refusingEdge(const oracle::SampleVerdict &verdict)
 {
     const auto refusing = std::ranges::min_element(
@@ -86,7 +86,7 @@ QString PixelHistoryModel::channelText(const PixelAttempt &attempt, std::size_t 
     const std::int64_t level = attempt.sample->level[channel];
     switch (column) {
     case WhatColumn:
-        // What is done to it afterwards stands in the reason and in the Formula panel.
+        // The reason and the Formula panel show what happens to it afterwards.
         return (isOfBase(attempt) ? tr("base %1") : QStringLiteral("%1"))
             .arg(QStringLiteral("RGB").at(qsizetype(channel)));
     case UsedColumn:
@@ -99,11 +99,11 @@ QString PixelHistoryModel::channelText(const PixelAttempt &attempt, std::size_t 
         break;
     }
     if (exact.isNone())
-        return {}; // the truth of a shape is its pixels
+        return {}; // a shape's truth is only its pixels
     return besideText(used, exact);
 }
 
-/// The exact number and the error; where nothing is rounded and both are one number, its decimals.
+/// The exact number and the error; in exact arithmetic, where both are one number, its decimals.
 QString PixelHistoryModel::besideText(const Quantity &used, const Quantity &exact) const
 {
     if (m_traced->scene.settings.arithmetic == Arithmetic::Exact
@@ -145,7 +145,8 @@ QString PixelHistoryModel::edgeText(const PixelAttempt &attempt, std::size_t ind
                 .arg(displayText(distance.exact));
         return {};
     case ByteColumn:
-        // Of the sample; of several a pixel, and of its area, the centre decides nothing.
+        // A verdict on the sample; with several samples per pixel or area coverage, the centre
+        // decides nothing.
         if (m_traced->antialiasing() != Antialiasing::None)
             return edge.accepts ? tr("the centre inside") : tr("the centre outside");
         if (edge.edgeFunction == 0)

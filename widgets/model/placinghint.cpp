@@ -65,7 +65,7 @@ QString pluralOf(PrimitiveKind kind)
     return {};
 }
 
-/// "outlined circles and ellipses".
+/// What a method draws: "outlined circles and ellipses".
 QString drawnBy(const Method &method)
 {
     QStringList kinds;

@@ -12,17 +12,15 @@ struct TracedScene;
 
 enum class FrameContent { Empty, Drawn };
 
-/// What the next click on the canvas does: said while a primitive is under way, and in an empty
+/// What the next click on the canvas does: shown while a primitive is incomplete, and in an empty
 /// frame.
 QString placingHint(PrimitiveKind kind, std::size_t pendingVertices, FrameContent content);
 
-/// Where the scene's method draws none of its primitives: what the method does draw, and which
-/// method draws what is there; or that all of it is hidden. Empty where it draws one, and of an
-/// empty scene.
+/// Shown where the scene's method draws none of its primitives: what the method draws, and which
+/// method draws these; or that all are hidden. Empty where it draws one, and for an empty scene.
 QString foreignSceneHint(const Scene &scene);
 
-/// Why a run has no steps to show, and what to do about it; without a run, that it is on its
-/// way.
+/// Why a run has no steps to show, and what to do about it; without a run, that it is being traced.
 QString emptyRunText(const TracedScene *traced);
 
 } // namespace pixelplumb

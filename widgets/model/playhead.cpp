@@ -38,7 +38,7 @@ void Playhead::setTraced(std::shared_ptr<const TracedScene> traced)
         const std::size_t before = previous->primitives.size();
         const bool isShownAgain = m_traced->scene.hiddenCount() < previous->scene.hiddenCount();
         const bool isNew = m_traced->primitives.size() > before && (!isShownAgain || before == 0);
-        isPickOfStep = isPickOfStep || isNew; // the panels explain the very step that is shown
+        isPickOfStep = isPickOfStep || isNew; // the panels explain exactly the step shown
         position = !isNew  ? navigation().positionLike(*previous->trace, oldPosition)
             : m_isForetold ? m_traced->trace->indexOfSetUp(before)
                            : m_traced->trace->stepCount();
@@ -61,30 +61,30 @@ std::size_t Playhead::end() const { return m_traced ? m_traced->trace->stepCount
 
 const FrameBuffer *Playhead::frame() const { return m_cursor ? &m_cursor->frame() : nullptr; }
 
-std::optional<TraceStep> Playhead::stepInHand() const
+std::optional<TraceStep> Playhead::currentStep() const
 {
     if (position() == 0)
         return std::nullopt;
     return m_traced->trace->stepAt(position() - 1);
 }
 
-std::optional<std::size_t> Playhead::spanInHand() const
+std::optional<std::size_t> Playhead::currentSpan() const
 {
-    const std::optional<TraceStep> step = stepInHand();
+    const std::optional<TraceStep> step = currentStep();
     if (!step || step->kind == StepKind::SetUp)
         return std::nullopt;
     return step->span;
 }
 
-std::optional<SpanPlace> Playhead::placeInHand() const
+std::optional<SpanPlace> Playhead::currentPlace() const
 {
-    const std::optional<std::size_t> span = spanInHand();
+    const std::optional<std::size_t> span = currentSpan();
     return span ? std::optional(m_traced->trace->placeOf(*span)) : std::nullopt;
 }
 
-std::optional<std::int64_t> Playhead::columnXInHand() const
+std::optional<std::int64_t> Playhead::currentColumnX() const
 {
-    const std::optional<SpanPlace> place = placeInHand();
+    const std::optional<SpanPlace> place = currentPlace();
     if (!place || place->axis != SpanAxis::Column)
         return std::nullopt;
     return place->coordinate;
@@ -92,7 +92,7 @@ std::optional<std::int64_t> Playhead::columnXInHand() const
 
 SpanAxis Playhead::axis() const
 {
-    if (const std::optional<SpanPlace> place = placeInHand())
+    if (const std::optional<SpanPlace> place = currentPlace())
         return place->axis;
     const bool hasSpans = m_traced && m_traced->trace->spanCount() > 0;
     if (hasSpans)
@@ -100,9 +100,9 @@ SpanAxis Playhead::axis() const
     return m_traced ? m_traced->method->spanAxis : SpanAxis::Column;
 }
 
-std::optional<QPoint> Playhead::pixelInHand() const
+std::optional<QPoint> Playhead::currentPixel() const
 {
-    const std::optional<TraceStep> step = stepInHand();
+    const std::optional<TraceStep> step = currentStep();
     if (!step || step->kind != StepKind::Sample)
         return std::nullopt;
     return navigation().pixelOf(position() - 1);

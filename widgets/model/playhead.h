@@ -16,12 +16,12 @@
 
 namespace pixelplumb {
 
-/// Where the person is: the traced scene, the position in it, the unit of stepping, the picked
-/// pixel and the breakpoints. Every view listens to this object and asks it to move; no view knows
-/// another.
+/// The person's current place: the traced scene, the position in it, the unit of stepping, the
+/// picked pixel and the breakpoints. Every view listens to this object and asks it to move; the
+/// views do not know each other.
 ///
-/// A position p means that the first p steps are done; the step in hand is step p − 1. Moving to a
-/// span or sample step picks its pixel; picking a pixel by hand does not move time.
+/// At position p the first p steps are done; the current step is step p − 1. Moving to a span or
+/// sample step picks its pixel; picking a pixel by hand does not move time.
 class Playhead : public QObject {
     Q_OBJECT
 
@@ -32,9 +32,9 @@ public:
     explicit Playhead(QObject *parent = nullptr);
     ~Playhead() override;
 
-    /// Takes a new run. The position is kept on the same column and pixel where the new trace has
-    /// them, else the nearest earlier step of the same primitive. A run with more primitives than
-    /// the last one is shown finished: someone added one and wants to see it.
+    /// Takes a new run. The position stays on the same column and pixel where the new trace has
+    /// them, else moves to the nearest earlier step of the same primitive. A run with an added
+    /// primitive is shown finished, or, while a student predicts, at that primitive's set-up.
     void setTraced(std::shared_ptr<const TracedScene> traced);
     /// Null until the first run is there.
     const TracedScene *traced() const { return m_traced.get(); }
@@ -42,19 +42,19 @@ public:
 
     std::size_t position() const;
     std::size_t end() const; ///< the largest position
-    /// The frame as it stands at the position; null without a run.
+    /// The frame at the position; null without a run.
     const FrameBuffer *frame() const;
-    std::optional<TraceStep> stepInHand() const;
-    /// The trace's index of the span in hand: the step's, or none at a set-up step.
-    std::optional<std::size_t> spanInHand() const;
-    /// Where it lies.
-    std::optional<SpanPlace> placeInHand() const;
-    /// Its x, where it is a column.
-    std::optional<std::int64_t> columnXInHand() const;
-    /// What the span in hand is, else the run's first one; Column without a run.
+    std::optional<TraceStep> currentStep() const;
+    /// The trace's index of the current step's span; none at a set-up step.
+    std::optional<std::size_t> currentSpan() const;
+    /// The place of the current span.
+    std::optional<SpanPlace> currentPlace() const;
+    /// The x of the current span, where it is a column.
+    std::optional<std::int64_t> currentColumnX() const;
+    /// The axis of the current span, else of the run's first one; Column without a run.
     SpanAxis axis() const;
-    /// The pixel (x, y) that the step in hand wrote or refused, if it came to one.
-    std::optional<QPoint> pixelInHand() const;
+    /// The pixel (x, y) that the current step wrote or refused, if any.
+    std::optional<QPoint> currentPixel() const;
 
     StepUnit unit() const { return m_unit; }
     bool isPlaying() const { return m_timer.isActive(); }
@@ -62,11 +62,11 @@ public:
 
     std::optional<QPoint> pickedPixel() const { return m_picked; }
 
-    /// True while a student foretells what the next steps compute: nobody shows it. At the end of
-    /// the run nothing is left to foretell, and all is shown.
+    /// True while a student predicts what the next steps compute: no view shows it. At the end of
+    /// the run nothing is left to predict, and all is shown.
     bool isAheadHidden() const { return ahead() == Ahead::Hidden; }
     Ahead ahead() const { return aheadAt(position()); }
-    /// Whether what becomes of a pixel may be shown: it is decided, or nobody foretells it.
+    /// Whether a pixel's fate may be shown: it is decided, or nobody is predicting.
     bool mayTell(std::int64_t x, std::int64_t y) const;
 
     const Breakpoints &breakpoints() const { return m_breakpoints; }
@@ -79,19 +79,18 @@ public slots:
     void seekToSpan(std::size_t span); ///< just after the span was entered
     void seekToPixelStep(std::size_t stepIndex); ///< just after that step
     void setUnit(pixelplumb::StepUnit unit);
-    /// Forward and backward undo each other at every position but the ends: the landings of the
-    /// unit (see TraceNavigation) and the position from which the stepping set out are one row of
-    /// stops.
+    /// Forward and backward undo each other everywhere but at the ends: the stops are the unit's
+    /// landings (see TraceNavigation) and the position from which the stepping started.
     void step(pixelplumb::StepUnit unit, pixelplumb::StepDirection direction);
-    /// Goes on to the next breakpoint in that direction, else to the end or the start.
+    /// Moves to the next breakpoint in that direction, else to the end or the start.
     void run(pixelplumb::StepDirection direction);
-    /// Goes to the next or previous step that writes the picked pixel; emits message() when none
-    /// does.
+    /// Moves to the next or previous step that writes the picked pixel; emits message() when there
+    /// is none.
     void runToPickedPixel(pixelplumb::StepDirection direction);
-    void setForetold(bool isForetold); ///< whether a student foretells what is ahead
+    void setForetold(bool isForetold); ///< whether a student predicts what is ahead
     void pick(const QPoint &pixel); ///< clamped to the frame
     void nudgePick(int dx, int dy);
-    /// Of a column or a row; a free span has no place at which to pause again.
+    /// For a column or a row; a free span has no place at which to pause again.
     void toggleSpanBreakpoint(const pixelplumb::SpanPlace &place);
     void togglePixelBreakpoint(const QPoint &pixel);
     void clearBreakpoints();
@@ -100,25 +99,25 @@ public slots:
 
 signals:
     void tracedChanged();
-    /// Comes after every tracedChanged() too.
+    /// Also follows every tracedChanged().
     void positionChanged(std::size_t position);
     void unitChanged(pixelplumb::StepUnit unit);
     void pickedPixelChanged();
-    /// By pick(); maybe the same one again. A nudge only moves towards it.
+    /// Emitted by pick(), even for the same pixel; not by a nudge, which only moves towards one.
     void pixelChosen(const QPoint &pixel);
-    /// Comes before positionChanged(), where that is the reason.
+    /// Precedes positionChanged(), where that is the cause.
     void aheadHiddenChanged(bool hidden);
     void breakpointsChanged();
     void playingChanged(bool playing);
     void stepsPerSecondChanged(double stepsPerSecond);
-    /// Something to tell the person in the status bar.
+    /// A text for the status bar.
     void message(const QString &text);
 
 private:
     TraceNavigation navigation() const { return TraceNavigation(*m_traced->trace); }
     void moveTo(std::size_t position);
     Ahead aheadAt(std::size_t position) const;
-    void tellAhead(); ///< if it is another one than was told
+    void tellAhead(); ///< if it changed
     bool setPicked(std::optional<QPoint> pixel);
     QPoint clampedToFrame(const QPoint &pixel) const;
     std::size_t stopFrom(std::size_t position, StepUnit unit, StepDirection direction) const;
@@ -131,11 +130,11 @@ private:
     bool m_isForetold = false;
     Ahead m_toldAhead = Ahead::Shown;
     Breakpoints m_breakpoints;
-    /// The position between landings from which stepping set out; forgotten by any other move.
+    /// The position between landings at which stepping started; forgotten by any other move.
     std::optional<std::size_t> m_setOutFrom;
     QTimer m_timer;
     QElapsedTimer m_sinceLastTick;
-    double m_stepsDue = 0; ///< fraction of a step carried from tick to tick
+    double m_stepsDue = 0; ///< fraction of a step carried between ticks
     double m_stepsPerSecond = 10;
 };
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
-/// Playing: steps that fall due with time.
+/// Playing: steps become due over time.
 namespace pixelplumb {
 
 namespace {
@@ -12,7 +12,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto frameTime = 16ms; // faster ticks would not be seen at 60 Hz
-constexpr double longestTick = 0.25; // seconds; a dialog or a sleep does not make playing leap
+constexpr double longestTick = 0.25; // seconds; playing does not leap after a dialog or a sleep
 
 } // namespace
 

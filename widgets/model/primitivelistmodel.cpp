@@ -20,9 +20,9 @@ namespace pixelplumb {
 
 namespace {
 
-/// Of a primitive's row; a vertex's row has its primitive's row and one more, so that 0 is free.
+/// The internal id of a primitive's row; a vertex's is its primitive's row + 1, so that 0 is free.
 constexpr quintptr ofPrimitive = 0;
-/// In the place of a primitive's number.
+/// In place of a primitive's number.
 constexpr int ofSolid = std::numeric_limits<int>::min();
 
 int rowOf(const QModelIndex &vertex) { return int(vertex.internalId()) - 1; }
@@ -33,7 +33,7 @@ bool haveOneColour(std::span<const Vertex> vertices)
         vertices, [&](const Vertex &vertex) { return vertex.colour == vertices[0].colour; });
 }
 
-/// Of these vertices' colour, or colours.
+/// The colour of the vertices, or the word for several colours.
 QVariant colourData(std::span<const Vertex> vertices, int role)
 {
     const Colour &first = vertices.front().colour;
@@ -79,7 +79,8 @@ std::vector<PrimitiveListModel::Row> PrimitiveListModel::rowsOfScene() const
     return rows;
 }
 
-/// Rows stay while only what is in them changes, so that a drag neither closes nor scrolls them.
+/// Keeps the rows while only their contents change, so that a drag neither collapses nor scrolls
+/// them.
 void PrimitiveListModel::followScene()
 {
     std::vector<Row> rows = rowsOfScene();
@@ -88,7 +89,7 @@ void PrimitiveListModel::followScene()
         m_rows = std::move(rows);
         endResetModel();
     } else if (!m_rows.empty()) {
-        emit dataChanged(index(0, 0), index(rowCount() - 1, columnEnd - 1)); // and in what is below
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columnEnd - 1)); // and the rows below
     }
 }
 
@@ -120,7 +121,7 @@ std::optional<std::size_t> PrimitiveListModel::solidAt(const QModelIndex &index)
 
 QModelIndex PrimitiveListModel::indexOfPrimitive(int primitive) const
 {
-    // Behind the drawn ones before it stand as many hidden ones as there are.
+    // Hidden primitives before it shift its row.
     for (int row = primitive; row < int(m_rows.size()); ++row) {
         if (m_rows[std::size_t(row)].primitive == primitive)
             return index(row, Name);
@@ -202,7 +203,7 @@ QVariant PrimitiveListModel::data(const QModelIndex &index, int role) const
         return isWhole ? QString() : coordinateText(vertex->position.x);
     case Y:
         return isWhole ? QString() : coordinateText(vertex->position.y);
-    case Place: // above, as the next
+    case Place: // handled above
     case ColourText:
     case columnEnd:
         break;
@@ -237,7 +238,7 @@ QVariant PrimitiveListModel::hiddenData(int column, int role, const HiddenPrimit
         return {};
     if (column == Name)
         return tr("%1, hidden").arg(coreWord(nameOf(hidden.kind())));
-    const LatticePoint &first = vertices.front().position; // to tell them apart
+    const LatticePoint &first = vertices.front().position; // tells them apart
     return coordinateText(column == X ? first.x : first.y);
 }
 
@@ -277,7 +278,8 @@ QVariant PrimitiveListModel::headerData(int section, Qt::Orientation orientation
     if (orientation != Qt::Horizontal || section < 0 || section >= columnEnd)
         return {};
     if (role == Qt::ToolTipRole && section == Name)
-        return tr("The number that it has wherever it is told: of those that are drawn, from 0");
+        return tr(
+            "The number used in all other places: counted from 0, among the drawn primitives");
     if (role == Qt::ToolTipRole && section == Place)
         return tr(
             "The place in the drawing order, hidden ones counted, from 1; hiding changes none");

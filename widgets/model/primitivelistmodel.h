@@ -7,25 +7,24 @@
 
 namespace pixelplumb {
 
-/// The document's triangles and shapes in drawing order, each with a box that shows or hides it,
-/// and below each its vertices in the file's order with their coordinates, which can be edited, and
-/// their colours. Hidden ones stand in their places, which no hiding changes, without a number and
-/// without vertices. Solids stand between triangles and shapes; their own triangles are none of the
-/// document's.
+/// The document's triangles and shapes in drawing order, each with a check box to show or hide it,
+/// and below each its vertices in file order with their editable coordinates and their colours.
+/// Hidden primitives keep their places, but have no numbers and no vertices. Solids come between
+/// triangles and shapes; a solid's triangles do not count among the document's.
 class PrimitiveListModel : public QAbstractItemModel {
     Q_OBJECT
 
 public:
-    /// Name: the kind and the number that the whole program gives to what is drawn; Place: in the
-    /// file's order, from 1, the hidden ones counted.
+    /// Name: the kind, and the number of what is drawn, as everywhere in the program; Place: in
+    /// file order, from 1, hidden ones included.
     enum Column { Name, Place, X, Y, ColourText, columnEnd };
 
     explicit PrimitiveListModel(SceneDocument *document, QObject *parent = nullptr);
 
-    /// The vertex of a row; of a primitive's row its first; none of a hidden one's, nor of a
-    /// solid's. Any column.
+    /// The vertex of a row, in any column; the first vertex for a primitive's row; none for a
+    /// hidden primitive or a solid.
     std::optional<VertexRef> refAt(const QModelIndex &index) const;
-    /// The index among the hidden ones of a hidden primitive's row.
+    /// The index of a hidden primitive's row among the hidden ones.
     std::optional<int> hiddenAt(const QModelIndex &index) const;
     std::optional<std::size_t> solidAt(const QModelIndex &index) const; ///< its index
     bool isPrimitive(const QModelIndex &index) const; ///< or a solid
@@ -38,15 +37,16 @@ public:
     int columnCount(const QModelIndex &parent = {}) const override;
     Qt::ItemFlags flags(const QModelIndex &index) const override;
     QVariant data(const QModelIndex &index, int role) const override;
-    /// A coordinate as text: "26", "26.5" or "53/2"; or whether a primitive is checked, and shown.
+    /// Sets a coordinate from text: "26", "26.5" or "53/2"; or whether a primitive is checked and
+    /// shown.
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
     struct Row {
-        int primitive = 0; ///< of a hidden one: −1 − its index among the hidden
-        int vertexCount = 0; ///< that can be edited
-        std::optional<std::size_t> solid = {}; ///< and no primitive
+        int primitive = 0; ///< for a hidden one: −1 − its index among the hidden
+        int vertexCount = 0; ///< editable ones
+        std::optional<std::size_t> solid = {}; ///< then not a primitive
 
         friend bool operator==(const Row &, const Row &) = default;
     };
@@ -57,7 +57,7 @@ private:
     QVariant hiddenData(int column, int role, const HiddenPrimitive &hidden) const;
 
     SceneDocument *m_document;
-    std::vector<Row> m_rows; ///< of the primitives
+    std::vector<Row> m_rows; ///< one per primitive or solid
 };
 
 } // namespace pixelplumb

@@ -8,8 +8,8 @@ namespace pixelplumb {
 
 namespace {
 
-/// By how many places an edit turns a run of the same primitives: 1 where its first becomes its
-/// last, −1 where its last becomes its first, 0 where it does neither.
+/// The rotation that an edit applies to a run of the same primitives: 1 where the first becomes the
+/// last, −1 where the last becomes the first, else 0.
 template <class Element>
 int turnOf(const std::vector<Element> &before, const std::vector<Element> &after)
 {
@@ -23,8 +23,8 @@ int turnOf(const std::vector<Element> &before, const std::vector<Element> &after
     return isTurned(after, before) ? -1 : 0;
 }
 
-/// Where a primitive of a run stands in the run after the edit; none where it went. An edit that
-/// takes some out, or puts some in, keeps the others in their order.
+/// The index of a run's primitive after the edit; none where it was removed. An edit that removes
+/// or inserts some keeps the others in order.
 template <class Element>
 std::optional<std::size_t> placeAfter(const std::vector<Element> &before,
                                       const std::vector<Element> &after, std::size_t place)

@@ -8,15 +8,15 @@
 
 namespace pixelplumb {
 
-/// What a vertex is called after the edit: the primitives behind those that came or went move up or
-/// down, those that changed places have each other's numbers, and the vertices of one that was
-/// completed, or opened again, go with it. None where the vertex went. `triangleCount`: of the
-/// scene before the edit.
+/// The new reference to a vertex after an edit. Primitives after inserted or removed ones are
+/// renumbered, swapped ones exchange their numbers, and the vertices of a primitive that was
+/// completed, or opened again, go with it. None where the vertex was removed. `triangleCount`: of
+/// the scene before the edit.
 std::optional<VertexRef> renamed(const VertexRef &ref, std::size_t triangleCount,
                                  const ScenePiece &before, const ScenePiece &after);
 
-/// Of a triangle, by its number before an edit, the one after it; none where the edit takes it
-/// away.
+/// Maps a triangle's number before an edit to the one after it; none where the edit removes the
+/// triangle.
 using TriangleRenumbering = std::function<std::optional<std::size_t>(std::size_t)>;
 
 } // namespace pixelplumb

@@ -11,7 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Marks are one a span at most.
+/// The spans with a mark; each span has one at most.
 std::vector<std::size_t> markedSpans(const TracedScene &traced, MarkKind kind)
 {
     std::vector<std::size_t> spans;

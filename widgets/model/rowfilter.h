@@ -13,10 +13,10 @@ enum class RowFilter {
     All,
     Ties, ///< a sample lies exactly on an edge
     Clamps, ///< a level left 0 … 255
-    Errors, ///< a pixel of the span's column or row differs from the truth, or one of its samples
+    Errors, ///< a pixel of the span's column or row, or one of its samples, differs from the truth
 };
 
-/// Those spans, ascending; of All every one.
+/// The spans that pass the filter, ascending.
 std::vector<std::size_t> spansOf(const TracedScene &traced, RowFilter filter);
 
 } // namespace pixelplumb

@@ -63,7 +63,7 @@ QString adaptationNote(const Method &method, const ScanSettings &asked)
     const ScanSettings drawn = method.adapted(asked);
     QStringList objections;
     QStringList changes;
-    ScanSettings settings = asked; // an objection names the first thing that is in the way
+    ScanSettings settings = asked; // an objection names the first obstacle
     if (drawn.arithmetic != asked.arithmetic) {
         objections += method.objection(settings);
         changes += RunNotes::tr("the arithmetic %1").arg(nameText(nameOf(drawn.arithmetic)));
@@ -107,10 +107,9 @@ QString objectionNote(const Method &method, const QString &objection)
 QString cutRunNote(const TracedScene &traced)
 {
     return RunNotes::tr(
-               "Recorded are the first %L1 steps, into primitive %L2 of %L3: stepping and the "
-               "panels "
-               "end there. At the end the canvas shows the finished picture. To record the whole "
-               "run, make the frame or the scene smaller.")
+               "Only the first %L1 steps are recorded, into primitive %L2 of %L3: stepping and the "
+               "panels end there. At the end the canvas shows the finished picture. To record the "
+               "whole run, make the frame or the scene smaller.")
         .arg(traced.trace->stepCount())
         .arg(traced.trace->primitiveCount())
         .arg(traced.primitives.size());

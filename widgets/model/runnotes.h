@@ -13,23 +13,23 @@ struct Method;
 struct ScanSettings;
 struct TracedScene;
 
-// What the message bar says of a scene or a run that is not what a person expects.
+// Texts of the message bar for a scene or a run that is not what a person expects.
 
-/// Displacements of the coordinates that were not on the lattice: an error of the input, told once.
+/// How far coordinates that were not on the lattice were moved: an input error, reported once.
 QString snapNote(const SnapReports &snaps);
 
-/// What the kernel drew nothing of, with its reason for the first; empty where there is no such
-/// primitive. Those that lie outside the frame, where everybody sees them lie, and a scene of
-/// another method's kinds (see foreignSceneHint()) are not counted.
+/// Which primitives the kernel drew nothing of, with the reason for the first; empty where there
+/// are none. Primitives outside the frame, where that is obvious, and a scene of another method's
+/// kinds (see foreignSceneHint()) do not count.
 QString rejectionNote(const TracedScene &traced);
 
-/// Which of the settings that were asked for the method does not keep, and what it draws by
-/// instead; empty where it keeps them.
+/// Which of the requested settings the method does not support, and what it uses instead; empty
+/// where it supports them all.
 QString adaptationNote(const Method &method, const ScanSettings &asked);
 
-/// The core's words about methods, as the window has them: titles in place of ids.
+/// The core's text about methods in the window's words: titles in place of ids.
 QString withTitles(const QString &text);
-/// "Column scan draws no circles.": an objection (objectionTo) with who has it.
+/// An objection (objectionTo) with the method's title: "Column scan draws no circles."
 QString objectionNote(const Method &method, const QString &objection);
 
 QString cutRunNote(const TracedScene &traced); ///< its recording ended at a limit

@@ -51,8 +51,8 @@ SceneDocument::SceneDocument(QObject *parent)
 
 SceneDocument::~SceneDocument()
 {
-    // The stack says that it is clean when it goes; nobody should hear it from a half-gone
-    // document.
+    // The undo stack reports that it is clean when destroyed; nobody should hear that from a
+    // half-destroyed document.
     m_undoStack.disconnect(this);
 }
 
@@ -168,14 +168,14 @@ void SceneDocument::reset(Scene scene)
     m_pending.clear();
     m_chosenColour.reset();
     m_selected.reset();
-    m_frameInHand = 0;
+    m_currentFrame = 0;
     m_undoStack.clear();
     markSaved();
     emit opened();
     emit pendingChanged();
     emit nextColourChanged();
     tellSceneChanged();
-    emit selectionChanged(); // what lists the scene knows it by now, and not one that is gone
+    emit selectionChanged(); // last: lists of the scene now show this one, not the old
     tellAdaptation(asked);
 }
 
@@ -244,7 +244,7 @@ ScenePiece SceneDocument::wholePiece() const
     return withPending(pixelplumb::wholePiece(m_scene));
 }
 
-/// The triangles of a run are the scene's and, behind them, those of its solids.
+/// The run's triangles are the scene's, followed by those of its solids.
 void SceneDocument::tellRenumbering(const ScenePiece &before, const ScenePiece &after)
 {
     const std::size_t count = m_scene.triangles.size();
@@ -270,7 +270,7 @@ void SceneDocument::exchange(const ScenePiece &before, const ScenePiece &after, 
         tellRenumbering(before, after);
     replace(m_scene, before, after);
     m_pending = after.pending;
-    // A colour that the person chose since is not the edit's.
+    // A colour that the person chose since does not belong to the edit.
     if (before.chosenColour != after.chosenColour)
         m_chosenColour = after.chosenColour;
     if (m_selected && !vertexAt(*m_selected))
@@ -281,7 +281,7 @@ void SceneDocument::exchange(const ScenePiece &before, const ScenePiece &after, 
     }
     if (!before.hasSceneOf(after))
         tellSceneChanged();
-    // After the scene: who looks the vertex up finds it.
+    // After the scene, so that listeners find the vertex.
     if (m_selected != selected)
         emit selectionChanged();
     tellModified();

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-/// What a person may do to a document: each becomes an edit on its undo stack.
+/// What a person can do to a document; each action is an edit on its undo stack.
 namespace pixelplumb {
 
 namespace {
@@ -31,7 +31,7 @@ void SceneDocument::placeVertex(const LatticePoint &position)
     const ScenePiece before = pieceAtEnd();
     ScenePiece after = before;
     after.pending.push_back({position, nextColour()});
-    if (hasOneColour(placedKind())) { // which was chosen anew, perhaps
+    if (hasOneColour(placedKind())) { // the colour may have been chosen anew
         for (Vertex &vertex : after.pending)
             vertex.colour = nextColour();
     }
@@ -164,8 +164,8 @@ void SceneDocument::deleteVertex(const VertexRef &ref)
     edit(tr("delete vertex"), before, after);
 }
 
-/// Vertices that wait are taken back edit by edit, so that the next undo is of what was done before
-/// them; where something else was done since, their end is an edit of its own.
+/// Pending vertices are undone edit by edit, so that the next undo concerns what came before them;
+/// if something else was done since, discarding them is an edit of its own.
 void SceneDocument::discardPending()
 {
     const auto isOfPending = [this] {

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-/// Primitives leave the picture, for good or to be shown again. The hidden ones keep their places
-/// among those that are drawn.
+/// Primitives leave the picture, for good or temporarily. Hidden ones keep their places among the
+/// drawn ones.
 namespace pixelplumb {
 
 namespace {
 
-/// The run's only primitive, at its place.
+/// The run's only primitive, with its place.
 HiddenPrimitive onlyPrimitive(const ScenePiece &piece)
 {
     if (!piece.run.shapes.empty())
@@ -22,7 +22,7 @@ HiddenPrimitive onlyPrimitive(const ScenePiece &piece)
     return {piece.firstTriangle, kept};
 }
 
-/// Those that stand behind a place of the drawn triangles, or shapes.
+/// Selects hidden primitives after a place among the drawn triangles, or shapes.
 auto behind(const HiddenPrimitive &place)
 {
     return [&place](const HiddenPrimitive &each) {
@@ -30,7 +30,7 @@ auto behind(const HiddenPrimitive &place)
     };
 }
 
-/// The run's only primitive is drawn no longer.
+/// Removes the run's only primitive from those drawn.
 void removeRun(ScenePiece &piece)
 {
     const HiddenPrimitive removed = onlyPrimitive(piece);
@@ -39,7 +39,7 @@ void removeRun(ScenePiece &piece)
         each.place -= behind(removed)(each) ? 1 : 0;
 }
 
-/// With the hidden ones among those that are drawn.
+/// The scene with the hidden primitives among those drawn.
 Scene allShown(const Scene &scene)
 {
     Scene all = scene;

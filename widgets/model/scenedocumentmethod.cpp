@@ -8,8 +8,8 @@
 
 #include <algorithm>
 
-/// The method of a document's scene, and what follows from it: the settings, and the kind of the
-/// primitives that a person places.
+/// The method of a document's scene, and what depends on it: the settings, and the kind of
+/// primitive that a person places.
 namespace pixelplumb {
 
 namespace {

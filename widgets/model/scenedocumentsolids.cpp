@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-/// Edits of what stands in space.
+/// Edits of solids, camera and other things in space.
 namespace pixelplumb {
 
 void SceneDocument::setSolid(std::size_t index, const Solid &solid, int drag)

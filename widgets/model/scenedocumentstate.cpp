@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-/// The states that a document goes through: a scene for others to work on, saved or not.
+/// The states of a document: snapshots for others to work on, saved or not.
 namespace pixelplumb {
 
 namespace {
@@ -20,40 +20,40 @@ std::shared_ptr<const Scene> SceneDocument::snapshot() const
     return m_snapshot;
 }
 
-std::shared_ptr<const Scene> SceneDocument::snapshotInHand() const
+std::shared_ptr<const Scene> SceneDocument::currentSnapshot() const
 {
-    if (m_frameInHand == 0)
-        return snapshot(); // all that is known of the scene is known of this very one
-    return std::make_shared<const Scene>(sceneAtFrame(*snapshot(), m_frameInHand));
+    if (m_currentFrame == 0)
+        return snapshot(); // results are tied to this very object
+    return std::make_shared<const Scene>(sceneAtFrame(*snapshot(), m_currentFrame));
 }
 
-LatticePoint SceneDocument::atFrameInHand(const LatticePoint &point) const
+LatticePoint SceneDocument::atCurrentFrame(const LatticePoint &point) const
 {
     return {point.x + m_way.x, point.y + m_way.y};
 }
 
-LatticePoint SceneDocument::fromFrameInHand(const LatticePoint &place) const
+LatticePoint SceneDocument::fromCurrentFrame(const LatticePoint &place) const
 {
     return {place.x - m_way.x, place.y - m_way.y};
 }
 
-void SceneDocument::setFrameInHand(int frame)
+void SceneDocument::setCurrentFrame(int frame)
 {
-    const int before = std::exchange(m_frameInHand, frame);
+    const int before = std::exchange(m_currentFrame, frame);
     followMotion();
-    if (m_frameInHand != before)
-        emit frameInHandChanged();
+    if (m_currentFrame != before)
+        emit currentFrameChanged();
 }
 
-/// The way is that of a triangle at the origin, so that it is rounded as the scene's are.
+/// Derives the offset from a triangle at the origin, so that it is rounded like the scene's.
 void SceneDocument::followMotion()
 {
     Scene origin;
     origin.motion = m_scene.motion;
     origin.triangles.resize(1);
     const int last = m_scene.motion ? m_scene.motion->frames - 1 : 0;
-    m_frameInHand = std::clamp(m_frameInHand, 0, last);
-    m_way = sceneAtFrame(origin, m_frameInHand).triangles.front().vertices[0].position;
+    m_currentFrame = std::clamp(m_currentFrame, 0, last);
+    m_way = sceneAtFrame(origin, m_currentFrame).triangles.front().vertices[0].position;
 }
 
 void SceneDocument::tellSceneChanged()

@@ -25,7 +25,7 @@ bool SceneEdit::mergeWith(const QUndoCommand *other)
         return false;
     m_after = edit.m_after;
     m_stateAfter = edit.m_stateAfter;
-    if (m_after == m_before) { // a drag that came back changed nothing
+    if (m_after == m_before) { // a drag that returned changed nothing
         setObsolete(true);
         m_document->m_state = m_stateBefore;
         m_document->tellModified();

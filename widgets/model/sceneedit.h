@@ -7,28 +7,32 @@
 
 namespace pixelplumb {
 
-/// The moves of a vertex in one drag, or in one run of a key.
+/// The moves of a vertex in one drag, or while a key repeats.
 struct Drag {
     VertexRef ref;
-    int number = 0; ///< that no other drag has
+    int number = 0; ///< unique to the drag
 
     friend bool operator==(const Drag &, const Drag &) = default;
 };
 
-/// Any change of a document: a piece of it before and after.
+/// Any change of a document, as a piece of it before and after.
 class SceneEdit final : public QUndoCommand {
 public:
-    /// What closing without saving would lose: a change of the scene, or nothing but another way to
-    /// look at it, by another method and with the settings that this one keeps.
+    /// What closing without saving would lose: a change of the scene, or only another view of it,
+    /// by another method and the settings that it supports.
     enum class Of { Scene, View };
 
-    /// Edits of the same drag become one.
+    /// Edits with the same drag merge into one.
     SceneEdit(SceneDocument &document, const QString &text, ScenePiece before, ScenePiece after,
               const std::optional<Drag> &drag = std::nullopt, Of of = Of::Scene);
 
     void redo() override { m_document->exchange(m_before, m_after, m_stateAfter); }
     void undo() override { m_document->exchange(m_after, m_before, m_stateBefore); }
-    bool keepsScene() const { return m_before.hasSceneOf(m_after); } ///< pending vertices alone
+    bool keepsScene() const
+    {
+        return m_before.hasSceneOf(m_after);
+    } ///< only pending vertices
+      ///< change
     int id() const override { return m_drag ? 1 : -1; }
     bool mergeWith(const QUndoCommand *other) override;
 

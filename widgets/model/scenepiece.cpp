@@ -24,7 +24,7 @@ void replaceRun(std::vector<Element> &all, std::size_t first, std::size_t count,
     all.insert(place, run.begin(), run.end());
 }
 
-/// Where the attributes of the triangles [first, end) stand.
+/// The range of the attributes of the triangles [first, end).
 auto placesOfAttributes(auto &attributes, std::size_t first, std::size_t end)
 {
     const auto placeOf = [&attributes](std::size_t triangle) {

@@ -7,7 +7,7 @@
 
 namespace pixelplumb {
 
-/// A vertex of the document: of a primitive of the scene, or placed and waiting for its primitive.
+/// A vertex of the document: of a primitive of the scene, or pending.
 struct VertexRef {
     static constexpr int pending = -1;
     int primitive = pending; ///< index through the triangles and the shapes, or `pending`
@@ -16,14 +16,14 @@ struct VertexRef {
     friend bool operator==(const VertexRef &, const VertexRef &) = default;
 };
 
-/// What one edit changes of a document, as it is before or after the edit: a run of triangles, one
-/// of solids, one of shapes, and everything that is small. So that a scene of a million triangles
-/// is edited without a copy of it, the runs hold what differs alone.
+/// The part of a document that one edit changes, before or after the edit: a run of triangles, one
+/// of solids, one of shapes, and all small members. The runs hold only what differs, so that a
+/// scene of a million triangles is edited without a copy.
 struct ScenePiece {
     FrameSpec frame;
     ScanSettings settings;
     std::string method;
-    std::size_t firstTriangle = 0; ///< where the run begins, in the scene
+    std::size_t firstTriangle = 0; ///< the run's start in the scene
     std::size_t firstSolid = 0;
     std::size_t firstShape = 0;
     Primitives run; ///< in the scene's coordinates; attributes by the triangle's index in the scene
@@ -35,35 +35,35 @@ struct ScenePiece {
     std::vector<Vertex> pending; ///< vertices that wait for their primitive
     std::optional<Colour> chosenColour; ///< for the next vertex alone
 
-    /// The pending vertices become the run's last primitive.
+    /// Makes the pending vertices the run's last primitive.
     void completePending(PrimitiveKind kind);
-    /// The run's first primitive becomes its last, or, by −1, its last its first.
+    /// Moves the run's first primitive to its end, or, with −1, its last to the front.
     void rotate(int by);
-    /// The run's only triangle becomes this one; what all triangles have is not kept of it.
+    /// Replaces the run's only triangle; attributes equal to the defaults are not stored.
     void setTriangle(const Triangle &triangle, TriangleAttributes attributes);
-    /// A vertex of the run's only primitive, or one that waits.
+    /// A vertex of the run's only primitive, or a pending one.
     Vertex &vertex(const VertexRef &ref);
 
-    /// The same set-up and the same runs: the scene does not change from one to the other.
+    /// Whether the set-up and the runs are equal: the scene is the same before and after.
     bool hasSceneOf(const ScenePiece &other) const;
     friend bool operator==(const ScenePiece &, const ScenePiece &) = default;
 };
 
-/// The piece of a scene without primitives: runs that end it, and what is small.
+/// The piece without primitives: empty runs at the scene's end, and the small members.
 ScenePiece pieceAtEnd(const Scene &scene);
-/// With one primitive, by its index through the triangles and the shapes.
+/// The piece with one primitive, by its index through the triangles and the shapes.
 ScenePiece pieceWith(const Scene &scene, std::size_t primitive);
-/// With some, triangles or shapes.
+/// The piece with a run of primitives, all triangles or all shapes.
 ScenePiece pieceWithRun(const Scene &scene, std::size_t first, std::size_t count);
 ScenePiece pieceWithSolids(const Scene &scene, std::size_t first, std::size_t count);
-/// With all primitives.
+/// The piece with all primitives.
 ScenePiece wholePiece(const Scene &scene);
 
-/// Whether the triangles of solids keep their order: a change of one solid leaves it where it is,
-/// though another view of it may be cut into more.
+/// Whether the triangles of solids keep their order: a change of one solid leaves it in place,
+/// though another view of it may clip it into more triangles.
 bool solidsStay(const ScenePiece &before, const ScenePiece &after);
 
-/// Puts `after` where `before` stands.
+/// Replaces `before` by `after` in the scene.
 void replace(Scene &scene, const ScenePiece &before, const ScenePiece &after);
 
 } // namespace pixelplumb

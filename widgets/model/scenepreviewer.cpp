@@ -10,8 +10,8 @@ namespace pixelplumb {
 
 namespace {
 
-/// Pixels; larger frames are shown when they have been traced. Pictures take 9 bytes a pixel, and
-/// up to three of them are in memory beside the trace.
+/// Pixels; larger frames are shown only once traced. Pictures take 9 bytes per pixel, and up to
+/// three are in memory beside the trace.
 constexpr std::int64_t largestPreview = std::int64_t(1) << 25;
 
 } // namespace
@@ -58,7 +58,7 @@ void ScenePreviewer::clear()
 
 void ScenePreviewer::start(const std::shared_ptr<const Scene> &scene)
 {
-    // Where memory runs out there is no picture: the trace will tell.
+    // Without a picture if memory runs out; the trace will report that.
     m_job.start(
         [scene, spare = spareFor(scene->frame)](const ProgressListener &listener) {
             auto picture = spare ? spare : std::make_shared<ScenePicture>(scene->frame);
@@ -79,7 +79,7 @@ void ScenePreviewer::take(const std::shared_ptr<ScenePicture> &picture)
         start(std::exchange(m_next, nullptr));
 }
 
-/// A picture that nobody shows any more; null where there is none.
+/// A picture no longer shown; null where there is none.
 std::shared_ptr<ScenePicture> ScenePreviewer::spareFor(const FrameSpec &frame)
 {
     std::erase_if(m_pictures, [&frame](const auto &picture) { return picture->spec() != frame; });

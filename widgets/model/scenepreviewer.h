@@ -14,30 +14,30 @@ namespace pixelplumb {
 
 struct TracedScene;
 
-/// Draws scenes whose trace takes long, so that they can be seen meanwhile, beside the GUI thread.
-/// Of requests that come while a drawing is under way only the newest is drawn next; the one under
-/// way is finished and shown, so that a long drag is seen moving.
+/// Draws scenes whose trace takes long in a worker thread, so that they are visible meanwhile. Of
+/// the requests that arrive during a drawing only the newest is drawn next; the current drawing is
+/// finished and shown, so that a long drag is seen moving.
 class ScenePreviewer : public QObject {
     Q_OBJECT
 
 public:
     explicit ScenePreviewer(QObject *parent = nullptr);
 
-    /// The newest picture that is wanted; null before the first.
+    /// The newest requested picture; null before the first.
     std::shared_ptr<const ScenePicture> picture() const { return m_picture; }
-    /// True while the trace of the last scene is not there: its picture then stands for the whole
-    /// run, else only for what lies beyond the end of a run that was cut.
+    /// True until the last scene is traced: its picture then stands for the whole run, afterwards
+    /// only for what lies beyond the end of a run that was cut.
     bool isAheadOfTrace() const { return m_need == Need::TraceOnTheWay; }
     bool isRunning() const { return m_job.isRunning(); }
 
 public slots:
     void preview(const std::shared_ptr<const pixelplumb::Scene> &scene);
-    /// The trace of the last scene is there: only a cut one leaves something to show.
+    /// The last scene's trace has arrived: there is more to show only if it was cut.
     void followTrace(const std::shared_ptr<const pixelplumb::TracedScene> &traced);
     void clear();
 
 signals:
-    void pictureChanged(); ///< or what it stands for
+    void pictureChanged(); ///< or its meaning
 
 private:
     enum class Need { Nothing, TraceOnTheWay, TraceCut };
@@ -46,12 +46,12 @@ private:
     void take(const std::shared_ptr<ScenePicture> &picture);
     std::shared_ptr<ScenePicture> spareFor(const FrameSpec &frame);
 
-    /// Of its own, so that it never waits behind work that is less urgent.
+    /// A pool of its own, so that previews never wait for less urgent work.
     QThreadPool m_thread;
     Job m_job;
     std::shared_ptr<const Scene> m_next;
     std::shared_ptr<const ScenePicture> m_picture;
-    /// Those that are shown, and spare ones of the same frame.
+    /// The pictures shown, and spare ones of the same frame.
     std::vector<std::shared_ptr<ScenePicture>> m_pictures;
     Need m_need = Need::Nothing;
 };

@@ -16,10 +16,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto rest = 80ms; ///< more than between two moves of a hand
-constexpr std::int64_t cornersOfLetter = 30; ///< of its outline, with its curves in pieces
+constexpr auto rest = 80ms; ///< longer than the gap between two moves of a drag
+constexpr std::int64_t cornersOfLetter = 30; ///< of its outline, with curves split into pieces
 
-/// Its own and those of its solids, before clipping.
+/// The scene's own triangles and those of its solids, before clipping.
 std::size_t trianglesOf(const Scene &scene)
 {
     std::size_t count = scene.triangles.size();
@@ -58,7 +58,7 @@ QString refusalOf(const Scene &scene)
     return SceneTracer::tr("There is no method named “%1”.").arg(id);
 }
 
-/// Done at once; looks closer only at what may be small.
+/// Whether to trace at once; examines only scenes that may be small.
 bool isSmall(const Scene &scene)
 {
     return std::int64_t(trianglesOf(scene) + scene.shapes.size()) <= TraceCost::mostTrianglesOfSmall
@@ -78,7 +78,7 @@ std::pair<Lattice, Lattice> extentOf(std::span<const Vertex> vertices,
     return {least - margin, greatest + margin};
 }
 
-/// How far a shape reaches beyond its vertices: a circle's are its centre and one corner.
+/// How far a shape extends beyond its vertices: a circle's are its centre and one corner.
 Lattice reachOf(const Shape &shape)
 {
     if (shape.kind == PrimitiveKind::Text)

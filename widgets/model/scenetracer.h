@@ -10,19 +10,20 @@
 
 namespace pixelplumb {
 
-/// What tracing a scene will take, from its bounding boxes clipped to the frame.
+/// An estimate of the work to trace a scene, from its bounding boxes clipped to the frame.
 struct TraceCost {
     std::int64_t triangles = 0;
     std::int64_t columns = 0;
-    std::int64_t pixels = 0; ///< of the boxes: at least what the triangles cover
-    std::int64_t corners = 0; ///< of the shapes' outlines, of letters about
+    std::int64_t pixels = 0; ///< of the boxes: at least as many as are covered
+    std::int64_t corners = 0; ///< of the shapes' outlines; approximate for letters
 
     static constexpr std::int64_t mostPixelsOfSmall = 150'000;
     static constexpr std::int64_t mostTrianglesOfSmall = 2'000;
     /// A row may meet every edge of a polygon.
     static constexpr std::int64_t mostCornersOfSmall = 3'000;
 
-    /// A few milliseconds: not worth a thread, and a drag then repaints within its frame.
+    /// Whether tracing takes a few milliseconds at most: not worth a thread, and a drag repaints in
+    /// time.
     bool isSmall() const
     {
         return pixels <= mostPixelsOfSmall && triangles <= mostTrianglesOfSmall
@@ -34,19 +35,19 @@ struct TraceCost {
 
 TraceCost traceCostOf(const Scene &scene);
 
-/// Traces scenes beside the GUI thread. Small ones, which take a few milliseconds, are done at
-/// once; a newer request cancels an older one, whose result is dropped, and waits until no more
-/// come: traces that a drag would cancel at each move only take time from its preview. Only one
-/// trace is under way at a time, so that two large ones never stand in memory together.
+/// Traces scenes in a worker thread; small ones, which take a few milliseconds, at once. A newer
+/// request cancels an older one, whose result is dropped, and waits until no more arrive: traces
+/// that a drag would cancel at each move only slow down its preview. Only one trace runs at a time,
+/// so that two large ones are never in memory together.
 class SceneTracer : public QObject {
     Q_OBJECT
 
 public:
     explicit SceneTracer(QObject *parent = nullptr);
 
-    /// Whether a trace is under way or waits for its turn.
+    /// Whether a trace is running or waiting.
     bool isRunning() const { return m_job.isRunning(); }
-    /// Of the large ones. It knows about how many spans there will be.
+    /// The job of the large traces. It knows the approximate number of spans.
     const Job &job() const { return m_job; }
 
 public slots:

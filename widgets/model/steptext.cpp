@@ -28,7 +28,7 @@ QString primitiveText(const TracedScene &traced, std::size_t primitive)
         .arg(coreWord(nameOf(traced.primitives.kindOf(primitive))), QString::number(primitive));
 }
 
-/// Which pixel it is, and how it differs: the step need not have drawn it.
+/// Which pixel it is, and how it differs; the current step need not have drawn it.
 QString firstDifferenceText(const TracedScene &traced)
 {
     const std::optional<TracedScene::WrongPixel> wrong = traced.firstWrongPixel();

@@ -7,9 +7,9 @@
 
 namespace pixelplumb {
 
-/// What the step in hand at a position did: "pixel (27, 19) written".
+/// What the step before a position did: "pixel (27, 19) written".
 QString stepText(const TracedScene &traced, std::size_t position);
-/// What a mark points at: "tie: a sample of this column lies exactly on an edge".
+/// What a mark means: "tie: a sample of this column lies exactly on an edge".
 QString markText(const TracedScene &traced, const TraceMark &mark);
 /// "column 27, second half", or the triangle that was set up.
 QString columnText(const TracedScene &traced, std::size_t position);

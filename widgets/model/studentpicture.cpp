@@ -15,7 +15,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Pixels of a frame; a picture of more takes longer to judge than a drag's frame may.
+/// Frame pixels; judging more takes longer than a frame of a drag.
 constexpr std::int64_t mostJudgedAtOnce = 10'000;
 
 bool isJudgedAtOnce(const Scene &scene)
@@ -37,7 +37,7 @@ std::shared_ptr<const PictureJudgement> judgementOf(const Scene &scene, Picture 
     if (found.hasColours)
         coverAllBut(scene.frame.background, found);
     Picture expected = pictureOf(scene);
-    // As diff and grade do by default: a right program may compute in float32.
+    // The default of diff and grade: a right program may compute in float32.
     PictureDiff diff = differenceOf(expected, found,
                                     undecidablePixels(scene, expected, found, Arithmetic::Float32));
     return std::make_shared<const PictureJudgement>(
@@ -124,8 +124,8 @@ QString StudentPicture::misfitOf(const Picture &picture) const
     const FrameSpec &frame = m_scene->frame;
     if (picture.width == frame.width && picture.height == frame.height)
         return {};
-    return tr("The picture is %1 × %2 pixels%5, the scene's frame %3 × %4; expected is a picture "
-              "of that size, or a frame of the picture's (Edit ▸ Frame).")
+    return tr("The picture is %1 × %2 pixels%5, the scene's frame %3 × %4; use a picture of the "
+              "frame's size, or make the frame the picture's size (Edit ▸ Frame).")
         .arg(picture.width)
         .arg(picture.height)
         .arg(frame.width)
@@ -168,7 +168,7 @@ void StudentPicture::read(const QString &name, const std::function<Result<Pictur
                     });
 }
 
-/// The picture that is there stays.
+/// Complains; the current picture stays.
 void StudentPicture::refuse(const QString &why)
 {
     if (!isThere() && !m_name.isEmpty()) {
@@ -187,7 +187,7 @@ void StudentPicture::take(const Picture &picture, const QString &name)
     m_picture = picture;
     m_name = name;
     m_absence.clear();
-    m_judging.cancel(); // of the picture before
+    m_judging.cancel(); // of the previous picture
     show(nullptr);
     emit taken();
     judge();

@@ -12,26 +12,27 @@
 
 namespace pixelplumb {
 
-/// A student's picture beside what a scene's method draws.
+/// A student's picture compared with what a scene's method draws.
 struct PictureJudgement {
     FrameSpec frame;
     Picture expected;
     Picture found;
     PictureDiff diff;
 
-    /// Where a pixel of the frame stands in the pictures; none outside.
+    /// The index of a frame's pixel in the pictures; none outside.
     std::optional<std::size_t> placeOf(const QPoint &pixel) const;
-    /// Same outside the frame.
+    /// `Same` outside the frame.
     PixelVerdict verdictAt(const QPoint &pixel) const;
-    /// The first pixel that is wrong, else undecidable, in the order of reading.
+    /// The first wrong pixel, else the first undecidable one, in reading order.
     std::optional<QPoint> firstDifference() const;
-    /// The next one of any kind after a pixel; after the last, and where there is none, the first.
+    /// The next differing pixel of any kind after a pixel; after the last one, and without a pixel,
+    /// the first.
     std::optional<QPoint> differenceAfter(const std::optional<QPoint> &pixel) const;
 };
 
-/// The picture that a student's program drew of the scene in hand, judged anew whenever the scene
-/// changes: beside the GUI thread where that may take longer than a moment. One that is under way
-/// is finished and shown, so that a long drag is seen moving.
+/// The picture that a student's program drew of the current scene, judged anew whenever the scene
+/// changes: in a worker thread where that may take more than a moment. A judging in progress is
+/// finished and shown, so that a long drag is seen moving.
 class StudentPicture : public QObject {
     Q_OBJECT
 
@@ -39,32 +40,34 @@ public:
     explicit StudentPicture(QObject *parent = nullptr);
 
     bool isThere() const { return m_picture.width > 0; }
-    /// Of its file, or where it came from; where it is not there, of the one that was expected.
+    /// The name of its file, or its origin; without a picture, the name of the expected one.
     const QString &name() const { return m_name; }
-    /// Why the one that was expected is not there; empty where none was.
+    /// Why the expected picture is missing; empty where none was expected.
     const QString &absence() const { return m_absence; }
     const Picture &picture() const { return m_picture; }
-    /// Null where there is no picture, none of the scene's size, or the first is under way.
+    /// Null where there is no picture, none of the scene's size, or the first judging is still
+    /// running.
     const std::shared_ptr<const PictureJudgement> &judgement() const { return m_judgement; }
-    /// Why it is not judged; empty where it is, or will be.
+    /// Why the picture is not judged; empty where it is, or will be.
     QString misfit() const;
     bool isRunning() const { return m_reading.isRunning() || m_judging.isRunning(); }
-    /// That the picture is held to; null before the first.
+    /// The scene against which the picture is judged; null before the first.
     std::shared_ptr<const Scene> scene() const { return m_scene; }
-    /// While that scene is in hand, which someone got wrong, the picture is held to the right one.
+    /// While the scene is `wrong`, made from somebody's mistakes, the picture is judged against
+    /// `right`.
     void setRightOf(const Scene &wrong, const std::shared_ptr<const Scene> &right);
 
 public slots:
-    /// Reads a picture file or a raster beside the GUI thread; complains of what is none and of
-    /// another size than the frame's, and then keeps the picture that is there.
+    /// Reads a picture file or a raster in a worker thread. Anything else, or a size other than the
+    /// frame's, brings a complaint, and the current picture stays.
     void open(const QString &path);
-    /// The same of a file in a folder of results, by a name of its own.
+    /// Opens a file in a folder of results like open(), under another name.
     void openResult(const QString &results, const QString &file, const QString &name);
-    /// The same of what was copied: a picture, or the bytes of a raster.
+    /// Takes a copied picture, or the bytes of a raster, like open().
     void paste(const QImage &image, const QString &name);
     void paste(const QByteArray &raster, const QString &name);
     void remove();
-    /// Removes it and says which is expected in its place, and why that is not there.
+    /// Removes the picture; says which one is expected instead, and why it is missing.
     void expect(const QString &name, const QString &absence);
     void follow(const std::shared_ptr<const pixelplumb::Scene> &scene);
 
@@ -85,9 +88,9 @@ private:
     QString m_absence;
     Picture m_picture;
     std::shared_ptr<const Scene> m_scene;
-    std::optional<Scene> m_wrong; ///< in whose place m_right stands
+    std::optional<Scene> m_wrong; ///< for which m_right is substituted
     std::shared_ptr<const Scene> m_right;
-    std::shared_ptr<const Scene> m_next; ///< to be judged when the judging under way has ended
+    std::shared_ptr<const Scene> m_next; ///< to be judged after the current judging
     std::shared_ptr<const PictureJudgement> m_judgement;
     Job m_reading;
     Job m_judging;

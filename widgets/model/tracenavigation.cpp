@@ -21,7 +21,7 @@ bool Breakpoints::pausesAt(const SpanPlace &place) const
 
 namespace {
 
-/// Whether a span may come to one of the pixels.
+/// Whether a span may contain one of the pixels.
 bool mayMeet(const std::set<std::pair<int, int>> &pixels, const SpanPlace &place)
 {
     switch (place.axis) {
@@ -64,7 +64,7 @@ std::size_t TraceNavigation::landingFrom(std::size_t position, StepUnit unit,
         landing = forward ? landing + 1 : landing - 1;
         if (isLanding(unit, landing))
             return landing;
-        // Only sample steps are many: pass a span's in one go.
+        // Only sample steps are numerous: skip a span's all at once.
         const TraceStep step = m_trace->stepAt(landing - 1);
         if (step.kind != StepKind::Sample)
             continue;
@@ -101,7 +101,7 @@ std::optional<QPoint> TraceNavigation::pixelOf(std::size_t stepIndex) const
 
 std::size_t TraceNavigation::spanBefore(std::size_t position) const
 {
-    // The number of spans entered at the position, by bisection on their steps.
+    // The number of spans entered at the position, by bisection over their steps.
     std::size_t first = 0;
     std::size_t end = m_trace->spanCount();
     while (first < end) {

@@ -13,7 +13,7 @@ namespace pixelplumb {
 enum class StepUnit { SetUp, Span, Sample };
 enum class StepDirection { Forward, Backward };
 
-/// The places at which a run pauses.
+/// Where a run pauses.
 struct Breakpoints {
     std::set<std::int64_t> columns; ///< x: pauses just after the column was entered
     std::set<std::int64_t> rows; ///< y: pauses just after the row was entered
@@ -25,8 +25,8 @@ struct Breakpoints {
 
 /// Finds positions in a trace; moves nothing. A landing of a unit is a position at which stepping
 /// by it stops: just after each set-up, each span entered, or each step; and always the start and
-/// the end. Stepping by spans also stops at the set-up of a primitive that has no spans, so that a
-/// refused one is not passed over in silence.
+/// the end. Stepping by spans also stops at the set-up of a primitive without spans, so that a
+/// rejected one is not passed over in silence.
 class TraceNavigation {
 public:
     explicit TraceNavigation(const ScanTrace &trace)
@@ -38,8 +38,8 @@ public:
     /// The nearest landing beyond a position; the position itself where there is none.
     std::size_t landingFrom(std::size_t position, StepUnit unit, StepDirection direction) const;
 
-    /// The pixel that a step writes or refuses; of a step that enters a span, its first pixel, or
-    /// the sample nearest to it where there is none.
+    /// The pixel that a step writes or refuses; for a step that enters a span, the span's first
+    /// pixel, or the sample nearest to it where there is none.
     std::optional<QPoint> pixelOf(std::size_t stepIndex) const;
 
     /// The position just after the next step that writes the pixel.
@@ -50,10 +50,10 @@ public:
                                               const Breakpoints &breakpoints,
                                               StepDirection direction) const;
 
-    /// Where another trace's position lies in this one: on the same span and pixel where this trace
-    /// has them, else just after the nearest earlier step of the same primitive; between columns
-    /// and rows, at the same share of the primitive's steps. The start stays the start and the end
-    /// the end.
+    /// The position in this trace that corresponds to another trace's: on the same span and pixel
+    /// where this trace has them, else just after the nearest earlier step of the same primitive;
+    /// between columns and rows, at the same share of the primitive's steps. Start maps to start,
+    /// end to end.
     std::size_t positionLike(const ScanTrace &other, std::size_t position) const;
 
 private:

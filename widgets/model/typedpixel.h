@@ -8,7 +8,7 @@
 
 namespace pixelplumb {
 
-/// What is typed for a pixel: "27 19", "27, 19", "27; 19" or "(27, 19)".
+/// Reads a typed pixel: "27 19", "27, 19", "27; 19" or "(27, 19)".
 std::optional<QPoint> typedPixel(const QString &text);
 
 } // namespace pixelplumb

@@ -11,7 +11,7 @@
 namespace pixelplumb {
 
 /// A view of the camera from the side: camera coordinates (x to the right, y up, the camera looking
-/// along −z), turned and tilted, drawn without perspective. Untouched, the camera looks to the
+/// along −z), turned and tilted, drawn without perspective. Before any turn the camera looks to the
 /// right.
 class OrbitView {
 public:
@@ -25,7 +25,7 @@ public:
     void magnifyBy(double factor); ///< within 1/8 … 64
     void reset();
 
-    /// The points to fit into a rectangle, logical pixels; positionOf() maps by them.
+    /// Fits the points into a rectangle, logical pixels; positionOf() then maps accordingly.
     void fit(const std::vector<SpaceVector<double>> &points, const QRectF &rect);
     QPointF positionOf(const SpaceVector<double> &point) const;
 
@@ -39,7 +39,7 @@ private:
     double m_turn = firstTurn;
     double m_tilt = firstTilt;
     double m_magnification = 1;
-    double m_scale = 1; ///< logical pixels a unit
+    double m_scale = 1; ///< logical pixels per unit
     QPointF m_middle; ///< of the points, turned
     QPointF m_centre; ///< of the rectangle
 };

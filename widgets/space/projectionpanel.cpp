@@ -37,7 +37,7 @@ QString kindName(SolidKind kind)
     return {};
 }
 
-/// "2 faces or triangles are not drawn: 1 lies …": empty where all are.
+/// Why some are not drawn, "2 faces or triangles are not drawn: 1 lies …"; empty where all are.
 QString lossesText(const std::vector<LostTriangle> &lost)
 {
     std::map<ProjectionLoss, int> counts;
@@ -65,7 +65,7 @@ ProjectionPanel::ProjectionPanel(SceneDocument *document, Playhead *playhead, QW
     setObjectName(QStringLiteral("projectionPanel"));
     setAccessibleName(tr("Projection"));
     m_sentence->setObjectName(QStringLiteral("projectionSentence"));
-    m_sentence->setAccessibleName(tr("The triangle in hand"));
+    m_sentence->setAccessibleName(tr("The current triangle"));
     m_sentence->setWordWrap(true);
     m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_parts->addWidget(m_view);
@@ -106,7 +106,7 @@ void ProjectionPanel::takeTraced()
         take(traced, {});
         return;
     }
-    // What stands there is another scene's, until this one's is there.
+    // Until this scene is projected, the members belong to another.
     m_job.start(
         [traced](const ProgressListener &listener) {
             auto projected = projectedSolids(traced->scene, listener);
@@ -131,9 +131,9 @@ void ProjectionPanel::take(const std::shared_ptr<const TracedScene> &traced, See
     emit projected();
 }
 
-std::optional<std::size_t> ProjectionPanel::triangleInHand() const
+std::optional<std::size_t> ProjectionPanel::currentTriangle() const
 {
-    const std::optional<TraceStep> step = m_playhead->stepInHand();
+    const std::optional<TraceStep> step = m_playhead->currentStep();
     if (!m_seen || !step)
         return std::nullopt;
     const std::size_t first = m_seen->scene.triangles.size();
@@ -146,7 +146,7 @@ void ProjectionPanel::followPosition()
 {
     if (!isVisible() || m_seen != m_playhead->sharedTraced())
         return;
-    if (const auto triangle = triangleInHand()) {
+    if (const auto triangle = currentTriangle()) {
         showTriangle(*triangle);
         tell(triangleSentence(*triangle));
         return;
@@ -162,7 +162,7 @@ void ProjectionPanel::showTriangle(std::size_t triangle)
     const Scene &scene = m_seen->scene;
     const FaceStages stages = stagesOf(scene, m_projected, triangle);
     m_view->setFace(sideFaceOf(scene, m_side, stages, m_projected.sources[triangle],
-                               m_playhead->pixelInHand()));
+                               m_playhead->currentPixel()));
     if (m_shown != triangle)
         m_stages->setStages(stages.stages);
     m_shown = triangle;
@@ -173,11 +173,11 @@ QString ProjectionPanel::sceneSentence() const
     if (!m_seen)
         return tr("The scene is being drawn.");
     if (m_seen->scene.solids.empty()) {
-        return tr("This scene has no solids. Of a face of a sphere, a plane, a patch, a mesh or a "
-                  "polygon in space, here stands how the camera takes it to the frame: from its "
-                  "vertices to the eye's axes, clip coordinates, the polygon that the near plane "
-                  "leaves, the division by w, pixels and the lattice, each number beside the "
-                  "exact one.");
+        return tr(
+            "This scene has no solids. For a face of a sphere, a plane, a patch, a mesh or a "
+            "polygon in space, this panel shows how the camera takes it to the frame: from its "
+            "vertices to the eye's axes, clip coordinates, the polygon that the near plane leaves, "
+            "the division by w, pixels and the lattice, each number next to the exact one.");
     }
     const QString triangles
         = tr("The scene's solids become %n triangles.", nullptr, int(m_projected.sources.size()));
@@ -188,7 +188,7 @@ QString ProjectionPanel::triangleSentence(std::size_t triangle) const
 {
     const Scene &scene = m_seen->scene;
     const TriangleSource &source = m_projected.sources[triangle];
-    return tr("The triangle in hand is %1 %2 %3 of face %4 of solid %5, %6.")
+    return tr("The current triangle is %1 %2 %3 of face %4 of solid %5, %6.")
                .arg(clippedCornerName(0), clippedCornerName(source.piece + 1),
                     clippedCornerName(source.piece + 2))
                .arg(source.face)

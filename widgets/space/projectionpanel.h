@@ -18,10 +18,9 @@ class StageTree;
 class SurfacesPanel;
 struct TracedScene;
 
-/// How the triangle in hand came from three dimensions to the frame: the camera from the side, and
+/// How the current triangle came from three dimensions to the frame: the camera from the side, and
 /// every stage with its numbers; and, on a second tab, the forms of surfaces (objectName
-/// "projectionPanel"). Follows the playhead; projects beside the GUI thread, and only while it is
-/// seen.
+/// "projectionPanel"). Follows the playhead; projects in a worker thread, and only while visible.
 class ProjectionPanel : public QWidget {
     Q_OBJECT
 
@@ -47,8 +46,8 @@ private:
     void takeTraced();
     void take(const std::shared_ptr<const TracedScene> &traced, Seen seen);
     void followPosition();
-    /// The index among the projected triangles of the triangle in hand; none of a plain one.
-    std::optional<std::size_t> triangleInHand() const;
+    /// The index of the current triangle among the projected ones; none for a plain one.
+    std::optional<std::size_t> currentTriangle() const;
     void showTriangle(std::size_t triangle);
     QString sceneSentence() const;
     QString triangleSentence(std::size_t triangle) const;
@@ -60,11 +59,11 @@ private:
     SideView *m_view;
     StageTree *m_stages;
     SurfacesPanel *m_surfaces;
-    /// The run of which the next members are; null while they are computed.
+    /// The run to which the next members belong; null while they are computed.
     std::shared_ptr<const TracedScene> m_seen;
     ProjectedSolids m_projected; ///< without triangles and attributes
     SideScene m_side;
-    std::optional<std::size_t> m_shown; ///< the triangle whose stages stand in the tree
+    std::optional<std::size_t> m_shown; ///< the triangle whose stages are in the tree
     Job m_job;
 };
 

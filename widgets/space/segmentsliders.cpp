@@ -14,7 +14,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr std::array mostDragged = {128, 64}; ///< more are typed into the file
+constexpr std::array mostDragged = {128, 64}; ///< higher numbers are typed into the file
 
 bool hasSegments(const Solid &solid)
 {

@@ -13,8 +13,8 @@ namespace pixelplumb {
 
 class SceneDocument;
 
-/// The segments of the document's first sphere or patch, to be dragged (sliders "segmentsAround"
-/// and "segmentsAlong"); hidden where there is none. The moves of one drag are one edit.
+/// Sliders for the segments of the document's first sphere or patch ("segmentsAround" and
+/// "segmentsAlong"); hidden where there is none. The moves of one drag are one edit.
 class SegmentSliders : public QWidget {
     Q_OBJECT
 

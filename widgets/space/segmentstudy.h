@@ -9,12 +9,12 @@
 
 namespace pixelplumb {
 
-/// What a number of segments costs, and what it buys.
+/// The cost and the benefit of a number of segments.
 struct SegmentFigure {
     std::array<int, 2> segments = {};
     std::size_t faces = 0;
-    double distance = 0; ///< the largest between faces and surface, in the scene's unit
-    double time = 0; ///< of the processor, of projecting the solid alone, ns: the least of three
+    double distance = 0; ///< the largest between faces and surface, in scene units
+    double time = 0; ///< processor time to project the solid alone, ns: the least of three
 };
 
 /// The scene's first sphere or patch, if it has one.
@@ -22,12 +22,12 @@ std::optional<Solid> studiedSolid(const Scene &scene);
 /// The scene's first line, circle, plane or sphere, if it has one.
 std::optional<Surface> surfaceOf(SurfaceKind kind, const Scene &scene);
 
-/// Where the scene has none: a sphere of radius 1 about the origin, and one of each kind.
+/// Defaults where the scene has none: a sphere of radius 1 about the origin, and one of each kind.
 Solid exampleSolid();
 Surface exampleOf(SurfaceKind kind);
 
-/// Segments from 4 × 2 to 128 × 64, and the solid's own, ascending; empty when the listener ends
-/// it.
+/// Studies segments from 4 × 2 to 128 × 64, and the solid's own, ascending; empty when the listener
+/// cancels.
 std::vector<SegmentFigure> studySegments(const Solid &solid, const Scene &scene,
                                          const ProgressListener &listener);
 

@@ -10,7 +10,7 @@ namespace {
 
 using Point = SpaceVector<double>;
 
-/// More cannot be told apart, and take too long to draw.
+/// More could not be told apart and take too long to draw.
 constexpr std::size_t mostFaces = 1500;
 
 CameraTransform<double> transformOf(const Scene &scene)
@@ -32,7 +32,7 @@ Point onPicture(const SideScene &side, const Point &point)
     return {factor * point.x, factor * point.y, -side.pictureDepth};
 }
 
-/// Grows by points.
+/// A bounding box that grows with each point.
 class Bounds {
 public:
     void include(const Point &point)

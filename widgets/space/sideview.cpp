@@ -23,7 +23,7 @@ SideView::SideView(QWidget *parent)
 {
     setObjectName(QStringLiteral("sideView"));
     setAccessibleName(tr("The camera from the side"));
-    setToolTip(tr("The eye, the near plane, the picture plane and the rays to the face in hand. "
+    setToolTip(tr("The eye, the near plane, the picture plane and the rays to the current face. "
                   "Drag to turn, wheel to magnify, double click to put it back."));
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::OpenHandCursor);

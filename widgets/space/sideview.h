@@ -13,16 +13,16 @@
 
 namespace pixelplumb {
 
-/// The eye, the near plane, the picture plane, the solids and the rays to the face in hand, seen
+/// The eye, the near plane, the picture plane, the solids and the rays to the current face, seen
 /// from the side (objectName "sideView"). A drag or the arrow keys turn it, the wheel or + and −
-/// magnify it, a double click puts it back.
+/// magnify it, a double click resets it.
 class SideView : public QWidget {
     Q_OBJECT
 
 public:
     explicit SideView(QWidget *parent = nullptr);
 
-    /// None: nothing is drawn.
+    /// Without a scene nothing is drawn.
     void setScene(const std::optional<SideScene> &scene);
     void setFace(const std::optional<SideFace> &face);
 
@@ -56,15 +56,15 @@ private:
     void drawSample(QPainter &painter) const;
     void drawEye(QPainter &painter);
     void drawLine(QPainter &painter, const Point &from, const Point &to) const;
-    /// Beside a position of the widget, where no other name stands yet.
+    /// Draws a name near a position of the widget, clear of the other names.
     void drawName(QPainter &painter, const QString &name, const QPointF &position,
                   const QPointF &wished);
 
     std::optional<SideScene> m_scene;
     std::optional<SideFace> m_face;
     OrbitView m_orbit;
-    std::optional<QPointF> m_dragged; ///< the pointer's last place
-    std::vector<QRectF> m_names; ///< where names stand in this painting
+    std::optional<QPointF> m_dragged; ///< the pointer's last position
+    std::vector<QRectF> m_names; ///< of the names in this painting
 };
 
 } // namespace pixelplumb

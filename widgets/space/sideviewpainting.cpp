@@ -22,7 +22,7 @@ QColor faint(QColor colour, double opacity)
     return colour;
 }
 
-/// From the middle of a polygon to one of its corners, by signs.
+/// The signs of the direction from a polygon's middle to one of its corners.
 QPointF sideAwayFrom(const QPolygonF &polygon, int corner)
 {
     const QPointF away = polygon[corner] - polygon.boundingRect().center();
@@ -56,7 +56,7 @@ QPolygonF SideView::polygonOf(std::span<const Point> points) const
     return polygon;
 }
 
-/// Painters lose precision far outside.
+/// Clips first: painters lose precision far outside.
 void SideView::drawLine(QPainter &painter, const Point &from, const Point &to) const
 {
     const QLineF line(positionOf(from), positionOf(to));
@@ -64,7 +64,8 @@ void SideView::drawLine(QPainter &painter, const Point &from, const Point &to) c
         painter.drawLine(*seen);
 }
 
-/// On the side that is given by signs, where there is room; with a line to it from farther away.
+/// Draws the name on the side given by the signs, where there is room; farther away, with a line to
+/// it.
 void SideView::drawName(QPainter &painter, const QString &name, const QPointF &position,
                         const QPointF &wished)
 {
@@ -72,8 +73,8 @@ void SideView::drawName(QPainter &painter, const QString &name, const QPointF &p
     const QSizeF size(metrics.horizontalAdvance(name), metrics.height());
     const QRectF area(rect());
     QRectF place;
-    // On the wished side, then round about the position, then farther away; the first free one, or
-    // the first of all.
+    // On the wished side, then around the position, then farther away; the first free place, or the
+    // first of all.
     std::array sides = {QPointF(1, -1), QPointF(-1, -1), QPointF(1, 1), QPointF(-1, 1)};
     std::stable_partition(sides.begin(), sides.end(),
                           [&](const QPointF &side) { return side == wished; });
@@ -124,16 +125,16 @@ void SideView::drawPlane(QPainter &painter, const SideScene::Rectangle &plane, c
     painter.setBrush(Qt::NoBrush);
     painter.setPen(text);
     const QRectF box = polygon.boundingRect();
-    // Each on the side where the other plane is not.
+    // Each name on the side away from the other plane.
     const bool isNear = &plane == &m_scene->nearPlane;
     drawName(painter, name, box.topRight(), QPointF(isNear ? -1 : 1, -1));
 }
 
 void SideView::drawRays(QPainter &painter) const
 {
-    const QColor colour = signColour(Sign::ColumnInHand, palette());
+    const QColor colour = signColour(Sign::CurrentColumn, palette());
     for (const Point &vertex : m_face->vertices) {
-        // What lies before the near plane is not seen.
+        // What lies before the near plane is invisible.
         const bool isSeen = -vertex.z >= -m_scene->nearPlane[0].z;
         painter.setPen(QPen(colour, 1, isSeen ? Qt::SolidLine : Qt::DashLine));
         drawLine(painter, m_scene->isPerspective ? Point() : Point(vertex.x, vertex.y, 0), vertex);
@@ -147,7 +148,7 @@ void SideView::drawRays(QPainter &painter) const
 void SideView::drawFace(QPainter &painter)
 {
     const QColor text = palette().color(QPalette::Text);
-    const QColor colour = signColour(Sign::ColumnInHand, palette());
+    const QColor colour = signColour(Sign::CurrentColumn, palette());
     painter.setPen(QPen(faint(colour, 0.7), 1, Qt::DashLine));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolygon(polygonOf(m_face->vertices));
@@ -160,10 +161,10 @@ void SideView::drawFace(QPainter &painter)
                  sideAwayFrom(polygonOf(m_face->vertices), int(i)));
 }
 
-/// The face's picture, each corner in its colour.
+/// Draws the face's picture, each corner in its colour.
 void SideView::drawPicture(QPainter &painter)
 {
-    const QColor colour = signColour(Sign::ColumnInHand, palette());
+    const QColor colour = signColour(Sign::CurrentColumn, palette());
     painter.setPen(QPen(faint(colour, 0.7), 1));
     painter.setBrush(faint(colour, 0.15));
     painter.drawPolygon(polygonOf(m_face->picture));

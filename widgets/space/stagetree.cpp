@@ -33,7 +33,7 @@ StageTree::StageTree(QWidget *parent)
     : QTreeWidget(parent)
 {
     setObjectName(QStringLiteral("stageTree"));
-    setAccessibleName(tr("The stages of the face in hand"));
+    setAccessibleName(tr("The stages of the current face"));
     setColumnCount(ColumnCount);
     setHeaderLabels({tr("Stage"), tr("Used"), tr("Exact"), tr("Error")});
     headerItem()->setToolTip(ExactColumn,
@@ -74,7 +74,7 @@ void StageTree::fillStage(QTreeWidgetItem *item, const ProjectionStage &stage)
     bold.setBold(true);
     item->setFont(NameColumn, bold);
     item->setFirstColumnSpanned(true);
-    // An equation a row: they are too long for one.
+    // One equation per row: together they are too long.
     static const QRegularExpression nextEquation(QStringLiteral(", (?=[^,()=]+ = )"));
     for (const QString &equation : stage.formula.split(nextEquation))
         addSentence(item, equation);
@@ -93,7 +93,7 @@ QTreeWidgetItem *StageTree::addSentence(QTreeWidgetItem *parent, const QString &
 {
     auto *item = new QTreeWidgetItem(parent, {text});
     item->setFirstColumnSpanned(true);
-    // The column of the numbers' names need not hold it.
+    // The column of the numbers' names need not fit it.
     item->setSizeHint(NameColumn, QSize(1, parent->treeWidget()->fontMetrics().height() + 2));
     item->setToolTip(NameColumn, toolTipHtml({text}));
     return item;

@@ -7,14 +7,14 @@
 
 namespace pixelplumb {
 
-/// A number of a stage for the eye: the shortest decimal of what was used, 20 digits of the exact
+/// A stage's number for display: the shortest decimal of the number used, 20 digits of the exact
 /// one, and used − exact in two digits ("0" where they are equal), with a true minus sign.
 QString usedText(const StageNumber &number);
 QString exactText(const StageNumber &number);
 QString errorText(const StageNumber &number);
 
 /// The stages of a face, each with its points and their numbers, used beside exact (objectName
-/// "stageTree"). What a person folds stays folded from face to face.
+/// "stageTree"). Folded items stay folded from face to face.
 class StageTree : public QTreeWidget {
     Q_OBJECT
 
@@ -23,7 +23,7 @@ public:
 
     explicit StageTree(QWidget *parent = nullptr);
 
-    /// None empties it.
+    /// An empty list clears the tree.
     void setStages(const std::vector<ProjectionStage> &stages);
 
 private:

@@ -26,7 +26,7 @@ namespace {
 
 constexpr int sliderSteps = 200;
 
-/// A cell of the forms' table.
+/// A cell of the table of forms.
 QString formHtml(const SurfaceForm &form)
 {
     QStringList lines = {QStringLiteral("<b>%1</b>").arg(SymbolText(form.formula).html())};
@@ -51,7 +51,7 @@ QString pointText(const QString &name, std::span<const double> coordinates)
         .arg(SymbolText(name).html(), numbers.join(QStringLiteral(", ")));
 }
 
-/// What the formulas begin with.
+/// The given data of the formulas.
 QStringList givenBy(const Surface &surface)
 {
     const bool isFlat = surface.kind == SurfaceKind::Line || surface.kind == SurfaceKind::Circle;
@@ -72,7 +72,7 @@ QStringList givenBy(const Surface &surface)
             QStringLiteral("r = %1").arg(displayText(Quantity::of(surface.radius)))};
 }
 
-/// A row of it: a kind of curve or surface.
+/// A row of the table: a kind of curve or surface.
 QString formsHtml(SurfaceKind kind, const Scene &scene, double s, double t)
 {
     const std::optional<Surface> own = surfaceOf(kind, scene);

@@ -20,7 +20,7 @@ class SceneDocument;
 /// Line, circle, plane and sphere in their three forms at a parameter, and how far a surface's
 /// triangles are from it, beside their number and time (objectName "surfacesPanel"; forms
 /// "surfaceForms", table "segmentTable"). Surfaces are the scene's first of their kind, or
-/// examples, which are called so.
+/// examples, which are labelled as such.
 class SurfacesPanel : public QWidget {
     Q_OBJECT
 
@@ -51,7 +51,7 @@ private:
     QTableWidget *m_segments;
     bool m_isStale = true;
     Solid m_studied; ///< the sphere or patch whose segments are studied
-    bool m_isExample = false; ///< it is not the scene's
+    bool m_isExample = false; ///< m_studied is not the scene's
     std::vector<SegmentFigure> m_figures;
     Job m_job;
 };

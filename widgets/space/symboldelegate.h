@@ -5,7 +5,7 @@
 
 namespace pixelplumb {
 
-/// Draws an item's text with its subscripts (see SymbolText), cut off where there is no more room.
+/// Draws an item's text with subscripts (see SymbolText), cut off where it does not fit.
 class SymbolDelegate : public QStyledItemDelegate {
     Q_OBJECT
 

@@ -15,7 +15,7 @@ bool isSpace(const QKeyEvent &event)
     return event.key() == Qt::Key_Space && event.modifiers() == Qt::NoModifier;
 }
 
-/// Fields that are typed in keep the key by themselves.
+/// Whether the focused widget uses Space. Text fields claim the key themselves.
 bool usesSpace(const QWidget *focus)
 {
     if (qobject_cast<const QAbstractButton *>(focus))
@@ -28,7 +28,7 @@ bool usesSpace(const QWidget *focus)
 
 void PlayKey::watch(QWidget *window) { window->installEventFilter(this); }
 
-/// What nobody inside has claimed comes to the window before it becomes a shortcut.
+/// A key that no widget claims reaches the window before it becomes a shortcut.
 bool PlayKey::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() != QEvent::ShortcutOverride || !isSpace(*static_cast<QKeyEvent *>(event))

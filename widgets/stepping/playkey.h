@@ -7,16 +7,16 @@ class QWidget;
 
 namespace pixelplumb {
 
-/// Leaves Space to those who have a use for it: to fields that are typed in, to a button in focus,
-/// which it presses, and to a cell in hand that it checks. From everywhere else it plays or pauses:
-/// also from a box, which other keys open and in which something was just chosen.
+/// Leaves Space to widgets that use it: to text fields, to a button in focus, which it presses, and
+/// to a current cell that it checks. Elsewhere it plays or pauses, even in a combo box, which other
+/// keys open.
 class PlayKey : public QObject {
     Q_OBJECT
 
 public:
     using QObject::QObject;
 
-    /// A window, or a panel that may float as one.
+    /// Watches a window, or a panel that may float as one.
     void watch(QWidget *window);
 
 protected:

@@ -84,7 +84,8 @@ const TraceMark *Scrubber::markNear(double x) const
     return nearest;
 }
 
-/// Where a part begins follows from the vertices; the others tell what a step will compute.
+/// Whether a mark may be shown. A part's beginning follows from the vertices; other marks reveal
+/// what a step will compute.
 bool Scrubber::isTold(const TraceMark &mark) const
 {
     return !m_playhead->isAheadHidden() || mark.step < m_playhead->position()
@@ -96,7 +97,7 @@ void Scrubber::goToMark(StepDirection direction)
     if (!m_playhead->traced())
         return;
     const std::vector<TraceMark> &marks = m_playhead->traced()->marks;
-    // A mark's place is the position just after its step.
+    // A mark's position is just after its step.
     const std::size_t position = m_playhead->position();
     if (direction == StepDirection::Forward) {
         const auto next = std::ranges::lower_bound(marks, position, {}, &TraceMark::step);
@@ -219,7 +220,7 @@ void Scrubber::followPlayhead()
     if (const TracedScene *traced = m_playhead->traced())
         setAccessibleDescription(stepText(*traced, m_playhead->position()));
     if (m_playhead->isAheadHidden())
-        forgetBackground(); // marks that were ahead are told now
+        forgetBackground(); // marks that were ahead may be shown now
     update();
 }
 

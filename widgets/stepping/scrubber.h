@@ -10,17 +10,17 @@
 
 namespace pixelplumb {
 
-/// How the canvas shows columns, in logical pixels of the scrubber, which is as wide.
+/// Where the canvas shows columns, in logical pixels of the scrubber, which is as wide.
 struct ColumnPlaces {
     double origin = 0; ///< the middle of column 0
     double width = 0; ///< of a column
-    double left = 0, right = 0; ///< where columns are seen
+    double left = 0, right = 0; ///< the visible range of columns
 };
 
-/// The run on one line, with its marks in a lane a kind above it: where vertices are, where ties
-/// and clamps happen, the first pixel that differs from the truth. The plumb line marks the
-/// position; dragging seeks. A run of one primitive in columns stands below the canvas's columns,
-/// at every zoom, so that the plumb line is one line; every other is spread evenly by its steps.
+/// The run as a timeline with its marks above it, one lane per kind: vertices, ties, clamps, the
+/// first pixel that differs from the truth. The plumb line marks the position; dragging seeks. A
+/// run of one primitive in columns is aligned with the canvas's columns at every zoom, so that both
+/// plumb lines are one; any other run is spread evenly by its steps.
 class Scrubber : public QAbstractSlider {
     Q_OBJECT
 
@@ -33,11 +33,11 @@ public:
     ScrubberScale scale() const;
     /// The mark nearest to x within the reach of a click; null when there is none.
     const TraceMark *markNear(double x) const;
-    bool isTold(const TraceMark &mark) const; ///< no secret of what lies ahead
+    bool isTold(const TraceMark &mark) const; ///< it reveals nothing that lies ahead
 
 public slots:
     void setColumnPlaces(const pixelplumb::ColumnPlaces &places);
-    /// Just after the next or previous mark's step.
+    /// Moves just after the next or previous mark's step.
     void goToMark(pixelplumb::StepDirection direction);
 
 protected:
@@ -68,15 +68,15 @@ private:
     QRectF lanes() const;
 
     Playhead *m_playhead;
-    std::vector<std::size_t> m_breakpoints; ///< the positions at which a run pauses
+    std::vector<std::size_t> m_breakpoints; ///< positions at which a run pauses
     ColumnPlaces m_places;
     std::vector<ColumnStop> m_stops; ///< empty where positions are spread evenly
-    std::size_t m_sought = 0; ///< where the mouse wants to go
-    QTimer m_seekTimer; ///< one seek a frame, however many mouse moves
-    QPixmap m_background; ///< everything but the position; null when it has to be painted anew
+    std::size_t m_sought = 0; ///< the position the mouse asks for
+    QTimer m_seekTimer; ///< one seek per frame, however many mouse moves
+    QPixmap m_background; ///< everything but the position; null when it must be repainted
 };
 
-/// The sign that stands for a kind of mark.
+/// The sign of a kind of mark.
 Sign signOf(MarkKind kind);
 
 } // namespace pixelplumb

@@ -16,7 +16,7 @@ constexpr int laneCount = 4;
 constexpr int trackTop = margin / 2 + laneCount * laneHeight;
 constexpr int trackHeight = 14;
 constexpr int wholeHeight = trackTop + trackHeight + margin / 2 + 2;
-constexpr double leastSpanWidth = 4; // narrower spans get no ticks of their own
+constexpr double leastSpanWidth = 4; // narrower spans have no ticks
 constexpr double leastGlyphDistance = 8;
 
 QColor faint(const QPalette &palette)
@@ -35,7 +35,7 @@ QSize Scrubber::minimumSizeHint() const { return {240, wholeHeight}; }
 ScrubberScale Scrubber::scale() const
 {
     if (!m_stops.empty()) {
-        // A column before the first one is where nothing is done, a half behind the last the end.
+        // One column before the first is the start, half a column after the last the end.
         const double left = m_stops.front().x - m_places.width;
         return {left, m_stops.back().x + m_places.width / 2 - left, m_playhead->end(), m_stops};
     }
@@ -62,12 +62,12 @@ void Scrubber::paintEvent(QPaintEvent *)
     }
 }
 
-/// Where the view was moved away from the column, an arrow tells on which side it is.
+/// Draws the position; where the view excludes its column, an arrow points to that side.
 void Scrubber::paintPosition(QPainter &painter) const
 {
     const ScrubberScale toScreen = scale();
     const double x = toScreen.xOf(m_playhead->position());
-    const QColor plumbLine = signColour(Sign::ColumnInHand, palette());
+    const QColor plumbLine = signColour(Sign::CurrentColumn, palette());
     QColor done = plumbLine;
     done.setAlphaF(0.3F);
     const double left = std::max(toScreen.left, double(gutter));
@@ -110,7 +110,7 @@ void Scrubber::paintBackground()
     paintTrack(painter);
 }
 
-/// Right of the names.
+/// The area right of the names.
 QRectF Scrubber::lanes() const
 {
     return {double(gutter - margin), 0, double(width() - gutter + margin), double(height())};

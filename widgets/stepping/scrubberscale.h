@@ -8,14 +8,14 @@
 
 namespace pixelplumb {
 
-/// Where a column stands on the screen.
+/// A column's place on the screen.
 struct ColumnStop {
     std::size_t position = 0; ///< just after it was entered
     double x = 0; ///< its middle, logical pixels; ascending with the position
 };
 
-/// Positions 0 … end on a stretch of the screen, in logical pixels: spread evenly or, where there
-/// are stops, each on its column.
+/// Maps positions 0 … end to a stretch of the screen, in logical pixels: spread evenly or, where
+/// there are stops, each at its column.
 struct ScrubberScale {
     double left = 0;
     double width = 1;
@@ -29,8 +29,8 @@ struct ScrubberScale {
         const auto next = std::ranges::upper_bound(stops, position, {}, &ColumnStop::position);
         return next == stops.begin() ? left : std::prev(next)->x;
     }
-    /// The nearest position, also from outside the stretch; of a column, the one just after it was
-    /// entered.
+    /// The position nearest to x, also from outside the stretch; for a column, the one just after
+    /// it was entered.
     std::size_t positionAt(double x) const
     {
         if (stops.empty()) {

@@ -80,9 +80,11 @@ void StepActions::addSteps()
         m_steps[std::size_t(unit)][std::size_t(direction)] = action;
     };
     addStep(StepUnit::Span, forward, "nextColumn", tr("Next &column"), tr("column"), Qt::Key_F10,
-            tr("Go on to the next column"));
+            tr("Go on to the next column, or first to the pixel that stepping back set out from"));
     addStep(StepUnit::Span, backward, "previousColumn", tr("Previous c&olumn"), tr("column"),
-            Qt::SHIFT | Qt::Key_F10, tr("Go back to the previous column"));
+            Qt::SHIFT | Qt::Key_F10,
+            tr("Go back to where this column begins, to the previous one, or to the pixel that "
+               "stepping on set out from"));
     addStep(StepUnit::Sample, forward, "nextPixel", tr("Next &pixel"), tr("pixel"), Qt::Key_F11,
             tr("Write the next pixel"));
     addStep(StepUnit::Sample, backward, "previousPixel", tr("Previous p&ixel"), tr("pixel"),
@@ -119,9 +121,9 @@ void StepActions::addBreakpoints()
 {
     m_columnBreakpoint
         = add(QStringLiteral("toggleColumnBreakpoint"), tr("Break&point on the column"), {},
-              Qt::Key_F9, tr("Set or clear a breakpoint on the column or row in hand"));
+              Qt::Key_F9, tr("Set or clear a breakpoint on the current column or row"));
     connect(m_columnBreakpoint, &QAction::triggered, this, [this] {
-        if (const std::optional<SpanPlace> place = m_playhead->placeInHand())
+        if (const std::optional<SpanPlace> place = m_playhead->currentPlace())
             m_playhead->toggleSpanBreakpoint(*place);
         else if (const auto pixel = m_playhead->pickedPixel())
             m_playhead->toggleSpanBreakpoint({SpanAxis::Column, pixel->x(), 0});
@@ -171,11 +173,11 @@ void StepActions::updateEnabled()
     for (QAction *run : m_runToPixel)
         run->setEnabled(hasPixel);
     m_pixelBreakpoint->setEnabled(hasPixel);
-    m_columnBreakpoint->setEnabled(hasPixel || m_playhead->spanInHand());
+    m_columnBreakpoint->setEnabled(hasPixel || m_playhead->currentSpan());
     m_clearBreakpoints->setEnabled(!m_playhead->breakpoints().isEmpty());
 }
 
-/// What a span is called depends on the method that made the run.
+/// Names the spans for the method of the run.
 void StepActions::nameSpans()
 {
     struct Words {
@@ -186,13 +188,15 @@ void StepActions::nameSpans()
         case SpanAxis::Column:
             break;
         case SpanAxis::Row:
-            return {tr("Next &row"),
-                    tr("Previous r&ow"),
-                    tr("row"),
-                    tr("Go on to the next row"),
-                    tr("Go back to the previous row"),
-                    tr("Break&point on the row"),
-                    tr("by rows")};
+            return {
+                tr("Next &row"),
+                tr("Previous r&ow"),
+                tr("row"),
+                tr("Go on to the next row, or first to the pixel that stepping back set out from"),
+                tr("Go back to where this row begins, to the previous one, or to the pixel that "
+                   "stepping on set out from"),
+                tr("Break&point on the row"),
+                tr("by rows")};
         case SpanAxis::Free:
             return {tr("Next &step"),
                     tr("Previous st&ep"),
@@ -202,13 +206,15 @@ void StepActions::nameSpans()
                     tr("Break&point"),
                     tr("by steps")};
         }
-        return {tr("Next &column"),
-                tr("Previous c&olumn"),
-                tr("column"),
-                tr("Go on to the next column"),
-                tr("Go back to the previous column"),
-                tr("Break&point on the column"),
-                tr("by columns")};
+        return {
+            tr("Next &column"),
+            tr("Previous c&olumn"),
+            tr("column"),
+            tr("Go on to the next column, or first to the pixel that stepping back set out from"),
+            tr("Go back to where this column begins, to the previous one, or to the pixel that "
+               "stepping on set out from"),
+            tr("Break&point on the column"),
+            tr("by columns")};
     };
     if (m_namedAxis == m_playhead->axis())
         return;

@@ -9,8 +9,7 @@
 
 namespace pixelplumb {
 
-/// Every way to move the playhead, as actions: the menu, the stepper bar and the keys are the same
-/// objects.
+/// Every way to move the playhead, as actions that the menu, the stepper bar and the keys share.
 class StepActions : public QObject {
     Q_OBJECT
 

@@ -5,20 +5,20 @@
 
 namespace pixelplumb {
 
-/// A tool button whose sign may follow its text, so that it points where the button goes: "column
-/// ▶".
+/// A tool button whose sign may follow its text, so that it points in the button's direction:
+/// "column ▶".
 class StepButton : public QToolButton {
     Q_OBJECT
 
 public:
     enum class SignSide { Alone, BeforeText, AfterText };
 
-    /// Takes its icon, its icon text and its keys from the action.
+    /// Takes icon, icon text and keys from the action.
     StepButton(QAction *action, SignSide side, QWidget *parent = nullptr);
 
     QSize sizeHint() const override;
 
-    /// Texts for which there has to be room, beside the one of the moment.
+    /// Reserves room for these texts, in addition to the current one.
     void keepRoomFor(const QStringList &texts);
 
 protected:

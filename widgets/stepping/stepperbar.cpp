@@ -17,7 +17,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The speed slider is logarithmic: each notch is a tenth of a power of ten.
+/// The speed slider is logarithmic: ten notches per power of ten.
 constexpr int notchesPerDecade = 10;
 
 int notchOf(double stepsPerSecond)
@@ -79,7 +79,7 @@ void StepperBar::addUnitBox(const StepActions &actions)
     for (QAction *unit : actions.units()) {
         const int row = m_unitBox->count();
         m_unitBox->addItem(unit->text());
-        connect(unit, &QAction::changed, m_unitBox, // what a span is called depends on the method
+        connect(unit, &QAction::changed, m_unitBox, // the name of a span depends on the method
                 [box = m_unitBox, unit, row] { box->setItemText(row, unit->text()); });
     }
     m_unitBox->setCurrentIndex(int(m_playhead->unit()));
@@ -142,7 +142,7 @@ void StepperBar::updatePosition()
 {
     const QString end = QString::number(m_playhead->end());
     const QString text = tr("step %1 of %2");
-    // As wide as the widest position, so that nothing moves while time does.
+    // As wide as the widest position, so that nothing moves while playing.
     const QString widest = text.arg(QString(end.size(), QLatin1Char('8')), end);
     m_position->setMinimumWidth(
         std::max(QFontMetrics(m_position->font()).horizontalAdvance(widest) + 4,

@@ -14,7 +14,7 @@ class QSlider;
 namespace pixelplumb {
 
 /// The buttons that move time: to the start, back and on by column and by pixel, play, to the end;
-/// the unit and the speed of playing; where the playhead stands.
+/// the unit and speed of playing; the playhead's position.
 class StepperBar : public QWidget {
     Q_OBJECT
 

@@ -23,7 +23,7 @@ bool isWrittenBySomeone(const Contest &contest, std::int64_t x, std::int64_t y)
 QColor agreementColour(int agreeing, int contenders, const QPalette &palette)
 {
     if (agreeing >= contenders) {
-        constexpr double share = 0.22; // of the text's colour
+        constexpr double share = 0.22; // of the text colour
         const QColor base = palette.color(QPalette::Base);
         const QColor text = palette.color(QPalette::Text);
         const auto mixed = [](int from, int to) { return int(from + share * (to - from)); };
@@ -112,7 +112,7 @@ void AgreementView::paintSigns(QPainter &painter, FramePainter &, const ViewMapp
 
 void AgreementView::showEvent(QShowEvent *event)
 {
-    makePicture(); // the step in hand may be another one
+    makePicture(); // the current step may have changed
     CompareView::showEvent(event);
 }
 

@@ -6,11 +6,11 @@
 
 namespace pixelplumb {
 
-/// The colour of a pixel on which so many of all contenders agree.
+/// The colour of a pixel on which `agreeing` of all contenders agree.
 QColor agreementColour(int agreeing, int contenders, const QPalette &palette);
 
 /// The agreement map: each pixel coloured by how many contenders agree on it, with the number in
-/// its cell where that has room. Of what is hidden because it is ahead it says nothing.
+/// its cell where that has room. Pixels hidden because they are ahead are left out.
 class AgreementView : public CompareView {
     Q_OBJECT
 

@@ -7,8 +7,8 @@
 
 namespace pixelplumb {
 
-/// Where several views of one frame look: they share the zoom and the sample in their middles, so
-/// that what is under one pointer position is the same pixel in all.
+/// The shared view of several pictures of one frame: one zoom and one centre sample, so that the
+/// same pointer position shows the same pixel in all.
 class CompareLink : public QObject {
     Q_OBJECT
 
@@ -19,21 +19,21 @@ public:
     const FrameSpec &frame() const { return m_frame; }
     bool isFitted() const { return m_place == Place::Fitted; }
 
-    /// For a view of that size.
+    /// The mapping for a view of that size.
     ViewMapping mappingFor(const QSizeF &size, double devicePixelRatio,
                            const QPointF &fraction) const;
 
 public slots:
-    /// The whole frame in each view.
+    /// Shows the whole frame in each view.
     void fit();
-    /// One step larger or smaller; the point under `anchor` of a view stays there.
+    /// Zooms in one step; the point under `anchor` of a view stays there.
     void zoomIn(const pixelplumb::ViewMapping &from, const QRectF &view, const QPointF &anchor);
-    /// A frame that is seen whole gets no smaller.
+    /// Zooms out one step, but no farther than the whole frame.
     void zoomOut(const pixelplumb::ViewMapping &from, const QRectF &view, const QPointF &anchor);
     void moveBy(const pixelplumb::ViewMapping &from, const QRectF &view,
                 const QPoint &devicePixels);
-    /// Brings a pixel towards the middle, at a zoom at which it can be seen by itself; a frame that
-    /// the view has room for is seen whole.
+    /// Brings a pixel towards the middle, at a zoom at which single pixels are visible; a frame
+    /// that fits into the view is shown whole.
     void lookAt(const QPoint &pixel);
 
 signals:
@@ -43,7 +43,7 @@ private:
     enum class Place {
         Fitted,
         LookedAt, ///< a pixel in the middle, or the whole frame
-        Free, ///< as a person has moved it
+        Free, ///< moved by a person
     };
 
     void take(const ViewMapping &mapping, const QRectF &view);

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int leastBoxWidth = 48; ///< logical pixels
 
-/// The pixels of a finished picture on the background.
+/// A finished picture's pixels on the background.
 QImage onBackground(const WrittenFrame &written, const FrameSpec &spec)
 {
     QImage picture(spec.width, spec.height, QImage::Format_RGB32);
@@ -42,12 +42,12 @@ QImage onBackground(const WrittenFrame &written, const FrameSpec &spec)
 
 } // namespace
 
-/// The frame with the span in hand of the pane's own run.
+/// The frame with the current span of the pane's own run.
 class ComparePane::View : public CompareView {
 public:
     using CompareView::CompareView;
 
-    std::optional<SpanRecord> spanInHand;
+    std::optional<SpanRecord> currentSpan;
     std::vector<std::array<LatticePoint, 3>> outlines;
 
 protected:
@@ -55,9 +55,9 @@ protected:
     {
         for (const std::array<LatticePoint, 3> &corners : outlines)
             frame.drawOutline(corners, {});
-        if (!spanInHand)
+        if (!currentSpan)
             return;
-        frame.drawPlumbLine(spanInHand->place);
+        frame.drawPlumbLine(currentSpan->place);
     }
 };
 
@@ -87,7 +87,7 @@ ComparePane::ComparePane(int number, CompareLink *link, Playhead *playhead, QWid
     name->setFont(bold);
     first->addWidget(name);
     first->addWidget(m_method, 1);
-    // In a row of their own: four panes side by side would push the panels at the right away.
+    // In their own row: four panes side by side would push out the panels at the right.
     m_settings = new QHBoxLayout;
     m_settings->setSpacing(4);
     m_settings->addWidget(m_arithmetic, 1);
@@ -124,7 +124,7 @@ QComboBox *ComparePane::addBox(const QString &name, const QString &label)
     box->setToolTip(label);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(6);
-    // Four panes beside the map have room in a small window; a longer text is elided.
+    // Lets four panes and the map fit into a small window; longer text is elided.
     box->setMinimumWidth(leastBoxWidth);
     return box;
 }
@@ -172,7 +172,7 @@ void ComparePane::offerSettings(const ScanSettings &wanted)
 
 void ComparePane::show(const std::shared_ptr<const Contest> &contest, std::size_t run)
 {
-    m_cursor.reset(); // it looks into the contest before
+    m_cursor.reset(); // it refers to the previous contest
     m_contest = contest;
     m_run = run;
     const ContenderRun &shown = contest->runs[run];
@@ -224,7 +224,7 @@ void ComparePane::clear(const QString &message)
 {
     m_cursor.reset();
     m_contest.reset();
-    m_view->spanInHand.reset();
+    m_view->currentSpan.reset();
     m_view->outlines.clear();
     m_view->setPicture({});
     m_view->setMessage(message);
@@ -252,7 +252,7 @@ void ComparePane::followPlayhead()
 {
     if (!m_contest || !m_playhead->traced())
         return;
-    m_view->spanInHand.reset();
+    m_view->currentSpan.reset();
     const ContenderRun &run = m_contest->runs[m_run];
     if (!m_cursor)
         return showPicture(onBackground(run.picture, m_contest->scene.frame));
@@ -263,7 +263,7 @@ void ComparePane::followPlayhead()
     if (position > 0) {
         const TraceStep step = trace.stepAt(position - 1);
         if (step.kind != StepKind::SetUp && goesTheSameWay())
-            m_view->spanInHand = trace.span(step.span);
+            m_view->currentSpan = trace.span(step.span);
     }
     showPicture(m_cursor->frame().image());
 }

@@ -17,24 +17,24 @@ class CompareView;
 class Playhead;
 struct LiveFigures;
 
-/// One contender: what it is, and its own run at the place where the playhead is. The truth has no
-/// run; it is shown finished. Where what is ahead is hidden, the truth and methods that go another
-/// way are shown at the pixels that are decided, and nothing is counted. Where the pane is narrow,
-/// its boxes stand one below the other and the counts are short, with their signs.
+/// One contender: its method and settings, and its own run at the playhead's place. The truth has
+/// no run and is shown finished. While what is ahead is hidden, the truth and other methods are
+/// shown only at decided pixels, and nothing is counted. A narrow pane stacks its boxes and shows
+/// short counts with their signs.
 class ComparePane : public QWidget {
     Q_OBJECT
 
 public:
-    /// number: 1 … 4, as the reasons call it.
+    /// `number`: 1 … 4, as in the reasons.
     ComparePane(int number, CompareLink *link, Playhead *playhead, QWidget *parent = nullptr);
     ~ComparePane() override;
 
     Contender contender() const;
     void setContender(const Contender &contender); ///< without contenderChanged()
-    /// The contender's part of a contest; the contest is kept.
+    /// Shows the contender's run of a contest; keeps the contest.
     void show(const std::shared_ptr<const Contest> &contest, std::size_t run);
     void clear(const QString &message);
-    /// What drawing the shown picture takes, beside how it did.
+    /// Shows the cost of drawing the picture beside the result.
     void showFigures(const LiveFigures &figures);
 
     CompareView *view() const;
@@ -55,7 +55,7 @@ private:
     void tellResult();
     bool isNarrow() const;
     void followPlayhead();
-    bool goesTheSameWay() const; ///< as the playhead's run
+    bool goesTheSameWay() const; ///< as the playhead's run, or nothing is hidden
     void showPicture(const QImage &picture);
 
     int m_number;
@@ -65,11 +65,11 @@ private:
     QComboBox *m_fillRule = nullptr;
     QBoxLayout *m_settings = nullptr; ///< the boxes of arithmetic and fill rule
     QLabel *m_result = nullptr;
-    QString m_figures; ///< behind the result, once they are measured
-    QString m_details; ///< of them
+    QString m_figures; ///< after the result, once measured
+    QString m_details; ///< of m_figures
     View *m_view = nullptr;
     ByteRounding m_rounding = ByteRounding::Nearest; ///< the scene's
-    VariantSet m_variants; ///< of the contender that it was given
+    VariantSet m_variants; ///< of the contender that was set
     std::shared_ptr<const Contest> m_contest;
     std::size_t m_run = 0;
     std::unique_ptr<TraceCursor> m_cursor;

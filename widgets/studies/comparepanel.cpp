@@ -57,7 +57,7 @@ ComparePanel::ComparePanel(Playhead *playhead, QWidget *parent)
     connect(playhead, &Playhead::aheadHiddenChanged, this, &ComparePanel::tellAgreement);
     connect(playhead, &Playhead::positionChanged, this, [this] {
         if (m_playhead->isAheadHidden())
-            tellPixel(); // which may be decided now
+            tellPixel(); // it may be decided now
     });
     addPane();
     addPane();
@@ -158,7 +158,7 @@ void ComparePanel::lookAt(const QPoint &pixel)
         m_link->lookAt(pixel);
 }
 
-/// The method in hand beside its own rounding arithmetics, or beside the truth where it has none.
+/// The current method beside its rounding arithmetics, or beside the truth where it has none.
 void ComparePanel::choosePanes()
 {
     const Scene &scene = m_playhead->traced()->scene;
@@ -224,7 +224,7 @@ void ComparePanel::restart()
         [this](const std::shared_ptr<const Contest> &contest) { take(contest); });
 }
 
-/// Otherwise says who cannot, and why.
+/// Otherwise says which contender cannot, and why.
 bool ComparePanel::canAllDraw(const Scene &scene, const std::vector<Contender> &contenders)
 {
     for (const Contender &contender : contenders) {
@@ -251,7 +251,7 @@ void ComparePanel::take(const std::shared_ptr<const Contest> &contest)
         return;
     }
     if (contest->runs.size() != m_panes.size())
-        return; // a pane came or went; the next one is under way
+        return; // a pane was added or removed; the next contest is running
     m_link->setFrame(contest->scene.frame);
     if (const auto pixel = std::exchange(m_lookedAt, std::nullopt))
         m_link->lookAt(*pixel);
@@ -264,7 +264,7 @@ void ComparePanel::take(const std::shared_ptr<const Contest> &contest)
     emit contestChanged();
 }
 
-/// Seen only where it takes longer than a moment.
+/// Shown only when it takes longer than a moment.
 void ComparePanel::tellProgress(const JobProgress &progress)
 {
     m_progress->setRange(0, int(progress.total));

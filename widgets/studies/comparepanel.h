@@ -21,9 +21,9 @@ class ComparePane;
 class Playhead;
 class ScrolledLabel;
 
-/// Two to four contenders draw the playhead's scene side by side, each at the place where the
-/// playhead is, with one zoom; beside them the map of where they agree, and below the reason for
-/// the picked pixel in words. Draws beside the GUI thread, and only while it can be seen.
+/// Two to four contenders draw the playhead's scene side by side, each at the playhead's place,
+/// with one zoom; beside them the map of where they agree, and below the reason for the picked
+/// pixel in words. Draws in a worker thread, and only while visible.
 class ComparePanel : public QWidget {
     Q_OBJECT
 
@@ -33,7 +33,7 @@ public:
 
     std::vector<Contender> contenders() const;
     bool isRunning() const { return m_job.isRunning(); }
-    /// Null until the first one is finished.
+    /// Null until the first contest is finished.
     const Contest *contest() const { return m_contest.get(); }
     const std::vector<ComparePane *> &panes() const { return m_panes; }
 
@@ -42,7 +42,7 @@ public:
 public slots:
     /// Two to four.
     void setContenders(const std::vector<pixelplumb::Contender> &contenders);
-    /// Brings a pixel of the scene in hand into the middle of every pane, as soon as it is there.
+    /// Centres a pixel of the current scene in every pane, once the contest is finished.
     void lookAt(const QPoint &pixel);
     void cancel();
 
@@ -75,10 +75,10 @@ private:
     QToolButton *m_fewer = nullptr;
     QProgressBar *m_progress = nullptr;
     QPushButton *m_cancel = nullptr;
-    bool m_isChosen = false; ///< the panes have been given contenders
+    bool m_isChosen = false; ///< the panes have contenders
     bool m_isStale = true; ///< the contest is of another scene or other contenders
     std::shared_ptr<const Contest> m_contest;
-    std::optional<QPoint> m_lookedAt; ///< when the next contest is there
+    std::optional<QPoint> m_lookedAt; ///< to be centred when the next contest is finished
     Job m_job;
     ContestTiming m_timing;
 };

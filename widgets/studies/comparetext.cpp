@@ -26,7 +26,7 @@ QString agreementLegend(const AgreementMap &agreement, const QPalette &palette, 
         QString meaning = ahead == Ahead::Hidden
             ? ComparePanel::tr("%1 agree").arg(agreeing)
             : ComparePanel::tr("%1 agree: %2").arg(agreeing).arg(agreement.countAgreeing(agreeing));
-        meaning.replace(u' ', QStringLiteral("&nbsp;")); // lines break between the colours
+        meaning.replace(u' ', QStringLiteral("&nbsp;")); // lines break only between the colours
         legend.append(
             QStringLiteral("<span style=\"background:%1\">&nbsp;&nbsp;&nbsp;</span>&nbsp;%2")
                 .arg(agreementColour(agreeing, agreement.contenderCount(), palette).name(),
@@ -75,7 +75,7 @@ QString carriedText(const Contest &contest)
         if (isSamePair)
             lines.back() += QStringLiteral("; ") + textOf(agreement);
         else
-            lines.append(ComparePanel::tr("%1 and %2 beside colour: %3")
+            lines.append(ComparePanel::tr("%1 and %2, apart from colour: %3")
                              .arg(agreement.first + 1)
                              .arg(agreement.second + 1)
                              .arg(textOf(agreement)));

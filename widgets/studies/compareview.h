@@ -12,7 +12,7 @@ class CompareLink;
 class FramePainter;
 class Playhead;
 
-/// A picture of the frame, enlarged cell by cell as the canvas does. All views of one link show the
+/// A picture of the frame, enlarged cell by cell as on the canvas. All views of one link show the
 /// same part. A click picks the pixel on the playhead, a drag moves all views, the wheel zooms
 /// them.
 class CompareView : public QWidget {
@@ -21,9 +21,9 @@ class CompareView : public QWidget {
 public:
     CompareView(CompareLink *link, Playhead *playhead, QWidget *parent = nullptr);
 
-    /// A picture of the link's frame, in its lines; null shows `message` instead.
+    /// A picture of the link's frame, line by line; null shows the message instead.
     void setPicture(const QImage &picture);
-    /// What to say where there is no picture.
+    /// The text to show without a picture.
     void setMessage(const QString &message);
 
     ViewMapping mapping() const;
@@ -34,7 +34,7 @@ public:
     QSize minimumSizeHint() const override { return {72, 72}; }
 
 protected:
-    /// What is drawn over the cells.
+    /// Draws over the cells.
     virtual void paintSigns(QPainter &painter, FramePainter &frame, const ViewMapping &mapping);
     Playhead *playhead() const { return m_playhead; }
 
@@ -55,8 +55,8 @@ private:
     QString m_message;
     QImage m_cells; ///< the visible cells in device pixels
     std::optional<QPointF> m_pressed;
-    std::optional<QPointF> m_dragged; ///< where the drag under way last was
-    int m_wheelRest = 0; ///< eighths of a degree that are not a notch yet
+    std::optional<QPointF> m_dragged; ///< the drag's last position
+    int m_wheelRest = 0; ///< eighths of a degree short of a notch
 };
 
 } // namespace pixelplumb

@@ -7,8 +7,8 @@
 
 namespace pixelplumb {
 
-/// What each contender of a contest takes, measured beside the GUI thread after their pictures are
-/// there. The truth is not timed.
+/// Measures what each contender of a contest costs, in a worker thread, after their pictures are
+/// drawn. The truth is not timed.
 class ContestTiming : public QObject {
     Q_OBJECT
 

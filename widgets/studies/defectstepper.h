@@ -12,29 +12,29 @@ namespace pixelplumb {
 class SceneDocument;
 class StudentPicture;
 
-/// Puts a scene with defects in the document's place, as one edit, and takes it away again. The
-/// student's picture is held to the right scene all the while.
+/// Replaces the document's scene by one with defects, as one edit, and undoes that again. Meanwhile
+/// the student's picture is judged against the right scene.
 class DefectStepper : public QObject {
     Q_OBJECT
 
 public:
     DefectStepper(SceneDocument *document, StudentPicture *student, QObject *parent);
 
-    /// Whether the document holds such a scene, maybe with edits after it.
+    /// Whether the document holds such a scene, perhaps edited since.
     bool canLeave() const;
 
 public slots:
     void open(const pixelplumb::DefectOpening &opening);
-    void leave(); ///< undoes it, with the edits after it
+    void leave(); ///< undoes it and the edits after it
 
 signals:
-    void opened(std::size_t position); ///< where to stand in the scene's run
+    void opened(std::size_t position); ///< where to put the playhead in the scene's run
     void leavingChanged(bool possible);
 
 private:
     SceneDocument *m_document;
     StudentPicture *m_student;
-    int m_index = 0; ///< of the edit on the undo stack
+    int m_index = 0; ///< the edit's index on the undo stack
     const QUndoCommand *m_edit = nullptr; ///< null where there is none
 };
 

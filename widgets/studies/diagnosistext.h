@@ -9,9 +9,9 @@ namespace pixelplumb {
 QString diagnosisText(const Diagnosis &diagnosis);
 /// "unsorted-colours and y-truncated"
 QString idsText(const DiagnosisCandidate &candidate);
-/// A sentence a defect: `words` for the student or the assistant.
+/// One sentence per defect; `words`: for the student or the assistant.
 QString sentencesText(const DiagnosisCandidate &candidate, QString Defect::*words);
-/// " · 3 pixels are left"; empty where none is.
+/// " · 3 pixels are left"; empty where none are.
 QString distanceText(const DiagnosisCandidate &candidate);
 
 } // namespace pixelplumb

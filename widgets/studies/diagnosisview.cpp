@@ -101,10 +101,11 @@ void DiagnosisView::addResults(QBoxLayout *layout)
     m_candidates->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
     layout->addWidget(m_candidates, 1);
     m_sentence = addLabel("diagnosisSentence", tr("What the chosen defects are"));
-    m_open = pushButton("diagnosisOpen", tr("Open in the stepper"),
-                        tr("Run the scene with these defects, at the first step that parts from "
-                           "the right run; where no run has them, the right run at that step"),
-                        this);
+    m_open = pushButton(
+        "diagnosisOpen", tr("Open in the stepper"),
+        tr("Run the scene with these defects and go to the first step that differs from the right "
+           "run; if no run can have them, show the right run at that step"),
+        this);
     m_compare = pushButton("diagnosisCompare", tr("Compare"),
                            tr("The same, with the right run beside it in Compare"), this);
     m_leave
@@ -130,7 +131,7 @@ std::optional<DiagnosisView::Named> DiagnosisView::named(const Submission &submi
     if (!diagnosis)
         return std::nullopt;
     Named found{std::move(*diagnosis), {}};
-    // A name that explains next to nothing is none.
+    // A name that explains next to nothing is dropped.
     std::erase_if(found.diagnosis.candidates, [&found](const DiagnosisCandidate &candidate) {
         return !isRelevant(candidate.distance, found.diagnosis.differing);
     });
@@ -193,7 +194,7 @@ void DiagnosisView::forget()
     showCandidates();
 }
 
-/// What was found is of one scene.
+/// Forgets the findings when the scene changes: they belong to one scene.
 void DiagnosisView::followStudent()
 {
     const bool isOfAnother = m_scene

@@ -17,16 +17,16 @@ namespace pixelplumb {
 
 class StudentPicture;
 
-/// A candidate in the stepper: the scene with its defects, beside the right one.
+/// A candidate to open in the stepper: the scene with its defects, beside the right one.
 struct DefectOpening {
     std::shared_ptr<const Scene> right;
     Scene defective;
-    std::size_t position = 0; ///< of its run, just after the step that parts
+    std::size_t position = 0; ///< of its run, just after the first step that departs
     QString title; ///< "defect unsorted-colours"
 };
 
-/// Names the bug in the student's picture, beside the GUI thread: the sets of known defects that
-/// draw it, or come nearest, in words for the student or the assistant.
+/// Names the bug in the student's picture, in a worker thread: the sets of known defects that draw
+/// it, or come nearest, in words for the student or the assistant.
 class DiagnosisView : public QWidget {
     Q_OBJECT
 
@@ -35,7 +35,7 @@ public:
     ~DiagnosisView() override;
 
     bool isRunning() const { return m_job.isRunning(); }
-    QRect answer() const; ///< the place of what is there of the verdict, the sets and the sentence
+    QRect answer() const; ///< the rectangle of the visible parts of verdict, sets and sentence
 
 public slots:
     void start();
@@ -43,7 +43,7 @@ public slots:
     void setLeaving(bool possible); ///< whether there is a candidate in the stepper
 
 signals:
-    void answered(); ///< the answer stands there
+    void answered(); ///< the answer is shown
     void openRequested(const pixelplumb::DefectOpening &opening);
     void compareRequested(const pixelplumb::DefectOpening &opening);
     void leaveRequested();
@@ -52,7 +52,7 @@ private:
     enum class Audience { Student, Assistant };
     struct Named {
         Diagnosis diagnosis;
-        /// By candidate; none where the runs are the same or the defects are the picture's.
+        /// By candidate; none where the runs are equal or the defects belong to the picture.
         std::vector<std::optional<PartingStep>> steps;
     };
 
@@ -71,7 +71,7 @@ private:
     DefectOpening opening() const; ///< of the chosen candidate
 
     const StudentPicture *m_student;
-    std::shared_ptr<const Scene> m_scene; ///< that is or was diagnosed
+    std::shared_ptr<const Scene> m_scene; ///< being diagnosed, or diagnosed last
     std::optional<Named> m_named;
     QPushButton *m_start = nullptr;
     QPushButton *m_cancel = nullptr;

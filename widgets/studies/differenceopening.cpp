@@ -43,8 +43,8 @@ void DifferenceOpening::arrive()
     standAt(*m_pixel, *traced);
 }
 
-/// The run stands where the pixel's fate is decided: at the step that writes it, or, of a missing
-/// one, that refuses it or ends its column or row.
+/// Stops the playhead where the pixel's fate is decided: at the step that writes it, or, for a
+/// missing one, at the step that rejects it or ends its column or row.
 void DifferenceOpening::standAt(const QPoint &pixel, const TracedScene &traced)
 {
     m_playhead->seek(traced.decidedAt(pixel.x(), pixel.y()));

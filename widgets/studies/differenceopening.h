@@ -14,8 +14,8 @@ class Playhead;
 class SceneFiles;
 struct TracedScene;
 
-/// Opens a scene that is in no file and goes to a pixel that differs from the truth when its run is
-/// there.
+/// Opens a scene that is in no file and, once it is traced, moves to a pixel that differs from the
+/// truth.
 class DifferenceOpening : public QObject {
     Q_OBJECT
 
@@ -23,13 +23,13 @@ public:
     DifferenceOpening(SceneFiles *files, Playhead *playhead, QObject *parent);
 
 public slots:
-    /// At the first pixel that differs.
+    /// Moves to the first pixel that differs.
     void open(const pixelplumb::Scene &scene);
-    /// At this one. False when the person keeps the scene that is there.
+    /// Moves to this pixel. False when the person keeps the current scene.
     bool openAt(const pixelplumb::Scene &scene, const QPoint &pixel);
 
 signals:
-    void pixelReached(const QPoint &pixel); ///< the run stands there
+    void pixelReached(const QPoint &pixel); ///< the playhead is there
 
 private:
     void arrive();
@@ -38,8 +38,8 @@ private:
 
     SceneFiles *m_files;
     Playhead *m_playhead;
-    std::optional<Scene> m_awaited; ///< its run is under way
-    std::optional<QPoint> m_pixel; ///< where to go in it; none: to the first difference
+    std::optional<Scene> m_awaited; ///< being traced
+    std::optional<QPoint> m_pixel; ///< to move to; none: the first difference
 };
 
 } // namespace pixelplumb

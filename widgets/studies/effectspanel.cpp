@@ -66,7 +66,7 @@ EffectsPanel::EffectsPanel(SceneDocument *document, EffectSwitches *switches, QW
     layout->addLayout(controls());
     layout->addWidget(m_table, 1);
     connect(document, &SceneDocument::sceneChanged, this, &EffectsPanel::forget);
-    connect(document, &SceneDocument::frameInHandChanged, this, &EffectsPanel::forget);
+    connect(document, &SceneDocument::currentFrameChanged, this, &EffectsPanel::forget);
     connect(switches, &EffectSwitches::changed, this, &EffectsPanel::forget);
     forget();
 }
@@ -94,7 +94,7 @@ void EffectsPanel::makeTable()
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(EffectReason, QHeaderView::Stretch);
-    // The reason beside the verdict, and all of it.
+    // All of the reason, next to the verdict.
     m_table->horizontalHeader()->moveSection(EffectReason, EffectSwitch);
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     for (const Effect effect : allEffects) {
@@ -123,7 +123,7 @@ void EffectsPanel::addSwitch(int row, Effect effect)
     auto *box = new QComboBox(m_table);
     box->setObjectName(objectNameOf(effect));
     box->setAccessibleName(tr("Switch of %1").arg(coreWord(nameOf(effect))));
-    box->addItems({tr("as called for"), tr("on"), tr("off")}); // the order of Forcing
+    box->addItems({tr("as called for"), tr("on"), tr("off")}); // in the order of Forcing
     m_table->setCellWidget(row, EffectSwitch, box);
     m_boxes[effect] = box;
     connect(box, &QComboBox::activated, this,
@@ -132,7 +132,7 @@ void EffectsPanel::addSwitch(int row, Effect effect)
 
 std::shared_ptr<const Scene> EffectsPanel::drawnScene() const
 {
-    return m_switches->applied(m_document->snapshotInHand());
+    return m_switches->applied(m_document->currentSnapshot());
 }
 
 void EffectsPanel::forget()
@@ -157,7 +157,7 @@ EffectsPanel::Finding EffectsPanel::findingOf(const Scene &scene)
     return finding;
 }
 
-/// A drag asks at each move: newer plans cancel the older.
+/// During a drag newer plans cancel older ones.
 void EffectsPanel::follow()
 {
     if (!isVisible() || !m_isStale)
@@ -206,7 +206,7 @@ void EffectsPanel::showPlan()
 
 void EffectsPanel::showTiming()
 {
-    // Before they are filled they would take the reasons' room.
+    // While empty they would take the reasons' room.
     for (const EffectColumn column : {EffectPerPixel, EffectOperations, EffectRatio})
         m_table->setColumnHidden(column, !m_timing);
     for (const Effect effect : allEffects) {
@@ -238,7 +238,7 @@ void EffectsPanel::measure()
     m_timing.reset();
     showTiming();
     m_measureJob.start(
-        [scene = m_document->snapshotInHand()](const ProgressListener &listener) {
+        [scene = m_document->currentSnapshot()](const ProgressListener &listener) {
             TimingOptions options;
             options.progress = listener;
             return timeEffects(*scene, options);

@@ -23,16 +23,16 @@ class SceneDocument;
 
 /// Which effects the document's scene calls for, why, and what each costs; a switch forces one on
 /// or off in the picture (objectName "effectsPanel", its table "effectsTable"). Plans and measures
-/// beside the GUI thread, and only while it is seen.
+/// in a worker thread, and only while visible.
 class EffectsPanel : public QWidget {
     Q_OBJECT
 
 public:
     EffectsPanel(SceneDocument *document, EffectSwitches *switches, QWidget *parent = nullptr);
 
-    /// Of the scene in hand; none while it is being made.
+    /// The current scene's plan; none while it is being made.
     const std::optional<EffectPlan> &plan() const { return m_plan; }
-    /// Nothing before the first measurement, after a cancelled one, and after a change.
+    /// None before the first measurement, after a cancelled one, and after a change.
     const std::optional<EffectTiming> &timing() const { return m_timing; }
 
     QSize sizeHint() const override { return {900, 400}; }
@@ -49,11 +49,11 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
-    /// What is found of a scene.
+    /// The findings for a scene.
     struct Finding {
         EffectPlan plan;
         QString objection; ///< why its method cannot draw it, after the method's name
-        std::shared_ptr<const DifferenceMap> changes; ///< where something is forced
+        std::shared_ptr<const DifferenceMap> changes; ///< null where nothing is forced
     };
     static Finding findingOf(const Scene &scene);
 

@@ -8,7 +8,7 @@
 #include <QLabel>
 #include <QPushButton>
 
-/// What stands above the table.
+/// The controls above the table.
 namespace pixelplumb {
 
 QBoxLayout *EffectsPanel::controls()
@@ -37,7 +37,7 @@ QBoxLayout *EffectsPanel::controls()
     return row;
 }
 
-/// What the scene itself asks for; the switch of antialiasing stands beside its verdict.
+/// The samples that the scene itself asks for; the switch of antialiasing is next to its verdict.
 void EffectsPanel::addSamples(QBoxLayout *row)
 {
     m_samples = new QComboBox(this);

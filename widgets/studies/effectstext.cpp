@@ -15,7 +15,7 @@ struct EffectsText {
     Q_DECLARE_TR_FUNCTIONS(pixelplumb::EffectsText)
 };
 
-/// Whether forcing it on keeps the picture where it is not called for.
+/// Whether forcing the effect on leaves the picture unchanged where it is not called for.
 bool isNeutral(Effect effect, const Appearance &appearance)
 {
     switch (effect) {
@@ -34,7 +34,7 @@ bool isNeutral(Effect effect, const Appearance &appearance)
     return false;
 }
 
-/// The only effect that is forced, of which alone a change can be told.
+/// The only forced effect; none where several are, since a change cannot then be attributed.
 std::optional<Effect> onlyForced(const EffectForcing &forced)
 {
     std::optional<Effect> only;

@@ -11,11 +11,11 @@ namespace pixelplumb {
 /// "● called for", "○ not called for", "? not ruled out".
 QString verdictText(Verdict verdict);
 
-/// What is forced and what that changes, in sentences; empty where nothing is. Says so where the
-/// picture and the verdict contradict each other.
+/// What is forced and what that changes, in sentences; empty where nothing is forced. Reports a
+/// contradiction between the picture and a verdict.
 QString forcingText(const EffectPlan &plan, const Appearance &appearance, std::int64_t changed);
 
-/// "1.24 (1.20 … 1.31)" times as long.
+/// How many times as long: "1.24 (1.20 … 1.31)".
 QString ratioText(const Spread &ratio);
 
 } // namespace pixelplumb

@@ -14,7 +14,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// None where it was cancelled, or memory ran out.
+/// None where grading was cancelled, or memory ran out.
 using Grading = std::optional<Result<std::optional<GradeReport>>>;
 
 } // namespace
@@ -120,7 +120,7 @@ void Gradebook::setAccepted(std::size_t submission, bool accepted)
 void Gradebook::take(const QString &results, GradeReport report)
 {
     emit settling();
-    // What was said while it was graded is newer than what was read.
+    // Reviews made during the grading are newer than those that were read.
     for (GradedSubmission &submission : report.submissions) {
         const auto before
             = std::ranges::find(m_report.submissions, submission.id, &GradedSubmission::id);
@@ -142,7 +142,7 @@ void Gradebook::saveReviews()
 {
     m_writing.start([this, results = m_results, report = m_report] {
         if (const auto error = writeReviews(results, report))
-            emit complaint(tr("What you said is not saved: %1").arg(error->message()));
+            emit complaint(tr("Your review is not saved: %1").arg(error->message()));
     });
     emit reviewed();
 }

@@ -11,9 +11,9 @@
 
 namespace pixelplumb {
 
-/// A folder of results in the hands of an assistant: read, graded and reported beside the GUI
-/// thread. What the assistant says is written as soon as it is said, beside it too; what is said
-/// last is written last, and before the book is gone.
+/// A folder of results that an assistant reviews: read, graded and reported in worker threads.
+/// Reviews are written in a worker thread as soon as they are made, in order, and all of them
+/// before the book is destroyed.
 class Gradebook : public QObject {
     Q_OBJECT
 
@@ -23,13 +23,13 @@ public:
     const QString &results() const { return m_results; } ///< empty before the first
     const GradeReport &report() const { return m_report; }
     const std::vector<GradeCluster> &clusters() const { return m_clusters; }
-    /// The place among the clusters of a submission.
+    /// The index of a submission's cluster.
     std::size_t clusterOf(std::size_t submission) const;
     const Job &job() const { return m_job; }
 
 public slots:
     void open(const QString &results);
-    /// Goes on where an earlier run stopped; comments stay.
+    /// Grades, continuing where an earlier run stopped; comments stay.
     void grade(const QString &submissions, const QString &assignmentFile, const QString &results);
     void writeReports(); ///< for Gradescope and others, with the comments
     void cancel();
@@ -37,9 +37,9 @@ public slots:
     void setAccepted(std::size_t submission, bool accepted);
 
 signals:
-    void settling(); ///< what is being said must be told now
+    void settling(); ///< unsaved input must be handed over now
     void opened(); ///< another report
-    void reviewed(); ///< what is said of some submission is another
+    void reviewed(); ///< the review of some submission changed
     void complaint(const QString &text);
     void notice(const QString &text);
 
@@ -52,7 +52,7 @@ private:
     std::vector<GradeCluster> m_clusters;
     std::vector<std::size_t> m_clusterOf; ///< by submission
     Job m_job;
-    QThreadPool m_writing; ///< of one thread: in the order of saving; waits for all at its end
+    QThreadPool m_writing; ///< one thread: saves in order; its destructor waits for all
 };
 
 } // namespace pixelplumb

@@ -19,7 +19,7 @@ public:
     QString submissions() const;
     QString assignment() const;
     QString results() const;
-    /// As a person may type them.
+    /// Fills in the paths as if typed.
     void setPaths(const QString &submissions, const QString &assignment, const QString &results);
 
 private:

@@ -5,7 +5,7 @@
 
 namespace pixelplumb {
 
-/// The submissions of a cluster in which every word stands somewhere.
+/// Filters the submissions of a cluster by words: each word must occur somewhere in the row.
 class GradeFilter : public QSortFilterProxyModel {
     Q_OBJECT
 

@@ -47,7 +47,7 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
     m_comment->setTabChangesFocus(true);
     const int line = fontMetrics().lineSpacing();
     m_comment->setMinimumHeight(3 * line);
-    auto *told = new QScrollArea(this); // the words of a fault or of many scenes are long
+    auto *told = new QScrollArea(this); // texts of a fault or of many scenes are long
     told->setFrameShape(QFrame::NoFrame);
     told->setWidgetResizable(true);
     told->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -66,7 +66,7 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
     m_accept->setCheckable(true);
     m_forCluster = namedButton("gradingCommentCluster", tr("For this cause"),
                                tr("Give every submission of the same cause this comment"), this);
-    auto *row = new QHBoxLayout; // one alone: a low window's lines are for what is told and said
+    auto *row = new QHBoxLayout; // a single row: a low window's lines are for the texts
     row->setSpacing(4);
     row->addWidget(m_scene, 1);
     row->addWidget(m_accept);
@@ -146,7 +146,7 @@ void GradeReviewPane::commentCluster()
 
 void GradeReviewPane::showReport()
 {
-    m_shown.reset(); // it was of another report, and is saved
+    m_shown.reset(); // it belonged to another report, and is saved
     m_scene->clear();
     for (const AssignedScene &scene : m_book->report().assignment.scenes)
         m_scene->addItem(scene.name);
@@ -163,11 +163,11 @@ void GradeReviewPane::showReview()
     if (!submission)
         return;
     GradedSubmission told = *submission;
-    told.review.comment.clear(); // which stands in the field below
+    told.review.comment.clear(); // shown in the field below
     m_sentences->setText(sentencesFor(told, report.assignment.hint).join(u'\n'));
 }
 
-/// Of what is right nothing is to be explained.
+/// A right submission needs no explanation.
 void GradeReviewPane::showCauses()
 {
     const GradedSubmission *submission

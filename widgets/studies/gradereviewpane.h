@@ -16,8 +16,8 @@ class ElidedLabel;
 class Gradebook;
 struct GradedPicture;
 
-/// What explains one student's pictures, what the student is told, and what the assistant says to
-/// it. A comment is saved as soon as the field is left, for the table, another submission or
+/// The explanation of one student's pictures, what the student is told, and the assistant's
+/// comment. The comment is saved as soon as the field is left, for the table, another submission or
 /// another folder.
 class GradeReviewPane : public QWidget {
     Q_OBJECT
@@ -26,11 +26,11 @@ public:
     explicit GradeReviewPane(Gradebook *book, QWidget *parent = nullptr);
     ~GradeReviewPane() override;
 
-    /// The one in hand, by its place in the report; none: no one.
+    /// The current submission, by its index in the report; none: nobody's.
     void setSubmission(const std::optional<std::size_t> &place);
     const std::optional<std::size_t> &submission() const { return m_shown; }
     void beginComment();
-    /// The picture of the chosen scene; none where nobody is in hand.
+    /// The picture of the chosen scene; none without a current submission.
     std::optional<GradedPicture> picture() const;
 
 public slots:

@@ -13,8 +13,8 @@ namespace pixelplumb {
 namespace {
 
 // Logical pixels.
-constexpr int leastForComments = 120; ///< that they are worth their column
-constexpr int leastForVerdicts = 400; ///< of the table, that they are whole
+constexpr int leastForComments = 120; ///< below this, comments are not worth a column
+constexpr int leastForVerdicts = 400; ///< table width below which verdicts are elided
 
 } // namespace
 
@@ -53,9 +53,9 @@ void GradeTable::moveBy(int rows)
     emit moved();
 }
 
-/// The defects have the room that they need before comments, which a narrow table goes without: the
-/// one in hand stands beside it. Where there is not enough for the defects either, words of the
-/// verdict and a long name, but for a third, give way to them.
+/// Gives the defects the width they need, before comments, which a narrow table drops: the current
+/// one is shown beside it. If that is not enough, the verdict's words and long names, down to a
+/// third, give way.
 void GradeTable::fitColumns()
 {
     QHeaderView *header = horizontalHeader();

@@ -7,23 +7,24 @@
 
 namespace pixelplumb {
 
-/// The submissions of a graded folder, a row each, for the keys of an assistant. One row is
-/// selected or none; a table that takes the focus has a current row, but nobody chose it.
+/// The submissions of a graded folder, a row each, for an assistant's keys. One row is selected or
+/// none; a table that gets the focus has a current row, but nobody chose it.
 class GradeTable : public QTableView {
     Q_OBJECT
 
 public:
-    /// Of a model with GradeTableModel's columns.
+    /// `model`: with GradeTableModel's columns.
     explicit GradeTable(QAbstractItemModel *model, QWidget *parent = nullptr);
 
     std::optional<int> chosenRow() const;
-    /// Chooses the row so many below the chosen one, at most the last; where none is, the first.
+    /// Selects the row `rows` below the selected one, at most the last; the first where none is
+    /// selected.
     void moveBy(int rows);
-    /// What is longer than its column is in its tool tip.
+    /// Text longer than its column is in the tool tip.
     void fitColumns();
 
 signals:
-    void moved(); ///< by a key, if only to where it was
+    void moved(); ///< by a key, even to the same row
     void acceptAsked();
     void commentAsked();
 

@@ -7,17 +7,17 @@ namespace pixelplumb {
 
 class Gradebook;
 
-/// A row a submission, in the report's order.
+/// A row per submission, in the report's order.
 class GradeTableModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    /// State shows a tick alone, so that the table fits beside the comment; its tool tip and what a
-    /// screen reader says have the word.
+    /// State shows only a tick, so that the table fits beside the comment; its tool tip and
+    /// accessible text have the word.
     enum Column { Name, Points, Verdict, Cause, State, Comment, ColumnCount };
     enum Role {
-        SortRole = Qt::UserRole, ///< numbers by their size
-        ClusterRole, ///< its place among the clusters
+        SortRole = Qt::UserRole, ///< numbers by value
+        ClusterRole, ///< index of its cluster
     };
 
     explicit GradeTableModel(const Gradebook *book, QObject *parent = nullptr);

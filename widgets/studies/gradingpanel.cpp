@@ -48,7 +48,7 @@ GradingPanel::GradingPanel(QWidget *parent)
     connect(m_review, &GradeReviewPane::left, m_table, qOverload<>(&QWidget::setFocus));
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             [this] { m_taking.start(); });
-    m_taking.setSingleShot(true); // what moves the selection is done before a picture is opened
+    m_taking.setSingleShot(true); // after whatever moves the selection, before a picture is opened
     m_taking.setInterval(0);
     connect(&m_taking, &QTimer::timeout, this, &GradingPanel::takeChosen);
     connect(&m_book->job(), &Job::started, this, &GradingPanel::followJob);
@@ -63,7 +63,7 @@ GradingPanel::GradingPanel(QWidget *parent)
 
 GradingPanel::~GradingPanel()
 {
-    delete m_review; // which saves what is being typed, as long as the book is there
+    delete m_review; // saves what is being typed, while the book exists
 }
 
 QSize GradingPanel::sizeHint() const
@@ -86,10 +86,10 @@ void GradingPanel::addFiles(QBoxLayout *layout)
     m_progress->setMaximumWidth(160);
     m_cancel = namedButton("gradingCancel", tr("Cancel"), tr("Stop; what is graded stays"), this);
     m_words = named(new QLineEdit(this), "gradingFilter",
-                    tr("Show the submissions in which these words stand"));
+                    tr("Show the submissions that contain these words"));
     m_words->setPlaceholderText(tr("filter"));
     m_words->setClearButtonEnabled(true);
-    m_words->setMinimumWidth(72); // the word that it holds while it is empty
+    m_words->setMinimumWidth(72); // fits the placeholder
     m_words->setMaximumWidth(160);
     m_cluster = named(new QComboBox(this), "gradingClusters", tr("Show one cause's submissions"));
     m_cluster->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -177,7 +177,7 @@ void GradingPanel::showReport()
     showSummary();
     updateGeometry();
     emit neededHeightChanged();
-    emit closeRequested(); // it is of the report before
+    emit closeRequested(); // it belongs to the previous report
 }
 
 std::optional<std::size_t> GradingPanel::chosen() const
@@ -190,7 +190,7 @@ std::optional<std::size_t> GradingPanel::chosen() const
 void GradingPanel::showSummary()
 {
     const GradeReport &report = m_book->report();
-    m_review->setVisible(!m_book->results().isEmpty()); // else there is nothing to say of anyone
+    m_review->setVisible(!m_book->results().isEmpty()); // else there is nobody to review
     const QStringList lacks = sandboxLacks(report);
     m_confinement->setVisible(!lacks.isEmpty());
     m_confinement->setWholeText(tr("No sandbox (%1): programs could use the network, read and "
@@ -211,8 +211,8 @@ void GradingPanel::showSummary()
                        escapedControls(report.assignment.name)));
 }
 
-/// The view would select the neighbour of a row that is filtered away; who looks for a name has not
-/// chosen that one.
+/// Narrows the table. The view would select the neighbour of a row that is filtered out, which
+/// nobody has chosen.
 template <class Change>
 void GradingPanel::narrow(const Change &change)
 {
@@ -237,18 +237,18 @@ void GradingPanel::takeChosen()
     if (!chosen())
         emit closeRequested();
     else
-        openInHand();
+        openCurrent();
 }
 
 void GradingPanel::openChosen()
 {
     if (chosen() == m_review->submission())
-        openInHand();
+        openCurrent();
     else
         takeChosen();
 }
 
-void GradingPanel::openInHand()
+void GradingPanel::openCurrent()
 {
     if (const auto picture = m_review->picture())
         emit openRequested(*picture);

@@ -24,8 +24,8 @@ class GradeTable;
 class GradeTableModel;
 
 /// The assistant's bench: the submissions of a graded folder as a table, by cause, with what each
-/// student is told; reviewed by keys. A chosen submission opens beside what was expected: the row
-/// that is selected, what is told and said, and the picture on show are always one student's.
+/// student is told; reviewed by keys. A selected submission opens beside what was expected: the
+/// selected row, its texts and the displayed picture always belong to the same student.
 class GradingPanel : public QWidget {
     Q_OBJECT
 
@@ -34,16 +34,16 @@ public:
     ~GradingPanel() override;
 
     Gradebook *book() const { return m_book; }
-    QSize sizeHint() const override; ///< low as long as there is nobody to show
+    QSize sizeHint() const override; ///< low while there is nobody to show
 
 public slots:
     void openResults(); ///< asks for the folder
     void gradeFolder(); ///< asks what
-    void putDown(); ///< nobody's picture is on show: nobody is in hand
+    void putDown(); ///< deselects: no picture is displayed
 
 signals:
     void openRequested(const pixelplumb::GradedPicture &picture);
-    void closeRequested(); ///< nobody is in hand
+    void closeRequested(); ///< no submission is current
     void neededHeightChanged();
 
 private:
@@ -54,10 +54,10 @@ private:
     void showSummary();
     void takeChosen();
     void openChosen();
-    void openInHand();
+    void openCurrent();
     template <class Change>
     void narrow(const Change &change);
-    std::optional<std::size_t> chosen() const; ///< the place of the submission in the report
+    std::optional<std::size_t> chosen() const; ///< the submission's index in the report
 
     Gradebook *m_book;
     GradeTableModel *m_model;
@@ -71,7 +71,7 @@ private:
     GradeTable *m_table = nullptr;
     ElidedLabel *m_confinement = nullptr;
     ElidedLabel *m_summary = nullptr;
-    QTimer m_taking; ///< runs while another row is selected than the one in hand
+    QTimer m_taking; ///< runs while the selected row is not the current submission yet
 };
 
 } // namespace pixelplumb

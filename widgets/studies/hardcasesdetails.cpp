@@ -20,7 +20,7 @@ namespace pixelplumb {
 namespace {
 
 constexpr QSize largestPicture(364, 120);
-constexpr int leastReadingHeight = 64; ///< logical pixels; the rest is scrolled to
+constexpr int leastReadingHeight = 64; ///< logical pixels; the rest scrolls
 
 std::vector<Contender> contendersOf(const Method &method)
 {
@@ -73,7 +73,7 @@ QPushButton *HardCasesDetails::makeButton(const char *name, const QString &text,
     return button;
 }
 
-/// What is read of a case: as wide as the panel is, and scrolled where it is higher.
+/// The readable part of a case: as wide as the panel; scrolls where it is higher.
 void HardCasesDetails::addReading()
 {
     m_picture = makeButton("hardCasePicture", {},
@@ -120,7 +120,7 @@ void HardCasesDetails::addReading()
     });
 }
 
-/// Below what is scrolled, so that they are always in sight.
+/// Adds the buttons below the scroll area, so that they are always visible.
 void HardCasesDetails::addButtons()
 {
     m_open = makeButton("hardCaseOpen", tr("Open"),
@@ -189,7 +189,7 @@ void HardCasesDetails::showPicture()
     m_picture->setFixedHeight(size.height() + 8);
     m_picture->setIcon(sideBySide(m_shown, size, palette(), devicePixelRatioF()));
     m_caption->setText(m_shown.drawn.isNull()
-                           ? tr("Being drawn by the method in hand.")
+                           ? tr("Being drawn by the current method.")
                            : tr("Left: %1, %2. Right: the truth.")
                                  .arg(m_shown.contender.name(), m_shown.verdict()));
 }

@@ -19,7 +19,7 @@ namespace pixelplumb {
 class HardCasesVerdicts;
 
 /// One hard case: its two pictures, what it stresses, why it goes wrong, and how every method does
-/// at it. The methods are put to the test one by one beside the GUI thread; verdicts are kept.
+/// on it. Methods are tested one by one in a worker thread; verdicts are cached.
 class HardCasesDetails : public QWidget {
     Q_OBJECT
 
@@ -27,13 +27,13 @@ public:
     explicit HardCasesDetails(QWidget *parent = nullptr);
     ~HardCasesDetails() override;
 
-    /// picture: null while it is being drawn.
+    /// `picture`: null while it is being drawn.
     void show(const GalleryCase &chosen, const Method &method, const ScanSettings &settings,
               const HardCasePicture *picture);
     void tell(const QString &text); ///< instead of a case
-    void open(); ///< the case that is shown, at the first pixel that differs
+    void open(); ///< the shown case, at the first pixel that differs
     bool isChecking() const { return m_job.isRunning(); }
-    /// Of the case that is shown; as many as are known.
+    /// The verdicts on the shown case known so far.
     const std::vector<ContenderVerdict> &verdicts() const;
 
 signals:
@@ -47,7 +47,7 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    /// Verdicts of one case, method by method in the order of the table of methods.
+    /// The verdicts on one case, in the order of the table of methods.
     struct Verdicts {
         std::vector<ContenderVerdict> all;
         std::size_t methodsDone = 0;
@@ -62,7 +62,7 @@ private:
     void showVerdicts();
     void compare();
 
-    QScrollArea *m_reading = nullptr; ///< all but the title and the buttons
+    QScrollArea *m_reading = nullptr; ///< everything but the title and the buttons
     QLabel *m_title = nullptr;
     QPushButton *m_picture = nullptr;
     QLabel *m_caption = nullptr;
@@ -78,7 +78,7 @@ private:
     ScanSettings m_settings;
     HardCasePicture m_shown;
     bool m_isCancelled = false;
-    QString m_checking; ///< the case of the job under way
+    QString m_checking; ///< the running job's case
     std::map<QString, Verdicts> m_verdicts; ///< by case
     Job m_job;
 };

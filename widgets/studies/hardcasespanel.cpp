@@ -37,7 +37,7 @@ HardCasesPanel::HardCasesPanel(Playhead *playhead, QWidget *parent)
     m_tree = new QTreeWidget(this);
     m_tree->setObjectName(QStringLiteral("hardCasesTree"));
     m_tree->setAccessibleName(tr("Hard cases by family"));
-    m_tree->setHeaderLabels({tr("method in hand | truth"), tr("case")});
+    m_tree->setHeaderLabels({tr("current method | truth"), tr("case")});
     m_tree->setIconSize(thumbSize);
     m_tree->setRootIsDecorated(true);
     m_tree->setIndentation(12);
@@ -56,7 +56,7 @@ HardCasesPanel::HardCasesPanel(Playhead *playhead, QWidget *parent)
     layout->addWidget(splitter);
 
     connect(m_tree, &QTreeWidget::currentItemChanged, this, &HardCasesPanel::showChosen);
-    // A double click, or Enter.
+    // A double click or Enter.
     connect(m_tree, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem *item) {
         if (item->parent())
             m_details->open();
@@ -177,7 +177,7 @@ void HardCasesPanel::drawNext()
     std::size_t next = 0;
     while (next < m_cases.size() && pictures.contains(next))
         ++next;
-    // The chosen one is looked at: it goes first.
+    // The chosen case, which is being looked at, comes first.
     const QTreeWidgetItem *current = m_tree->currentItem();
     if (current && current->parent()) {
         const auto chosen = std::size_t(current->data(0, Qt::UserRole).toInt());

@@ -19,9 +19,9 @@ namespace pixelplumb {
 class HardCasesDetails;
 class Playhead;
 
-/// The gallery of hard cases, by family: each with its picture by the method in hand beside the
-/// truth, and whether the method is right. Drawn one by one beside the GUI thread while the panel
-/// can be seen, and kept.
+/// The gallery of hard cases, by family: each with its picture by the current method beside the
+/// truth, and whether the method is right. Pictures are drawn one by one in a worker thread while
+/// the panel is visible, and cached.
 class HardCasesPanel : public QWidget {
     Q_OBJECT
 
@@ -30,9 +30,9 @@ public:
     ~HardCasesPanel() override;
 
     const std::vector<GalleryCase> &cases() const { return m_cases; }
-    /// Reads them, which is done at first sight else.
+    /// Reads the cases, which otherwise happens when the panel is first shown.
     void load();
-    /// Pictures of the method in hand that are still to be drawn.
+    /// Pictures of the current method still to be drawn.
     int picturesLeft() const;
     /// Chooses a case; false when there is none of that name.
     bool choose(const QString &id);
@@ -61,7 +61,7 @@ private:
     HardCasesDetails *m_details = nullptr;
     std::vector<GalleryCase> m_cases;
     std::vector<QTreeWidgetItem *> m_items; ///< by case
-    const Method *m_method = nullptr; ///< in hand
+    const Method *m_method = nullptr; ///< the current one
     ScanSettings m_settings;
     /// By method, arithmetic, rule and rounding, then by case.
     std::map<QString, std::map<std::size_t, HardCasePicture>> m_pictures;

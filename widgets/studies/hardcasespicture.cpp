@@ -25,7 +25,7 @@ Difference differenceAt(const WrittenFrame &drawn, const WrittenFrame &truth, st
     return *drawn.view().at(x, y) == *truth.view().at(x, y) ? Difference::None : Difference::Colour;
 }
 
-/// What a crop should show in its middle.
+/// Finds what a crop should show in its middle.
 class Focus {
 public:
     void see(std::int64_t x, std::int64_t y, Difference kind, bool isCovered)
@@ -58,7 +58,7 @@ public:
 
 private:
     std::optional<QPoint> m_coverage, m_colour;
-    QPointF m_sum; ///< of the covered ones
+    QPointF m_sum; ///< of the covered pixels
     std::vector<QPoint> m_covered;
 };
 
@@ -77,7 +77,7 @@ QImage crop(const WrittenFrame &written, const FrameSpec &frame, const QRect &pa
     return picture;
 }
 
-/// In the pixels of a part of the frame, from its upper left.
+/// The edges in pixels of a part of the frame, from its upper left.
 std::vector<QLineF> edgesOf(const Primitives &primitives, const QRect &part)
 {
     const auto placed = [&part](const LatticePoint &point) {
@@ -93,7 +93,7 @@ std::vector<QLineF> edgesOf(const Primitives &primitives, const QRect &part)
     return edges;
 }
 
-/// Over a picture that is enlarged into a rectangle.
+/// Paints edges over a picture that is enlarged into a rectangle.
 void paintEdges(QPainter &painter, const std::vector<QLineF> &edges, const QRect &place, int cell,
                 const QPalette &palette)
 {

@@ -12,15 +12,16 @@
 namespace pixelplumb {
 
 /// A part of a hard case as a method draws it and as it truly is, around the first pixel that
-/// differs, else around the drawn one that is nearest to the middle of all.
+/// differs, else around the drawn pixel nearest to the middle of all.
 struct HardCasePicture {
-    Contender contender; ///< who drew it: the method in hand, or the first that draws the case
-    QImage drawn, truth; ///< a pixel a frame pixel
-    /// The cells of the first one that differ, from its upper left.
+    Contender contender; ///< who drew it: the current method, or the first that can draw the case
+    QImage drawn, truth; ///< one pixel per frame pixel
+    /// The cells of `drawn` that differ, from its upper left.
     std::vector<std::pair<QPoint, Difference>> marks;
-    /// Of triangles, in the pictures' pixels from their upper left; they may reach far beyond.
+    /// Edges of triangles, in the pictures' pixels from their upper left; they may reach far
+    /// beyond.
     std::vector<QLineF> edges;
-    QPoint firstPixel; ///< (x, y) of the lower left one
+    QPoint firstPixel; ///< (x, y) of the lower left pixel
     std::int64_t missing = 0, extra = 0, otherColour = 0; ///< of the whole canvas
 
     bool isRight() const { return missing == 0 && extra == 0 && otherColour == 0; }
@@ -31,8 +32,8 @@ struct HardCasePicture {
 HardCasePicture pictureOf(const HardCase &hardCase, const Method &method,
                           const ScanSettings &settings);
 
-/// Both pictures side by side, enlarged by whole numbers to fit, with the differing pixels of the
-/// first one marked, and the true edges where pixels are large enough to be seen beside them.
+/// Both pictures side by side, enlarged by whole numbers to fit, with the differing pixels marked
+/// in the first, and the true edges where the pixels are large enough.
 QPixmap sideBySide(const HardCasePicture &picture, const QSize &size, const QPalette &palette,
                    double devicePixelRatio);
 

@@ -7,15 +7,15 @@
 
 namespace pixelplumb {
 
-/// How every method does at a hard case: a row a method, a column an arithmetic, over all fill
-/// rules that the case has facts for.
+/// How every method does on a hard case: a row per method, a column per arithmetic, over all fill
+/// rules for which the case has facts.
 class HardCasesVerdicts : public QTableWidget {
     Q_OBJECT
 
 public:
     explicit HardCasesVerdicts(QWidget *parent = nullptr);
 
-    /// In the order of the table of methods.
+    /// `verdicts`: in the order of the table of methods.
     void show(const std::vector<ContenderVerdict> &verdicts);
 };
 

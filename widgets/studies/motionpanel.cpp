@@ -45,9 +45,9 @@ MotionPanel::MotionPanel(SceneDocument *document, QWidget *parent)
     , m_move(namedPart(new QPushButton(tr("Move"), this), "motionSet", tr("Let the scene move")))
     , m_stop(namedPart(new QPushButton(tr("Stand still"), this), "motionEnd",
                        tr("Let the scene stand still")))
-    , m_slider(namedPart(new QSlider(Qt::Horizontal, this), "motionSlider", tr("Frame in hand")))
+    , m_slider(namedPart(new QSlider(Qt::Horizontal, this), "motionSlider", tr("Current frame")))
     , m_play(namedPart(new QToolButton(this), "motionPlay", tr("Play the motion")))
-    , m_position(namedPart(new QLabel(this), "motionPosition", tr("Frame in hand")))
+    , m_position(namedPart(new QLabel(this), "motionPosition", tr("Current frame")))
     , m_summary(namedPart(new QLabel(this), "motionSummary", tr("What flickers")))
     , m_view(new MotionView(this))
     , m_table(namedPart(new QTableWidget(this), "motionTable", tr("Pixels frame by frame")))
@@ -72,8 +72,8 @@ MotionPanel::MotionPanel(SceneDocument *document, QWidget *parent)
         m_slider->setValue(m_slider->value() < m_slider->maximum() ? m_slider->value() + 1 : 0);
     });
     connect(document, &SceneDocument::sceneChanged, this, &MotionPanel::followScene);
-    connect(document, &SceneDocument::frameInHandChanged, this,
-            [this] { m_slider->setValue(m_document->frameInHand()); });
+    connect(document, &SceneDocument::currentFrameChanged, this,
+            [this] { m_slider->setValue(m_document->currentFrame()); });
     followScene();
 }
 
@@ -124,7 +124,7 @@ QBoxLayout *MotionPanel::playRow()
     row->addWidget(m_slider, 1);
     row->addWidget(m_position);
     connect(m_play, &QToolButton::toggled, this, &MotionPanel::play);
-    connect(m_slider, &QSlider::valueChanged, m_document, &SceneDocument::setFrameInHand);
+    connect(m_slider, &QSlider::valueChanged, m_document, &SceneDocument::setCurrentFrame);
     connect(m_slider, &QSlider::valueChanged, this, &MotionPanel::showFrame);
     return row;
 }
@@ -146,7 +146,7 @@ void MotionPanel::makeTable()
             [this](int row) { m_slider->setValue(std::max(row, 0)); });
 }
 
-/// The picture takes the room that is left.
+/// Fits the table to its columns; the picture gets the remaining width.
 void MotionPanel::showAllColumns()
 {
     int width = m_table->verticalHeader()->sizeHint().width()
@@ -154,7 +154,7 @@ void MotionPanel::showAllColumns()
     for (int column = 0; column < m_table->columnCount(); ++column)
         width += std::max(m_table->horizontalHeader()->sectionSizeHint(column),
                           static_cast<QAbstractItemView *>(m_table)->sizeHintForColumn(column));
-    m_table->setFixedWidth(width + 4); // px: what styles keep about a bar
+    m_table->setFixedWidth(width + 4); // px: the styles' margin around a scroll bar
 }
 
 void MotionPanel::play(bool isPlaying)
@@ -192,11 +192,11 @@ void MotionPanel::followScene()
     m_stop->setEnabled(motion.has_value());
     m_play->setEnabled(motion.has_value());
     m_slider->setEnabled(motion.has_value());
-    m_slider->setValue(m_document->frameInHand()); // before a new end moves it
+    m_slider->setValue(m_document->currentFrame()); // before a new end moves it
     m_slider->setMaximum(motion ? motion->frames - 1 : 0);
     for (QWidget *each :
          std::initializer_list<QWidget *>{m_view, m_table, m_slider, m_play, m_position})
-        each->setVisible(motion.has_value()); // of a scene that stands there is nothing to see
+        each->setVisible(motion.has_value()); // a still scene has nothing to show
     updateGeometry();
     emit neededHeightChanged();
     count();
@@ -223,7 +223,7 @@ void MotionPanel::count()
     const auto scene = m_document->snapshot();
     m_objection = scene->motion ? objectionTo(*scene) : QString();
     {
-        const QSignalBlocker blocker(m_table); // the frame in hand stays
+        const QSignalBlocker blocker(m_table); // the current frame stays
         m_table->setRowCount(0);
     }
     showFrame();
@@ -270,7 +270,7 @@ void MotionPanel::tell()
     else if (!m_study)
         text = tr("The frames are being drawn.");
     else
-        text = tr("Over %1 frames pixels toggle %2; exactly, %3.")
+        text = tr("Over %1 frames pixels toggle %2; in the truth, %3.")
                    .arg(m_study->frames.size())
                    .arg(timesText(m_study->toggled()), timesText(m_study->truthToggled()));
     m_summary->setText(text);

@@ -22,16 +22,16 @@ namespace pixelplumb {
 class SceneDocument;
 
 /// Moving slivers: lets the document's scene move, plays it, and counts what flickers: the pixels
-/// of each frame and those that come or go, beside the truth (objectName "motion", its table
-/// "motionTable"). Draws beside the GUI thread, and only while it is seen. The frame of its slider
-/// is the document's frame in hand, which the window traces and shows.
+/// of each frame and those that come or go, compared with the truth (objectName "motion", its table
+/// "motionTable"). Draws in a worker thread, and only while visible. The slider sets the document's
+/// current frame, which the window traces and shows.
 class MotionPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit MotionPanel(SceneDocument *document, QWidget *parent = nullptr);
 
-    /// Of the scene in hand; none while it is being counted, and of one that stands.
+    /// The current scene's study; none while it is being counted, and for a still scene.
     const std::optional<MotionStudy> &study() const { return m_study; }
 
     QSize sizeHint() const override;
@@ -67,10 +67,10 @@ private:
     MotionView *m_view;
     QTableWidget *m_table;
     std::optional<MotionStudy> m_study;
-    bool m_isStale = true; ///< the scene in hand is not counted
+    bool m_isStale = true; ///< the current scene is not counted
     QString m_objection; ///< why the method cannot draw the scene that was counted last
     Job m_counting, m_drawing;
-    QTimer m_clock; ///< runs while the motion is played
+    QTimer m_clock; ///< runs while the motion plays
 };
 
 } // namespace pixelplumb

@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// In pixels of the picture, from its top left corner.
+/// The triangle's outline in pixels of the picture, from its top left corner.
 QPolygonF outlineOf(const Triangle &triangle, const FrameSpec &frame)
 {
     const double offset = double(sampleOffset(frame)) / unitsPerPixel;

@@ -10,7 +10,7 @@ namespace pixelplumb {
 
 struct Scene;
 
-/// A frame's picture with places in it, px from its top left corner.
+/// A frame's picture with marked places, px from its top left corner.
 struct MotionPicture {
     QImage image;
     std::vector<QPoint> toggled; ///< came or went since the frame before
@@ -18,8 +18,8 @@ struct MotionPicture {
     std::vector<QPolygonF> outlines; ///< of the triangles
 };
 
-/// Of a scene that moves, at a frame of its motion. What is painted is what has not the
-/// background's colour.
+/// The picture of a moving scene at a frame of its motion. A pixel is painted if it does not have
+/// the background's colour.
 MotionPicture motionPicture(const Scene &scene, int frame);
 
 } // namespace pixelplumb

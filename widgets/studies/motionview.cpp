@@ -12,9 +12,9 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr double leastMarkedCell = 3; // logical pixels: in a smaller one a frame would hide it
-constexpr double leastSignCell = 7; // logical pixels: in a smaller one a glyph is a blot
-constexpr QColor outlineColour(150, 150, 150); // told from a black and from a white ground
+constexpr double leastMarkedCell = 3; // logical pixels: a frame would hide a smaller one
+constexpr double leastSignCell = 7; // logical pixels: a smaller glyph is a blot
+constexpr QColor outlineColour(150, 150, 150); // visible on black and on white
 
 } // namespace
 
@@ -22,7 +22,7 @@ MotionView::MotionView(QWidget *parent)
     : QWidget(parent)
 {
     setObjectName(QStringLiteral("motionView"));
-    setAccessibleName(tr("The frame in hand"));
+    setAccessibleName(tr("The current frame"));
 }
 
 void MotionView::setPicture(const MotionPicture &picture)

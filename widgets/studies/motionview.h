@@ -9,9 +9,9 @@ class QPainter;
 
 namespace pixelplumb {
 
-/// One frame of a motion, as large as it fits in whole cells, under the outlines of its triangles;
-/// pixels that came or went since the frame before have a frame of their own, and those that the
-/// truth has beside it a `?` (objectName "motionView").
+/// One frame of a motion, as large as it fits in whole cells, under the outlines of its triangles.
+/// Pixels that came or went since the previous frame have a frame of their own; pixels that only
+/// the truth paints have a `?` (objectName "motionView").
 class MotionView : public QWidget {
     Q_OBJECT
 

@@ -69,7 +69,7 @@ void OperationPanel::forget()
     count();
 }
 
-/// A drag asks for a count at each move: newer ones cancel the older.
+/// During a drag newer counts cancel older ones.
 void OperationPanel::count()
 {
     if (!isVisible() || !m_isStale)

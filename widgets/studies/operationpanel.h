@@ -13,16 +13,16 @@ namespace pixelplumb {
 
 class Playhead;
 
-/// The résumé of the method and arithmetic in hand on the playhead's scene: how many divisions,
-/// roundings, additions and so on a set-up, a span and a sample take (objectName "operations", its
-/// table "operationTable"). Counts beside the GUI thread, and only while it is seen.
+/// How many divisions, roundings, additions and so on the current method and arithmetic need on the
+/// playhead's scene for a set-up, a span and a sample (objectName "operations", its table
+/// "operationTable"). Counts in a worker thread, and only while visible.
 class OperationPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit OperationPanel(Playhead *playhead, QWidget *parent = nullptr);
 
-    /// Of the scene in hand; none while they are being counted or cannot be.
+    /// The current scene's counts; none while they are being counted or cannot be.
     const std::optional<OperationCounts> &counts() const { return m_counts; }
 
     QSize sizeHint() const override { return {460, 320}; }

@@ -47,7 +47,7 @@ PerformancePanel::PerformancePanel(Playhead *playhead, QWidget *parent)
     setAccessibleName(tr("Performance"));
     auto *scroll = new QScrollArea(this);
     scroll->setAccessibleName(tr("Measurement"));
-    scroll->setFocusPolicy(Qt::NoFocus); // what stands in it takes the focus
+    scroll->setFocusPolicy(Qt::NoFocus); // its contents take the focus
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -15,9 +15,9 @@ namespace pixelplumb {
 
 class Playhead;
 
-/// What drawing the playhead's scene takes by the plain and by the fast kernels, and which of these
-/// took which triangles and why (objectName "performance"). Measures beside the GUI thread, when
-/// asked to.
+/// What drawing the playhead's scene costs with the plain and with the fast kernels, and which fast
+/// kernel took which triangles and why (objectName "performance"). Measures in a worker thread, on
+/// request.
 class PerformancePanel : public QWidget {
     Q_OBJECT
 
@@ -26,8 +26,7 @@ public:
     ~PerformancePanel() override;
 
     bool isRunning() const { return m_job.isRunning(); }
-    /// Nothing before the first measurement, after a cancelled one, and after a change of the
-    /// scene.
+    /// None before the first measurement, after a cancelled one, and after a change of the scene.
     const std::optional<SceneTiming> &timing() const { return m_timing; }
 
     QSize sizeHint() const override { return {460, 560}; }

@@ -16,7 +16,7 @@ struct PerformanceText {
     Q_DECLARE_TR_FUNCTIONS(pixelplumb::PerformanceText)
 };
 
-/// Three digits, groups of thousands.
+/// A number with three digits, in groups of thousands.
 QString rounded(double value)
 {
     if (!(value > 0))

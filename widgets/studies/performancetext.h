@@ -8,7 +8,7 @@
 
 namespace pixelplumb {
 
-/// The measurement for the eye, as tables in HTML: numbers to the right, in few digits.
+/// The measurement as HTML tables: numbers right-aligned, with few digits.
 QString timesHtml(const SceneTiming &timing);
 /// Which kernel took how many of the triangles, and why.
 QString routesHtml(const FastReport &report, const QPalette &palette);

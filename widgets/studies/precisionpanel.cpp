@@ -17,7 +17,8 @@ namespace pixelplumb {
 
 namespace {
 
-/// The spans up to a place; none without one. A triangle's places ascend, or they descend.
+/// Keeps the spans up to a place; none without a place. A triangle's places either ascend or
+/// descend.
 void keepUpTo(const std::optional<SpanPlace> &place, BoundErrors &errors)
 {
     const auto coordinate = [](const BoundError &error) { return error.place.coordinate; };
@@ -103,7 +104,7 @@ void PrecisionPanel::restart()
         take({});
         return;
     }
-    const std::optional<TraceStep> step = m_playhead->stepInHand();
+    const std::optional<TraceStep> step = m_playhead->currentStep();
     m_triangle = step && traced->primitives.isTriangle(step->primitive) ? step->primitive : 0;
     m_job.start(
         [traced, triangle = m_triangle](const ProgressListener &listener) {
@@ -151,13 +152,13 @@ void PrecisionPanel::showErrors()
 std::vector<BoundErrors> PrecisionPanel::toldErrors() const
 {
     std::vector<BoundErrors> told = m_errors;
-    const std::optional<TraceStep> step = m_playhead->stepInHand();
+    const std::optional<TraceStep> step = m_playhead->currentStep();
     const bool isDone
         = m_playhead->position() == m_playhead->end() || (step && step->primitive > m_triangle);
     if (!m_playhead->isAheadHidden() || isDone)
         return told;
     for (BoundErrors &errors : told)
-        keepUpTo(m_playhead->placeInHand(), errors);
+        keepUpTo(m_playhead->currentPlace(), errors);
     std::erase_if(told, [](const BoundErrors &errors) { return errors.spans.empty(); });
     return told;
 }
@@ -205,14 +206,14 @@ void PrecisionPanel::followPosition()
 {
     if (!isVisible())
         return;
-    const std::optional<TraceStep> step = m_playhead->stepInHand();
+    const std::optional<TraceStep> step = m_playhead->currentStep();
     const TracedScene *traced = m_playhead->traced();
     if (step && traced && traced->primitives.isTriangle(step->primitive)
         && step->primitive != m_triangle)
         restart();
     else if (m_playhead->isAheadHidden())
         showErrors();
-    m_plot->setPlaceInHand(m_playhead->placeInHand());
+    m_plot->setCurrentPlace(m_playhead->currentPlace());
 }
 
 void PrecisionPanel::jumpTo(std::int64_t coordinate)

@@ -15,9 +15,9 @@ namespace pixelplumb {
 class Playhead;
 class PrecisionPlot;
 
-/// How far the bounds that each arithmetic computes are from the exact edges of the triangle in
-/// hand. Computed beside the GUI thread, and only while it can be seen. Where what is ahead is
-/// hidden, of the spans that are entered.
+/// How far the bounds that each arithmetic computes are from the exact edges of the current
+/// triangle. Computed in a worker thread, and only while visible. While what is ahead is hidden,
+/// only for spans already entered.
 class PrecisionPanel : public QWidget {
     Q_OBJECT
 
@@ -46,7 +46,7 @@ private:
 
     Playhead *m_playhead;
     QComboBox *m_bound = nullptr;
-    std::vector<QToolButton *> m_arithmetics; ///< by allArithmetics, without the exact one
+    std::vector<QToolButton *> m_arithmetics; ///< in allArithmetics order, without the exact one
     QLabel *m_summary = nullptr;
     PrecisionPlot *m_plot = nullptr;
     std::size_t m_triangle = 0;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double roundingBound = 0.5;
 constexpr int mostTicksPerSide = 6;
-constexpr int leastNamedHeight = 140; ///< logical pixels, of a plot whose lower axis has its name
+constexpr int leastNamedHeight = 140; ///< logical pixels: lower plots do not name the x axis
 constexpr int axisMargins = 60; ///< logical pixels above and below the axis, together
 
 } // namespace
@@ -129,7 +129,7 @@ void PrecisionPlot::showPlaces(std::int64_t first, std::int64_t last)
     m_plot->xAxis->setRange(double(first), double(last) + 1);
 }
 
-void PrecisionPlot::setPlaceInHand(const std::optional<SpanPlace> &place)
+void PrecisionPlot::setCurrentPlace(const std::optional<SpanPlace> &place)
 {
     m_place = place;
     replot();
@@ -166,7 +166,7 @@ void PrecisionPlot::replot()
     m_plot->yAxis->setRange(-m_scale.extent() - 0.5, m_scale.extent() + 0.5);
     const bool isRows = !m_errors.empty() && !m_errors.front().spans.empty()
         && m_errors.front().spans.front().place.axis == SpanAxis::Row;
-    // A low plot keeps its room for the curves.
+    // A low plot has no axis name, which leaves its room to the curves.
     const QString along = isRows ? tr("row y") : tr("column x");
     m_plot->xAxis->setLabel(height() < leastNamedHeight ? QString() : along);
     m_plot->yAxis->setLabel(tr("error, px"));
@@ -238,7 +238,7 @@ void PrecisionPlot::addFirstWrong(const BoundErrors &errors)
     label->setFont(font());
     label->setColor(colour);
     label->setPadding(QMargins(12, 0, 12, 0));
-    // On that side of the mark where the plot goes on: on the other one the legend would cover it.
+    // On the side that the plot continues, where the legend does not cover it.
     const double place = double(wrong.place.coordinate);
     const Qt::Alignment side
         = place > m_plot->xAxis->range().center() ? Qt::AlignRight : Qt::AlignLeft;
@@ -271,7 +271,7 @@ void PrecisionPlot::addFences()
     }
     if (m_place && m_place->axis != SpanAxis::Free)
         line({double(m_place->coordinate), 0}, {double(m_place->coordinate), 1},
-             QPen(signColour(Sign::ColumnInHand, palette()), 1.5));
+             QPen(signColour(Sign::CurrentColumn, palette()), 1.5));
 }
 
 void PrecisionPlot::resizeEvent(QResizeEvent *event)

@@ -14,41 +14,42 @@ namespace pixelplumb {
 /// Which bound's error is plotted: y_B and y_T of columns, x_L and x_R of rows.
 enum class PlottedBound { Lower, Upper };
 
-/// The error of this bound, px.
+/// The error at this bound, px.
 inline double valueOf(const BoundError &error, PlottedBound bound)
 {
     return bound == PlottedBound::Lower ? error.lower : error.upper;
 }
 
-/// Whether the samples of the span end wrongly at this bound.
+/// Whether the span's samples end wrongly at this bound.
 inline bool isWrongAt(const BoundError &error, PlottedBound bound)
 {
     return bound == PlottedBound::Lower ? error.isLowerWrong : error.isUpperWrong;
 }
 
-/// The colour and the line of an arithmetic in plots: each tells it by itself.
+/// The colour and the line style of an arithmetic in plots; either identifies it.
 QColor arithmeticColour(Arithmetic arithmetic, const QPalette &palette);
 Qt::PenStyle arithmeticLine(Arithmetic arithmetic);
 
-/// The error of a bound over the columns or rows, one curve an arithmetic, with what rounding may
-/// add up to, the half-pixel fences and the first span that covers other samples than it should.
+/// The error of a bound over the columns or rows, one curve per arithmetic, with the limit of
+/// accumulated rounding, the half-pixel fences and the first span that covers other samples than it
+/// should.
 class PrecisionPlot : public QWidget {
     Q_OBJECT
 
 public:
     explicit PrecisionPlot(QWidget *parent = nullptr);
 
-    /// The columns or rows from the first to the last are in view.
+    /// Shows the columns or rows from the first to the last.
     void showPlaces(std::int64_t first, std::int64_t last);
-    /// Those of `shown` arithmetics.
+    /// Plots the curves of the `shown` arithmetics.
     void plot(const std::vector<BoundErrors> &errors, PlottedBound bound,
               const std::vector<Arithmetic> &shown);
-    /// The column or row in hand; none takes the plumb line away.
-    void setPlaceInHand(const std::optional<SpanPlace> &place);
+    /// Sets the current column or row; none removes the plumb line.
+    void setCurrentPlace(const std::optional<SpanPlace> &place);
 
     const PrecisionScale &scale() const { return m_scale; }
     int curveCount() const { return m_curves; }
-    /// Where a column or row is drawn, for programs that click.
+    /// Where a column or row is drawn; for programs that click.
     QPointF positionOf(std::int64_t coordinate) const;
 
     QSize sizeHint() const override { return {640, 240}; }
@@ -76,7 +77,7 @@ private:
     PrecisionScale m_scale;
     int m_curves = 0;
     std::optional<SpanPlace> m_place;
-    QPoint m_pressed; ///< of the plot, where the mouse went down
+    QPoint m_pressed; ///< where the mouse went down, in the plot
 };
 
 } // namespace pixelplumb

@@ -43,7 +43,7 @@ std::vector<PrecisionScale::Tick> PrecisionScale::ticks(int perSide) const
     const int decades = m_largest - m_least;
     const int stride = std::max(1, (decades + perSide - 1) / perSide);
     std::vector<Tick> ticks = {{0, QStringLiteral("0")}};
-    // The last one keeps its distance from 0.
+    // The last tick keeps its distance from 0.
     for (int exponent = m_largest; 1 + exponent - m_least >= stride; exponent -= stride) {
         const QString label = powerOfTenText(exponent);
         const double axis = 1 + double(exponent - m_least);

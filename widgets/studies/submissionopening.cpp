@@ -33,7 +33,7 @@ void SubmissionOpening::open(const GradedPicture &picture)
     }
     m_awaited.clear();
     m_open.reset();
-    m_student->remove(); // it is of another scene, or of another student
+    m_student->remove(); // the old one belongs to another scene or another student
     if (m_document->scene() != picture.scene && !m_files->showScene(picture.scene))
         return lose();
     m_open = picture;

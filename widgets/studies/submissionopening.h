@@ -15,18 +15,18 @@ class SceneDocument;
 class SceneFiles;
 class StudentPicture;
 
-/// A graded picture, and the scene that was to be drawn.
+/// A graded picture, and the scene that should have been drawn.
 struct GradedPicture {
     Scene scene;
-    QString results; ///< the folder in which it is
-    QString file; ///< in that; empty: there is none
+    QString results; ///< the folder of the picture
+    QString file; ///< in that folder; empty: there is no picture
     QString name; ///< "ada · shallow"
-    QString fault; ///< why there is none; empty where there is
+    QString fault; ///< why there is no picture; empty where there is one
 
     bool operator==(const GradedPicture &) const = default;
 };
 
-/// Opens a graded picture beside what was expected, at the first pixel that differs.
+/// Opens a graded picture beside the expected one, at the first pixel that differs.
 class SubmissionOpening : public QObject {
     Q_OBJECT
 
@@ -36,11 +36,11 @@ public:
 
 public slots:
     void open(const pixelplumb::GradedPicture &picture);
-    void close(); ///< what was opened, where it is still there
+    void close(); ///< removes what was opened, if still there
 
 signals:
     void pixelReached(const QPoint &pixel);
-    void lost(); ///< it is not on show: the scene in hand was kept, or another picture has come
+    void lost(); ///< it is not shown: the old scene was kept, or another picture replaced it
 
 private:
     void arrive();
@@ -51,7 +51,7 @@ private:
     StudentPicture *m_student;
     Playhead *m_playhead;
     std::optional<GradedPicture> m_open;
-    QString m_awaited; ///< the picture whose judgement is; empty: none
+    QString m_awaited; ///< the picture whose judgement is awaited; empty: none
 };
 
 } // namespace pixelplumb

@@ -56,10 +56,11 @@ SubmissionPanel::SubmissionPanel(StudentPicture *student, Playhead *playhead, QW
     addHead(layout);
     addTexts(layout);
     m_diagnosis = new DiagnosisView(student, m_content);
-    layout->addWidget(m_diagnosis); // before the pictures: in sight in a small window, too
+    layout->addWidget(m_diagnosis); // before the pictures, so that a small window shows it
     addPictures(layout);
     layout->addStretch();
-    // In a small window the answer would stand below what is in view. First it gets its height.
+    // In a small window the answer would lie below the visible part. Layout first, so that its
+    // height is known.
     connect(m_diagnosis, &DiagnosisView::answered, area, [this, area] {
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
         const QRect answer = m_diagnosis->answer().translated(m_diagnosis->pos());

@@ -16,8 +16,8 @@ class Playhead;
 class StudentPicture;
 class SubmissionView;
 
-/// What is said of the student's picture: how it differs from what the scene's method draws, by
-/// cause, with the two pictures beside each other.
+/// The verdict on a student's picture: how it differs from what the scene's method draws, by cause,
+/// with the two pictures side by side.
 class SubmissionPanel : public QWidget {
     Q_OBJECT
 
@@ -29,7 +29,7 @@ public:
     QSize sizeHint() const override { return {300, 560}; }
 
 public slots:
-    /// Brings a pixel into the middle of both pictures.
+    /// Centres a pixel in both pictures.
     void lookAt(const QPoint &pixel);
 
 signals:

@@ -11,7 +11,7 @@ namespace {
 
 QString pixels(std::int64_t count) { return SubmissionPanel::tr("%n pixels", nullptr, int(count)); }
 
-/// "#a06f30", "covered"
+/// A pixel's content: "#a06f30", "covered".
 QString contentOf(const Picture &picture, std::size_t place)
 {
     if (picture.hasColours)

@@ -6,14 +6,14 @@
 
 namespace pixelplumb {
 
-Sign signOf(PixelVerdict verdict); ///< of one that is not Same
+Sign signOf(PixelVerdict verdict); ///< of a verdict other than Same
 
 /// "Wrong: 12 pixels differ."
 QString verdictText(const PictureDiff &diff);
-/// How many of each kind, with its glyph in its colour, and whether transparency is passed over;
+/// How many pixels of each kind, with its glyph in its colour, and whether transparency is ignored;
 /// rich text.
 QString countsText(const PictureJudgement &judgement, const QPalette &palette);
-/// What done to the whole picture explains it; empty where nothing does.
+/// What change of the whole picture explains the differences; empty where none does.
 QString causesText(const PictureDiff &diff);
 /// The student's pixel beside the expected one.
 QString pixelText(const PictureJudgement &judgement, const QPoint &pixel);

@@ -11,7 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// In the pictures' lines. What a raster covers is black on white.
+/// A picture as an image, line by line; pixels that a raster covers are black on white.
 QImage shownImage(const Picture &picture)
 {
     QImage image(picture.width, picture.height, QImage::Format_RGB32);

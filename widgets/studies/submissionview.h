@@ -6,7 +6,7 @@
 
 namespace pixelplumb {
 
-/// One of the two pictures of a judgement, with the marks of what differs.
+/// One of the two pictures of a judgement, with the differing pixels marked.
 class SubmissionView : public CompareView {
     Q_OBJECT
 
@@ -15,7 +15,7 @@ public:
 
     SubmissionView(Side side, CompareLink *link, Playhead *playhead, QWidget *parent = nullptr);
 
-    /// Null: the message stands there.
+    /// Null shows the message instead.
     void setJudgement(const std::shared_ptr<const PictureJudgement> &judgement);
 
 protected:

@@ -28,7 +28,8 @@ DockRoom::DockRoom(QMainWindow *window, const QList<QDockWidget *> &docks, const
     m_centre->installEventFilter(this);
 }
 
-/// The window itself gets the clicks between its docks: what moves then stops at the half.
+/// The window itself receives the clicks between its docks: a separator dragged then stops at the
+/// half.
 bool DockRoom::eventFilter(QObject *watched, QEvent *event)
 {
     if (watched == m_centre && event->type() == QEvent::Resize && m_centre->width() < half())
@@ -40,15 +41,15 @@ bool DockRoom::eventFilter(QObject *watched, QEvent *event)
     return QObject::eventFilter(watched, event);
 }
 
-/// Of the window's width, without what separates the canvas from panels on both of its sides.
+/// Half of the window's width, without the separators between the canvas and panels on both sides.
 int DockRoom::half() const
 {
     return m_window->width() / 2
         - 2 * m_window->style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent);
 }
 
-/// Each panel beside the canvas gives its share of what the canvas lacks. Where one is at its least
-/// width, the others give the rest, as the canvas has been resized again.
+/// Each panel beside the canvas gives up its share of what the canvas lacks. If one is at its
+/// minimum width, the others give the rest when the canvas is resized again.
 void DockRoom::keepHalf()
 {
     const int taken = m_window->width() - m_centre->width();
@@ -78,8 +79,8 @@ void DockRoom::makeFor(QDockWidget *dock)
         makeBeside(dock);
 }
 
-/// A study needs more than the strip that the columns have at first: what it asks for, and no more
-/// than half; the canvas keeps the rest.
+/// A study needs more than the columns' first strip: it gets the height it asks for, at most half;
+/// the canvas keeps the rest.
 void DockRoom::makeBelow(QDockWidget *dock)
 {
     if (!studiesBelow().contains(dock))
@@ -88,8 +89,8 @@ void DockRoom::makeBelow(QDockWidget *dock)
     m_window->resizeDocks({dock}, {std::max(wanted, m_heightBefore.value_or(0))}, Qt::Vertical);
 }
 
-/// Half of the width is the canvas's. A panel in the formulas' place has the height that it asks
-/// for, but for the pixel grid's least.
+/// Half of the width stays the canvas's. A panel in the formulas' place gets the height it asks
+/// for, as far as the pixel grid keeps its minimum.
 void DockRoom::makeBeside(QDockWidget *dock)
 {
     if (m_window->dockWidgetArea(dock) == Qt::LeftDockWidgetArea) {
@@ -112,7 +113,7 @@ void DockRoom::makeBeside(QDockWidget *dock)
         m_window->resizeDocks({dock, m_usual.pixelGrid}, {wanted, whole - wanted}, Qt::Vertical);
 }
 
-/// Those that are open below the canvas, in front or not, beside what stands there at first.
+/// The studies open below the canvas, in front or not, without the panels that are there at first.
 QList<QDockWidget *> DockRoom::studiesBelow() const
 {
     QList<QDockWidget *> open;

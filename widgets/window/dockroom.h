@@ -11,36 +11,36 @@ class QMainWindow;
 
 namespace pixelplumb {
 
-/// Shown, and not behind the tab of another, where Qt places it beside the window.
+/// Whether a dock is shown and not behind the tab of another, where Qt places it beside the window.
 bool isInFront(const QDockWidget &dock);
 
-/// The room that a panel takes from the canvas while it is open, and gives back when it is closed;
-/// half of the window's width stays the canvas's, whatever is opened or dragged, as far as the
-/// panels beside it can be so narrow.
+/// Gives an opened panel its room from the canvas, and returns it when the panel closes. Half of
+/// the window's width stays the canvas's, whatever is opened or dragged, as far as the panels
+/// beside it can shrink.
 class DockRoom : public QObject {
     Q_OBJECT
 
 public:
     static constexpr int tabsHeight = 40; ///< logical pixels: more than any style's tabs
 
-    /// The panels that stand around the canvas at first.
+    /// The panels around the canvas at first.
     struct Usual {
         QDockWidget *formula;
         QDockWidget *pixelGrid;
         QDockWidget *pixelHistory;
         QDockWidget *columns;
-        int formulaWidth; ///< that it needs
+        int formulaWidth; ///< its needed width
     };
 
     DockRoom(QMainWindow *window, const QList<QDockWidget *> &docks, const Usual &usual);
 
-    /// Before a panel is shown: how high what stands below the canvas is.
+    /// To be called before a panel is shown: remembers the height of the panels below the canvas.
     void remember(QDockWidget *dock);
-    /// For a panel that is shown.
+    /// Makes room for a panel that is shown.
     void makeFor(QDockWidget *dock);
 
 public slots:
-    /// What the last study below the canvas had more is the canvas's again.
+    /// Returns to the canvas the extra height that the last study below it had.
     void giveBack();
 
 protected:
@@ -54,10 +54,10 @@ private:
     QList<QDockWidget *> studiesBelow() const;
 
     QMainWindow *m_window;
-    QWidget *m_centre; ///< of the window: the canvas
+    QWidget *m_centre; ///< the window's central widget: the canvas
     QList<QDockWidget *> m_docks;
     Usual m_usual;
-    std::optional<int> m_heightBefore; ///< of what is below the canvas, while a study has more
+    std::optional<int> m_heightBefore; ///< of the panels below the canvas, while a study has more
 };
 
 } // namespace pixelplumb

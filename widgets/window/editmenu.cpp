@@ -86,7 +86,7 @@ void EditMenu::addClipboard()
     MessageBar *bar = m_parts.messageBar;
     QAction *copyNote = addMenuAction(this, "copyNote", tr("Copy the last not&e"), {},
                                       [bar] { QApplication::clipboard()->setText(bar->text()); });
-    copyNote->setToolTip(tr("What was told last over the canvas, also when it is gone"));
+    copyNote->setToolTip(tr("Copies the last note shown over the canvas, even after it has gone"));
     connect(this, &QMenu::aboutToShow, copyNote,
             [bar, copyNote] { copyNote->setEnabled(!bar->text().isEmpty()); });
     StudentPictureFiles *pictures = m_parts.pictures;
@@ -111,7 +111,7 @@ void EditMenu::addVertices(QWidget *window)
                       document->addTriangle(typed.triangle, typed.attributes);
                   });
     QAction *change
-        = addMenuAction(this, "editTriangle", tr("Chan&ge the triangle in hand…"),
+        = addMenuAction(this, "editTriangle", tr("Chan&ge the current triangle…"),
                         Qt::CTRL | Qt::SHIFT | Qt::Key_T, [this, window] { editSelected(window); });
     QAction *close
         = addMenuAction(this, "closePolygon", tr("Close the pol&ygon"), Qt::CTRL | Qt::Key_Return,
@@ -142,7 +142,7 @@ void EditMenu::addVertices(QWidget *window)
     connect(document, &SceneDocument::sceneChanged, this, updateShow);
     updateShow();
     change->setToolTip(tr("The triangle of the selected vertex; where none is selected, the one "
-                          "that the step in hand draws"));
+                          "that the current step draws"));
     const auto updateChange
         = [document, change] { change->setEnabled(!document->scene().triangles.empty()); };
     connect(document, &SceneDocument::sceneChanged, this, updateChange);
@@ -159,7 +159,7 @@ void EditMenu::addVertices(QWidget *window)
                   [document] { document->clear(); });
 }
 
-std::optional<int> EditMenu::triangleInHand() const
+std::optional<int> EditMenu::currentTriangle() const
 {
     const SceneDocument &document = *m_parts.document;
     const auto count = document.scene().triangles.size();
@@ -167,7 +167,7 @@ std::optional<int> EditMenu::triangleInHand() const
     if (selected && selected->primitive != VertexRef::pending
         && std::size_t(selected->primitive) < count)
         return selected->primitive;
-    const std::optional<TraceStep> step = m_parts.playhead->stepInHand();
+    const std::optional<TraceStep> step = m_parts.playhead->currentStep();
     const auto stepped = step ? m_parts.playhead->traced()->indexInScene(step->primitive)
                               : std::optional<std::size_t>();
     if (stepped && *stepped < count)
@@ -177,7 +177,7 @@ std::optional<int> EditMenu::triangleInHand() const
 
 void EditMenu::editSelected(QWidget *window)
 {
-    const std::optional<int> index = triangleInHand();
+    const std::optional<int> index = currentTriangle();
     if (!index)
         return;
     SceneDocument *document = m_parts.document;

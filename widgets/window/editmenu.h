@@ -9,16 +9,16 @@
 
 namespace pixelplumb {
 
-/// Changes to the scene, and the clipboard.
+/// Edits of the scene, and the clipboard.
 class EditMenu : public QMenu {
     Q_OBJECT
 
 public:
     EditMenu(const WindowParts &parts, QWidget *window);
 
-    /// What a left click on the canvas is for: one of them is checked.
+    /// The functions of a left click on the canvas; one of them is checked.
     const QList<QAction *> &tools() const { return m_tools; }
-    const QAction *deletion() const { return m_deletion; } ///< of the selected primitive
+    const QAction *deletion() const { return m_deletion; } ///< deletes the selected primitive
 
 private:
     void addTools();
@@ -29,8 +29,8 @@ private:
     void chooseColourOfSelected(QWidget *window);
     void chooseNextColour(QWidget *window);
     void deleteSelected();
-    /// The triangle whose vertex is selected, by its index.
-    std::optional<int> triangleInHand() const;
+    /// The index of the triangle whose vertex is selected.
+    std::optional<int> currentTriangle() const;
     void editSelected(QWidget *window);
 
     WindowParts m_parts;

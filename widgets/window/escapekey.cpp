@@ -15,12 +15,12 @@ EscapeKey::EscapeKey(QWidget *canvas, QObject *parent)
 void EscapeKey::watch(QWidget *window)
 {
     window->installEventFilter(this);
-    // A box takes every key that has a text for the beginning of an entry.
+    // A combo box reads every key that has a text as the beginning of an entry.
     for (QComboBox *box : window->findChildren<QComboBox *>())
         box->installEventFilter(this);
 }
 
-/// What nobody inside has taken comes to the window.
+/// A key that no widget uses reaches the window.
 bool EscapeKey::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() != QEvent::KeyPress)

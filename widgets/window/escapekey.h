@@ -7,14 +7,14 @@ class QWidget;
 
 namespace pixelplumb {
 
-/// Escape that nobody else has a use for brings the focus back to the canvas, whose keys act again.
+/// Escape that no other widget uses returns the focus to the canvas, whose keys then act again.
 class EscapeKey : public QObject {
     Q_OBJECT
 
 public:
     EscapeKey(QWidget *canvas, QObject *parent);
 
-    /// A window with all its parts, or a panel that may float as one.
+    /// Watches a window with all its parts, or a panel that may float as one.
     void watch(QWidget *window);
 
 protected:

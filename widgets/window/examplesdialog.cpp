@@ -32,8 +32,8 @@ QImage pictureOfScene(const QString &path)
     return frame.copy();
 }
 
-/// In the middle of the room that all pictures have, as large as it fits, by a whole number where
-/// it is smaller: pixels stay pixels.
+/// Centres a picture in the common room for pictures, as large as it fits; a smaller one is
+/// enlarged by a whole number, so that pixels stay pixels.
 QPixmap fitted(const QImage &picture, double devicePixelRatio)
 {
     const QSize room = pictureSize * devicePixelRatio;
@@ -49,7 +49,7 @@ QPixmap fitted(const QImage &picture, double devicePixelRatio)
     return pixmap;
 }
 
-/// The room of a picture that is not there, with words on it in place of the picture.
+/// A placeholder for a missing picture, with words on it.
 QPixmap inPlaceOfPicture(const QString &words, const QWidget &list)
 {
     QPixmap pixmap(pictureSize * list.devicePixelRatioF());
@@ -132,7 +132,7 @@ int ExamplesDialog::picturesLeft() const
     return int(std::ranges::count_if(m_pictures, [](const Picture &each) { return bool(each); }));
 }
 
-/// What a person looks at, from above, comes before the rest.
+/// Visible rows from the top come first, then the rest.
 int ExamplesDialog::nextRow() const
 {
     const QRect inSight = m_list->viewport()->rect();
@@ -148,7 +148,7 @@ int ExamplesDialog::nextRow() const
     return next;
 }
 
-/// A picture that is null has words in its place.
+/// Shows a picture, or words in place of a null one.
 void ExamplesDialog::showPicture(int row, const QImage &picture, const QString &words)
 {
     QListWidgetItem *item = m_list->item(row);

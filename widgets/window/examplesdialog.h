@@ -14,8 +14,8 @@ class QListWidgetItem;
 namespace pixelplumb {
 
 /// The program's own scenes and the families of hard cases, each with a picture and a line on what
-/// there is to see. The pictures are drawn one after another beside the GUI thread, those in sight
-/// first; until then words stand in their place.
+/// there is to see. The pictures are drawn one by one in a worker thread, visible ones first; until
+/// then text stands in for them.
 class ExamplesDialog : public QDialog {
     Q_OBJECT
 
@@ -23,12 +23,12 @@ public:
     ExamplesDialog(const std::vector<Example> &examples, const std::vector<GalleryCase> &cases,
                    QWidget *parent = nullptr);
 
-    int picturesLeft() const; ///< to be drawn
+    int picturesLeft() const; ///< still to be drawn
     bool isDrawn(int row) const { return !m_pictures[std::size_t(row)]; }
 
 signals:
     void sceneChosen(const QString &path);
-    void caseChosen(const QString &id); ///< the first of a family
+    void caseChosen(const QString &id); ///< the first case of a family
 
 private:
     using Picture = std::function<QImage()>;
@@ -37,12 +37,12 @@ private:
     void addFamilies(const std::vector<GalleryCase> &cases);
     QListWidgetItem *add(const QString &title, const QString &line, const Picture &picture);
     void drawNext();
-    int nextRow() const; ///< of a picture that is to be drawn; −1 where none is
+    int nextRow() const; ///< the next row without its picture; −1 where there is none
     void showPicture(int row, const QImage &picture, const QString &words);
     void choose(const QListWidgetItem *item);
 
     QListWidget *m_list;
-    std::vector<Picture> m_pictures; ///< by row; none once it has been drawn
+    std::vector<Picture> m_pictures; ///< by row; empty once drawn
     Job m_drawing;
 };
 

@@ -13,7 +13,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The exports of what the method in hand walks: as a CSV table and as JSON.
+/// The names of the span exports for a method's axis: as a CSV table and as JSON.
 std::pair<QString, QString> spanExportNames(SpanAxis axis)
 {
     switch (axis) {

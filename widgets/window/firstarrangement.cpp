@@ -13,8 +13,8 @@ namespace pixelplumb {
 
 namespace {
 
-// Logical pixels of the window's height. Below the first there is no room for the formulas of a
-// column above all that stands below the canvas; below the second they need the whole height.
+// Logical pixels of the window's height. Below the first, a column's formulas do not fit above the
+// panels below the canvas; below the second, they need the whole height.
 constexpr int spreadHeight = 880;
 constexpr int pairedHeight = 700;
 
@@ -82,8 +82,8 @@ void FirstArrangement::layStep()
     resizeStep();
 }
 
-/// The study stands below the canvas, with the others as tabs behind it, hidden ones of other
-/// workspaces too; what belongs left of the canvas stands there, as high as both.
+/// Puts the study below the canvas, with the others as tabs behind it, including hidden ones of
+/// other workspaces; panels left of the canvas get the full height.
 void FirstArrangement::layStudies(Workspace workspace)
 {
     m_window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
@@ -111,7 +111,7 @@ void FirstArrangement::layStudies(Workspace workspace)
             m_window->tabifyDockWidget(below.first(), dock);
     }
     below.first()->raise();
-    // They have their places only after the window's layout.
+    // Docks have their places only after the window's layout.
     QMetaObject::invokeMethod(
         this,
         [this, inSight] {
@@ -121,13 +121,13 @@ void FirstArrangement::layStudies(Workspace workspace)
         Qt::QueuedConnection);
 }
 
-/// Whether the canvas would have less than half the width between panels on both of its sides.
+/// Whether panels on both sides would leave the canvas less than half the width.
 bool FirstArrangement::isNarrow() const
 {
     return m_window->width() < 2 * (m_usual.formulaWidth + leftWidth);
 }
 
-/// The panels left of the canvas share one place; in a narrow window it is the formulas'.
+/// Puts the panels left of the canvas into one place; in a narrow window, into the formulas' place.
 void FirstArrangement::shareLeftPlace()
 {
     QDockWidget *first = nullptr;
@@ -165,8 +165,8 @@ void FirstArrangement::arrangePixelPanels()
         m_window->tabifyDockWidget(m_usual.pixelGrid, m_usual.pixelHistory);
 }
 
-/// The formulas get the height that they need, but for what makes the pixel grid legible, its least
-/// height; the other panels of their column share the rest.
+/// Gives the formulas the height they need, as far as the pixel grid stays legible at its minimum;
+/// the other panels of their column share the rest.
 void FirstArrangement::fitFormula()
 {
     const auto *formula = qobject_cast<const FormulaPanel *>(m_usual.formula->widget());
@@ -176,7 +176,7 @@ void FirstArrangement::fitFormula()
     QList<QDockWidget *> column;
     int others = 0;
     for (QDockWidget *dock : {m_usual.pixelGrid, m_usual.pixelHistory}) {
-        // Of docks that share a place by tabs, all visible to Qt, one stands for them.
+        // Tabbed docks are all visible to Qt; one of them is counted.
         const QList<QDockWidget *> together = m_window->tabifiedDockWidgets(dock);
         const bool isCounted = std::ranges::any_of(
             column, [&](QDockWidget *counted) { return together.contains(counted); });

@@ -6,23 +6,24 @@
 
 namespace pixelplumb {
 
-/// How the panels of a workspace lie before a person has moved any of them, by the window's size.
+/// Lays out the panels of a workspace before a person has moved any, depending on the window's
+/// size.
 class FirstArrangement : public QObject {
     Q_OBJECT
 
 public:
-    /// The docks are in the order of the table of panels.
+    /// `docks`: in the order of the table of panels.
     FirstArrangement(QMainWindow *window, const QList<QDockWidget *> &docks,
                      const DockRoom::Usual &usual, DockRoom *room);
 
     void lay(Workspace workspace);
 
 private:
-    /// How the panels of Step share the window, by its height.
+    /// How the panels of Step share the window, depending on its height.
     enum class Sharing {
-        Spread, ///< all in sight: the columns and the pixel's history below everything
-        Paired, ///< the pixel's two panels share a place, the columns stand below the canvas alone
-        Tabbed, ///< as Paired, and the formulas share the place too
+        Spread, ///< all visible: the columns and the pixel's history below everything
+        Paired, ///< the pixel's two panels share a place, only the columns are below the canvas
+        Tabbed, ///< as Paired, with the formulas in that place too
     };
 
     void layStep();

@@ -23,7 +23,7 @@ HelpMenu::HelpMenu(QMenuBar *bar)
     QAction *whatsThis
         = addMenuAction(this, "whatsThis", tr("&What's This?"), Qt::SHIFT | Qt::Key_F1,
                         [this] { enterWhatsThis(m_bar->window()); });
-    whatsThis->setToolTip(tr("The next click tells what it hits is for (Shift+F1)"));
+    whatsThis->setToolTip(tr("The next click explains the part that is clicked (Shift+F1)"));
     addMenuAction(this, "showAbout", tr("&About Pixelplumb"), {}, [this] { showAbout(); });
 }
 

@@ -7,15 +7,14 @@ class QMenuBar;
 
 namespace pixelplumb {
 
-/// The key sheet, made from the menus of the bar, what the window's parts are for, and what the
-/// program is.
+/// The key sheet, made from the menu bar's menus, What's This, and the About box.
 class HelpMenu : public QMenu {
     Q_OBJECT
 
 public:
     explicit HelpMenu(QMenuBar *bar);
 
-    /// All of the bar.
+    /// All menus of the bar.
     QList<QMenu *> menus() const;
 
 private:

@@ -43,11 +43,11 @@ JobBar::JobBar(const Job *job, const Names &names, QWidget *parent)
 void JobBar::begin(const QString &title)
 {
     m_title->setText(title);
-    m_bar->setRange(0, 0); // busy: how far it is, nobody knows
+    m_bar->setRange(0, 0); // busy: the progress is unknown
     show();
 }
 
-/// Each phase counts from the start; its name is told to whoever asks.
+/// Shows the progress. Each phase counts from 0; the tool tip names it.
 void JobBar::tell(const JobProgress &progress)
 {
     m_bar->setToolTip(coreWord(nameOf(progress.phase)));

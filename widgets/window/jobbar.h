@@ -12,13 +12,12 @@ namespace pixelplumb {
 
 class Job;
 
-/// How far a job beside the window is, and a button that ends it; hidden when there is none.
+/// The progress of a background job, with a button that cancels it; hidden when there is none.
 class JobBar : public QWidget {
     Q_OBJECT
 
 public:
-    /// Object names of the bar and the button, and what a screen reader says of them. No button
-    /// where it has no name.
+    /// Object names and accessible names of the bar and the button. No name, no button.
     struct Names {
         QString bar;
         QString barInWords;

@@ -53,7 +53,7 @@ void LayersMenu::addLayer(const Layer &layer, const WindowParts &parts)
             = objection.isEmpty() ? layer.toolTip : tr("Nothing to show: %1.").arg(objection);
         action->setEnabled(objection.isEmpty());
         action->setStatusTip(text);
-        // Rich text is broken into lines.
+        // Rich text wraps.
         action->setToolTip(QStringLiteral("<p>%1</p><p>%2</p>")
                                .arg(text.toHtmlEscaped(), layer.source.toHtmlEscaped()));
     };

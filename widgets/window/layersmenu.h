@@ -9,8 +9,8 @@ namespace pixelplumb {
 
 struct Layer;
 
-/// The figures of the course texts that can be laid over the frame. What has nothing to show of the
-/// scene and the method in hand is grey and says why.
+/// The figures of the course texts that can be laid over the frame. A layer with nothing to show
+/// for the current scene and method is grey and says why.
 class LayersMenu : public QMenu {
     Q_OBJECT
 

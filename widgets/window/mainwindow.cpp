@@ -127,7 +127,7 @@ void MainWindow::makeCentre()
     m_parts.messageBar = new MessageBar(m_parts.canvas);
     m_parts.overdraw = new OverdrawOverlay(m_parts.canvas, m_parts.playhead);
     m_parts.scrubber = new Scrubber(m_parts.playhead, centre);
-    // One stands above the other: a column has the same x in both.
+    // The scrubber lies below the canvas: a column has the same x in both.
     connect(m_parts.canvas, &Canvas::viewChanged, m_parts.scrubber,
             [this] { m_parts.scrubber->setColumnPlaces(columnPlacesOf(*m_parts.canvas)); });
     auto *layout = new QVBoxLayout(centre);
@@ -187,11 +187,11 @@ void MainWindow::makeToolBars()
 void MainWindow::connectParts()
 {
     SceneDocument *document = m_parts.document;
-    // A message is about the choice before; what is to be said of this one comes after it.
+    // A message concerns the previous action; this one's message comes later.
     connect(document, &SceneDocument::sceneChanged, m_parts.messageBar, &QWidget::hide);
     connect(document, &SceneDocument::pendingChanged, m_parts.messageBar, &QWidget::hide);
     connect(document, &SceneDocument::sceneChanged, this, &MainWindow::traceDocument);
-    connect(document, &SceneDocument::frameInHandChanged, this, &MainWindow::traceDocument);
+    connect(document, &SceneDocument::currentFrameChanged, this, &MainWindow::traceDocument);
     connect(m_parts.effects, &EffectSwitches::changed, this, &MainWindow::traceDocument);
     connect(document, &SceneDocument::modifiedChanged, this, &QWidget::setWindowModified);
     connect(document, &SceneDocument::refused, m_parts.messageBar, &MessageBar::complain);
@@ -201,8 +201,8 @@ void MainWindow::connectParts()
     connect(m_parts.tracer, &SceneTracer::cancelled, m_parts.messageBar,
             [this] { m_parts.messageBar->tell(cancelledRunNote()); });
     connect(m_parts.files, &SceneFiles::pathChanged, this, &MainWindow::updateTitle);
-    // Neither the moment nor the pixel of another scene's run means anything in the new one, and it
-    // would only stand in memory beside a large one that is being traced.
+    // The other scene's position and pixel mean nothing in the new one, and its run would only
+    // occupy memory while a large scene is traced.
     connect(m_parts.files, &SceneFiles::replacing, m_parts.playhead,
             [this] { m_parts.playhead->setTraced(nullptr); });
     connect(m_parts.files, &SceneFiles::replacing, m_parts.effects, &EffectSwitches::reset);
@@ -212,7 +212,7 @@ void MainWindow::connectParts()
     for (const auto come : {&SceneFiles::begun, &SceneFiles::loaded})
         connect(m_parts.files, come, this, &MainWindow::giveKeysToTheScene);
     connect(m_parts.files, &SceneFiles::loaded, this, [this] {
-        m_parts.canvas->setTool(CanvasTool::Inspect); // a person looks at what others made
+        m_parts.canvas->setTool(CanvasTool::Inspect); // to look at someone else's scene
         if (!m_parts.files->path().isEmpty())
             setOpeningPlace(OpeningMoment::HalfDrawn);
     });
@@ -235,12 +235,12 @@ void MainWindow::connectParts()
 void MainWindow::traceDocument()
 {
     const std::shared_ptr<const Scene> scene
-        = m_parts.effects->applied(m_parts.document->snapshotInHand());
+        = m_parts.effects->applied(m_parts.document->currentSnapshot());
     m_parts.student->follow(scene);
     m_parts.tracer->trace(scene);
     if (m_parts.tracer->isRunning())
         return m_parts.previewer->preview(scene);
-    m_parts.previewer->clear(); // it is traced already, or cannot be
+    m_parts.previewer->clear(); // the scene is traced already, or cannot be
 }
 
 void MainWindow::takeTrace(const std::shared_ptr<const TracedScene> &traced)

@@ -23,7 +23,7 @@ class WindowDocks;
 class WindowSettings;
 struct UnsavedScene;
 
-/// The window: it makes the parts, gives each its place and connects them; it knows nothing else.
+/// The window: it makes the parts, places and connects them, and does nothing else.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -34,20 +34,20 @@ public:
     const WindowParts &parts() const { return m_parts; }
     PaletteSwitch *palettes() const { return m_palettes; }
 
-    /// Opens the scene that every first start shows, half drawn.
+    /// Opens the scene of a first start, half drawn.
     void openDefaultScene();
     /// Opens a file; false, after a complaint in the message bar, when it cannot be read.
     bool openScene(const QString &path);
-    /// Opens a folder of results of grading in the panel Grading; a complaint comes in the message
-    /// bar, later, where it holds none.
+    /// Opens a folder of grading results in the panel Grading. If it holds none, a complaint
+    /// appears later in the message bar.
     void openResults(const QString &folder);
-    /// Asks about what a run before this one left unsaved when it did not end cleanly.
+    /// Offers to recover what an earlier run, which did not end cleanly, left unsaved.
     void offerRecovery();
-    /// Where to stand when the scene that is being opened has been traced.
+    /// Sets the playhead's place for when the scene being opened has been traced.
     void setOpeningPlace(const OpeningPlace &place);
 
-    /// Of the panels and tool bars, over their titles: what it shows comes into the current
-    /// workspace.
+    /// The menu of panels and tool bars, over their titles; a panel chosen there is shown in the
+    /// current workspace.
     QMenu *createPopupMenu() override;
 
 protected:
@@ -69,7 +69,7 @@ private:
     void recover(const UnsavedScene &left);
     void updateTitle();
 
-    InputRecord m_inputs; ///< for as long as anything is read or written here
+    InputRecord m_inputs; ///< outlives all reading and writing here
     WindowParts m_parts;
     PaletteSwitch *m_palettes = nullptr;
     WindowDocks *m_docks = nullptr;

@@ -20,7 +20,7 @@
 #include <QPushButton>
 #include <QSessionManager>
 
-/// How scenes and grades come into the window, and what happens to them when it goes.
+/// How scenes and grades come into the window, and what happens to them when it closes.
 namespace pixelplumb {
 
 namespace {
@@ -47,7 +47,7 @@ bool MainWindow::openScene(const QString &path) { return m_parts.files->load(pat
 void MainWindow::openResults(const QString &folder)
 {
     auto *grading = m_docks->panel<GradingPanel>();
-    // A window that is not shown yet has no tabs to bring to the front.
+    // A window not shown yet has no tabs to bring to the front.
     QMetaObject::invokeMethod(
         this,
         [this, grading] {
@@ -73,12 +73,12 @@ void MainWindow::goToOpeningPlace()
     m_openingPlace.reset();
 }
 
-/// The keys of the canvas are for the scene that has come, whichever panel had the focus: but for
-/// the one whose keys go from submission to submission, each of which brings its scene.
+/// Gives the canvas the focus when a scene arrives, whichever panel had it, except the grading
+/// panel, whose keys move between submissions, each of which opens its scene.
 void MainWindow::giveKeysToTheScene()
 {
-    const QWidget *inHand = focusWidget();
-    if (!inHand || !m_docks->panel<GradingPanel>()->isAncestorOf(inHand))
+    const QWidget *current = focusWidget();
+    if (!current || !m_docks->panel<GradingPanel>()->isAncestorOf(current))
         m_parts.canvas->setFocus();
 }
 
@@ -122,8 +122,8 @@ void MainWindow::closeEvent(QCloseEvent *event)
     event->accept();
 }
 
-/// The desktop's session ends. Where nobody may be asked, what the autosave kept is there, as after
-/// a crash.
+/// The desktop session ends. Where questions are not allowed, the autosave remains, as after a
+/// crash.
 void MainWindow::commitData(QSessionManager &session)
 {
     if (session.allowsInteraction()) {

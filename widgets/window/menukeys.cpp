@@ -16,7 +16,7 @@ bool isPlain(const QKeyEvent &key)
         && !key.text().isEmpty();
 }
 
-/// An open menu hands its bar the keys that it has no entry for.
+/// Whether a key belongs to an open menu, which passes keys without an entry to its bar.
 bool isOfOpenMenu(const QObject *watched)
 {
     return qobject_cast<const QMenu *>(watched)
@@ -31,7 +31,7 @@ MenuKeys::MenuKeys(QObject *parent)
     qApp->installEventFilter(this);
 }
 
-/// What is claimed is no shortcut, but a key.
+/// Accepting the override makes it an ordinary key, not a shortcut.
 bool MenuKeys::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() != QEvent::ShortcutOverride || !isOfOpenMenu(watched)

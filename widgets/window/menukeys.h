@@ -5,11 +5,11 @@
 
 namespace pixelplumb {
 
-/// A letter that is pressed in an open menu chooses the entry in which it is underlined, though it
-/// is the key of an action of the window as well; what is no entry's does nothing.
+/// A letter pressed in an open menu chooses the entry in which it is underlined, even if it is also
+/// the key of a window action; a letter without an entry does nothing.
 class MenuKeys : public QObject {
 public:
-    /// In all menus of the program.
+    /// Acts in all menus of the program.
     explicit MenuKeys(QObject *parent);
 
 protected:

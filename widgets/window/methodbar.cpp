@@ -20,9 +20,8 @@ namespace pixelplumb {
 
 namespace {
 
-/// Characters of a method's title that the bar keeps room for: of longer ones the middle is left
-/// out, so that the bar and the switches beside it fit into 1024 pixels. The list shows whole
-/// titles.
+/// Characters of a method's title that fit into the bar; longer titles are elided in the middle, so
+/// that the bar and its switches fit into 1024 pixels. The list shows whole titles.
 constexpr int shownTitleLength = 15;
 
 QString methodNote(const QString &text)
@@ -30,7 +29,7 @@ QString methodNote(const QString &text)
     return MethodBar::tr("The method %1").arg(withTitles(text));
 }
 
-/// Grey, with what the method objects to it, if it does.
+/// Greys an entry that the method refuses, with its objection.
 void setObjection(QComboBox *box, int row, const QString &objection, const QString &meaning)
 {
     auto *model = qobject_cast<QStandardItemModel *>(box->model());
@@ -68,7 +67,7 @@ QString meaningOf(FillRule rule)
     case FillRule::OffScreenPoint:
         return MethodBar::tr("A sample on an edge belongs to the side of an off-screen point");
     case FillRule::Open:
-        return MethodBar::tr("A sample on an edge belongs to nobody: ⌊y_B⌋+1 … ⌈y_T⌉−1");
+        return MethodBar::tr("A sample on an edge belongs to neither side: ⌊y_B⌋+1 … ⌈y_T⌉−1");
     }
     return {};
 }
@@ -117,13 +116,14 @@ MethodBar::MethodBar(SceneDocument *document, QWidget *parent)
     m_layout->setContentsMargins(8, 0, 0, 0);
     m_layout->setSpacing(6);
     m_method = makeBox(QStringLiteral("methodBox"), tr("Method"), {});
-    m_layout->addWidget(m_method); // without a label: a method's title says what it is
+    m_layout->addWidget(m_method); // without a label: a method's title is clear by itself
     m_method->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_method->setMinimumContentsLength(shownTitleLength);
     m_arithmetic = addSetting(DrawingSetting::Arithmetic, QStringLiteral("arithmeticBox"),
                               tr("Arithmetic"), tr("What the increments are computed in"));
-    m_fillRule = addSetting(DrawingSetting::FillRule, QStringLiteral("fillRuleBox"),
-                            tr("Fill rule"), tr("Who owns a sample that lies exactly on an edge"));
+    m_fillRule
+        = addSetting(DrawingSetting::FillRule, QStringLiteral("fillRuleBox"), tr("Fill rule"),
+                     tr("Which side owns a sample that lies exactly on an edge"));
     m_rounding = addSetting(DrawingSetting::Rounding, QStringLiteral("roundingBox"), tr("Rounding"),
                             tr("How a colour level becomes a byte"));
     addMethods();

@@ -13,14 +13,14 @@ namespace pixelplumb {
 
 class SceneDocument;
 
-/// How the scene is drawn: the method and its arithmetic, fill rule and rounding. The choices are
-/// the scene's and go through its undo stack; what a method refuses, or what would change nothing,
-/// cannot be chosen and says why.
+/// How the scene is drawn: the method and its arithmetic, fill rule and rounding. The choices
+/// belong to the scene and go through its undo stack; what a method refuses, or what would change
+/// nothing, is disabled and says why.
 class MethodBar : public QWidget {
     Q_OBJECT
 
 public:
-    /// A setting's box, with what its tool tip says where there is a choice.
+    /// A setting's box, with its tool tip for when there is a choice.
     struct Setting {
         DrawingSetting setting = DrawingSetting::Arithmetic;
         QComboBox *box = nullptr;

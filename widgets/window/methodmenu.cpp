@@ -18,7 +18,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Grey, with what the method objects to it, if it does.
+/// Greys an action that the method refuses, with its objection.
 void setObjection(QAction *action, const QString &objection)
 {
     action->setEnabled(objection.isEmpty());
@@ -88,7 +88,7 @@ void MethodMenu::addMethods(Canvas *canvas)
 {
     auto *group = new QActionGroup(this);
     int digit = 0;
-    QMap<MethodFamily, QMenu *> families; // all in one menu would be higher than a screen
+    QMap<MethodFamily, QMenu *> families; // a single menu would be higher than a screen
     for (const Method &method : methods()) {
         QMenu *&family = families[method.family];
         if (!family) {
@@ -113,7 +113,7 @@ void MethodMenu::addMethods(Canvas *canvas)
     }
 }
 
-/// With the reason, where no other choice would change anything.
+/// Greys the menu where no other choice would change anything, with the reason.
 void MethodMenu::greyWhereIdle(QMenu *menu, DrawingSetting setting)
 {
     QAction *entry = menu->menuAction();

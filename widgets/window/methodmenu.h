@@ -8,7 +8,7 @@
 
 namespace pixelplumb {
 
-/// The methods, by the digits 1 … 9 in the canvas, and the settings under which they draw. What the
+/// The methods, by the digits 1 … 9 on the canvas, and the settings under which they draw. What the
 /// method refuses is grey and says why.
 class MethodMenu : public QMenu {
     Q_OBJECT
@@ -18,7 +18,7 @@ public:
 
 private:
     void addMethods(Canvas *canvas);
-    /// Departures from the right algorithm, any of them together.
+    /// Adds departures from the right algorithm, which can be combined.
     void addVariants();
     template <class Choices, class Member>
     QMenu *addSettings(const char *name, const QString &title, const Choices &choices,

@@ -11,35 +11,35 @@ class QWidget;
 
 namespace pixelplumb {
 
-/// What a person does with a scene. Each has an arrangement of the panels of its own.
+/// What a person does with a scene. Each workspace has its own arrangement of the panels.
 enum class Workspace {
     Step, ///< through a run, with all its numbers
     Compare, ///< methods with each other and with the truth
     Measure, ///< what accuracy costs
-    Grade, ///< the pictures of others
+    Grade, ///< other people's pictures
 };
 constexpr Workspace allWorkspaces[]
     = {Workspace::Step, Workspace::Compare, Workspace::Measure, Workspace::Grade};
 
-/// A panel around the canvas: a row of the table of docks. Docks, the View menu's list and their
-/// keys (Alt and the row's number, 0 for the tenth; Alt, Shift and 1 for the eleventh, and so on),
-/// and how each workspace lies at first, come from the table.
+/// A panel around the canvas: a row of the table of docks. From the table come the docks, the View
+/// menu's list and its keys (Alt and the row's number, 0 for the tenth; Alt, Shift and 1 for the
+/// eleventh, and so on), and each workspace's first layout.
 struct Panel {
-    /// In its workspace, as that lies at first.
+    /// Its state in the first layout of its workspace.
     enum class AtFirst {
         Shown,
-        Behind, ///< the tab of one that is shown
+        Behind, ///< behind the tab of a shown one
         Hidden,
     };
-    /// Whether it shows no more of the run than the steps up to the one in hand, or the finished
-    /// picture as well. The latter is hidden while Predict asks what lies ahead.
+    /// Whether it shows the run only up to the current step, or the finished picture as well. The
+    /// latter is hidden while Predict asks what lies ahead.
     enum class Tells { SoFar, Finished };
 
     const char *dock; ///< its dock's object name
     const char *title; ///< to be translated in the context of WindowDocks
     QWidget *(*make)(const WindowParts &parts);
     Workspace workspace;
-    Qt::DockWidgetArea area; ///< in its workspace; hidden ones share a place
+    Qt::DockWidgetArea area; ///< in its workspace; hidden panels share a place
     AtFirst atFirst;
     Tells tells = Tells::SoFar;
 };

@@ -24,7 +24,7 @@ PredictVeil::PredictVeil(const Playhead *playhead, QWidget *panel)
     follow();
 }
 
-/// Children that come later stand above it until it is raised again.
+/// Keeps the veil on top: new children are placed above it.
 bool PredictVeil::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() == QEvent::Resize || event->type() == QEvent::ChildAdded) {

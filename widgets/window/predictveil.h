@@ -7,8 +7,8 @@ namespace pixelplumb {
 
 class Playhead;
 
-/// Covers a panel that shows the finished picture for as long as Predict asks what lies ahead: what
-/// is under it is neither seen nor reached by keys.
+/// Covers a panel that shows the finished picture while Predict asks what lies ahead: the panel can
+/// be neither seen nor reached by keys.
 class PredictVeil : public QLabel {
     Q_OBJECT
 

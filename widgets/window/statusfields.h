@@ -14,9 +14,9 @@ namespace pixelplumb {
 class Playhead;
 class StudentPicture;
 
-/// The status bar's fields: the pixel under the mouse or picked, the column and the step in hand,
-/// under which rules, what they cost and get wrong. Each is as wide as the widest text that it will
-/// show, so that nothing moves in stepping.
+/// The status bar's fields: the pixel under the mouse or picked, the current column and step, the
+/// rules, and their costs and errors. Each is as wide as the widest text that it will show, so that
+/// nothing moves while stepping.
 class StatusFields : public QWidget {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ public:
                  QWidget *parent = nullptr);
 
 public slots:
-    /// The pixel under the mouse; without one the picked pixel is shown.
+    /// Shows the pixel under the mouse; without one, the picked pixel.
     void setHovered(std::optional<QPoint> pixel);
 
 private:

@@ -26,7 +26,7 @@ StatusFigures::StatusFigures(const Playhead *playhead, const StudentPicture *stu
     , m_job(nullptr, measuringPool())
 {
     setObjectName(QStringLiteral("statusFigures"));
-    setAccessibleName(tr("Wrong pixels and time of the method in hand"));
+    setAccessibleName(tr("Wrong pixels and time of the current method"));
     m_job.setRest(pauseBetween);
     connect(playhead, &Playhead::tracedChanged, this, [this] {
         m_isStale = true;
@@ -58,7 +58,7 @@ void StatusFigures::measure()
     if (!isVisible() || !m_isStale)
         return;
     const std::shared_ptr<const TracedScene> traced = m_playhead->sharedTraced();
-    // A run that was too large to be recorded is too large to be drawn beside the window.
+    // A run too large to record is also too large to draw in the background.
     if (!traced || traced->trace->isCut()) {
         m_job.cancel();
         tell({}, {});

@@ -9,10 +9,9 @@ namespace pixelplumb {
 class Playhead;
 class StudentPicture;
 
-/// What the method and the arithmetic in hand get wrong of this scene, and in the tool tip what
-/// they take (objectName "statusFigures"). Measured beside the GUI thread, and only while it is
-/// seen. While a student's picture is judged the verdict on that stands here instead: one verdict
-/// is told at a time.
+/// The errors of the current method and arithmetic on this scene, and in the tool tip their costs
+/// (objectName "statusFigures"). Measured in a worker thread, and only while visible. While a
+/// student's picture is judged, its verdict is shown instead: only one verdict at a time.
 class StatusFigures : public ElidedLabel {
     Q_OBJECT
 

@@ -7,7 +7,7 @@
 
 namespace pixelplumb {
 
-/// Moves in time, with their keys.
+/// The menu of moves in time, with their keys.
 class StepMenu : public QMenu {
     Q_OBJECT
 

@@ -29,9 +29,9 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int readableZoom = 8; ///< device pixels a frame pixel: its mark can be told
+constexpr int readableZoom = 8; ///< device pixels per frame pixel at which marks are legible
 
-/// So that the picked pixel, which keeps its place in the view, can be seen by itself.
+/// Zooms so that the picked pixel, which keeps its place in the view, can be seen singly.
 void showPickedPixel(Canvas &canvas)
 {
     canvas.fitToView();
@@ -39,7 +39,7 @@ void showPickedPixel(Canvas &canvas)
         canvas.setZoom(readableZoom);
 }
 
-/// In front, with these in its panes.
+/// Brings the comparison to the front, with these contenders.
 void showComparison(WindowDocks &docks, const std::vector<Contender> &contenders)
 {
     auto *compare = docks.panel<ComparePanel>();
@@ -47,7 +47,7 @@ void showComparison(WindowDocks &docks, const std::vector<Contender> &contenders
     compare->setContenders(contenders);
 }
 
-/// A set of defects is opened in the document's place, and left again.
+/// Connects a set of defects to the document: it is opened as the scene, and left again.
 DefectStepper *connectDiagnosis(const WindowParts &parts, WindowDocks &docks,
                                 DiagnosisView &diagnosis, MainWindow *window)
 {
@@ -69,7 +69,7 @@ DefectStepper *connectDiagnosis(const WindowParts &parts, WindowDocks &docks,
     return stepper;
 }
 
-/// A graded picture is opened in Submission, at its first difference.
+/// Connects grading: a graded picture opens in Submission, at its first difference.
 void connectGrading(const WindowParts &parts, WindowDocks &docks, DefectStepper *stepper,
                     MainWindow *window)
 {
@@ -90,7 +90,7 @@ void connectGrading(const WindowParts &parts, WindowDocks &docks, DefectStepper 
     QObject::connect(grading->book(), &Gradebook::notice, parts.playhead, &Playhead::message);
 }
 
-/// A student's picture is seen at once: its marks, and what is said of it.
+/// Connects a student's picture: its marks and its verdict are shown at once.
 void connectSubmission(const WindowParts &parts, WindowDocks &docks, MainWindow *window)
 {
     auto *panel = docks.panel<SubmissionPanel>();
@@ -103,7 +103,7 @@ void connectSubmission(const WindowParts &parts, WindowDocks &docks, MainWindow 
     });
     QObject::connect(panel, &SubmissionPanel::openRequested, parts.pictures,
                      &StudentPictureFiles::open);
-    // Whoever has closed the panel is done with the picture; else it waits for the scene it is of.
+    // A closed panel means that the picture is no longer needed; else it waits for its scene.
     QObject::connect(parts.files, &SceneFiles::replacing, parts.student,
                      [&docks, panel, student = parts.student] {
                          if (docks.isClosed(panel))
@@ -116,8 +116,8 @@ void connectSubmission(const WindowParts &parts, WindowDocks &docks, MainWindow 
                          const auto &judgement = student->judgement();
                          const QDockWidget *submission = docks.dockOf<SubmissionPanel>();
                          QDockWidget *history = docks.dockOf<PixelHistoryPanel>();
-                         // Nothing goes in front of what was clicked, and nobody who grades is led
-                         // away.
+                         // Never covers the clicked widget, and never takes a grader to another
+                         // workspace.
                          const bool covers = submission->underMouse()
                              && window->tabifiedDockWidgets(history).contains(submission);
                          if (docks.workspaces()->current() == Workspace::Step && judgement
@@ -165,7 +165,7 @@ void showExamples(const WindowParts &parts, WindowDocks &docks, QWidget *window)
     auto *dialog = new ExamplesDialog(examples(), panel->cases(), window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     QObject::connect(dialog, &ExamplesDialog::sceneChosen, parts.files, &SceneFiles::openFile,
-                     Qt::QueuedConnection); // which may ask, when the dialog is gone
+                     Qt::QueuedConnection); // it may ask, after the dialog has closed
     QObject::connect(dialog, &ExamplesDialog::caseChosen, panel,
                      [&docks, panel](const QString &id) {
                          docks.raise(panel);

@@ -16,7 +16,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// An entry of a group, one of which is checked: that of the choice that the switch has.
+/// Adds an entry to an exclusive group; the switch's current choice is checked.
 void addChoice(QActionGroup *group, QMenu *menu, const char *name, const QString &text,
                PaletteSwitch *palettes, PaletteChoice choice)
 {
@@ -76,8 +76,8 @@ void ViewMenu::addOptions(const WindowParts &parts)
                               Qt::Key_D, &DisplayOptions::areDifferencesShown,
                               &DisplayOptions::setDifferencesShown);
     addOption("showClipping", tr("&Clipped polygon"), tr("clipped"),
-              tr("What the near plane leaves of the face whose triangle is in hand, and the "
-                 "triangles that it is drawn as (N)"),
+              tr("The current triangle's face as clipped by the near plane, and the triangles that "
+                 "it is drawn as (N)"),
               Qt::Key_N, &DisplayOptions::isClippingShown, &DisplayOptions::setClippingShown);
     addOption(
         "showHexadecimal", tr("Values in &hexadecimal"), tr("hexadecimal"),
@@ -87,7 +87,8 @@ void ViewMenu::addOptions(const WindowParts &parts)
     QAction *counts = addMenuAction(this, "showOverdraw", tr("&Overdraw and gaps"), Qt::Key_O,
                                     [overdraw](bool shown) { overdraw->setVisible(shown); });
     counts->setCheckable(true);
-    counts->setToolTip(tr("How often each pixel is written, and the gaps that nobody writes (O)"));
+    counts->setToolTip(
+        tr("How often each pixel is written, and the gaps that are never written (O)"));
     confineKeyTo(parts.canvas, counts);
 }
 

@@ -11,7 +11,7 @@ class PaletteSwitch;
 class WindowDocks;
 class Workspaces;
 
-/// What is drawn over the frame, how large, in which colours, and which panels are shown in which
+/// What is drawn over the frame, the zoom, the colours, and which panels are shown in which
 /// workspace.
 class ViewMenu : public QMenu {
     Q_OBJECT
@@ -24,7 +24,7 @@ public:
     QAction *differences() const { return m_differences; }
     QAction *truth() const { return m_truth; }
 
-    /// One for each, the current one checked.
+    /// One action per workspace, the current one checked.
     QList<QAction *> workspaces() const { return m_workspaces; }
 
 private:

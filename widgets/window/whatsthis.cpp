@@ -24,8 +24,8 @@ constexpr PartExplanation explanations[] = {
     {"canvas",
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",
-         "The frame as it is at the step in hand, with its triangles and the plumb line through "
-         "the column or row in hand. With the tool Draw a click places a vertex and a drag moves "
+         "The frame as it is at the current step, with its triangles and the plumb line through "
+         "the current column or row. With the tool Draw a click places a vertex and a drag moves "
          "one, with Inspect a click picks the pixel; a right click always picks. Arrows move the "
          "picked pixel, the wheel zooms, Shift shows the truth as long as it is held.")},
     {"scrubber",
@@ -47,7 +47,7 @@ constexpr PartExplanation explanations[] = {
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
                        "The pixel under the pointer, else the picked one, and its colour.")},
     {"statusColumn",
-     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis", "The column, row or step of the method in hand.")},
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis", "The column, row or step of the current method.")},
     {"statusStep",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis", "How many of the run's steps are done.")},
     {"statusSettings",
@@ -58,14 +58,14 @@ constexpr PartExplanation explanations[] = {
     {"formulaDock",
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",
-         "The step in hand as formulas with its numbers put in: what the drawing used, beside the "
+         "The current step as formulas with its numbers put in: what the drawing used, beside the "
          "exact value. The entries of the menu Step go on and back by a column or row, or by a "
          "pixel.")},
     {"pixelGridDock",
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",
          "The pixels around the picked one, large enough to read: their bytes, their sample "
-         "points, the true edges, and where the column or row in hand meets them. Arrows move the "
+         "points, the true edges, and where the current column or row meets them. Arrows move the "
          "picked "
          "pixel, + and − make the cells larger and smaller, Enter goes to the step that wrote "
          "it.")},
@@ -77,22 +77,21 @@ constexpr PartExplanation explanations[] = {
     {"columnsDock",
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",
-         "The numbers of every column, or row or step of other methods, as the drawing used them; "
-         "exact ones can be shown beside. A row that is clicked is gone to.")},
+         "The numbers of every column (with other methods, every row or step), as the drawing used "
+         "them; exact ones can be shown next to them. A click on a row goes to it.")},
     {"compareDock",
-     QT_TRANSLATE_NOOP(
-         "pixelplumb::WhatsThis",
-         "Two to four methods, or the truth, draw the scene side by side, and a map shows where "
-         "they agree; below stands why the picked pixel differs. Arrows move the picked pixel, + "
-         "and − zoom all of them.")},
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
+                       "Two to four methods, or the truth, draw the scene side by side, and a map "
+                       "shows where they agree; the text below says why the picked pixel differs. "
+                       "Arrows move the picked pixel, + and − zoom all of them.")},
     {"precisionDock",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
                        "How far the bounds that each arithmetic computes are from the exact edges "
-                       "of the triangle in hand, column by column.")},
+                       "of the current triangle, column by column.")},
     {"hardCasesDock",
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",
-         "The gallery of hard cases by family, each drawn by the method in hand beside the truth, "
+         "The gallery of hard cases by family, each drawn by the current method beside the truth, "
          "and whether the method is right. Its buttons open a case in the window.")},
     {"performanceDock",
      QT_TRANSLATE_NOOP(
@@ -102,7 +101,7 @@ constexpr PartExplanation explanations[] = {
     {"operationsDock",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
                        "How many divisions, roundings, additions and other operations a set-up, a "
-                       "span and a sample take in the method and the arithmetic in hand.")},
+                       "span and a sample take in the current method and arithmetic.")},
     {"accuracyLabDock",
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",
@@ -112,7 +111,7 @@ constexpr PartExplanation explanations[] = {
     {"projectionDock",
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",
-         "How the triangle in hand came from three dimensions to the frame: the camera from the "
+         "How the current triangle came from three dimensions to the frame: the camera from the "
          "side, and every stage with its numbers. Arrows turn the view, + and − bring it nearer "
          "and farther, Home brings the first view back.")},
     {"effectsDock",
@@ -122,16 +121,14 @@ constexpr PartExplanation explanations[] = {
     {"methodDock",
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",
-         "The method in hand: what it does, where it comes from, and its pseudocode, with the "
-         "lines that the step in hand does marked.")},
+         "The current method: what it does, where it comes from, and its pseudocode, with the "
+         "lines that the current step does marked.")},
     {"predictDock",
-     QT_TRANSLATE_NOOP(
-         "pixelplumb::WhatsThis",
-         "Asks for what comes next (y_B, the rows, the increments or the next pixel) before it is "
-         "shown, and tells right and wrong with the reason. Enter checks what is typed, a number "
-         "or "
-         "the pixel's x, y, and goes on. As long as this panel is open, the others hide what lies "
-         "ahead, and the truth.")},
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
+                       "Asks for what comes next (y_B, the rows, the increments or the next pixel) "
+                       "before it is shown, and says whether the answer is right, and why. Enter "
+                       "checks what is typed, a number or the pixel's x, y, and goes on. While "
+                       "this panel is open, the others hide the truth and what lies ahead.")},
     {"motionDock",
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",
@@ -145,10 +142,10 @@ constexpr PartExplanation explanations[] = {
          "primitive, coordinates are typed in place, and the buttons below, which a right click "
          "shows as a menu, move, recolour and delete it.")},
     {"submissionDock",
-     QT_TRANSLATE_NOOP(
-         "pixelplumb::WhatsThis",
-         "What a student's picture, dropped on the window or pasted, has different, by cause, both "
-         "pictures beside each other; Name the bug looks for known defects that draw it.")},
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
+                       "How a student's picture, dropped on the window or pasted, differs from the "
+                       "expected one, by cause, with both pictures side by side; Name the bug "
+                       "looks for known defects that draw it.")},
     {"gradingDock",
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",
@@ -168,8 +165,8 @@ constexpr PartExplanation explanations[] = {
                        "workspace and panels are shown.")},
     {"layersMenu",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
-                       "Lays the figures of the course texts over the scene, at the step in "
-                       "hand.")},
+                       "Lays the figures of the course texts over the scene, at the current "
+                       "step.")},
     {"stepMenu",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
                        "Goes through the run of the scene, forward and back.")},
@@ -183,7 +180,7 @@ constexpr PartExplanation explanations[] = {
                        "are.")},
 };
 
-/// Empty where the table has none.
+/// A part's explanation; empty where the table has none.
 QString explanationOf(const QString &name)
 {
     const auto *row = std::ranges::find_if(explanations, [&name](const PartExplanation &each) {
@@ -194,7 +191,7 @@ QString explanationOf(const QString &name)
         : QCoreApplication::translate(explanationContext, row->text);
 }
 
-/// Of an action that shows or hides a dock, the dock's.
+/// An action's explanation; for a dock's toggle, the dock's.
 QString explanationOf(const QAction &action)
 {
     QString name = action.objectName();

@@ -6,11 +6,11 @@ class QWidget;
 namespace pixelplumb {
 
 /// Gives the window's parts, actions and menus their What's This texts: one to three sentences, by
-/// the part's object name; what has no sentence of its own has its tool tip, as it is now. Menus
-/// explain those of their entries that have neither.
+/// the part's object name; a part without a sentence gets its current tool tip. Menus explain
+/// entries that have neither.
 void explainParts(QWidget *window);
 
-/// Then the next click tells what it hits instead of doing it.
+/// Enters What's This mode: the next click explains what it hits instead of acting.
 void enterWhatsThis(QWidget *window);
 
 } // namespace pixelplumb

@@ -10,7 +10,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Null for all that is no box.
+/// The object as a combo or spin box, else null.
 QWidget *boxOf(QObject *object)
 {
     if (!qobject_cast<QComboBox *>(object) && !qobject_cast<QAbstractSpinBox *>(object))
@@ -32,10 +32,10 @@ bool WheelGuard::eventFilter(QObject *watched, QEvent *event)
         return QObject::eventFilter(watched, event);
     QWidget *box = boxOf(watched);
     if (box && event->type() == QEvent::Polish && box->focusPolicy() == Qt::WheelFocus)
-        box->setFocusPolicy(Qt::StrongFocus); // else the wheel itself gives it the focus
+        box->setFocusPolicy(Qt::StrongFocus); // else the wheel would give it the focus
     if (!box || event->type() != QEvent::Wheel || box->hasFocus())
         return QObject::eventFilter(watched, event);
-    event->ignore(); // it goes on to the parent
+    event->ignore(); // passed on to the parent
     return true;
 }
 

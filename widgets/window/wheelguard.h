@@ -5,9 +5,8 @@
 
 namespace pixelplumb {
 
-/// Keeps the wheel from changing a box that nobody has in hand: over a combo or spin box without
-/// the focus it scrolls what is around. One for the whole program, dialogs and floating panels
-/// included.
+/// Keeps the wheel from changing a combo or spin box without the focus; it scrolls what is around
+/// it instead. One for the whole program, dialogs and floating panels included.
 class WheelGuard : public QObject {
     Q_OBJECT
 

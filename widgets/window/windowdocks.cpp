@@ -40,8 +40,8 @@ QDockWidget *dockAround(const QWidget *panel)
     return static_cast<QDockWidget *>(panel->parentWidget());
 }
 
-/// To what a panel names as its proxy, to itself, or to the first of its parts that Tab would
-/// reach.
+/// Gives the focus to a panel's focus proxy, to the panel itself, or to its first part that Tab
+/// would reach.
 void giveFocus(QWidget *panel)
 {
     const auto takes = [](const QWidget *part, Qt::FocusPolicy policy) {
@@ -102,11 +102,12 @@ void WindowDocks::add(const Panel &panel, const WindowParts &parts)
     dock->setFeatures(features);
     m_docks += dock;
     addToggle(dock);
-    // A panel may have another title for each method.
+    // A panel's title may depend on the method.
     connect(dock->widget(), &QWidget::windowTitleChanged, dock, &QDockWidget::setWindowTitle);
 }
 
-/// Qt's own action hides a dock whose tab is behind another's, where a person wants to see it.
+/// Adds an action that shows a dock or brings it to the front; Qt's own would hide a dock that is a
+/// tab behind another.
 void WindowDocks::addToggle(QDockWidget *dock)
 {
     auto *toggle = new QAction(dock->windowTitle(), dock);
@@ -128,7 +129,7 @@ void WindowDocks::addToggle(QDockWidget *dock)
     connect(dock, &QDockWidget::windowTitleChanged, toggle, &QAction::setText);
 }
 
-/// Who opens a panel by its key has no hand on the mouse: what is typed next is meant for it.
+/// Notes toggles used by key: further typing is then meant for the panel.
 bool WindowDocks::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() == QEvent::Shortcut)
@@ -144,7 +145,7 @@ void WindowDocks::raise(QWidget *panel)
     m_room->remember(dock);
     dock->show();
     dock->raise();
-    // A dock that was just shown has its place only after the window's layout.
+    // A newly shown dock has its place only after the window's layout.
     QMetaObject::invokeMethod(
         this, [this, dock] { m_room->makeFor(dock); }, Qt::QueuedConnection);
 }

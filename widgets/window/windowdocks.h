@@ -23,9 +23,10 @@ public:
     WindowDocks(const WindowParts &parts, QMainWindow *window);
 
     QList<QDockWidget *> all() const { return m_docks; }
-    /// For each dock, in their order: shows it in front, and hides it where it is there already.
+    /// One action per dock, in their order: brings the dock to the front, or hides it if it is
+    /// there already.
     QList<QAction *> toggles() const { return m_toggles; }
-    /// A panel of the table, by its class.
+    /// The panel of the table with this class.
     template <class Widget>
     Widget *panel() const
     {
@@ -40,10 +41,10 @@ public:
     {
         return static_cast<QDockWidget *>(panel<Widget>()->parentWidget());
     }
-    /// Shows the dock of a panel in front of those that share its place: in the panel's workspace,
+    /// Shows a panel's dock in front of those that share its place: in the panel's workspace,
     /// unless it is open in the current one.
     void raise(QWidget *panel);
-    /// Not open in its workspace, which is the current one.
+    /// Whether the panel is not open although its workspace is the current one.
     bool isClosed(QWidget *panel) const;
 
     Workspaces *workspaces() const { return m_workspaces; }

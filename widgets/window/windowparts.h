@@ -20,7 +20,7 @@ class StepActions;
 class StudentPicture;
 class StudentPictureFiles;
 
-/// The window's parts, for those who connect menus to them. The window owns them all.
+/// The window's parts, for code that connects menus to them. The window owns them all.
 struct WindowParts {
     SceneDocument *document = nullptr;
     Playhead *playhead = nullptr;

@@ -15,12 +15,10 @@ namespace pixelplumb {
 namespace {
 
 constexpr QSize firstSize(1440, 960);
-/// Asked for by the window itself, so that no panel that is opened, dragged or reset can make the
-/// window larger than a person has made it: panels that do not fit have less room than they ask
-/// for.
+/// The window's own minimum size, so that no panel opened, dragged or reset can enlarge the window;
+/// panels that do not fit get less room than they ask for.
 constexpr QSize leastSize(800, 500);
-/// What a desktop's frame and title bar take beside the window's own size; not known before it is
-/// shown.
+/// The desktop's frame and title bar around the window; unknown before it is shown.
 constexpr QSize frameRoom(8, 40);
 
 template <class Choice>

@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 class Workspaces;
 
-/// What the window remembers from run to run, in QSettings: where it is, its workspaces, the
+/// The settings that the window keeps from run to run in QSettings: its place, its workspaces, the
 /// speed and unit of playing, the snapping and what is drawn over the frame.
 class WindowSettings {
 public:

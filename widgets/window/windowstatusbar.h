@@ -8,7 +8,7 @@
 
 namespace pixelplumb {
 
-/// Where the pointer and time are, and the jobs beside the window.
+/// The pointer's and the playhead's place, and the background jobs.
 class WindowStatusBar : public QStatusBar {
     Q_OBJECT
 

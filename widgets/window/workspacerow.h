@@ -8,16 +8,16 @@ class QAction;
 
 namespace pixelplumb {
 
-/// A row of buttons for the window's upper right corner: one for each workspace, the current one
+/// A row of buttons for the window's upper right corner, one per workspace, the current one
 /// pressed.
 class WorkspaceRow : public QWidget {
     Q_OBJECT
 
 public:
-    /// Of actions that are checkable, one of which is checked.
+    /// `workspaces`: checkable actions, one of which is checked.
     explicit WorkspaceRow(const QList<QAction *> &workspaces, QWidget *parent = nullptr);
 
-    /// No higher than the titles of menus beside it.
+    /// No higher than the menu titles next to it.
     QSize minimumSizeHint() const override;
     QSize sizeHint() const override { return minimumSizeHint(); }
 };

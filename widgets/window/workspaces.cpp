@@ -13,11 +13,11 @@ namespace {
 
 constexpr auto currentKey = "workspaces/current";
 
-/// Another one when panels come or go, so that an old layout is not forced on them; the first
-/// number is to be raised when tool bars do.
+/// The version changes with the number of panels, so that an old layout is not forced on them;
+/// raise the first number when tool bars change.
 int layoutVersion() { return 4 * 100 + int(panels().size()); }
 
-/// Of its layout in the settings.
+/// The settings key of a workspace's layout.
 QString keyOf(Workspace workspace)
 {
     return QStringLiteral("workspaces/layout%1").arg(int(workspace));
@@ -91,7 +91,7 @@ void Workspaces::enter(Workspace workspace)
     m_window->setUpdatesEnabled(false);
     showCurrent();
     m_window->setUpdatesEnabled(true);
-    // What had the keys when it was left has them again, else the canvas.
+    // Returns the focus to the widget that had it in this workspace, else to the canvas.
     QWidget *focus = kept(workspace).focus;
     if (!focus || !focus->isVisible())
         focus = m_window->centralWidget();

@@ -18,8 +18,8 @@ namespace pixelplumb {
 
 class FirstArrangement;
 
-/// The workspace that the window shows, the way back to those before it, and how the panels of each
-/// lie: as a person has left them, in this run or the last, else as at first.
+/// The window's current workspace, the way back to earlier ones, and the layout of each one's
+/// panels: as a person last left them, in this run or before, else the first layout.
 class Workspaces : public QObject {
     Q_OBJECT
 
@@ -29,21 +29,22 @@ public:
     Workspace current() const { return m_current; }
     void goTo(Workspace workspace);
     bool canGoBack() const { return !m_visited.isEmpty(); }
-    /// To the workspace before this one, as a browser goes back to a page.
+    /// Returns to the previous workspace, like a browser to a page.
     void goBack();
-    /// The panels of the current one lie as at first; the others stay as they are.
+    /// Restores the first layout of the current workspace; the others stay as they are.
     void reset();
 
-    /// As the run before left them; as at first where it left nothing that this window could show.
+    /// Restores the layouts of the previous run; the first layout where it left none that this
+    /// window can show.
     void restore(const QSettings &settings);
     void store(QSettings &settings);
 
 signals:
-    void leaving(); ///< the current one, whose panels are still there
+    void leaving(); ///< the current workspace, with its panels still there
     void changed();
 
 private:
-    /// What is found again in a workspace.
+    /// What is restored in a workspace.
     struct Kept {
         QByteArray layout;
         QPointer<QWidget> focus;
@@ -57,11 +58,11 @@ private:
     QMainWindow *m_window;
     FirstArrangement *m_first;
     Workspace m_current = Workspace::Step;
-    QList<Workspace> m_visited; ///< on the way to the current one
+    QList<Workspace> m_visited; ///< those before the current one
     std::array<Kept, std::size(allWorkspaces)> m_kept;
 };
 
-/// "Step", to be read on a button.
+/// The workspace's title for a button: "Step".
 QString titleOf(Workspace workspace);
 
 } // namespace pixelplumb

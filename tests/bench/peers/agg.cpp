@@ -15,9 +15,9 @@ namespace pixelplumb::bench {
 
 namespace {
 
-/// AGG has no Gouraud path without its coverage rasteriser. A gamma that is a threshold at one half
-/// switches antialiasing off: a pixel is written when half of its area is covered, whatever its
-/// centre says.
+/// AGG has no Gouraud path without its coverage rasteriser. A gamma with a threshold at one half
+/// switches antialiasing off: a pixel is written if half of its area is covered, wherever its
+/// centre lies.
 class Agg final : public Contender {
 public:
     using Contender::Contender;
@@ -67,7 +67,7 @@ private:
         agg::rgba8 colour;
     };
 
-    /// A pixel's centre is at a half, y runs downward.
+    /// Pixel centres are at half coordinates, y runs downward.
     Corner cornerOf(const Vertex &vertex) const
     {
         const PixelPoint point = pixelOf(vertex);

@@ -14,8 +14,8 @@ struct PatternDeleter {
     void operator()(cairo_pattern_t *pattern) const { cairo_pattern_destroy(pattern); }
 };
 
-/// All triangles as patches of one mesh pattern, painted once: painting each by itself would charge
-/// the composition of the whole frame to every triangle. Cairo draws a patch by so many points on
+/// All triangles as patches of one mesh pattern, painted once: painting each alone would charge the
+/// composition of the whole frame to every triangle. Cairo draws a patch as so many points on
 /// Bézier curves that none of its pixels is left out ("forward rasterization"): every pixel that
 /// the triangle touches is written, in the colour of the last point that fell into it.
 class Cairo final : public Contender {
@@ -48,7 +48,7 @@ public:
     }
 
 private:
-    /// A pixel's centre is at a half, y runs downward.
+    /// Pixel centres are at half coordinates, y runs downward.
     void addPatch(const Triangle &triangle)
     {
         cairo_pattern_t *pattern = m_pattern.get();

@@ -27,7 +27,7 @@ int rasteriserThreads()
 }
 
 /// Where a display comes from. Mesa reads LP_NUM_THREADS when a display is first initialised, and
-/// gives one display a platform: two platforms make two of them in one process.
+/// keeps one display per platform: two platforms give two displays in one process.
 enum class Platform { Surfaceless, Device };
 
 EGLDisplay displayOf(Platform platform)
@@ -60,8 +60,8 @@ struct Context {
     }
 };
 
-/// A context whose rasteriser has that many threads of its own; 0 is the caller's thread alone.
-/// Otherwise a message that says what went wrong.
+/// A context whose rasteriser has this many threads of its own; 0 means the caller's thread alone.
+/// On failure, a message that says what went wrong.
 std::variant<Context, QString> contextWith(int threads, Platform platform)
 {
     qputenv("LIBGL_ALWAYS_SOFTWARE", "1");
@@ -154,7 +154,7 @@ public:
         vertices.reserve(scene.triangles.size() * 3);
         for (const Triangle &triangle : scene.triangles) {
             for (const Vertex &vertex : triangle.vertices) {
-                // A pixel's centre is at a half; y runs upward, as ours.
+                // Pixel centres are at half coordinates; y runs upward, as ours.
                 const PixelPoint point = pixelOf(vertex);
                 vertices.push_back(
                     {clipCoordinate(point.x, m_size.width),

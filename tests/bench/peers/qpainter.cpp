@@ -22,7 +22,7 @@ public:
         for (const Triangle &triangle : scene.triangles) {
             Polygon polygon;
             for (std::size_t corner = 0; corner < 3; ++corner) {
-                // A pixel's centre is at a half, y runs downward.
+                // Pixel centres are at half coordinates, y runs downward.
                 const PixelPoint point = pixelOf(triangle.vertices[corner]);
                 polygon.corners[corner]
                     = QPointF(point.x + 0.5, scene.size.height - 1 - point.y + 0.5);

@@ -15,8 +15,8 @@ struct RendererDeleter {
     void operator()(SDL_Renderer *renderer) const { SDL_DestroyRenderer(renderer); }
 };
 
-/// The software renderer cuts vertices to whole pixels (SDL_Point) and samples in the middle of
-/// pixels, so our scene cannot be had: it draws the scene half a pixel beside.
+/// The software renderer truncates vertices to whole pixels (SDL_Point) and samples at pixel
+/// centres, so it cannot draw our exact scene: it draws the scene shifted by half a pixel.
 class Sdl final : public Contender {
 public:
     using Contender::Contender;

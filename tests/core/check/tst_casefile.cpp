@@ -26,7 +26,7 @@ QString reasonFor(const QByteArray &text)
 
 } // namespace
 
-/// How a file of hard cases is read, snapped and refused.
+/// How a file of hard cases is read, snapped and rejected.
 class TestCaseFile : public QObject {
     Q_OBJECT
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr ByteRounding nearest = ByteRounding::Nearest;
 
-/// Those that draw effects, in exact arithmetic under the rules that they keep.
+/// The methods that draw effects, in exact arithmetic under the rules that they support.
 std::vector<Contender> exactContenders()
 {
     std::vector<Contender> contenders;
@@ -38,7 +38,7 @@ QString remarksOf(const CaseReport &report)
 
 } // namespace
 
-/// The hard cases of effects, whose facts derive_effect_facts.py derives in fractions.
+/// The hard cases of effects; derive_effect_facts.py derives their facts in fractions.
 class TestEffectCases : public QObject {
     Q_OBJECT
 
@@ -75,7 +75,7 @@ private slots:
 
         QVERIFY2(report.count(CaseOutcome::FellShort) == 0, qPrintable(remarksOf(report)));
         QCOMPARE(report.count(CaseOutcome::Passed),
-                 std::int64_t(15)); // three by four rules, one by three
+                 std::int64_t(15)); // three methods by four rules, one by three
     }
 
     void inFloat32MethodsFallShortWhereRecorded_data()
@@ -154,7 +154,7 @@ private slots:
         QVERIFY(remarksOf(report).contains(u"colour hash"));
     }
 
-    void methodsWithoutEffectsAreSkippedAndToldWhoHasThem()
+    void methodsWithoutEffectsAreSkippedAndNameThoseWithThem()
     {
         const HardCase &hardCase = caseNamed(m_cases, QStringLiteral("effect_w_near_zero"));
 

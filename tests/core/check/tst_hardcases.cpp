@@ -12,7 +12,8 @@ namespace tst_hardcases {
 
 using namespace pixelplumb;
 
-/// The hard cases of triangles: who is right on all of them, and that the checks can fail.
+/// The hard cases of triangles: which methods are right on all of them, and that the checks can
+/// fail.
 class TestHardCases : public QObject {
     Q_OBJECT
 
@@ -72,7 +73,7 @@ private slots:
         }
     }
 
-    // The checks can fail: numbers that round fall short where the catalogue says so.
+    // The checks can fail: rounding arithmetics fall short where the catalogue says so.
     void roundingNumbersFallShort_data()
     {
         QTest::addColumn<QString>("id");
@@ -109,7 +110,7 @@ private slots:
         QVERIFY2(shortfalls.join(u'\n').contains(remark), qPrintable(shortfalls.join(u'\n')));
     }
 
-    // Faults planted in a drawing that is right otherwise.
+    // Faults planted in an otherwise right drawing.
     void aDrawingThatLosesOnePixelFallsShort()
     {
         const Drawing lossy
@@ -173,7 +174,7 @@ private slots:
                  QStringList{QStringLiteral("coverage (times×pixels) 1×416 2×9 instead of 1×384")});
     }
 
-    // Facts of vertices off the lattice hold for other vertices than the ones that are drawn.
+    // Facts about vertices off the lattice do not hold for the snapped vertices that are drawn.
     void whatIsOffTheLatticeIsComparedWithTheTruthAfterSnapping_data()
     {
         QTest::addColumn<QByteArray>("members");

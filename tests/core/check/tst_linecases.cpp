@@ -10,7 +10,7 @@ namespace tst_linecases {
 
 using namespace pixelplumb;
 
-/// Lines among the hard cases.
+/// The line cases among the hard cases.
 class TestLineCases : public QObject {
     Q_OBJECT
 
@@ -23,7 +23,7 @@ private slots:
         QCOMPARE(m_cases.size(), std::size_t(8));
     }
 
-    // What literal forms get wrong in the catalogue of hard cases, each for its reason.
+    // What the literal forms get wrong in the hard cases, each for its own reason.
     void hardCasesAreFailedByTheFormsThatTheyStress_data()
     {
         QTest::addColumn<QString>("method");

@@ -19,7 +19,7 @@ QByteArray caseFile(const QByteArray &members)
 
 } // namespace
 
-/// The members of a file of hard cases that circles, polygons and attributes have.
+/// The members of a hard-case file that circles, polygons and attributes use.
 class TestShapeCaseFile : public QObject {
     Q_OBJECT
 

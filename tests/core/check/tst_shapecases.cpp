@@ -50,15 +50,15 @@ QString remarksOf(const CaseReport &report)
     return remarks.join(u'\n');
 }
 
-/// How a fact is falsified.
+/// Falsifies a fact.
 using Fault = void (*)(HardCase &hardCase);
 
 ExpectedFacts &factsOf(HardCase &hardCase) { return hardCase.facts.begin()->second; }
 
 } // namespace
 
-/// The hard cases beyond triangles near the origin: lines, circles, polygons, far meshes, moving
-/// slivers, interpolation.
+/// The hard cases other than triangles near the origin: lines, circles, polygons, far meshes,
+/// moving slivers, interpolation.
 class TestShapeCases : public QObject {
     Q_OBJECT
 
@@ -89,7 +89,7 @@ private slots:
         const CaseReport report = checkCase(*hardCase, stableContenders());
 
         QVERIFY2(report.count(CaseOutcome::FellShort) == 0, qPrintable(remarksOf(report)));
-        // No method claims to draw every outlined circle truly.
+        // No method claims to draw every outlined circle correctly.
         QCOMPARE(report.count(CaseOutcome::Passed) > 0, !isOutline(*hardCase));
         if (hardCase->kind == HardCaseKind::Line)
             QCOMPARE(report.count(CaseOutcome::Passed), std::int64_t(2));
@@ -124,7 +124,7 @@ private slots:
         QCOMPARE(expected.size(), qsizetype(4));
     }
 
-    // Every kind of fact is looked at: falsified, it is missed by the methods that were right.
+    // Every kind of fact is checked: methods that were right miss a falsified one.
     void aFalseFactFallsShort_data()
     {
         QTest::addColumn<QString>("id");
@@ -186,16 +186,17 @@ private slots:
         for (const ContenderVerdict &verdict : report.verdicts) {
             if (!hardCase.facts.contains(verdict.contender.settings.fillRule))
                 continue;
-            // Under top-left y points down, and the points' values are those of the other way.
+            // Under top-left y points down, so the points' values are those of the opposite
+            // direction.
             const bool answers = verdict.contender.method->family == MethodFamily::Interpolation
                 && verdict.contender.settings.fillRule != FillRule::TopLeft;
             QCOMPARE(verdict.outcome == CaseOutcome::FellShort, answers);
         }
-        // Three forms under two rules, and the one by rows under one.
+        // Three forms under two rules, and the row form under one.
         QCOMPARE(report.count(CaseOutcome::FellShort), std::int64_t(7));
     }
 
-    // What rounds falls short, of exactly these.
+    // Rounding forms fall short on exactly these cases.
     void roundingFormsFallShortWhereRecorded_data()
     {
         QTest::addColumn<QString>("method");

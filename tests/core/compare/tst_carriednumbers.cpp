@@ -12,8 +12,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// The default triangle with u = 0, 1/3, 1 and depths 1/4, 1/2, 3/4; nothing that calls for
-/// effects.
+/// The default triangle with u = 0, 1/3, 1 and depths 1/4, 1/2, 3/4; it needs no effect.
 Scene carryingScene(Arithmetic arithmetic)
 {
     Scene scene = defaultSceneIn(arithmetic);
@@ -42,7 +41,8 @@ Contender contender(const char *method, Arithmetic arithmetic)
 
 } // namespace
 
-/// What vertices carry beside colour, and no picture shows, is told and compared where it is there.
+/// Numbers that vertices carry besides colour, and that no picture shows, are reported and compared
+/// if present.
 class TestCarriedNumbers : public QObject {
     Q_OBJECT
 
@@ -66,7 +66,7 @@ private slots:
         Scene scene = defaultSceneIn(Arithmetic::Float32);
         scene.method = "interpolate-plane";
         QVERIFY(pixelHistory(*traceScene(scene), 27, 19).front().carried.empty());
-        // One triangle has some, the other none.
+        // One triangle carries numbers, the other none.
         scene = carryingScene(Arithmetic::Float32);
         scene.triangles.push_back(scene.triangles.front());
         const auto attempts = pixelHistory(*traceScene(scene), 27, 19);

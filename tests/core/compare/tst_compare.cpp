@@ -45,7 +45,7 @@ Contender truth(FillRule rule = FillRule::Closed)
     return {nullptr, {Arithmetic::Exact, rule, ByteRounding::Nearest}};
 }
 
-/// How many contenders of the pixel differ from none, counted without the map.
+/// The size of the pixel's largest group of agreeing contenders, counted without the map.
 int largestGroup(const Contest &contest, std::int64_t x, std::int64_t y)
 {
     std::map<QRgb, int> groups;
@@ -139,10 +139,11 @@ private slots:
         QCOMPARE(deviation.exact, Quantity::integer(1));
         QCOMPARE(deviation.used, Quantity::of(1.0000001f));
         QVERIFY(deviation.isTie);
-        QCOMPARE(pixel.opinions[1].words,
-                 QStringLiteral("missing: y_B = 1.0000001 instead of 1, 1.2e−07 px too high; "
-                                "float32 could hold the exact bound, the increments added up to "
-                                "another; the sample lies exactly on an edge"));
+        QCOMPARE(
+            pixel.opinions[1].words,
+            QStringLiteral("missing: y_B = 1.0000001 instead of 1, 1.2e−07 px too high; "
+                           "float32 could hold the exact bound, but the increments added up to "
+                           "a different one; the sample lies exactly on an edge"));
     }
 
     void namesTheTieRuleWhereOnlyTheRulesDiffer()

@@ -24,13 +24,13 @@ Quantity exactOrdinate(const Vertex &a, const Vertex &b, std::int64_t column)
 }
 
 /// How often a walked edge was farther from the exact one than the bound, and than the additions
-/// alone may take it.
+/// alone allow.
 struct Excess {
     int ofLimit = 0;
     int ofAdditions = 0;
 };
 
-/// Walks an edge by its rounded slope, from its first column or, clipped, from a later one.
+/// Walks an edge by its rounded slope, from its first column or, if clipped, from a later one.
 template <class A>
 void walk(const Vertex &a, const Vertex &b, std::int64_t skipped, Excess &excess)
 {
@@ -49,8 +49,8 @@ void walk(const Vertex &a, const Vertex &b, std::int64_t skipped, Excess &excess
     }
 }
 
-/// Every slope in an eighth of a pixel, from several starts: beside 0 and far from it, on samples
-/// and off them.
+/// Every slope in eighths of a pixel, from several starts: near 0 and far from it, on samples and
+/// off them.
 template <class A>
 Excess excessOverSmallEdges()
 {
@@ -73,7 +73,7 @@ Excess excessOverSmallEdges()
 
 } // namespace
 
-/// What rounding may add up to (resources/numerics.md, 2.2), against every one of many edges.
+/// How far rounding may accumulate (resources/numerics.md, 2.2), tested on every one of many edges.
 class TestErrorLimit : public QObject {
     Q_OBJECT
 

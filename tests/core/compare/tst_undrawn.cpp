@@ -21,7 +21,7 @@ Contender truth(FillRule rule)
 
 } // namespace
 
-/// What a comparison says of primitives whose kind a method does not draw.
+/// What a comparison says about primitives of a kind that a method does not draw.
 class TestUndrawn : public QObject {
     Q_OBJECT
 

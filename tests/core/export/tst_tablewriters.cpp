@@ -13,7 +13,7 @@ namespace tst_tablewriters {
 
 using namespace pixelplumb;
 
-/// How cells and numbers are spelt in CSV, JSON and aligned text, whatever the table is of.
+/// How cells and numbers are written in CSV, JSON and aligned text, whatever the table holds.
 class TestTableWriters : public QObject {
     Q_OBJECT
 

@@ -54,7 +54,7 @@ double valueOf(const QString &fraction)
     return parts[0].toDouble() / (parts.size() > 1 ? parts[1].toDouble() : 1);
 }
 
-/// By the names of the columns.
+/// The set of formulas by column name.
 QMap<QString, QString> formulasOf(const Scene &scene, TraceLevel level)
 {
     QMap<QString, QString> formulas;
@@ -100,7 +100,7 @@ private:
 
 } // namespace
 
-/// The tables of a traced run: their rows, their columns and how they were made.
+/// The tables of a traced run: their rows, their columns and how they were calculated.
 class TestTraceExport : public QObject {
     Q_OBJECT
 
@@ -122,7 +122,7 @@ private slots:
                 return expression.match(QString::fromUtf8(line)).hasMatch();
             });
         };
-        // One triangle of the frame, then two of the polygon that the near plane leaves.
+        // First the triangle in the frame, then the two of the polygon that the near plane leaves.
         QVERIFY(!has("^\\d+,0,"));
         for (const char *pattern :
              {"^\\d+,1,Vertex,V₁,1,1,0,x,,$", "Camera,the camera,1,1,0,near,,$",
@@ -275,7 +275,7 @@ private slots:
         QCOMPARE(steps[QStringLiteral("d_lower")], QStringLiteral("d_lower = y_k − y_line"));
         QCOMPARE(steps[QStringLiteral("d_upper")], QStringLiteral("d_upper = y_line − (y_k − 1)"));
 
-        // 4·4² px of x, 3 of y: p₀ = 9 − 16·3 + 4 = −35; of equal radii 5/4 − 4.
+        // 4·4² px of x, 3 of y: p₀ = 9 − 16·3 + 4 = −35; for equal radii 5/4 − 4.
         const Scene ellipse
             = sceneOf(ellipseAtUnits(latticePixel(20, 20), 4 * unitsPerPixel, 3 * unitsPerPixel),
                       "circle-midpoint", frameOf(48, 48));
@@ -306,7 +306,7 @@ private slots:
         QVERIFY2(alongSegment.contains(QStringLiteral("(x − x")), qPrintable(alongSegment));
     }
 
-    /// Of each number all, and none that no step has.
+    /// All formulas of each number, and no formula that no step has.
     void givesTheFormulasThatTheStepsAreExplainedBy()
     {
         for (const Method &method : methods()) {
@@ -332,7 +332,7 @@ private slots:
                 }
                 for (const QString &formula : written)
                     QVERIFY2(symbols.contains(formula), qPrintable(method.id + u' ' + formula));
-                if (level != TraceLevel::Pixel) // where bytes are told, too
+                if (level != TraceLevel::Pixel) // at that level bytes are shown too
                     QCOMPARE(written, symbols);
                 compared += int(written.size());
             }
@@ -367,7 +367,7 @@ private slots:
         QCOMPARE(lines[8], QByteArray("11  17.133333…"));
     }
 
-    /// Of an edge that is nearly level: from (0, 2) to (8192, 2 1/256) and (0, −2) below 0.
+    /// Nearly level edges: from (0, 2) to (8192, 2 1/256), and from (0, −2) below 0.
     void decimalsPartANumberFromTheWholeOneNextToIt()
     {
         Scene scene;

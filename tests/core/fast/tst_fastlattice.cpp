@@ -11,13 +11,13 @@ namespace tst_fastlattice {
 
 using namespace pixelplumb;
 
-/// The fast path against the plain kernel where all small triangles can be drawn.
+/// The fast path against the plain kernel on every small triangle.
 class TestFastLattice : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Every triangle with corners on 5 x 5 whole pixels, each in a cell of its own, at every place
-    /// in a line of the cache.
+    /// Every triangle with corners on 5 x 5 whole pixels, each in its own cell, at every position
+    /// in a cache line.
     void drawsEveryTriangleOfASmallLattice_data()
     {
         QTest::addColumn<FillRule>("rule");
@@ -39,7 +39,7 @@ private slots:
             const std::int64_t low = i / 125 * 7 + 1;
             Triangle triangle = triangleAt(left + i % 5, low + i / 5 % 5, left + i / 25 % 5,
                                            low + i / 125 % 5, left + i / 625 % 5, low + i / 3125);
-            if (doubledArea(triangle) == 0) // others of its batch are set up in another way
+            if (doubledArea(triangle) == 0) // other triangles of its batch are set up differently
                 continue;
             const std::array<std::uint8_t, 4> levels = {0, 255, 1, std::uint8_t(i)};
             for (std::size_t corner = 0; corner < 3; ++corner) {

@@ -16,7 +16,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// A class of sizes: how far corners lie from each other, and on which lattice.
+/// A class of sizes: how far apart corners are, and on which lattice.
 struct Family {
     Lattice width; ///< corners within ± this of a common point, lattice units
     Lattice height;
@@ -40,7 +40,7 @@ rc::Gen<Lattice> coordinatesWithin(Lattice extent, Lattice grid)
                         [grid](Lattice n) { return n * grid; });
 }
 
-/// Levels are the extremes more often than chance has them: there clamping and wrapping would show.
+/// Levels are extreme more often than by chance: there clamping and wrapping would show.
 rc::Gen<std::uint32_t> colours()
 {
     const auto level = rc::gen::weightedOneOf<std::uint32_t>(
@@ -52,8 +52,8 @@ rc::Gen<std::uint32_t> colours()
 
 rc::Gen<Triangle> triangles(const Family &family, const WindowSpec &window)
 {
-    // The common point: in the window or a little outside, or anywhere that lets a large triangle's
-    // boundary cross the window.
+    // The common point lies in the window or a little outside, or anywhere from which a large
+    // triangle's boundary can cross the window.
     const auto around = [&](Lattice first, Lattice side, Lattice extent) {
         const Lattice middle = (first + side / 2) * unitsPerPixel / family.grid * family.grid;
         const Lattice reach = std::max(side * unitsPerPixel * 3 / 4, extent * 7 / 8);
@@ -95,7 +95,8 @@ rc::Gen<ScanSettings> settingsIn(Arithmetic arithmetic)
                      rc::gen::element(ByteRounding::Nearest, ByteRounding::Truncate)));
 }
 
-/// Both pictures of a scene, the second by every instruction set of the machine in turn.
+/// Compares both pictures of a scene; the second is drawn by each of the machine's instruction sets
+/// in turn.
 void expectSamePicture(const std::vector<Triangle> &scene, const ScanSettings &settings,
                        const WindowSpec &window, int threads = 1)
 {
@@ -146,7 +147,7 @@ void addFamilies()
     add("beyond 2^15 px", 200000 * px, 200000 * px, 1, 40);
 }
 
-/// Small triangles all over a frame: enough work for threads to be started.
+/// Small triangles all over a frame: enough work to start threads.
 std::vector<Triangle> crowd(std::size_t count, std::int32_t side, unsigned seed)
 {
     std::vector<Triangle> scene;
@@ -244,7 +245,7 @@ private slots:
         QTest::addColumn<Arithmetic>("arithmetic");
         QTest::addColumn<int>("threads");
         for (const Arithmetic arithmetic : allArithmetics) {
-            // The others are drawn by one, whatever is asked for.
+            // The other arithmetics use one thread, however many are requested.
             for (int threads = arithmetic == Arithmetic::Exact ? 1 : 8; threads <= 8; ++threads)
                 QTest::addRow("%s, %d threads", nameOf(arithmetic).data(), threads)
                     << arithmetic << threads;
@@ -254,7 +255,7 @@ private slots:
     {
         QFETCH(Arithmetic, arithmetic);
         QFETCH(int, threads);
-        // One thread draws the other arithmetics, and any number of triangles.
+        // The other arithmetics use one thread, with any number of triangles.
         const int triangles = arithmetic == Arithmetic::Exact ? 20'000 : fewerIfSanitized(20'000);
         const std::vector<Triangle> scene = crowd(std::size_t(triangles), 301, 7);
         const ScanSettings settings{arithmetic, FillRule::Closed, ByteRounding::Nearest};

@@ -10,7 +10,7 @@ namespace tst_fastroutes {
 
 using namespace pixelplumb;
 
-/// What the fast path says about itself: which kernel took a triangle, and why.
+/// What the fast path reports about itself: which kernel took a triangle, and why.
 class TestFastRoutes : public QObject {
     Q_OBJECT
 
@@ -60,7 +60,8 @@ private slots:
         QVERIFY(kernelFor(triangleAt(0, 0, 9, 0, 0, 90))
                 == Kernel(FastKernel::Strip16, ColourWord::Steps32));
         const FastKernel wide = kernelFor(triangleAt(0, 0, 90, 0, 0, 90)).first;
-        QVERIFY(wide == FastKernel::Strip32 || wide == FastKernel::Strip16); // by the registers
+        QVERIFY(wide == FastKernel::Strip32 || wide == FastKernel::Strip16); // depends on the
+                                                                             // registers
         QVERIFY(kernelFor(triangleAt(0, 0, 900, 0, 0, 90))
                 == Kernel(FastKernel::RowSpans, ColourWord::Table32));
         QVERIFY(kernelFor(triangleAt(0, 0, 1900, 0, 0, 1070)).second == ColourWord::Table32);
@@ -74,7 +75,7 @@ private slots:
     {
         GuardedFrame frame({640, 480, 0, 0, 0, RowOrder::Ascending});
         std::vector<Triangle> scene;
-        for (int i = 0; i < 77; ++i) // two batches and a part of one
+        for (int i = 0; i < 77; ++i) // two full batches and part of a third
             scene.push_back(triangleAt(7 * i, 3, 7 * i + i % 9, 4, 7 * i + 2, 3 + 3 * i));
         const FastReport report = drawFast(scene, {}, frame.view(), {1, std::nullopt});
         std::uint64_t triangles = 0;

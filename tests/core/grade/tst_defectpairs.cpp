@@ -68,7 +68,7 @@ private slots:
             add({SpanDivisorPlusOne, LastSpanMissing},
                 lines == WalkLines::Columns
                     ? "colour-divisor-plus-one and last-span-missing"
-                    : "colour-divisor-plus-one and first-span-missing"); // from above
+                    : "colour-divisor-plus-one and first-span-missing"); // rows from above
             add({WholeSlopes, SpanDivisorPlusOne}, "colour-divisor-plus-one and whole-slopes");
             add({WholeEdgeColours, ColoursBetweenSamples},
                 "colours-between-samples and whole-edge-colours");
@@ -111,7 +111,7 @@ private slots:
         const Mistakes mistakes = {WalkMistake::EdgeDivisorPlusOne, WalkMistake::SpanDivisorPlusOne,
                                    WalkMistake::EqualAsGiven};
         std::vector<Scene> scenes = probeSheet(QStringLiteral("column-scan"));
-        // One whose last two vertices share a column, the upper one given first.
+        // One triangle's last two vertices share a column, the upper one given first.
         scenes.push_back(scenes.front());
         scenes.back().triangles = {triangleAt(3, 9, 30, 25, 30, 4)};
         for (const Scene &scene : scenes)
@@ -211,7 +211,7 @@ private slots:
             ++wrong;
             const QString both = pair[0].id + QStringLiteral(" and ") + pair[1].id;
             QVERIFY2(diagnosis->isExplained(), qPrintable(both));
-            // Where one of them, or another single one, draws the same, that is enough.
+            // If one of them alone, or another single one, draws the same, that is enough.
             const QStringList ids = idsOf(*diagnosis);
             const bool isNamed
                 = ids.contains(both)
@@ -238,7 +238,7 @@ private slots:
             return changed > 0 && changed < 10;
         };
         QVERIFY(std::ranges::any_of(all, hardlyChanges));
-        for (std::size_t i = 0; i < 60; ++i) // pixels that nobody would write
+        for (std::size_t i = 0; i < 60; ++i) // colours that no program would write
             submission.picture.colours[i] = {{1, 2, 3}};
 
         const Diagnosis diagnosis = *diagnose(std::vector{submission});

@@ -24,7 +24,7 @@ QByteArray assignmentWith(const QByteArray &more)
 
 } // namespace
 
-/// What of a submission is taken for a scene's picture, and why there is none.
+/// Which part of a submission counts as a scene's picture, and why there is none.
 class TestDeliveries : public QObject {
     Q_OBJECT
 

@@ -51,7 +51,7 @@ Defect defectNamed(const Scene &scene, const QString &id)
 
 } // namespace
 
-/// The bug is named by the picture that it draws.
+/// A bug is identified by the picture that it draws.
 class TestDiagnosis : public QObject {
     Q_OBJECT
 
@@ -110,9 +110,9 @@ private slots:
         qInfo("%s: %zu defects, %d seen, %d unique", qPrintable(method), run.size(), seen, unique);
         QVERIFY(seen > 0 && unique > 0);
         if (!areAllCasesRun())
-            return; // shares of a few are left to chance
-        // Arithmetic that is exact enough at this size shows nothing, and rightly so; nor does what
-        // is wrong between pixels alone of vertices on halves.
+            return; // the shares of a few cases depend on chance
+        // Arithmetic that is exact enough at this size rightly shows nothing; nor does a mistake
+        // that only affects positions between pixels show if vertices are on halves.
         QVERIFY(seen * 100 >= 95 * int(run.size()));
         QVERIFY(unique * 10 >= seen * 8);
     }
@@ -147,7 +147,7 @@ private slots:
         }
         QVERIFY2(alike.isEmpty(), qPrintable(alike.join(u' ')));
         QCOMPARE(result.distinct(), result.defects + 1);
-        // Far shifts are many, and no kinds of their own.
+        // Far shifts are many, but not a kind of their own.
         const std::vector<Defect> defects = defectsFor(scenes.front());
         QVERIFY(std::ranges::count(defects, false, &Defect::standsAlone) >= fewest);
     }
@@ -174,7 +174,7 @@ private slots:
         const ProbeResult result = probe(scenes);
         QVERIFY(!result.alike.empty());
         QVERIFY(result.alike.front().equalRight);
-        // Of one triangle alone nothing is toggled: what is gone through again is the same.
+        // A single triangle toggles nothing: traversing it again gives the same.
         QVERIFY(std::ranges::any_of(result.alike.front().defects, [](const Defect &defect) {
             return defect.id == QStringLiteral("parity");
         }));
@@ -196,7 +196,7 @@ private slots:
                       && candidate.defects[1].id == pair[1].id;
               });
         QVERIFY(isFound);
-        // No single one explains it.
+        // No single defect explains it.
         QVERIFY(std::ranges::none_of(diagnosis.candidates, [](const DiagnosisCandidate &candidate) {
             return candidate.defects.size() == 1;
         }));
@@ -207,7 +207,8 @@ private slots:
         const std::vector<Scene> scenes = probeScenes();
         const Defect defect = defectNamed(scenes.front(), QStringLiteral("unsorted-colours"));
         std::vector<Submission> submissions = submissionsOf(scenes, {defect});
-        submissions.front().picture.colours[5] = {{1, 2, 3}}; // a pixel that nobody would write
+        submissions.front().picture.colours[5] = {{1, 2, 3}}; // a colour that no program would
+                                                              // write
         const Diagnosis diagnosis = *diagnose(submissions);
         QCOMPARE(diagnosis.verdict, DiagnosisVerdict::Wrong);
         QVERIFY(!diagnosis.isExplained());
@@ -258,7 +259,7 @@ private slots:
                 && std::ranges::any_of(candidate.defects, [](const Defect &defect) {
                                      return defect.id == QStringLiteral("upside-down");
                                  });
-            QVERIFY(!hasPart); // one pixel is left with it, and with it and another
+            QVERIFY(!hasPart); // one pixel remains with it, and with it and another
         }
     }
 

@@ -39,7 +39,7 @@ Scene computedIn(Scene scene, Arithmetic arithmetic)
     return scene;
 }
 
-/// What programs draw that compute so.
+/// What programs draw that compute in this arithmetic, one defect each.
 std::vector<Submission> submissionsIn(Arithmetic arithmetic, const std::vector<Scene> &scenes,
                                       const QByteArrayList &ids)
 {
@@ -50,8 +50,8 @@ std::vector<Submission> submissionsIn(Arithmetic arithmetic, const std::vector<S
     return submissions;
 }
 
-/// Takes the first sample out of the picture that lies on an edge of the scene and is drawn last of
-/// its column: a right program may do that.
+/// Removes the first sample that lies on an edge of the scene and is drawn last in its column: a
+/// right program may leave it out.
 void dropTie(const Scene &scene, Picture &picture)
 {
     const auto ties = tiesOf(scene);
@@ -84,7 +84,7 @@ QStringList idsOf(const Diagnosis &diagnosis)
 
 } // namespace
 
-/// A program with a defect rounds and meets samples on edges as right ones do.
+/// A program with a defect may round, and decide samples on edges, as right programs do.
 class TestDiagnosisLeeway : public QObject {
     Q_OBJECT
 
@@ -123,7 +123,7 @@ private slots:
         Submission submission{scene, pictureOf(defective)};
         dropTie(defective, submission.picture);
         const auto diagnosis = diagnose(std::vector{submission});
-        // Of vertices between pixels truncating is the same.
+        // For vertices between pixels, truncating gives the same.
         QVERIFY(idsOf(*diagnosis).contains(QStringLiteral("half-pixel-down")));
         QCOMPARE(diagnosis->candidates.front().distance, std::int64_t(0));
         QCOMPARE(diagnosis->candidates.front().undecidable, std::int64_t(1));
@@ -162,8 +162,8 @@ private slots:
                 {found.size(), studentPictureInDouble(scene, WalkLines::Columns, mistakes)});
         const auto diagnosis = diagnose(pictures, found);
         if (diagnosis->verdict == DiagnosisVerdict::Undecidable)
-            return; // samples on a vertex alone may be missing of a right program, too
-        // A quotient of colours that is cut jumps where it is whole: no bound holds for it.
+            return; // a right program may also leave out samples that lie on vertices only
+        // A truncated quotient of colours jumps where it is whole: no bound holds for it.
         const QStringList cut
             = {QStringLiteral("floor-colour-steps"), QStringLiteral("whole-colours"),
                QStringLiteral("floor-colours"), QStringLiteral("whole-levels")};
@@ -262,7 +262,7 @@ private slots:
         const auto pair
             = std::minmax({placeOf("colour-divisor-samples"), placeOf("open-at-lower-bound")});
         const DefectSet set{pair.first, pair.second};
-        // The samples on lower bounds are all there.
+        // All samples on lower bounds are drawn.
         const std::vector<FoundPicture> without
             = {{0, *pictures.picture(0, {placeOf("colour-divisor-samples")})}};
         const std::vector<FoundPicture> with = {{0, *pictures.picture(0, set)}};
@@ -273,7 +273,7 @@ private slots:
         QVERIFY(PictureMatcher(pictures, with, Arithmetic::Float32).allowedMatch(set));
     }
 
-    void wherePixelsAreDrawnNobodyIsToldThatTheyAreNot()
+    void nothingDrawnIsNotDiagnosedWherePixelsAreDrawn()
     {
         const Scene scene = triangleWithTies();
         DefectPictures pictures({scene});

@@ -15,14 +15,14 @@ using namespace pixelplumb;
 
 namespace {
 
-/// What is wrong in a student's edge tests.
+/// The mistake in a student's edge tests.
 enum class TestMistake {
     None,
     SecondNotTested,
     SecondTestedOutside,
     SecondNegated,
     ThirdIsSecond,
-    StrictByWeights, ///< w > 0, the third being 1 minus the others
+    StrictByWeights, ///< w > 0, the third weight being 1 minus the others
     SlackOfOne,
     SlackOfHalf,
     SlackOfTenth,
@@ -44,15 +44,15 @@ enum class TestMistake {
     ProductsCut,
 };
 
-/// From ⌈least⌉ to ⌊greatest⌋, or, as many have it, from ⌊least⌋ to ⌈greatest⌉.
+/// From ⌈least⌉ to ⌊greatest⌋ or, as many programs have it, from ⌊least⌋ to ⌈greatest⌉.
 enum class TestedBox { Inward, Outward };
 
 struct Point {
     double x = 0, y = 0;
 };
 
-/// One triangle in doubles, as the slides have it and nothing of the core's; pixels are painted
-/// whether they lie in the frame or not.
+/// Draws one triangle in doubles, by the slides and without any core code; pixels are painted
+/// whether they are in the frame or not.
 class StudentTriangle {
 public:
     StudentTriangle(const Triangle &triangle, TestMistake mistake, TestedBox box)
@@ -220,7 +220,7 @@ void addMethods()
         QTest::newRow(qPrintable(method)) << method;
 }
 
-/// What is found of a program with a mistake, from its pictures of the method's sheet.
+/// The diagnosis of a program with a mistake, from its pictures of the method's sheet.
 Diagnosis diagnosed(const QString &method, TestMistake mistake)
 {
     std::vector<Submission> submissions;
@@ -231,7 +231,7 @@ Diagnosis diagnosed(const QString &method, TestMistake mistake)
 
 } // namespace
 
-/// Defects of edge tests are those of a program that was not written for them, in doubles.
+/// The defects of edge tests match a program that was not written for them, in doubles.
 class TestEdgeTestDefects : public QObject {
     Q_OBJECT
 
@@ -301,7 +301,7 @@ private slots:
             [](const DiagnosisCandidate &other) { return other.defects.size() == 1; }));
     }
 
-    /// Of samples on an edge some are drawn, for the third weight is rounded.
+    /// Some samples on an edge are drawn, because the third weight is rounded.
     void aStrictTestIsToldThoughRoundingDecidesSomeSamples_data() { addMethods(); }
     void aStrictTestIsToldThoughRoundingDecidesSomeSamples()
     {
@@ -317,13 +317,13 @@ private slots:
         QVERIFY(2 * named.undecidable < diagnosis.differing);
     }
 
-    void besideAMistakeAnOutwardBoxIsFoundAndNotTold_data()
+    void anOutwardBoxWithAMistakeIsFoundButNotReported_data()
     {
         QTest::addColumn<int>("mistake");
         QTest::newRow("edge-1-not-tested") << int(TestMistake::SecondNotTested);
         QTest::newRow("edge-1-tested-outside") << int(TestMistake::SecondTestedOutside);
     }
-    void besideAMistakeAnOutwardBoxIsFoundAndNotTold()
+    void anOutwardBoxWithAMistakeIsFoundButNotReported()
     {
         QFETCH(int, mistake);
         std::vector<Submission> submissions;
@@ -342,8 +342,8 @@ private slots:
         QCOMPARE(named.sentences(&Defect::forStudent).size(), 1);
     }
 
-    /// Of a level that no byte holds some programs keep the lowest eight bits.
-    void whatIsNotClampedIsSaidBesideTheMistake()
+    /// Some programs keep the lowest eight bits of a level that fits no byte.
+    void missingClampingIsReportedNextToTheMistake()
     {
         const std::vector<Scene> scenes = probeSheet(QStringLiteral("edge-equations"));
         std::vector<Defect> pair;

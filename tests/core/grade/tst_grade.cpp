@@ -40,7 +40,7 @@ const GradedSubmission *submissionNamed(const GradeReport &report, const QString
     return found != report.submissions.end() ? &*found : nullptr;
 }
 
-/// The submission with this defect. An id may have a slash, a folder not.
+/// The submission folder of this defect. Ids may contain a slash, folder names not.
 QString folderOf(const Defect &defect) { return QString(defect.id).replace(u'/', u'-'); }
 
 bool isAmong(const GradedSubmission &submission, const QStringList &defects)
@@ -52,16 +52,16 @@ bool isAmong(const GradedSubmission &submission, const QStringList &defects)
 
 } // namespace
 
-/// A folder of submissions is graded.
+/// Grades a folder of submissions.
 class TestGrade : public QObject {
     Q_OBJECT
 
-    QTemporaryDir m_folder; ///< of a class with all defects that are tried
-    QTemporaryDir m_few; ///< of a class that is graded several times
+    QTemporaryDir m_folder; ///< a class with all defects that are tried
+    QTemporaryDir m_few; ///< a class that is graded several times
     Assignment m_assignment = exampleAssignment();
-    std::vector<Defect> m_alone; ///< those of m_folder
+    std::vector<Defect> m_alone; ///< the defects in m_folder
 
-    /// A right one, some with a defect each, and what is no picture.
+    /// Delivers one right submission, some with a single defect, and some that are no picture.
     bool deliverClass(const QTemporaryDir &folder, const std::vector<Defect> &alone) const
     {
         const auto submission = [&folder](const QString &name) {
@@ -88,7 +88,7 @@ class TestGrade : public QObject {
         return report && *report ? **report : GradeReport();
     }
 
-    /// A square of 100 pixels; all that counts is its colours, 1 point.
+    /// An assignment of a square of 100 pixels; only its colours count, 1 point.
     static Assignment pointsOfASquare(Credit credit, Leeway leeway)
     {
         Assignment assignment = exampleAssignment();
@@ -115,7 +115,7 @@ private slots:
     {
         QVERIFY(!m_assignment.scenes.empty());
         const std::vector<Defect> defects = defectsOf(m_assignment);
-        for (std::size_t i = 0; i < defects.size(); i += 2) // each takes a diagnosis
+        for (std::size_t i = 0; i < defects.size(); i += 2) // each one takes a diagnosis
             m_alone.push_back(defects[i]);
         m_alone = casesToRun(m_alone, groupOf);
         QVERIFY(deliverClass(m_folder, m_alone));
@@ -132,10 +132,10 @@ private slots:
             const auto *each = submissionNamed(report, folderOf(defect));
             QVERIFY(each);
             if (each->verdict == GradeVerdict::Right)
-                continue; // arithmetic that is exact enough here
+                continue; // this arithmetic is exact enough here
             if (defect.choice == QLatin1String(arithmeticChoice)
                 && each->verdict == GradeVerdict::Undecidable)
-                continue; // which is allowed for
+                continue; // which is allowed
             ++named;
             QVERIFY2(isAmong(*each, {defect.id}), qPrintable(defect.id));
         }
@@ -177,7 +177,7 @@ private slots:
         graded(orderOf(m_few, "first"));
         graded(orderOf(m_few, "again", 1));
         const auto files = filesIn(m_few.filePath(QStringLiteral("first")));
-        QVERIFY(files.size() > 8); // more than submissions
+        QVERIFY(files.size() > 8); // more than the submissions
         QVERIFY(filesIn(m_few.filePath(QStringLiteral("again"))) == files);
     }
 
@@ -190,7 +190,7 @@ private slots:
         QVERIFY(!ended->has_value());
         const QDir grades(m_few.filePath(QStringLiteral("ended/grades")));
         QCOMPARE(grades.entryList(QDir::Files).size(), 5);
-        // A grade that is there is taken as it is; nobody looks at the submission again.
+        // An existing grade is reused as it is; the submission is not examined again.
         const QString kept = grades.filePath(grades.entryList(QDir::Files).front());
         const QByteArray grade = contentOf(kept);
         const QByteArray assignment = writeAssignment(m_assignment);
@@ -232,7 +232,7 @@ private slots:
         QVERIFY(!twice);
         QVERIFY(twice.error().message().contains(QStringLiteral("is in two of the parts")));
 
-        // A part is read, and nothing is written into it, or around it.
+        // A part is only read: nothing is written into it or around it.
         const auto before = filesIn(parts[0]);
         for (const char *where : {"", "/grades", "/sub", "/../part1/pictures", "/.."}) {
             const auto inside = mergeGrades(parts, parts[0] + QLatin1String(where));
@@ -259,7 +259,7 @@ private slots:
         }
         const auto first = readGrades(parts.front());
         QVERIFY(first.isOk() && !first->submissions.empty() && first->submissions.size() < 6);
-        QVERIFY(first->missing.isEmpty()); // the others' are theirs
+        QVERIFY(first->missing.isEmpty()); // other parts' submissions do not count
         const QStringList words
             = QStringList{QStringLiteral("grade"), QStringLiteral("--merge"), QStringLiteral("-o"),
                           folder.filePath(QStringLiteral("all"))}
@@ -291,7 +291,7 @@ private slots:
         QVERIFY2(junit.contains(suite), junit.constData());
         QVERIFY(junit.contains("<skipped message=\"no grade\"/>"));
 
-        // A part of another list of submissions is there, and is not called missing.
+        // A part of another list of submissions exists, and is not called missing.
         QVERIFY(deliver(folder.filePath(QStringLiteral("subs/zoe")), m_assignment));
         GradingOrder again = orderOf(folder, "again");
         again.shard = {1, 3};
@@ -303,7 +303,8 @@ private slots:
                                                                  "submissions than")),
                  qPrintable(other.error().message()));
 
-        // A part that was ended early lacks a grade, and one of before says nothing.
+        // A part that ended early lacks a grade; without its part file, it does not say which part
+        // it is.
         QVERIFY(QFile::remove(submissionFileOf(parts[0], first->submissions.front().id)));
         const auto ended = mergeGrades(parts, folder.filePath(QStringLiteral("whole")));
         QVERIFY(!ended);
@@ -352,7 +353,7 @@ private slots:
         QCOMPARE(pointsFor(Credit::Whole), 0.0);
         const double share = double(covered - removed) / covered;
         const double points = pointsFor(Credit::Share);
-        // Pixels that are left open count for neither.
+        // Pixels that are left open count for neither side.
         QVERIFY2(std::abs(points - 10 * share) < 0.5, qPrintable(QString::number(points)));
         QVERIFY(points < 10);
     }
@@ -371,7 +372,7 @@ private slots:
         }
         QCOMPARE(inside.size(), 100);
         for (qsizetype right = 99; right >= 50; --right) {
-            picture.setPixelColor(inside[right], Qt::white); // covered, but of another colour
+            picture.setPixelColor(inside[right], Qt::white); // covered, but in another colour
             const QString name = folder.filePath(QStringLiteral("subs/%1/square.png").arg(right));
             QVERIFY(QDir().mkpath(QFileInfo(name).path()) && picture.save(name));
         }
@@ -400,7 +401,7 @@ private slots:
             for (int x = 0; x < picture.width(); ++x) {
                 if (x > 3 && y > 3 && x + y < 10)
                     ++left;
-                else // as the lines of a picture go
+                else // picture lines run downward
                     picture.setPixel(x, picture.height() - 1 - y, picture.pixel(15, 0));
             }
         }
@@ -523,7 +524,7 @@ private slots:
         QVERIFY(page.contains("&lt;script&gt;") && !page.contains("<script"));
         QVERIFY(
             contentOf(folder.filePath(QStringLiteral("results/grades.csv"))).contains("\n'=1+1,"));
-        // Qt's names cannot hold these: its own cleaning would leave them.
+        // Qt's strings cannot hold these names, so its own clean-up would leave the files.
         QCOMPARE(::unlink((subs + "/\xff\xfe/" + first).constData()), 0);
         QCOMPARE(::rmdir((subs + "/\xff\xfe").constData()), 0);
     }

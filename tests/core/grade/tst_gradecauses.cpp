@@ -48,7 +48,7 @@ Scene computedIn(Scene scene, Arithmetic arithmetic)
     return scene;
 }
 
-/// What programs draw that compute so, one defect a scene.
+/// What programs draw that compute in this arithmetic, one defect per scene.
 bool deliverIn(Arithmetic arithmetic, const QString &folder, const Assignment &assignment,
                const QStringList &defects)
 {
@@ -69,7 +69,7 @@ bool deliverIn(Arithmetic arithmetic, const QString &folder, const Assignment &a
 
 } // namespace
 
-/// Which causes a class has, and what is told of them.
+/// The causes of a class's mistakes, and what is reported about them.
 class TestGradeCauses : public QObject {
     Q_OBJECT
 
@@ -127,7 +127,7 @@ private slots:
         QCOMPARE(clusterLines(report), QStringList{QStringLiteral("2: a and b")});
     }
 
-    void whatNobodyExplainsIsTogetherWhereItIsAlike()
+    void identicalUnexplainedPicturesShareACause()
     {
         const std::vector<GradedCandidate> nearA{candidate({QStringLiteral("a")}, 20)};
         const std::vector<GradedCandidate> farA{candidate({QStringLiteral("a")}, 90)};
@@ -172,7 +172,7 @@ private slots:
         QVERIFY(csvOf(report).contains("right in coverage"));
     }
 
-    void whoLosesNoPointsIsNotAmongThoseWhoDo()
+    void undecidableSubmissionsHaveTheirOwnCauses()
     {
         const std::vector<GradedCandidate> sets{candidate({QStringLiteral("a")})};
         GradedSubmission open = wrong("ann", {});

@@ -15,7 +15,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// What is handed in beside the defects.
+/// What is submitted besides the defects.
 enum class Spoilt { No, OnePixel, NoPicture };
 
 Spoilt spoiltAt(std::size_t place)
@@ -25,7 +25,7 @@ Spoilt spoiltAt(std::size_t place)
     return place % 10 == 4 ? Spoilt::OnePixel : Spoilt::No;
 }
 
-/// The defects of a submission: each alone, then pairs.
+/// The defects of a submission: first each alone, then pairs.
 std::vector<Defect> defectsAt(std::size_t place, const std::vector<Defect> &all)
 {
     const Defect &one = all[place % all.size()];
@@ -37,7 +37,7 @@ std::vector<Defect> defectsAt(std::size_t place, const std::vector<Defect> &all)
 
 } // namespace
 
-/// A class of 200: each defect, pairs of them, what nobody can explain, what is no picture.
+/// A class of 200: single defects, pairs, inexplicable pictures, and files that are no picture.
 class TestGradeClass : public QObject {
     Q_OBJECT
 
@@ -66,7 +66,7 @@ private slots:
             case Spoilt::No:
                 ++explicable;
                 break;
-            case Spoilt::OnePixel: { // that nobody would write
+            case Spoilt::OnePixel: { // a pixel that no program would write
                 QImage image(first);
                 image.setPixel(int(place % 40), 1, qRgb(1, 2, 3));
                 QVERIFY(image.save(first));
@@ -86,7 +86,7 @@ private slots:
         std::size_t explained = 0;
         for (const GradedSubmission &each : (*report)->submissions)
             explained += each.verdict == GradeVerdict::Right || each.isExplained() ? 1 : 0;
-        // Of a few by chance not as many.
+        // A small random sample may explain fewer.
         const std::size_t percent = areAllCasesRun() ? 90 : 75;
         QVERIFY(100 * explained >= percent * explicable);
     }

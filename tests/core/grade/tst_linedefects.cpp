@@ -21,7 +21,7 @@ Scene sheet()
 
 } // namespace
 
-/// Defects of lines are those of a program that was not written for them.
+/// The line defects match a program that was not written for them.
 class TestLineDefects : public QObject {
     Q_OBJECT
 
@@ -107,7 +107,7 @@ private slots:
         QFETCH(bool, isSorted);
         QFETCH(bool, stays);
         Scene scene = sheet();
-        Shape backward; // 2Δy = Δx: each second step is a tie
+        Shape backward; // 2Δy = Δx: every second step is a tie
         backward.vertices
             = {{latticePixel(46, 40), {{255, 0, 0}}}, {latticePixel(36, 45), {{0, 0, 255}}}};
         scene.shapes.push_back(backward);
@@ -123,7 +123,7 @@ private slots:
         if (isSorted)
             QCOMPARE(diagnosis.candidates.front().rightAlone(),
                      QStringList(QStringLiteral("stay-at-zero")));
-        // Who allows for nothing hears of it.
+        // A diagnosis without leeway calls it wrong.
         const Diagnosis strict = *diagnose(submissions, {}, std::nullopt);
         QCOMPARE(nameOf(strict.verdict), QStringLiteral("wrong"));
         if (isSorted) {
@@ -132,7 +132,7 @@ private slots:
         }
     }
 
-    void besideAMistakeTheTieIsFoundAndNotTold()
+    void aTieWithAMistakeIsFoundButNotReported()
     {
         const Scene scene = sheet();
         const std::vector<Submission> submissions

@@ -20,7 +20,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Each method's own kinds of primitives, a scene each; frames of three sizes.
+/// One scene for each kind of primitive that a method draws; frames of three sizes.
 std::vector<Scene> scenesOfAllMethods()
 {
     std::vector<Scene> scenes;
@@ -48,7 +48,7 @@ std::vector<Scene> scenesOfAllMethods()
     return scenes;
 }
 
-/// What a defect does, in so few words that there are few kinds.
+/// What a defect does, worded coarsely so that there are few kinds.
 QString kindOf(const Defect &defect)
 {
     QString kind = QString::number(int(defect.stage())) + u' ' + defect.choice;
@@ -68,7 +68,7 @@ QString kindOf(const Defect &defect)
     return kind;
 }
 
-/// Two of each kind that the scenes can have.
+/// Up to two defects of each kind that the scenes can have.
 std::vector<std::size_t> someOfEachKind(const std::vector<Defect> &defects)
 {
     QMap<QString, int> counts;
@@ -80,7 +80,7 @@ std::vector<std::size_t> someOfEachKind(const std::vector<Defect> &defects)
     return places;
 }
 
-/// Nothing draws so.
+/// A picture that nothing draws.
 Picture noise(const FrameSpec &frame)
 {
     Picture picture = emptyPicture(frame);
@@ -100,7 +100,7 @@ QStringList setsOf(const Diagnosis &diagnosis)
     return sets;
 }
 
-/// How the programs find their samples that a scene's defects are of.
+/// The ways in which the programs with these defects find their samples.
 QString waysOf(const std::vector<Defect> &defects)
 {
     QStringList ways;
@@ -116,7 +116,7 @@ QString waysOf(const std::vector<Defect> &defects)
     return ways.join(u' ');
 }
 
-/// A triangle for a walk along columns, one along rows and a test of edges, and a line.
+/// A scene each for a column walk, a row walk, an edge test, and a line.
 std::vector<Scene> scenesOfOneProgram()
 {
     constexpr Lattice quarter = unitsPerPixel / 4;
@@ -136,7 +136,7 @@ std::vector<Scene> scenesOfOneProgram()
 
 } // namespace
 
-/// One program's pictures of scenes that different methods draw, judged together.
+/// One program's pictures of scenes drawn by different methods, judged together.
 class TestMixedMethods : public QObject {
     Q_OBJECT
 
@@ -219,7 +219,7 @@ private slots:
         const std::vector<Defect> all = defectsFor(submissions[std::size_t(scene)].scene);
         const auto defect = std::ranges::find(all, id, &Defect::id);
         QVERIFY(defect != all.end());
-        // Wherever it can be: it is one program.
+        // Put in wherever it can be: it is one program.
         for (Submission &each : submissions) {
             const auto own = ownDefects(defectsFor(each.scene), std::span(&*defect, 1));
             each.picture = pictureWith(each.scene, own);

@@ -39,7 +39,8 @@ Triangle triangleOf(std::array<LatticePoint, 3> places, const Colour &colour)
     return {{{{places[0], colour}, {places[1], colour}, {places[2], colour}}}};
 }
 
-/// As a file has it: bytes, and what is covered is what has another colour than the background.
+/// The picture as a file holds it: bytes, with a pixel covered if its colour is not the
+/// background's.
 Picture readBack(const Scene &scene, Picture picture)
 {
     coverAllBut(scene.frame.background, picture);
@@ -115,7 +116,7 @@ private slots:
                  results[QStringLiteral("max_score")].toDouble());
     }
 
-    void onAnEdgeItIsOpenWhoDrawsAndNotInWhichColour_data()
+    void edgeOwnershipIsOpenButNotTheColour_data()
     {
         QTest::addColumn<QByteArray>("repainted");
         QTest::addColumn<PixelVerdict>("verdict");
@@ -130,7 +131,7 @@ private slots:
             row("cyan", PixelVerdict::Colour);
         }
     }
-    void onAnEdgeItIsOpenWhoDrawsAndNotInWhichColour()
+    void edgeOwnershipIsOpenButNotTheColour()
     {
         QFETCH(QByteArray, repainted);
         QFETCH(PixelVerdict, verdict);
@@ -193,7 +194,7 @@ private slots:
 
     void whatLiesBelowAnEdgeStaysThere()
     {
-        // The second triangle's edge lies in the middle of the first one.
+        // The second triangle's edge lies inside the first triangle.
         const Scene scene = sceneOf(
             12,
             {triangleOf({latticePixel(0, 0), latticePixel(0, 11), latticePixel(11, 0)}, red),

@@ -28,7 +28,7 @@ Scene defaultScene(const QString &method)
     return scene;
 }
 
-/// Triangles of which two vertices stand one above the other, given in either order.
+/// Triangles with two vertices above each other, given in either order.
 Scene verticalEdges()
 {
     Scene scene = defaultScene(QStringLiteral("column-scan"));
@@ -45,7 +45,7 @@ WalkLines linesOf(const QString &method)
     return method == QStringLiteral("row-walk") ? WalkLines::Rows : WalkLines::Columns;
 }
 
-/// What the programs of a class draw, by method: one memory of defects' pictures for all.
+/// The defect pictures of a method, kept for all programs of a class.
 DefectPictures &defectPicturesOf(const QString &method)
 {
     static DefectPictures ofColumns(probeSheet(QStringLiteral("column-scan")));
@@ -73,7 +73,7 @@ void addRow(const char *id, const Mistakes &mistakes, const char *method)
 
 } // namespace
 
-/// Defects are those of programs that were not written for them.
+/// The defects match programs that were not written for them.
 class TestProgramDefects : public QObject {
     Q_OBJECT
 
@@ -118,10 +118,10 @@ private slots:
 
         const Diagnosis diagnosis = *diagnose(pictures, found);
 
-        // Samples on a vertex alone may be missing of a right program, too.
+        // A right program may also leave out samples that lie on vertices only.
         QVERIFY(diagnosis.verdict != DiagnosisVerdict::Right);
         QVERIFY2(diagnosis.isExplained(), qPrintable(textOf(diagnosis)));
-        // A pair may draw the same always: what a stored level loses, a step rounded down does.
+        // A pair may always draw the same: a stored level loses what a step rounded down loses.
         const auto alone
             = std::ranges::count_if(diagnosis.candidates, [](const DiagnosisCandidate &candidate) {
                   return candidate.defects.size() == 1;
@@ -137,8 +137,8 @@ private slots:
 
     void aProgramInDoubleHasTheDefectInDouble_data()
     {
-        // Of vertices that are not sorted spans begin outside the frame, where a program adds up
-        // what the walk reaches at once.
+        // With unsorted vertices, spans begin outside the frame, where a program adds up what the
+        // walk reaches in one step.
         const QStringList ids = {QStringLiteral("no-edge-pre-step"),
                                  QStringLiteral("whole-slopes"),
                                  QStringLiteral("whole-edge-steps"),
@@ -214,7 +214,7 @@ private slots:
                     .contains(QStringLiteral("by y₀ − ⌊y₀⌋ in place of ⌈y₀⌉ − y₀.")));
         QVERIFY(words("colour-pre-step-of-fraction")
                     .contains(QStringLiteral("by x_L − ⌊x_L⌋ in place of ⌈x_L⌉ − x_L.")));
-        // What is missing on the picture is so from either end.
+        // The missing half is the same from either end.
         for (const char *id : {"first-half-missing", "first-half-and-middle-missing"})
             QVERIFY(words(id).contains(QStringLiteral("half with the lesser y is not drawn")));
         for (const char *id : {"second-half-missing", "second-half-behind-middle-missing"})
@@ -309,7 +309,7 @@ private slots:
         QCOMPARE(partingText("last-sample-missing"),
                  QStringLiteral("Pixel (4, 5): (4, 5) is left out"));
         QCOMPARE(partingText("ends-outward"),
-                 QStringLiteral("Column 5, first half: (5, 5) is drawn, which should not be"));
+                 QStringLiteral("Column 5, first half: (5, 5) is drawn but should not be"));
         QCOMPARE(partingText("upside-down"), QString()); // nothing is wrong in its run
     }
 };

@@ -33,7 +33,7 @@ Scene randomScene(SeededRandom &random, const QString &method, FillRule rule)
 
 } // namespace
 
-/// The walk that programs' mistakes are put into is the kernels', where nothing is put into it.
+/// Without mistakes, the walk that simulates programs draws exactly what the kernels draw.
 class TestProgramWalk : public QObject {
     Q_OBJECT
 

@@ -20,7 +20,7 @@ namespace tst_resultsfolder {
 
 using namespace pixelplumb;
 
-/// What grading writes are files of its own.
+/// Grading writes and replaces only its own files.
 class TestResultsFolder : public QObject {
     Q_OBJECT
 
@@ -32,7 +32,7 @@ class TestResultsFolder : public QObject {
     {
         return {path("subs"), path(results), QStringLiteral("1"), 1};
     }
-    /// Empty where it was graded.
+    /// The error message; empty if grading worked.
     QString graded(const QString &results) const
     {
         const auto report = gradeFolder(order(results), m_assignment);
@@ -64,7 +64,7 @@ private slots:
     {
         QFETCH(QString, name);
         QFETCH(QString, target);
-        QCOMPARE(graded("results"), QString()); // it is a folder of ours
+        QCOMPARE(graded("results"), QString()); // it is one of our folders
         const QString place = path("results/") + name;
         QVERIFY(QFileInfo(place).isDir() ? QDir(place).removeRecursively() : QFile::remove(place));
         QVERIFY(QFile::link(path(target), place));
@@ -215,7 +215,7 @@ private slots:
         const auto read = readGrades(path("results"));
         const auto merged = mergeGrades({path("results")}, path("whole"), MergeExtent::Partial);
 
-        QCOMPARE(read.isOk(), refused.isEmpty()); // spaces change nothing that is said
+        QCOMPARE(read.isOk(), refused.isEmpty()); // spaces change no message
         QCOMPARE(merged.isOk(), refused.isEmpty());
         if (!refused.isEmpty()) {
             QVERIFY2(read.error().message().contains(path("results/") + refused),
@@ -303,7 +303,7 @@ private slots:
     void otherFilesMayStandBesideTheResults()
     {
         QVERIFY(writeTo(path("site/notes.txt"), "mine"));
-        QVERIFY(QDir().mkpath(path("site/pictures"))); // empty, as a run leaves it that is ended
+        QVERIFY(QDir().mkpath(path("site/pictures"))); // empty, as an ended run leaves it
         QCOMPARE(graded("site"), QString());
         QCOMPARE(contentOf(path("site/notes.txt")), QByteArray("mine"));
     }

@@ -18,14 +18,15 @@
 
 namespace {
 
-/// How many more large pieces of memory there are, while there is such a limit; < 0: there is none.
+/// How many more large allocations succeed before one fails; < 0: no limit.
 std::atomic<int> largePiecesLeft = -1;
 
-constexpr std::size_t largePiece = std::size_t(1) << 15; // bytes: a picture's, no list's
+constexpr std::size_t largePiece = std::size_t(1) << 15; // bytes: larger than a list, smaller than
+                                                         // a picture
 
 } // namespace
 
-/// Memory that ends, as on a small machine.
+/// Fails a large allocation, as on a machine with little memory.
 void *operator new(std::size_t size)
 {
     if (size >= largePiece && largePiecesLeft >= 0 && largePiecesLeft-- == 0) {
@@ -45,7 +46,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Nothing draws so.
+/// A picture that nothing draws.
 Picture noise(const FrameSpec &frame)
 {
     Picture picture = emptyPicture(frame);
@@ -57,10 +58,10 @@ Picture noise(const FrameSpec &frame)
     return picture;
 }
 
-/// One scene, whose picture is a large piece of memory.
+/// An assignment with one scene, whose picture is a large allocation.
 Assignment ofALargePicture()
 {
-    Scene scene = sceneOf(lineAt(2, 3, 100, 50), "line-dda", {}); // has few defects
+    Scene scene = sceneOf(lineAt(2, 3, 100, 50), "line-dda", {}); // a line has few defects
     scene.frame.width = scene.frame.height = 120; // 43 200 bytes of colours
     Assignment assignment;
     assignment.scenes = {{QStringLiteral("large"), scene}};
@@ -69,7 +70,8 @@ Assignment ofALargePicture()
 
 } // namespace
 
-/// Searches and gradings that end in an error: what else is known stays, and others are graded.
+/// Searches and gradings that end in an error: other results remain, and the other submissions are
+/// graded.
 class TestSearchErrors : public QObject {
     Q_OBJECT
 
@@ -103,7 +105,7 @@ private slots:
         const QString subs = folder.filePath(QStringLiteral("subs"));
         for (const char *name : {"ada", "bob"}) {
             Picture picture = noise(scene.frame);
-            picture.colours.back() = {{1, 2, std::uint8_t(name[0])}}; // none is the other's
+            picture.colours.back() = {{1, 2, std::uint8_t(name[0])}}; // all different
             picture.covered.back() = 1;
             QVERIFY(QDir().mkpath(subs + u'/' + QLatin1String(name)));
             QVERIFY(imageOf(picture).save(
@@ -111,7 +113,7 @@ private slots:
         }
         int failedSearches = 0;
         int ungraded = 0;
-        // Before the search, a class is read and judged in some hundred pieces.
+        // Before the search, reading and judging a class makes some hundred allocations.
         for (int pieces = 1; pieces < 1 << 16 && failedSearches < 2; pieces *= 2) {
             const QString results = folder.filePath(QStringLiteral("results-%1").arg(pieces));
             const GradingOrder order{subs, results, QStringLiteral("1"), 1};
@@ -152,7 +154,7 @@ private slots:
         const GradingOrder order{subs, results, QStringLiteral("1"), 1};
         const ProgressListener atOnce = [](const JobProgress &progress) {
             if (progress.done == 0)
-                largePiecesLeft = 0; // of ada's
+                largePiecesLeft = 0; // during ada's search
             return true;
         };
 
@@ -182,7 +184,7 @@ private slots:
         QVERIFY(ungradedLines(**again).isEmpty());
     }
 
-    void whatFailedBesideOthersIsGradedAlone()
+    void aSubmissionThatFailedInParallelIsGradedAgainAlone()
     {
         const QTemporaryDir folder;
         const Assignment assignment = ofALargePicture();

@@ -14,7 +14,7 @@ namespace tst_tracediff {
 
 using namespace pixelplumb;
 
-/// A program's own trace beside the exact run: where the first number differs.
+/// Compares a program's own trace with the exact run: where does the first number differ?
 class TestTraceDiff : public QObject {
     Q_OBJECT
 
@@ -87,7 +87,7 @@ private slots:
             for (std::uint8_t &channel : vertex.colour.channels)
                 channel = std::uint8_t(level(random));
         }
-        // Who prints a column where it draws may draw none of it by rounding.
+        // A program that prints only columns it draws may miss one through rounding.
         const QStringList lines
             = spans(scene, Arithmetic::Float32, seed % 5 < 3 ? Spans::Drawn : Spans::All)
             + pixels(scene, Arithmetic::Float32, seed % 3 == 0 ? Form::Bytes : Form::Levels);
@@ -156,7 +156,8 @@ private slots:
             scene.triangles[i].vertices[2].position = corners[2 + i];
         }
         QStringList lines = pixels(scene, Arithmetic::Exact, Form::Bytes);
-        // The first triangle does without a pixel of the diagonal; who draws it is not said.
+        // The first triangle leaves out a pixel of the diagonal; the trace does not say which
+        // triangle draws it.
         QCOMPARE(lines.removeAll(QStringLiteral("pixel 8 8 255 0 0")), 1);
 
         const auto difference
@@ -256,7 +257,7 @@ private slots:
 
         QCOMPARE(first("triangle 1\ncolumn 4 5 5\n"),
                  QStringLiteral("triangle 1, column 4, y_B: 5, should be 6"));
-        // A tip may be left out, but not the next column.
+        // A tip may be left out, but not the column after it.
         QCOMPARE(first("triangle 1\ncolumn 4 6 6\n"),
                  QStringLiteral("triangle 0, column 5 is missing"));
         QCOMPARE(first("triangle 0\ncolumn 4 6 6\n"),
@@ -292,7 +293,7 @@ private slots:
         const std::vector<WrittenNumber> numbers = written->numbersOf(written->lines[1]);
         QCOMPARE(numbers.size(), 2U);
         QCOMPARE(numbers[1].text, QStringLiteral("2.5"));
-        // Nothing of it counts, but that it prints pixels at all.
+        // The pixel itself is ignored, but it shows that pixels are printed.
         QVERIFY(differenceOf({"pixel 64 0 1 2 3"}).endsWith(QStringLiteral(" is missing")));
     }
 
@@ -337,7 +338,7 @@ private:
 
     QStringList columns(Arithmetic arithmetic) const { return spans(m_scene, arithmetic); }
 
-    /// The method's own numbers, as a program prints them.
+    /// The method's own numbers, in the form in which a program prints them.
     enum class Spans { All, Drawn };
     static QStringList spans(Scene scene, Arithmetic arithmetic, Spans which = Spans::All)
     {
@@ -374,7 +375,7 @@ private:
         return lines;
     }
 
-    /// A value on an edge and what a column adds to it, from the edge's first column on.
+    /// A value on an edge from the edge's first column on, and its increment per column.
     struct FloatWalk {
         FloatWalk(const std::array<float, 2> &from, const std::array<float, 2> &to)
             : step((to[1] - from[1]) / (to[0] - from[0]))
@@ -386,7 +387,7 @@ private:
         float value;
     };
 
-    /// What an edge carries: y and three levels.
+    /// The values along an edge: y and three levels.
     static std::array<FloatWalk, 4> walksOf(const Vertex &from, const Vertex &to)
     {
         const auto walk = [&](const auto &of) {
@@ -401,8 +402,8 @@ private:
                 level(1), level(2)};
     }
 
-    /// A program that is not ours: it walks in float32 from the triangle's first column, wherever
-    /// the frame begins, and prints what lies in it.
+    /// An independent program: it walks in float32 from the triangle's first column, wherever the
+    /// frame begins, and prints what lies inside the frame.
     static QStringList steppedInFloats(const Scene &scene, Form form)
     {
         auto vertices = scene.triangles[0].vertices;

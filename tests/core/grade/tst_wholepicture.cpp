@@ -30,16 +30,16 @@ std::vector<Scene> probes()
     return scenes;
 }
 
-/// A pixel, its row as the program counts it, in a frame.
+/// A pixel in a frame; `row` is counted as the program does.
 struct Place {
     int x = 0, row = 0;
     int width = 0, height = 0;
 };
-using AddressOf = int (*)(const Place &at); // < 0: it is not written
+using AddressOf = int (*)(const Place &at); // < 0: not written
 using ByteOf = int (*)(double level); // 0 … 1
 using SceneChange = void (*)(Scene &scene);
 
-/// Of which no sample lies on an edge but the vertices, one of which has a level of 255.
+/// A triangle without samples on its edges except the vertices, one of which has a level of 255.
 Triangle levelTriangle()
 {
     return {{{{latticePixel(3, 2), {{255, 12, 90}}},
@@ -47,7 +47,7 @@ Triangle levelTriangle()
               {latticePixel(10, 28), {{120, 77, 3}}}}}};
 }
 
-/// R, G or B of that triangle's plane by weights, 0 … 255.
+/// R, G or B of that triangle's plane by barycentric weights, 0 … 255.
 double levelAt(int x, int y, std::size_t channel)
 {
     const auto doubled = [](double ax, double ay, double bx, double by, double cx, double cy) {
@@ -75,7 +75,7 @@ void move(Scene &scene, double dx, double dy) // px
 
 using Recolouring = Colour (*)(const Colour &right, bool isCovered);
 
-/// As a program would write it: what is covered is told by the colours alone.
+/// The picture as a program would write it: only the colours tell what is covered.
 Submission submissionOf(const Scene &scene, Recolouring change)
 {
     Picture picture = pictureOf(scene);
@@ -87,7 +87,7 @@ Submission submissionOf(const Scene &scene, Recolouring change)
 
 } // namespace
 
-/// What programs do to a picture beside the drawing: another colour of the frame, a mask, nothing.
+/// What programs do to a picture besides drawing: another frame colour, a mask, nothing.
 class TestWholePicture : public QObject {
     Q_OBJECT
 
@@ -114,7 +114,7 @@ private slots:
                            std::uint8_t(right.channels[2] & 0xf8)}};
         });
         row("cut-to-5-6-5-bits-and-widened-to-all-levels", [](const Colour &right, bool) {
-            const auto widened = [](int kept, int bits) { // the highest bits again as the lowest
+            const auto widened = [](int kept, int bits) { // repeats the highest bits as the lowest
                 return std::uint8_t(kept * (1 << (8 - bits)) + kept / (1 << (2 * bits - 8)));
             };
             return Colour{{widened(right.channels[0] / 8, 5), widened(right.channels[1] / 4, 6),
@@ -133,7 +133,7 @@ private slots:
         const auto diagnosis = diagnose(submissions);
 
         QVERIFY(diagnosis);
-        // Two that draw no triangle each draw nothing together, too.
+        // Two defects that each draw no triangle together draw none, too.
         const auto alone
             = std::ranges::count_if(diagnosis->candidates, [](const DiagnosisCandidate &candidate) {
                   return candidate.defects.size() == 1;
@@ -352,7 +352,7 @@ private slots:
                  QStringLiteral("drawn on (64, 64, 64) in place of black"));
     }
 
-    /// Whatever the order of scenes with different backgrounds.
+    /// The order of scenes with different backgrounds does not matter.
     void anotherBackgroundThanThoseOfTheScenesIsTold()
     {
         std::vector<Submission> submissions;

@@ -25,7 +25,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Where programs find temporary folders and, where `tools` is none, no bwrap.
+/// An environment with this folder for temporary files; without bwrap if `tools` is None.
 enum class Tools { All, None };
 QProcessEnvironment environment(const QString &temporary, Tools tools)
 {
@@ -36,7 +36,7 @@ QProcessEnvironment environment(const QString &temporary, Tools tools)
     return result;
 }
 
-/// A run of ours in which there is no sandbox.
+/// Runs our program where there is no sandbox.
 ProgramRun runWithout(const QStringList &arguments)
 {
     QProcess process;
@@ -50,8 +50,8 @@ constexpr const char *said = "no sandbox (bubblewrap (bwrap) is not installed)";
 
 } // namespace
 
-/// Where programs of others run in no sandbox: that is said wherever one is run, and what is held
-/// all the same; and that nothing is left by whoever ends us, with a sandbox or without.
+/// Foreign programs without a sandbox: every run says so, and what holds nevertheless; and ending
+/// us leaves nothing behind, with or without a sandbox.
 class TestWithoutSandbox : public QObject {
     Q_OBJECT
 
@@ -62,7 +62,7 @@ private slots:
         chmod(QFile::encodeName(m_folder->path()).constData(), 0755);
     }
 
-    /// It could be the program's own.
+    /// A bwrap found by a relative path could be the program's own.
     void noSandboxIsTakenFromARelativePlace()
     {
         const QString taken = m_folder->filePath(QStringLiteral("taken"));
@@ -156,8 +156,7 @@ private slots:
         }
         QCOMPARE(ofSubmission, 2);
 
-        // Where there is one nothing is said; the results of before do not hold with a fresh
-        // folder.
+        // With a sandbox nothing is said; a fresh folder leaves out earlier results.
         if (!sandboxLack().isEmpty())
             return;
         QCOMPARE(run(graded + QStringList{path("with")}).exitCode, 0);
@@ -170,14 +169,14 @@ private slots:
     {
         const auto student = studentProgramOf(
             {QStringLiteral("python3"), QStringLiteral("-c"),
-             QStringLiteral("import os\n" // 0 is sent to nobody: whether it might be is asked
+             QStringLiteral("import os\n" // signal 0 is sent to nobody: it only tests permission
                             "try: os.kill(-1, 0)\n"
                             "except PermissionError: print('refused')\n")});
         QCOMPARE(runProgram(*student, {}, {}, {}, Confinement::LimitsAlone).output,
                  QByteArray("refused\n"));
     }
 
-    void whoKillsItsSupervisorIsToldAndEnded()
+    void aProgramThatKillsItsSupervisorIsReportedAndEnded()
     {
         const QByteArray seconds = unusualSeconds();
         const QString script
@@ -268,7 +267,7 @@ private slots:
 
         QVERIFY(process.waitForFinished(60'000));
         QVERIFY(!QFileInfo::exists(left));
-        QVERIFY(QFileInfo::exists(young)); // somebody may just have made it
+        QVERIFY(QFileInfo::exists(young)); // some process may just have created it
         QVERIFY(QFileInfo::exists(QStringLiteral("/etc/passwd")));
     }
 

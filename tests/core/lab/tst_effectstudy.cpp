@@ -13,7 +13,7 @@ namespace tst_effectstudy {
 
 using namespace pixelplumb;
 
-/// The errors of the study of effects; its times are nobody's promise.
+/// The errors in the effect study; its times are not checked.
 class TestEffectStudy : public QObject {
     Q_OBJECT
 
@@ -64,7 +64,7 @@ private slots:
             double last = 1e9;
             for (const char *way : {"8 segments", "16 segments", "32 segments", "64 segments"}) {
                 const double distance = row(surface, way).distance.value();
-                // A chord's sagitta is a fourth where there are twice as many.
+                // Twice as many chords have a quarter of the sagitta.
                 QVERIFY2(distance < last / 3, surface);
                 last = distance;
             }
@@ -103,8 +103,8 @@ private slots:
             if (each.group == group)
                 most = std::max(most, each.pixels);
         }
-        // Each pixel's byte is off by up to half a level, in the line and in the half of it, and
-        // the area itself by one part in 2^15.5.
+        // Each pixel's byte is off by up to half a level, both in the whole line and in its half,
+        // and the area itself by one part in 2^15.5.
         constexpr double length = 60;
         const double bound = 1.5 * double(most) * 0.5 / 255 / (length - 1) + std::exp2(-15.5);
         QVERIFY2(range->least > 1 - bound && range->greatest < 1 + bound,

@@ -53,7 +53,7 @@ Triangle triangleAt(LatticePoint a, LatticePoint b, LatticePoint c)
     return {{{{a, {{255, 0, 0}}}, {b, {{0, 255, 0}}}, {c, {{0, 0, 255}}}}}};
 }
 
-/// Every triangle of three different points of a lattice of so many px a side.
+/// Every triangle of three distinct points of a lattice of `side` px.
 std::vector<Triangle> allTriangles(int side)
 {
     std::vector<LatticePoint> points;
@@ -71,12 +71,11 @@ std::vector<Triangle> allTriangles(int side)
     return triangles;
 }
 
-/// The picture that a contender would draw if it took pixels away from the true one and added
-/// others.
+/// A contender that draws the true picture without some pixels and with some additional ones.
 LabContender altered(std::vector<std::array<int, 2>> missing, std::vector<std::array<int, 2>> extra)
 {
     LabContender contender = named("column-scan:exact");
-    contender.kernel = LabKernel::Fast; // its numbers are nobody's
+    contender.kernel = LabKernel::Fast; // no number of its own is needed
     contender.draw = [missing, extra](const Primitives &primitives, const ScanSettings &settings,
                                       FrameView frame) {
         oracle::draw(primitives.triangles.front(), {settings, frame}, settings.rounding, frame);
@@ -157,7 +156,7 @@ private slots:
         QCOMPARE(figures.tiesMissing, 1);
         QCOMPARE(figures.extra, 2);
         QCOMPARE(figures.farthestMissing, 2.0);
-        // From (30, 28) to the line x + y = 24: 34/√2 px; but the foot lies on the edge.
+        // From (30, 28) to the line x + y = 24 it is 34/√2 px, although the foot lies on the edge.
         QCOMPARE(figures.farthestExtra, 34 / std::sqrt(2.0));
         QCOMPARE(figures.misses.missing[MissHistogram::binOf(1)], 2);
         QCOMPARE(figures.misses.extra[MissHistogram::binOf(1)], 1);
@@ -265,9 +264,9 @@ private slots:
         QCOMPARE(doubled.doubles->count, 47); // the diagonal, both ends included
     }
 
-    /// resources/numerics.md, 2.1, 2048², whole pixels, half-open: triangles that are wrong in
-    /// coverage, within three standard deviations of the sample. Of the closed rule the table has
-    /// more than ours: it draws nothing where rounding takes the bounds past each other.
+    /// resources/numerics.md, 2.1, 2048², whole pixels, half-open: triangles with wrong coverage,
+    /// within three standard deviations of the sample. Under the closed rule the table has more
+    /// than ours, because it draws nothing where rounding makes the bounds cross.
     void sharesOfWrongTrianglesAreThoseOfTheTables_data()
     {
         QTest::addColumn<QString>("id");
@@ -284,7 +283,7 @@ private slots:
         SeededRandom random(11);
         const FrameSpec frame = frameOf(2048, 2048);
         LabContender contender = *labContenderNamed(id);
-        contender.kernel = LabKernel::Fast; // its numbers are not asked for
+        contender.kernel = LabKernel::Fast; // its numbers are not used
         int wrong = 0;
         for (const Triangle &triangle :
              familyshapes::scattered(random, frame, count, unitsPerPixel)) {

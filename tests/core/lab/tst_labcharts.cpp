@@ -18,7 +18,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// ns a pixel, wrong pixels of a million, the largest byte error.
+/// ns per pixel, wrong pixels in a million, the largest byte error.
 struct MadeRow {
     const char *contender;
     double perPixel;
@@ -27,7 +27,7 @@ struct MadeRow {
     bool isProved = false;
 };
 
-/// A study of a million pixels of one family, from made-up figures.
+/// A study of a million pixels of one family, with made-up figures.
 Study studyOf(const std::vector<MadeRow> &made)
 {
     Study study;
@@ -80,7 +80,7 @@ class TestLabCharts : public QObject {
     Q_OBJECT
 
 private slots:
-    void theFrontierIsWhatNobodyBeats()
+    void theFrontierHoldsUnbeatenContenders()
     {
         const ParetoChart chart
             = paretoOf(exampleStudy(), QStringLiteral("f"), *errorAxisNamed("wrong-pixels"));
@@ -138,7 +138,7 @@ private slots:
         QVERIFY(chart.untimed[1].errorClass == ErrorClass::ZeroObserved);
     }
 
-    void timesAreToldInTheSeedsMethodAndZerosByWhatVouchesForThem()
+    void timesNameTheirMethodAndZerosTheirProof()
     {
         const ParetoChart chart
             = paretoOf(exampleStudy(), QStringLiteral("f"), *errorAxisNamed("wrong-pixels"));
@@ -235,7 +235,7 @@ private slots:
 
     void framesAreTimedAsAWholeForSixteenMilliseconds()
     {
-        // 1,000 px of a tenth of the triangles: 10,000 px a frame, 20 ms at 2,000 ns each.
+        // 1,000 px from a tenth of the triangles: 10,000 px a frame, 20 ms at 2,000 ns each.
         const Study study = studyOf({{"slow", 2000, 0, 0, true}, {"quick", 1000, 900, 9}});
 
         QCOMPARE(cheapestFor(Budget::SixteenMilliseconds, study, QStringLiteral("f")).contender,
@@ -322,7 +322,7 @@ private slots:
         QCOMPARE(choice->settings.fillRule, rule);
     }
 
-    /// What a scene calls for is drawn, or nobody is chosen.
+    /// A choice draws everything the scene needs, or there is no choice.
     void anAccuracyIsChosenForWhatTheSceneCallsFor_data()
     {
         QTest::addColumn<FillRule>("rule");

@@ -11,7 +11,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// With all that a file can hold: measured and failed rows, times, misses.
+/// A study with everything that a file can hold: measured and failed rows, times, misses.
 const Study &measuredStudy()
 {
     static const Study study = [] {
@@ -21,7 +21,7 @@ const Study &measuredStudy()
         settings.contenders = {*labContenderNamed(QStringLiteral("column-scan:float32")),
                                *labContenderNamed(QStringLiteral("column-scan:exact:fast"))};
         settings.rounds = 2;
-        settings.longestDrawSeconds = 3600; // whatever the machine
+        settings.longestDrawSeconds = 3600; // on any machine
         settings.seed = 18'446'744'073'709'551'615U;
         return runStudy(settings);
     }();

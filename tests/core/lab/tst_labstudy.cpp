@@ -25,7 +25,7 @@ std::vector<LabContender> contendersOf(const QStringList &ids)
     return contenders;
 }
 
-/// The scene in hand alone: quick.
+/// A study of the current scene alone: quick.
 StudySettings smallStudy()
 {
     StudySettings settings;
@@ -35,7 +35,7 @@ StudySettings smallStudy()
         = contendersOf({QStringLiteral("column-scan:exact"), QStringLiteral("column-scan:float32"),
                         QStringLiteral("column-scan:exact:fast")});
     settings.rounds = 0;
-    settings.longestDrawSeconds = 3600; // whatever the machine
+    settings.longestDrawSeconds = 3600; // on any machine
     return settings;
 }
 
@@ -150,7 +150,7 @@ private slots:
         settings.ownScene = std::make_shared<const Scene>(scene);
         settings.contenders = contendersOf(
             {QStringLiteral("column-scan:exact"), QStringLiteral("barycentric-all:float32")});
-        settings.mostSamples = 30'000; // nine boxes, but not nine frames
+        settings.mostSamples = 30'000; // nine boxes, but less than nine frames
         StudySettings slow = settings;
         slow.hangSeconds = 3600;
         for (LabContender &contender : slow.contenders) {
@@ -204,11 +204,11 @@ private slots:
 
         QCOMPARE(study.rounds, 1);
         QCOMPARE(study.rows[0].cost->rounds, 1);
-        QCOMPARE(study.rows[1].cost->rounds, 2); // the second round begins with it
+        QCOMPARE(study.rows[1].cost->rounds, 2); // the second round begins with this draw
         QVERIFY(warningsOf(study).join(u'\n').contains(QStringLiteral("Only 1 rounds")));
     }
 
-    void aRoundIsToldAtOnceWithItsNumber()
+    void eachRoundIsReportedImmediatelyWithItsNumber()
     {
         StudySettings settings = smallStudy();
         settings.rounds = 3;
@@ -270,7 +270,7 @@ private slots:
         const Study study = runStudy(settings, listener);
 
         QCOMPARE(study.families.size(), std::size_t(2));
-        QVERIFY(study.families[1].timedTriangles > 3); // of many pictures
+        QVERIFY(study.families[1].timedTriangles > 3); // several pictures
         const std::size_t contenders = study.contenders.size();
         QCOMPARE(timed, (std::vector<std::size_t>{contenders, 2 * contenders, 2 * contenders}));
     }
@@ -315,7 +315,7 @@ private slots:
         for (const LabRow &row : study.rows) {
             const bool isPlain = row.contender != QStringLiteral("column-scan:exact:fast");
             if (row.remark.startsWith(QStringLiteral("not timed: a draw takes")))
-                continue; // a build with sanitizers takes longer than anyone waits
+                continue; // a build with sanitizers takes too long
             ++timed;
             QVERIFY(row.cost.has_value());
             QCOMPARE(row.cost->straight.has_value(), isPlain);
@@ -325,7 +325,7 @@ private slots:
         QCOMPARE(study.family(QStringLiteral("small"))->timedTriangles, 3000);
     }
 
-    void whatTheSceneInHandCostsAndGetsWrongIsMeasured()
+    void theCostAndErrorsOfTheCurrentSceneAreMeasured()
     {
         const auto exact
             = liveFiguresOf(std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Exact)));
@@ -396,7 +396,7 @@ private slots:
                  QStringLiteral("When finished: all pixels correct"));
     }
 
-    void theSceneInHandIsTimedAsTheStudyTimesIt()
+    void theCurrentSceneIsTimedAsTheStudyTimesIt()
     {
         StudySettings settings = smallStudy();
         settings.ownScene = std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Exact, 3));

@@ -9,8 +9,7 @@ namespace tst_operationcounts {
 using namespace pixelplumb;
 using enum pixelplumb::Operation;
 
-/// Operations of triangles counted by kernels in numbers that count, against operations counted by
-/// hand.
+/// Triangle operations counted by kernels in counting numbers, against counts by hand.
 class TestOperationCounts : public QObject {
     Q_OBJECT
 
@@ -35,10 +34,10 @@ private slots:
                             {Conversion, 3 * (4 + 3 * 3 + 2 + 4)}}),
                  QString());
         // A column: ⌈y_B⌉ and ⌊y_T⌋; y_B = y_T?, then y_T − y_B and for each of R G B ΔR = (R_T −
-        // R_B)/(y_T − y_B), which the two columns of one pixel do without, a 0 being converted; y
-        // converted, y − y_B, and for each of R G B R_B + (y − y_B)·ΔR; 2 edges each add 1 slope
-        // and 3 rates. Which edge is above takes one comparison, and two where they meet, in the
-        // first and the last column.
+        // R_B)/(y_T − y_B), which the two columns of one pixel skip, converting a 0; y converted, y
+        // − y_B, and for each of R G B R_B + (y − y_B)·ΔR; 2 edges each add 1 slope and 3 rates.
+        // Deciding which edge is above takes one comparison, and two where they meet, in the first
+        // and the last column.
         QCOMPARE(departure(counts, WorkStage::Span,
                            {{Division, 3 * 3},
                             {Rounding, 5 * 2},
@@ -59,7 +58,7 @@ private slots:
         const std::int64_t samples = counts.pixels + counts.refused;
         QVERIFY(samples > 13);
         QCOMPARE(counts.of(WorkStage::Pixel, Division), 2 * samples);
-        // Each is a·(x − x_C) + b·(y − y_C); then R, G and B of the written ones.
+        // Each of R, G and B is a·(x − x_C) + b·(y − y_C); R, G and B only for written pixels.
         QCOMPARE(counts.of(WorkStage::Pixel, Multiplication), 4 * samples + 9 * counts.pixels);
     }
 
@@ -79,9 +78,8 @@ private slots:
     void anExactColumnScanIsCountedAsByHand()
     {
         const OperationCounts counts = countsOf("column-scan", Arithmetic::Exact, tentTriangle());
-        // n/d as quotient and remainder is 1 division, 1 comparison and 1 subtraction that make it
-        // a floor, 1 multiplication and 1 subtraction for the remainder. It is wanted for each
-        // edge's slope and y.
+        // n/d as quotient and remainder: 1 division, 1 comparison and 1 subtraction for the floor,
+        // 1 multiplication and 1 subtraction for the remainder. Each edge's slope and y need it.
         // The plane: 4 differences, x1·y2 − x2·y1, its sign; a channel: 2 differences of levels,
         // twice s·(c·y − c′·y′), area ≠ 0?, and ΔR, a quotient of a numerator with 1
         // multiplication.
@@ -93,8 +91,8 @@ private slots:
                             {Multiplication, 3 + 3 * (6 + 1 + 1) + 3 * (2 * 1 + 2 + 4)},
                             {Operation::Comparison, 1 + 3 * (1 + 1) + 3 * (2 * 1 + 2)}}),
                  QString());
-        // ⌈y_B⌉: remainder ≠ 0?, 1 addition. Twice area ≠ 0?; the ways to the column and to the row
-        // are 1 multiplication and 1 subtraction each; each channel's R is a quotient of a
+        // ⌈y_B⌉: remainder ≠ 0?, 1 addition. Twice area ≠ 0?; the distances to the column and to
+        // the row are 1 multiplication and 1 subtraction each; each channel's R is a quotient of a
         // numerator with 3 multiplications and 2 additions. 2 numbers advance: 2 additions, 1
         // comparison for the carry.
         QCOMPARE(departure(counts, WorkStage::Span,
@@ -103,7 +101,8 @@ private slots:
                             {Multiplication, 5 * (2 + 3 * (1 + 3))},
                             {Operation::Comparison, 5 * (1 + 2 + 3 * 1 + 2)}}),
                  QString());
-        // Each channel: 2 remainders more than the denominator?, 2 additions; then it advances.
+        // Each channel: 2 comparisons of a remainder with the denominator, 2 additions; then it
+        // advances.
         QCOMPARE(departure(counts, WorkStage::Pixel,
                            {{IntegerAddition, 13 * 3 * (2 + 2)},
                             {Operation::Comparison, 13 * 3 * (1 + 1)}}),
@@ -118,9 +117,9 @@ private slots:
         QCOMPARE(counts.pixels, std::int64_t(13));
         QCOMPARE(counts.refused, std::int64_t(25 - 13)); // the bounding box has 5 × 5 samples
         QCOMPARE(counts.total(WorkStage::Span), std::int64_t(0));
-        // A sample: a·x + b·y + c for 3 edges. E ≥ 0 is asked of one edge after the other until one
-        // refuses: of the lower one 5 times a row, of the right one too, of the left one 5, 4, 4,
-        // 3 and 3 times in rows 0 … 4.
+        // A sample: a·x + b·y + c for 3 edges. E ≥ 0 is tested for one edge after the other until
+        // one fails: 5 times a row for the lower edge, 5 for the right one, and 5, 4, 4, 3 and 3
+        // times in rows 0 … 4 for the left one.
         // A pixel: 3 weights E/E(opposite), 3 times α·R0 + β·R1 + γ·R2 with levels that the set-up
         // made floats, and 3 roundings.
         QCOMPARE(departure(counts, WorkStage::Pixel,
@@ -139,7 +138,7 @@ private slots:
             = countsOf("barycentric-incremental", Arithmetic::Float32, tentTriangle());
         // α β γ R G B each add their change, from sample to sample and from column to column.
         QCOMPARE(departure(counts, WorkStage::Span, {{FloatAddition, 5 * 6}}), QString());
-        // The signs of α, then β, then γ, until one refuses.
+        // The signs of α, then β, then γ, until one fails.
         QCOMPARE(departure(counts, WorkStage::Pixel,
                            {{Rounding, 13 * 3},
                             {FloatAddition, 25 * 6},
@@ -155,9 +154,9 @@ private slots:
         QCOMPARE(counts.pixels, std::int64_t(13));
         // A channel's plane: 3 points of 3 coordinates each become floats; the cross product has 3
         // times 2 products and 5 differences; D has 3 products and 2 sums; 3 quotients.
-        // What is covered is walked in integers along 3 edges. y: 3 differences and a sum, ΔX = 0?,
-        // 4 products; slope: 2 differences, ΔX = 0?, 2 products; each then a quotient and remainder
-        // of 1 division, 1 comparison, 2 subtractions and 1 product.
+        // The coverage is walked in integers along 3 edges. y: 3 differences and a sum, ΔX = 0?, 4
+        // products; slope: 2 differences, ΔX = 0?, 2 products; each then a quotient and remainder
+        // with 1 division, 1 comparison, 2 subtractions and 1 product.
         QCOMPARE(departure(counts, WorkStage::SetUp,
                            {{Division, 3 * 3 + 3 * 2},
                             {FloatAddition, 3 * (3 * 5 + 2)},
@@ -186,7 +185,7 @@ private slots:
         QCOMPARE(departure(countsOf("interpolate-bilinear", Arithmetic::Float32, tentTriangle()),
                            WorkStage::Pixel, {{Rounding, 13 * 3}, {FloatAddition, 13 * 3}}),
                  QString());
-        // Three weights a·x + b·y + c; each of R G B is α·v0 + β·v1 + γ·v2 and rounded.
+        // Three weights a·x + b·y + c; each of R G B is α·v0 + β·v1 + γ·v2, then rounded.
         QCOMPARE(departure(countsOf("interpolate-barycentric", Arithmetic::Float32, tentTriangle()),
                            WorkStage::Pixel,
                            {{Rounding, 13 * 3},

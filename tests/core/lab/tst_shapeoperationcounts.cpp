@@ -15,7 +15,7 @@ using enum pixelplumb::Operation;
 
 namespace {
 
-/// Of six pixels and one colour.
+/// A line of six pixels in one colour.
 Primitives oneColourLine()
 {
     Shape line = lineAt(0, 0, 5, 2);
@@ -23,8 +23,8 @@ Primitives oneColourLine()
     return {{}, {line}};
 }
 
-/// What finds the places of the pixels of a line from (0, 0) to (5, 2), without a colour: the
-/// set-up, which has the first pixel, and five steps.
+/// The operations that find the pixels of a line from (0, 0) to (5, 2), without a colour: the
+/// set-up, which includes the first pixel, and five steps.
 struct PlaceCounts {
     OperationRow setUp = {};
     OperationRow steps = {};
@@ -61,7 +61,7 @@ PlaceCounts placesSymmetrically()
 
 } // namespace
 
-/// The same of lines, circles and polygons.
+/// Operations of lines, circles and polygons, against counts by hand.
 class TestShapeOperationCounts : public QObject {
     Q_OBJECT
 
@@ -79,11 +79,11 @@ private slots:
                       {{IntegerAddition, 6 * (1 + 3 * 2)}, {Operation::Comparison, 6 * (1 + 3)}}),
             QString());
         QCOMPARE(counts.of(WorkStage::Pixel, Division), std::int64_t(0));
-        // Those of the colours alone: 3 levels and 3 rates.
+        // Divisions for the colours alone: 3 levels and 3 rates.
         QCOMPARE(counts.of(WorkStage::SetUp, Division), std::int64_t(3 + 3));
     }
 
-    void whatFindsThePlacesOfALineByBresenhamIsSaidByStage_data()
+    void bresenhamPlacementIsCountedByStage_data()
     {
         QTest::addColumn<QString>("id");
         QTest::addColumn<PlaceCounts>("counted");
@@ -96,7 +96,7 @@ private slots:
             << QStringLiteral("line-bresenham-symmetric") << placesSymmetrically()
             << QStringLiteral("with 15 multiplications, 10 additions and 2 comparisons");
     }
-    void whatFindsThePlacesOfALineByBresenhamIsSaidByStage()
+    void bresenhamPlacementIsCountedByStage()
     {
         QFETCH(QString, id);
         QFETCH(PlaceCounts, counted);
@@ -121,7 +121,7 @@ private slots:
               hasWholeEnds ? QStringLiteral("one division finds the first pixel")
                            : QStringLiteral("1 division, which finds the first pixel")})
             QVERIFY2(words.contains(part), qPrintable(words));
-        // The rest is the colour's.
+        // The rest belongs to the colour.
         const OperationCounts all = countsOf(qPrintable(id), Arithmetic::Exact, oneColourLine());
         QVERIFY(all.of(WorkStage::SetUp, Division) > of(counted.setUp, Division));
         QVERIFY(all.of(WorkStage::Span, IntegerAddition) > of(counted.steps, IntegerAddition));
@@ -215,16 +215,17 @@ private slots:
         const OperationCounts counts
             = countsOf("polygon-parity", Arithmetic::Float32, {{}, {polygon}});
         QCOMPARE(counts.spans, std::int64_t(4));
-        // A slope each, when the edge becomes active.
+        // One slope per edge, when it becomes active.
         QCOMPARE(counts.totals()[std::size_t(Division)], std::int64_t(2));
-        // ⌈x⌉ where an edge becomes active and after each of its steps; it ends before the last.
+        // ⌈x⌉ when an edge becomes active and after each of its steps; the last step is not needed.
         QCOMPARE(counts.of(WorkStage::Span, Rounding), std::int64_t(2 + 2 * 3));
     }
 
-    /// A comb: on each of its rows some teeth have ended already.
+    /// A comb: on each of its rows some teeth have already ended.
     void anEdgeTableLooksAtFewerEdgesThanThereAre()
     {
-        // Teeth of heights 2, 4 and 6 on a bar of rows 2 … 3: edges from the bar's lower side on.
+        // Teeth of heights 2, 4 and 6 on a bar in rows 2 … 3; edges listed from the bar's lower
+        // side.
         Shape comb;
         comb.kind = PrimitiveKind::Polygon;
         comb.fill = ShapeFill::EvenOdd;

@@ -15,7 +15,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// More would take long in the slowest methods.
+/// A larger number would take long in the slowest methods.
 constexpr std::size_t mostDrawn = 60;
 
 LabFamily familyNamed(const char *id)
@@ -25,7 +25,7 @@ LabFamily familyNamed(const char *id)
     return *makeFamily(*labFamilyNamed(QString::fromLatin1(id)), request);
 }
 
-/// Those whose triangles straight loops may draw.
+/// The families whose triangles straight loops may draw.
 constexpr const char *drawnFamilies[]
     = {"random-integer", "random-subpixel", "slivers", "ties",     "far",
        "small",          "large",           "mesh",    "own-scene"};
@@ -42,7 +42,7 @@ Triangle triangleAt(const LatticePoint &a, const LatticePoint &b, const LatticeP
 
 } // namespace
 
-/// Straight loops against the plain kernels that they measure.
+/// Straight loops against the plain kernels that are compared with them.
 class TestStraightLoops : public QObject {
     Q_OBJECT
 
@@ -78,7 +78,7 @@ private slots:
                 draw(triangleFor(loop, triangle), rawFrameFor(loop, byLoop.view()));
             contender.draw(primitives, *settings, byKernel.view());
             QVERIFY2(byLoop.image() == byKernel.image(), id);
-            // 16.16 draws whole pixels alone.
+            // 16.16 draws only whole pixels.
             QVERIFY2(!primitives.triangles.empty() || loop.arithmetic == Arithmetic::Fixed16, id);
         }
     }
@@ -101,8 +101,8 @@ private slots:
     void whatTheyCannotDrawTheyMayNotDraw_data()
     {
         QTest::addColumn<Triangle>("triangle");
-        QTest::addColumn<bool>("whole"); ///< what a loop in 16.16 may do
-        QTest::addColumn<bool>("any"); ///< what the others may
+        QTest::addColumn<bool>("whole"); ///< whether a loop in 16.16 may draw it
+        QTest::addColumn<bool>("any"); ///< whether the others may
         const LatticePoint a = latticePixel(2, 2), b = latticePixel(61, 5),
                            c = latticePixel(20, 45);
         QTest::newRow("2 px inside") << triangleAt(a, b, c) << true << true;

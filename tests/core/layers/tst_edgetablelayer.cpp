@@ -46,7 +46,7 @@ Shape textOf(const char *characters)
     return text;
 }
 
-/// The first row of the trace in which each edge is active, by the edge's number.
+/// The first row of the trace in which each edge is active, by edge number.
 std::map<int, int> firstRows(const TracedScene &traced)
 {
     std::map<int, int> rows;
@@ -61,7 +61,7 @@ std::map<int, int> firstRows(const TracedScene &traced)
     return rows;
 }
 
-/// The rows that labels tell, by the edge's number.
+/// The rows named in labels, by edge number.
 std::map<int, int> toldRows(const LayerDrawing &drawing)
 {
     static const QRegularExpression pattern(QStringLiteral("^edge (\\d+), from row (-?\\d+)$"));
@@ -75,7 +75,7 @@ std::map<int, int> toldRows(const LayerDrawing &drawing)
 
 } // namespace
 
-/// The edge table of what is filled by parity: its buckets are the kernel's.
+/// The edge table of shapes filled by parity: its buckets match the kernel's.
 class TestEdgeTableLayer : public QObject {
     Q_OBJECT
 
@@ -98,7 +98,7 @@ private slots:
         addRows("polygon", pentagon(), "polygon-parity");
         addRows("filled path", filledPath(), "bezier-fill");
         if (textFontFile().isEmpty())
-            return; // there are no outlines
+            return; // no outlines without a font
         addRows("text", textOf("l4"), "text-outlines");
         addRows("text of many edges", textOf("S"), "text-outlines");
     }
@@ -125,13 +125,13 @@ private slots:
         QCOMPARE(told, active);
     }
 
-    /// At the top of this contour two edges meet the row at once.
+    /// At the top of this contour two edges meet the row at the same x.
     void edgesThatMeetARowAtOneXStandAsBelowIt_data()
     {
         QTest::addColumn<FrameOrigin>("origin");
         QTest::addColumn<int>("row");
         QTest::addColumn<double>("left");
-        // Taken as if displaced down as seen, it is crossed by the edges below it.
+        // The row is treated as displaced downward on the screen, so the edges below it cross it.
         QTest::newRow("y upward") << FrameOrigin::BottomLeft << 14 << 2.0;
         QTest::newRow("y downward") << FrameOrigin::TopLeft << 3 << 3.0;
     }
@@ -148,7 +148,7 @@ private slots:
         for (const QPoint &corner : {QPoint(3, 3), QPoint(20, 4), QPoint(18, 14), QPoint(5, 13)})
             polygon.vertices.push_back({latticePixel(corner.x(), corner.y()), Colour()});
         if (origin == FrameOrigin::TopLeft)
-            std::ranges::reverse(polygon.vertices); // counter-clockwise as seen
+            std::ranges::reverse(polygon.vertices); // counter-clockwise on the screen
         Look look(sceneOf(polygon, "polygon-parity", frame));
         const ScanTrace &trace = *look.traced->trace;
         std::size_t span = 0;
@@ -167,7 +167,7 @@ private slots:
     {
         const Look look(sceneOf(pentagon(), "polygon-parity", {}));
 
-        // A vertex on a row, y upward: the sample on it is taken as if it lay below.
+        // A vertex on a row, y upward: the sample on it is treated as lying below.
         const std::map<int, int> expected = {{0, 9}, {1, 18}, {3, 6}, {4, 6}};
         QCOMPARE(toldRows(look.drawing("edge-table")), expected);
     }
@@ -191,7 +191,7 @@ private slots:
             QCOMPARE(line.from, (from + to) / 2);
             ++led;
         }
-        QCOMPARE(led, 4); // one edge lies along the rows
+        QCOMPARE(led, 4); // one edge lies along a row
     }
 
     void anEdgeBetweenTwoRowsIsInNoBucket()

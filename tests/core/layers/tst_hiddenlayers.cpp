@@ -43,7 +43,7 @@ Scene pointsBy(const char *method)
     return sceneOf(points, method, {});
 }
 
-/// As a student sees a run who foretells it.
+/// A run as a student sees it while predicting.
 struct HiddenLook : Look {
     explicit HiddenLook(const Scene &scene)
         : Look(scene)
@@ -80,12 +80,12 @@ bool startsWith(const QStringList &texts, const QString &beginning)
 
 } // namespace
 
-/// Layers say nothing of what a student is asked to foretell.
+/// Layers show nothing of what a student is asked to predict.
 class TestHiddenLayers : public QObject {
     Q_OBJECT
 
 private slots:
-    void numbersStandInTheCellsThatTheRunHasComeTo_data()
+    void numbersAppearOnlyInVisitedCells_data()
     {
         QTest::addColumn<QByteArray>("method");
         for (const char *method :
@@ -93,7 +93,7 @@ private slots:
               "barycentric-cramer", "barycentric-incremental", "interpolate-plane"})
             QTest::newRow(method) << QByteArray(method);
     }
-    void numbersStandInTheCellsThatTheRunHasComeTo()
+    void numbersAppearOnlyInVisitedCells()
     {
         QFETCH(QByteArray, method);
         HiddenLook look(triangleBy(method.constData()));
@@ -180,7 +180,7 @@ private slots:
                     .notes.contains(QStringLiteral("Affine map: weights are still ahead")));
         ++look.view.position;
         QVERIFY(hasWeights());
-        look.view.picked = QPoint(40, 40); // outside the triangle, which is told by no step yet
+        look.view.picked = QPoint(40, 40); // outside the triangle, before any step has decided it
         QVERIFY(!hasWeights());
     }
 
@@ -191,7 +191,7 @@ private slots:
         look.seekToSpan(0);
         QCOMPARE(textsOf(look.drawing("inner-edges").labels), QStringList("0"));
         QCOMPARE(look.drawing("inner-edges").lines.size(), std::size_t(3));
-        // The edge that the second one shares with it is an inner one all the same.
+        // The edge that the second one shares with it still counts as an inner one.
         QCOMPARE(std::ranges::count(look.drawing("inner-edges").lines, LayerDrawing::Stroke::Solid,
                                     &LayerDrawing::Line::stroke),
                  std::ptrdiff_t(1));
@@ -204,7 +204,7 @@ private slots:
         HiddenLook look(pointsBy("point-address"));
         look.seekToSpan(2);
         QCOMPARE(look.drawing("memory").cells.size(), std::size_t(2));
-        // Other methods ask for none.
+        // Other methods have nothing to predict here.
         HiddenLook columns(triangleBy("column-scan"));
         const FrameSpec &frame = columns.traced->scene.frame;
         columns.seekToSpan(2);

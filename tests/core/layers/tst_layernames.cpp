@@ -28,7 +28,7 @@ Triangle triangleAt(const QPoint &a, const QPoint &b, const QPoint &c)
     return {{vertex(a), vertex(b), vertex(c)}};
 }
 
-/// The text at a place that begins so.
+/// The text at this place that begins this way.
 QString labelAt(const std::vector<LayerDrawing::Label> &labels, const QPointF &place,
                 const QString &beginning)
 {
@@ -44,7 +44,7 @@ double distanceOf(const QRectF &rect, const QPointF &point)
                       std::max({0.0, rect.top() - point.y(), point.y() - rect.bottom()}));
 }
 
-/// Of a line without ends; 0 where it meets the rectangle.
+/// The distance from an infinite line; 0 if it meets the rectangle.
 double distanceOf(const QRectF &rect, const QLineF &line)
 {
     const QLineF normal = line.normalVector().unitVector();
@@ -59,7 +59,7 @@ double distanceOf(const QRectF &rect, const QLineF &line)
     return std::max({0.0, least, -largest});
 }
 
-/// A picture of a frame of 8 by 6 pixels in cells of 40.
+/// A picture of a frame of 8 by 6 pixels, 40 px per cell.
 struct Paper {
     Paper()
         : picture(8 * 40, 6 * 40, QImage::Format_RGB32)
@@ -76,7 +76,7 @@ struct Paper {
 
 } // namespace
 
-/// Layers that are shown together mean the same by a name, and names stand by what they name.
+/// Layers shown together use a name for the same thing, and names are near what they name.
 class TestLayerNames : public QObject {
     Q_OBJECT
 
@@ -85,7 +85,8 @@ private slots:
     {
         QTest::addColumn<QByteArray>("method");
         QTest::addColumn<Triangle>("triangle");
-        // One triangle with its vertices in three orders, the first as no method sorts them.
+        // One triangle with its vertices in three orders, the first an order that no method sorts
+        // into.
         for (const Method &method : methods()) {
             if (!method.draws(PrimitiveKind::Triangle))
                 continue;
@@ -126,7 +127,7 @@ private slots:
             QVERIFY2(textsOf(images).filter(image).size() == 1,
                      qPrintable(textsOf(images).join('|')));
         }
-        // The same sample says the same in its cell and in the label of the affine map.
+        // The same sample has the same value in its cell and in the label of the affine map.
         if (weights.cellNames.contains(QStringLiteral("E₀")))
             return;
         QVERIFY(!weights.cells.empty());
@@ -194,7 +195,7 @@ private slots:
                     QVERIFY2(toOwn < 20, moment.data());
                     QVERIFY2(toOwn < distance(labels[own], bars[1 - own]) + 1e-6, moment.data());
                 }
-                // The texts stand to each other as the pixels do.
+                // The texts are arranged as the pixels are.
                 const QPointF way = drawing.measures[1].to - drawing.measures[0].from;
                 const QPointF shown
                     = surface.fromSamples.map(way) - surface.fromSamples.map(QPointF());
@@ -229,7 +230,7 @@ private slots:
         }
     }
 
-    /// Of small triangles, whose names hardly find room beside them.
+    /// For small triangles, whose names hardly fit next to them.
     void namesOfHalfPlanesStandInTheirHalfPlane_data()
     {
         QTest::addColumn<Triangle>("triangle");
@@ -278,7 +279,7 @@ private slots:
         QVERIFY2(shown >= 2, qPrintable(QString::number(shown)));
     }
 
-    /// What is named beyond a small triangle stands on the line of its own edge.
+    /// A name outside a small triangle is on the line of its own edge.
     void eachArrowOfASmallTriangleIsNearestToItsOwnNames_data()
     {
         QTest::addColumn<Triangle>("triangle");
@@ -303,7 +304,8 @@ private slots:
         layers.paintLabels(painter, drawing, surface, {});
         QCOMPARE(layers.labels().size(), std::size_t(6));
 
-        // A dashed line and an arrow for each edge in turn; of the names the negative one is first.
+        // A dashed line and an arrow for each edge in turn; of the names, the negative one comes
+        // first.
         QCOMPARE(drawing.lines.size(), std::size_t(6));
         for (std::size_t name = 0; name < 6; ++name) {
             const bool isNegative = drawing.labels[name].text.contains(QStringLiteral(" < 0"));
@@ -325,7 +327,7 @@ private slots:
 
     void aNormalOfASolvedEdgeHasDigitsThatCount()
     {
-        // F₀ = (y − y₀) − m·(x − x₀) over its value at the third vertex.
+        // F₀ = (y − y₀) − m·(x − x₀), divided by its value at the third vertex.
         Scene scene;
         scene.method = "edge-equations-solved";
         scene.frame.firstColumn = 390;
@@ -354,7 +356,7 @@ private slots:
         QCOMPARE(preciseNumber(Quantity::rational(45, 2)), QStringLiteral("22.5"));
     }
 
-    /// An edge whose middle is far outside has its arrow where it is seen.
+    /// An edge whose middle is far outside has its arrow where the edge is visible.
     void everyNameThatToldANormalHasAnArrowInView()
     {
         Scene scene;
@@ -373,7 +375,7 @@ private slots:
     {
         const Paper paper;
         LayerDrawing drawing;
-        // From the middle to far out of view.
+        // From the middle to far outside the view.
         drawing.lines = {{{3, 2}, {3, 900}, LayerInk::First}};
 
         const std::vector<QRectF> places = LayerPainter::figurePlaces(drawing, paper.surface);

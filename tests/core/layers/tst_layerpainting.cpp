@@ -20,14 +20,14 @@ using namespace pixelplumb;
 
 namespace {
 
-/// The sum of what the channels differ by.
+/// The sum of the channel differences.
 int distance(const QColor &a, const QColor &b)
 {
     return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green())
         + std::abs(a.blue() - b.blue());
 }
 
-/// A white picture that is painted on, of a frame of 8 by 6 pixels.
+/// A white picture to paint on, of a frame of 8 by 6 pixels.
 struct Paper {
     explicit Paper(double cell)
         : picture(int(8 * cell), int(6 * cell), QImage::Format_RGB32)
@@ -39,7 +39,7 @@ struct Paper {
         surface = {pictureTransform(frame, {}, cell), picture.rect(), LayerTone::Light};
     }
 
-    /// Whether a pixel is nearer to an ink than thin strokes leave it.
+    /// Whether a pixel in the rectangle is nearer to an ink than thin strokes would be.
     bool hasColour(const QRect &rect, LayerInk ink) const
     {
         const QColor colour = colourOf(ink, LayerTone::Light);
@@ -92,7 +92,7 @@ private slots:
             + 0.75 * glyphs.widthOf(QStringLiteral("lower"))
             + glyphs.widthOf(QStringLiteral(" = 1"));
         QVERIFY(std::abs(glyphs.widthOf(symbol) - expected) < 1e-9);
-        // "d" stands on the line, "lower" below it: y grows downward.
+        // "d" is on the baseline, "lower" below it: y grows downward.
         QVERIFY(glyphs.outlineOf(QStringLiteral("d")).boundingRect().bottom() < 0.05);
         QVERIFY(glyphs.outlineOf(symbol).boundingRect().bottom() > 0.1);
         QVERIFY(glyphs.widthOf(QStringLiteral("a_"))
@@ -113,7 +113,7 @@ private slots:
         for (int x = 0; x < 8; ++x) {
             const QPoint centre = paper.surface.fromSamples.map(QPointF(x, 2)).toPoint();
             QCOMPARE(paper.picture.pixelColor(centre), colourOf(LayerInk::Third, LayerTone::Light));
-            // The number below it, none across it or above.
+            // The number is below the sample, none across it or above.
             QVERIFY(paper.hasColour({centre.x() - 14, centre.y() + 4, 28, 11}, LayerInk::First));
             QVERIFY(!paper.hasColour({centre.x() - 14, centre.y() - 15, 28, 19}, LayerInk::First));
         }
@@ -150,7 +150,7 @@ private slots:
             return LayerPainter().paintNumbers(painter, drawing, paper.surface).front();
         };
 
-        // Three lines of 6 px below the middle's dot.
+        // Three lines of 6 px below the dot in the middle.
         QVERIFY2(saidAt(56).contains("cells of 57 pixels"), qPrintable(saidAt(56)));
         QCOMPARE(saidAt(57), QStringLiteral("In the cells: address"));
     }
@@ -171,7 +171,7 @@ private slots:
         const double lower = paper.surface.fromSamples.map(QPointF(3, 2.4)).y();
         const double upper = paper.surface.fromSamples.map(QPointF(3, 2.9)).y();
         const int x = int(column.x1());
-        // On the column nothing, to the right of it both, each in its ink.
+        // Nothing on the column; to the right of it both, each in its ink.
         QCOMPARE(paper.picture.pixelColor(x, int(lower)), QColor(Qt::white));
         QVERIFY(paper.hasColour({x + 8, int(lower), 8, 1}, LayerInk::First));
         QVERIFY(paper.hasColour({x + 8, int(upper), 8, 1}, LayerInk::Second));
@@ -200,7 +200,7 @@ private slots:
     void measuresOfOppositeWaysStandOnBothSides()
     {
         Paper paper(40);
-        // The line has left the two pixels: one of the distances is below 0.
+        // The line has left the two pixels: one of the distances is negative.
         const QLineF one = measureLine({{3, 2}, {3, 1.75}, {}, LayerInk::First}, paper.surface);
         const QLineF other = measureLine({{3, 1.75}, {3, 3}, {}, LayerInk::Second}, paper.surface);
         const double x = paper.surface.fromSamples.map(QPointF(3, 0)).x();
@@ -234,8 +234,8 @@ private slots:
         QCOMPARE(inked(false), std::pair(false, true));
     }
 
-    /// Where there is room, which a name without rivals would take.
-    void aNameStandsNoNearerToWhatOthersName()
+    /// A name leaves its usual place, though there is room, if a rival is nearer to it.
+    void aNameIsNotNearerToAnotherNamesTarget()
     {
         Paper paper(40);
         QPainter painter(&paper.picture);
@@ -253,7 +253,7 @@ private slots:
 
         label.rivals = {toSamples.map(rival)};
         QVERIFY(rectOf(label).right() < place.x());
-        // From both sides: where no place is nearer, there is a name nevertheless.
+        // Rivals from both sides: where no place is nearer, the name is shown nevertheless.
         label.rivals.push_back(toSamples.map(rival.translated(-20, 0)));
         label.rivals.push_back(toSamples.map(QLineF(place, place + QPointF(1, 0))));
         QVERIFY(rectOf(label).left() > place.x());
@@ -265,7 +265,7 @@ private slots:
         QPainter painter(&paper.picture);
         Glyphs glyphs;
         LayerLabels labels(painter, paper.surface, glyphs, {});
-        // So near to each other that names have to go away from them.
+        // So close together that names have to move away.
         const QTransform toSamples = paper.surface.fromSamples.inverted();
         for (int i = 0; i < 9; ++i)
             labels.place({QStringLiteral("name %1").arg(i),
@@ -273,7 +273,7 @@ private slots:
         labels.paint();
         painter.end();
 
-        // Each name stands on paper of its own, through which a line below it is as good as gone.
+        // Each name has a background that nearly hides a line below it.
         QCOMPARE(labels.places().size(), std::size_t(9));
         QCOMPARE(labels.omitted(), std::size_t(0));
         for (std::size_t i = 0; i < 9; ++i) {
@@ -285,7 +285,7 @@ private slots:
             texts.paintText(QStringLiteral("name %1").arg(i),
                             rect.topLeft() + QPointF(3, 1 + ascent * 12), 12, LayerInk::First);
             single.end();
-            // Its inner part: lines may end at the border.
+            // Only the inner part: lines may end at the border.
             const QRect inside = rect.toAlignedRect().adjusted(4, 3, -4, -3);
             int largest = 0;
             for (int y = inside.top(); y <= inside.bottom(); ++y) {

@@ -54,7 +54,7 @@ std::ptrdiff_t areasAround(const LayerDrawing &drawing, const QPointF &point)
 
 } // namespace
 
-/// The figures of the course texts over a scene: their numbers are those of the run.
+/// The course texts' figures drawn over a scene, with the numbers of the run.
 class TestLayers : public QObject {
     Q_OBJECT
 
@@ -64,8 +64,8 @@ private slots:
         QTest::addColumn<QByteArray>("method");
         QTest::addColumn<PixelCentre>("centre");
         QTest::addColumn<QStringList>("labels");
-        // (int)(44 − .5) = 43: the rounding that the slides print is for samples in the middle of
-        // pixels. The last column, 70, lies outside a frame of 64, whose last is 63.
+        // (int)(44 − .5) = 43: the rounding printed on the slides is for samples at pixel centres.
+        // The last column, 70, lies outside a frame of 64, whose last is 63.
         const QStringList integer
             = {"bbox: x 4 1/4 … 70, y 5 … 44", "(int)(bbox ± .5), clipped: x 4 … 63, y 5 … 43",
                "tested: x 5 … 63, y 5 … 44"};
@@ -267,7 +267,7 @@ private slots:
                         "“Column scan” computes none"));
         QCOMPARE(exact.cellNames, QStringList({"α", "β", "γ"}));
 
-        // As the tool tip has it: of the samples that the method has visited.
+        // As the tool tip shows it: only for samples that the method has visited.
         const ScanTrace &trace = *look.traced->trace;
         QCOMPARE(exact.cells.size(), 3 * trace.sampleCount());
         for (const std::size_t done : {std::size_t(0), trace.sampleCount() / 2}) {
@@ -287,7 +287,7 @@ private slots:
 
     void specialPointsHaveTheirWeights()
     {
-        // a, b, c are those of the scene, P0, P1, P2 those of the column scan, which sorts them.
+        // a, b, c are the scene's, P0, P1, P2 the column scan's, which sorts them.
         const Look look(sceneBy("column-scan", triangleAt(12, 3, 0, 0, 3, 9)));
         const LayerDrawing drawing = look.drawing("barycentric-axes");
         const auto placeOfLabel = [&](const char *text) {
@@ -331,7 +331,7 @@ private slots:
         QCOMPARE(drawing.labels.front().text, QStringLiteral("R = 32"));
     }
 
-    void contourLinesThatThereAreNoneOfAreToldWhy_data()
+    void missingContourLinesAreExplained_data()
     {
         QTest::addColumn<Triangle>("triangle");
         QTest::addColumn<QString>("note");
@@ -351,7 +351,7 @@ private slots:
                                  << "Contour lines of R: the triangle has no area, so that its "
                                     "levels lie on no plane";
     }
-    void contourLinesThatThereAreNoneOfAreToldWhy()
+    void missingContourLinesAreExplained()
     {
         QFETCH(Triangle, triangle);
         QFETCH(QString, note);
@@ -364,7 +364,7 @@ private slots:
 
     void specialPointsBesideTheFrameAndEveryAxisHaveTheirNames()
     {
-        // b is above the frame, c right of it, and all places before a left of it.
+        // b is above the frame, c right of it, and all places in front of a left of it.
         const LayerDrawing drawing = Look(sceneBy("column-scan", triangleAt(2, 5, 30, 48, 64, 3)))
                                          .drawing("barycentric-axes");
         const QStringList names = textsOf(drawing.labels);
@@ -375,7 +375,7 @@ private slots:
         const auto axis = std::ranges::find(drawing.labels, QStringLiteral("β = 0"),
                                             &LayerDrawing::Label::text);
         QVERIFY(QRectF(-0.5, -0.5, 64, 48).contains(axis->place));
-        // One colour, one line: a name has that of the line on which it stands.
+        // One colour per line: a name has the colour of its line.
         for (const char *name : {"β = 0", "γ = 0", "β = 1", "γ = 1"}) {
             const auto label = std::ranges::find(drawing.labels, QString::fromUtf8(name),
                                                  &LayerDrawing::Label::text);
@@ -439,7 +439,7 @@ private slots:
         QVERIFY(LayerPainter().paint(painter, drawing, surfaceOf(look, picture)).isEmpty());
     }
 
-    void namesKeepClearOfEachOtherAndOfWhatStandsThere()
+    void namesAvoidEachOtherAndOccupiedPlaces()
     {
         Look look(sceneBy("edge-equations", firstTriangle()));
         look.view.cell = 12;
@@ -453,12 +453,12 @@ private slots:
         QCOMPARE(
             LayerPainter().paintLabels(painter, drawing, surface, everywhere),
             QStringList("No room for 3 of 3 names: enlarge the picture, or show fewer layers"));
-        // More at one place than there are sides and distances.
+        // More labels at one place than there are sides and distances.
         drawing.labels.assign(50, drawing.labels.back());
         QCOMPARE(LayerPainter().paintLabels(painter, drawing, surface, {}).size(), qsizetype(1));
     }
 
-    void thePrimitiveInHandIsTheOneThatIsDrawn()
+    void theCurrentPrimitiveIsTheOneThatIsDrawn()
     {
         Scene scene = sceneBy("edge-equations", triangleAt(0, 0, 8, 0, 0, 4));
         scene.triangles.push_back(triangleAt(10, 10, 20, 10, 10, 20));

@@ -68,7 +68,7 @@ private slots:
         QCOMPARE(inner.size(), std::size_t(1));
         QCOMPARE(inner.front().from, QPointF(0, 0));
         QCOMPARE(inner.front().to, QPointF(8, 6));
-        QCOMPARE(fan.areas.size(), std::size_t(1)); // the triangle in hand
+        QCOMPARE(fan.areas.size(), std::size_t(1)); // the current triangle
         QVERIFY(fan.circles.empty());
     }
 
@@ -92,9 +92,9 @@ private slots:
         }
     }
 
-    void theRowInHandHasItsCrossingsAndIntervals()
+    void theCurrentRowHasItsCrossingsAndIntervals()
     {
-        // Two towers on a common foot: a row through both has four crossings.
+        // Two towers on a common base: a row through both has four crossings.
         Look look(sceneOf(polygonAt({{0, 0}, {20, 0}, {20, 10}, {10, 2}, {0, 10}}),
                           "polygon-parity", {}));
         const ScanTrace &trace = *look.traced->trace;
@@ -159,7 +159,7 @@ private slots:
             textOf(lineAt(4, 4, 24, 24)),
             QStringList({"(21 − 1) pixels / 28.28 px = 0.71 a px; even with 1.41 times the light",
                          "even: 1 px wide, 28.28 px of light"}));
-        // Ends between pixels: the first pixel is column 6, the last 8.
+        // End points between pixels: the first pixel is column 6, the last 8.
         Shape between = lineAt(5, 10, 9, 10);
         between.vertices[0].position.x += unitsPerPixel / 4;
         between.vertices[1].position.x -= unitsPerPixel / 4;
@@ -220,7 +220,7 @@ private slots:
     {
         QTest::addColumn<QPoint>("run");
         QTest::addColumn<FrameOrigin>("origin");
-        QTest::addColumn<QString>("stays"); ///< which of the two pixels, on the screen
+        QTest::addColumn<QString>("stays"); ///< which of the two pixels, as seen on the screen
         QTest::addColumn<QString>("across");
         const auto upward = FrameOrigin::BottomLeft;
         const auto downward = FrameOrigin::TopLeft;
@@ -267,13 +267,13 @@ private slots:
             const QPointF onLine = drawing.points[2].place;
             const PixelChange before = trace.changes()[trace.firstSampleOf(span - 1)];
             const PixelChange after = trace.changes()[trace.firstSampleOf(span)];
-            // The pixel that stays is across the line where the one before is.
+            // The pixel that stays is on the line's other side from the previous one.
             const bool isSteep = std::abs(run.y()) > std::abs(run.x());
             const QPointF staying
                 = isSteep ? QPointF(before.x, after.y) : QPointF(after.x, before.y);
             QCOMPARE(drawing.points[0].place, staying);
 
-            // From the pixel that stays to the line, and from there to the pixel across: below 0
+            // From the pixel that stays to the line, and from there to the pixel across: negative
             // where the line is not between them.
             const QPointF onward = drawing.points[1].place - staying;
             QCOMPARE(onward.manhattanLength(), 1.0);
@@ -309,7 +309,7 @@ private slots:
                      QStringLiteral("F = p_k = %1")
                          .arg(toDecimal(Quantity::of(f), std::abs(f) < 10 ? 2 : 1))
                          .replace(u'-', QChar(0x2212)));
-            // The step's words and pixel are those of the same decision.
+            // The step's words and pixel belong to the same decision.
             QCOMPARE(spanNumber(*look.traced, span, QStringLiteral("p_k")).toDouble(), f);
             const QPointF drawn(
                 32 + spanNumber(*look.traced, span, QStringLiteral("x_k")).toDouble(),
@@ -338,7 +338,7 @@ private slots:
             QCOMPARE(4 * next, std::round(4 * next));
             isWhole = isWhole && next == std::round(next);
         }
-        QVERIFY(!isWhole); // it is no integer, as the table shows
+        QVERIFY(!isWhole); // it is not an integer, as the table shows
     }
 
     void addressesAreThoseThatPointsAreWrittenBy()

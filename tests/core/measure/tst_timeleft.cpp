@@ -10,12 +10,12 @@ namespace tst_timeleft {
 using namespace pixelplumb;
 using namespace std::chrono_literals;
 
-/// How far a long job is.
+/// The progress of a long job.
 class TestTimeLeft : public QObject {
     Q_OBJECT
 
 private slots:
-    void beforeTheFirstWordItIsWhatIsKnownBefore()
+    void beforeAnyReportTheEstimateIsUsed()
     {
         const TimeLeft left(14);
 
@@ -42,13 +42,13 @@ private slots:
     {
         TimeLeft left(100);
         left.tell({JobPhase::Judging, 0, 20}, m_begin);
-        left.tell({JobPhase::Judging, 10, 20}, m_begin + 154s); // 50 expected, and 2 of trust
+        left.tell({JobPhase::Judging, 10, 20}, m_begin + 154s); // 50 s expected, plus 2 of trust
 
         QCOMPARE(left.seconds(), 50 * (154.0 + 2) / (50 + 2));
         QCOMPARE(left.text(), QStringLiteral("judging: 50 %, about 3 min left"));
     }
 
-    void aJobOfWhichNobodyKnowsHowMuchItIsHasDoneNothing()
+    void aJobOfUnknownSizeShowsNoProgress()
     {
         TimeLeft left(10);
         left.tell({JobPhase::Reading, 7, 0}, m_begin);
@@ -69,7 +69,7 @@ private slots:
         longer.rounds = 50;
 
         QVERIFY(expectedSeconds(quick) > 5
-                && expectedSeconds(quick) < 20); // what the manual promises
+                && expectedSeconds(quick) < 20); // as the manual promises
         QVERIFY(expectedSeconds(full) > 60 && expectedSeconds(full) < 300);
         QVERIFY(expectedSeconds(few) < expectedSeconds(quick) / 5);
         QVERIFY(expectedSeconds(untimed) < expectedSeconds(quick));

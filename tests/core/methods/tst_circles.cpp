@@ -44,7 +44,7 @@ private slots:
             const Lattice largest = Lattice(1) << (1 + round % 39);
             const Lattice a = 1 + upTo(largest);
             const Lattice b = upTo(largest);
-            // Near the end of the axis a chord grows fastest.
+            // A chord grows fastest near the end of the axis.
             const Lattice distance = round % 2 == 0 ? upTo(a) : a - upTo(std::min<Lattice>(a, 3));
             const Lattice half = halfChord(a, b, distance);
             const auto square = [](Int256 number) { return Int256(number * number); };
@@ -194,7 +194,7 @@ private slots:
         const Shape circle = circleAt(far, 8, far);
         const FrameSpec frame = frameOf(40, 40, -4, -12);
         const CasePicture truth = truthOf(circle, frame);
-        QCOMPARE(truth.pixelCount(), std::int64_t(40)); // the column x = 0, as good as straight
+        QCOMPARE(truth.pixelCount(), std::int64_t(40)); // the column x = 0, practically straight
         QVERIFY(departure(pictureBy(u"circle-midpoint", circle, frame), truth).isEmpty());
         QVERIFY(
             departure(pictureBy(u"circle-parametric", circle, frame, Arithmetic::Float64), truth)

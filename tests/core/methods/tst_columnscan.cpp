@@ -38,7 +38,7 @@ plain::Vertex plainVertex(const Vertex &vertex)
 
 } // namespace
 
-/// Each rule of the assignment, and what it leaves open.
+/// Each rule of the assignment, and what the assignment leaves open.
 class TestColumnScan : public QObject {
     Q_OBJECT
 
@@ -94,7 +94,7 @@ private slots:
 
     void paintsTheTipWhereRoundedEdgesPassEachOther()
     {
-        // In float64 L₁₂ comes down to a little less than y₂ = 4, and L₀₂ up to a little more.
+        // In float64 L₁₂ falls to a little below y₂ = 4, and L₀₂ rises to a little above.
         ScanPicture drawing(frameOf(48, 40));
         drawing.drawByMethod(triangleAt(24, 0, 42, 4, 10, 37),
                              {Arithmetic::Float64, FillRule::Closed, ByteRounding::Nearest});
@@ -160,7 +160,7 @@ private slots:
             const Triangle triangle = randomTriangleIn(64, random);
             const auto &v = triangle.vertices;
             if (doubledArea(v[0].position, v[1].position, v[2].position) == 0)
-                continue; // the plain loop does not know which of three points in a line is last
+                continue; // the plain loop does not know which of three collinear points is last
             ScanPicture drawing(spec);
             drawing.drawByMethod(triangle,
                                  {Arithmetic::Float32, FillRule::Closed, ByteRounding::Nearest});
@@ -217,7 +217,7 @@ private slots:
         scene.frame = frameOf(16, 16);
         for (const Arithmetic arithmetic : allArithmetics) {
             if (arithmetic == Arithmetic::Fixed16)
-                continue; // cannot hold the vertices
+                continue; // it cannot hold the vertices
             scene.settings.arithmetic = arithmetic;
             scene.triangles
                 = {triangleAt(-largestPixel, -largestPixel, largestPixel, -7, 0, largestPixel)};
@@ -247,7 +247,7 @@ private slots:
         Triangle triangle = triangleAt(0, 0, 3, 0, 0, 3);
         for (Vertex &vertex : triangle.vertices)
             vertex.colour = {{0, 0, 0}};
-        triangle.vertices[1].colour = {{2, 0, 0}}; // 2/3 level a column
+        triangle.vertices[1].colour = {{2, 0, 0}}; // 2/3 level per column
         ScanPicture nearest(frameOf(4, 4));
         nearest.drawByMethod(triangle, {});
         ScanPicture truncated(frameOf(4, 4));
@@ -259,7 +259,7 @@ private slots:
 
     void exactStartOfRedIsTheAssignmentsFormula()
     {
-        // R_B + (⌈y_B⌉ − y_B)·Δ_R, computed here in doubles from the exact parts, is what the scan
+        // R_B + (⌈y_B⌉ − y_B)·Δ_R, computed here in doubles from the exact values, is what the scan
         // used.
         Scene scene;
         scene.triangles = {triangleAtUnits({1024, 1280}, {14848, 3072}, {6784, 11264})};

@@ -14,7 +14,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Pieces of three control points or four, lattice units.
+/// A path of pieces with three or four control points, in lattice units.
 Shape pathOf(const std::vector<std::vector<LatticePoint>> &pieces, ShapeFill fill)
 {
     Shape path = bezierAt(pieces.front());
@@ -27,7 +27,7 @@ Shape pathOf(const std::vector<std::vector<LatticePoint>> &pieces, ShapeFill fil
     return path;
 }
 
-/// A closed path of one to three pieces that begin where the one before ended, but for some.
+/// A closed path of one to three pieces, most of which begin where the previous one ended.
 Shape randomPath(QRandomGenerator &random, ShapeFill fill)
 {
     const auto point = [&] {
@@ -45,7 +45,7 @@ Shape randomPath(QRandomGenerator &random, ShapeFill fill)
     return pathOf(pieces, fill);
 }
 
-/// The path as very many points: an independent picture of it, in floating point.
+/// The path as very many points: an independent picture of it in floating point.
 std::vector<std::complex<double>> pointsAlong(const Shape &path)
 {
     std::vector<std::complex<double>> points;
@@ -70,8 +70,8 @@ std::vector<std::complex<double>> pointsAlong(const Shape &path)
     return points;
 }
 
-/// How a place lies to a chain of points that is closed: how often it winds around the place, by
-/// the angles under which its steps are seen, and how near it comes.
+/// A position relative to a closed chain of points: how often the chain winds around it, by the
+/// angles under which its steps are seen, and how near it comes.
 struct Surroundings {
     int winding = 0;
     double distance = 1e9;
@@ -95,7 +95,8 @@ struct Surroundings {
 
 } // namespace
 
-/// What draws Bézier curves against the truth, and what holds for all methods of curved shapes.
+/// The methods that draw Bézier curves against the truth, and what holds for all methods of curved
+/// shapes.
 class TestCurves : public QObject {
     Q_OBJECT
 
@@ -124,13 +125,14 @@ private slots:
                 const std::int64_t x = random.bounded(40), y = random.bounded(40);
                 const Surroundings around(points, {double(x), double(y)});
                 if (around.distance < 0.001)
-                    continue; // too near for points
+                    continue; // too near for the sampled points
                 const bool isInside = path.fill == ShapeFill::NonZero ? around.winding != 0
                                                                       : around.winding % 2 != 0;
                 const bool isCovered = truth.isWritten(x, y);
                 QVERIFY2(isCovered == isInside,
                          qPrintable(nameOf(path) + QStringLiteral(" at %1, %2").arg(x).arg(y)));
-                // Chords leave the curve by 1/32 px, their ends the lattice by half a step.
+                // Chords deviate from the curve by up to 1/32 px, their ends from the lattice by up
+                // to half a step.
                 QVERIFY2(around.distance < 1.0 / 32 + 0.003 ? true
                                                             : drawn.isWritten(x, y) == isCovered,
                          qPrintable(nameOf(path)
@@ -143,7 +145,7 @@ private slots:
 
     void aPathOfStraightPiecesIsItsPolygon()
     {
-        // Control points in the middle of straight pieces; samples lie on edges and vertices.
+        // Control points halfway along straight pieces; samples lie on edges and vertices.
         const auto path = [](ShapeFill fill) {
             return pathOf(
                 {{{512, 512}, {2048, 512}, {3584, 512}}, {{3584, 512}, {2048, 2048}, {512, 3584}}},
@@ -166,7 +168,7 @@ private slots:
 
     void anOpenPathIsClosedByAnEdge()
     {
-        // An arch whose ends nothing joins: below it the edge from the last to the first point.
+        // An arch with unconnected ends: an edge from the last to the first point closes it below.
         const Shape arch = pathOf({{latticePixel(1, 2), latticePixel(6, 12), latticePixel(11, 2)}},
                                   ShapeFill::EvenOdd);
         QCOMPARE(textOf(truthOf(arch, frameOf(13, 9))),

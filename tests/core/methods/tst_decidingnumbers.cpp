@@ -17,7 +17,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// a, b, c or P₀, P₁, P₂, clockwise where y points upward: the slides' sides are to be exchanged.
+/// a, b, c or P₀, P₁, P₂, clockwise where y points upward, so the slides' sides must be exchanged.
 Scene slideTriangle(const char *method, FillRule rule = FillRule::Closed)
 {
     Scene scene;
@@ -47,7 +47,7 @@ Quantity inSpan(const TracedScene &traced, std::size_t span, const char *title)
     return numberOf(traced.trace->numbers().span, traced.trace->span(span).cells, title);
 }
 
-/// The line of an explanation that works out this number; its place among all, or −1.
+/// The index of the line of an explanation that works out this number, or −1.
 qsizetype placeOf(const Explanation &explanation, const char *title)
 {
     const auto found = std::ranges::find_if(explanation.lines, [title](const FormulaLine &line) {
@@ -58,7 +58,7 @@ qsizetype placeOf(const Explanation &explanation, const char *title)
 
 } // namespace
 
-/// Wherever a slide decides, the number that decides is shown. Values by hand.
+/// Wherever a slide decides, the deciding number is shown. Values by hand.
 class TestDecidingNumbers : public QObject {
     Q_OBJECT
 
@@ -112,7 +112,7 @@ private slots:
             = [&](const QString &title) { return inSetUp(*traced, title.toUtf8().constData()); };
 
         // r = (−1, −1). f_bc = 6x + 6y − 66, f_ca = −7x + y + 13, f_ab = x − 7y + 5; each is −48 at
-        // the vertex that faces it.
+        // the opposite vertex.
         QCOMPARE(number(QStringLiteral("x_r")), Quantity::integer(-1));
         QCOMPARE(number(QStringLiteral("y_r")), Quantity::integer(-1));
         QCOMPARE(number(titles[0]), Quantity::integer(-78));
@@ -129,8 +129,8 @@ private slots:
                  QStringLiteral("1 if (−912) > 0, else 0"));
     }
 
-    /// Half a square at its smallest x and y, and half of it at its largest: edges P₀P₁, P₁P₂ and
-    /// P₂P₀ are level, slanting and upright.
+    /// One half of a square contains its smallest x and y, the other its largest: edges P₀P₁, P₁P₂
+    /// and P₂P₀ are horizontal, slanting and vertical.
     void theListingSaysWhichEdgesOwnTheirSamples_data()
     {
         QTest::addColumn<FillRule>("rule");
@@ -196,7 +196,7 @@ private slots:
         QCOMPARE(inSetUp(*traced, "tie_bc"), Quantity::integer(0));
     }
 
-    /// What no edge decides: the truth's edge is told as the truth's.
+    /// No edge of the method decides, so the truth's edge is named as the truth's.
     void anOutlineTellsWhichPixelsOfItsColumnDecide()
     {
         Scene scene = slideTriangle("midpoint-outline-fill");
@@ -213,25 +213,26 @@ private slots:
                   QVERIFY2(reason.contains(QString::fromUtf8(column)), qPrintable(reason));
                   QVERIFY2(!reason.contains(QStringLiteral("Refused by")), qPrintable(reason));
               };
-        // The outline has rows 3 to 5 of column 8 alone; of column 10 it has (10, 3), its corner.
+        // In column 8 the outline has only rows 3 to 5; in column 10 it has (10, 3), its corner.
         hasReason(8, 2, "The truth refuses it by P₀P₁: the sample is at −5/16 px",
                   " Column 8: The outline reaches from row 3, ");
         hasReason(10, 3, "Extra: the truth does not cover it", "The truth refuses it by P₁P₂: ");
         hasReason(10, 3, "Writes R = 0", " Column 10: The outline is one pixel high: row 3, ");
     }
 
-    /// The samples, or the area, decide; the centre has a place and no owner.
+    /// The samples, or the area, decide; the centre has a position and no owner.
     void underAntialiasingNoFillRuleIsNamed_data()
     {
         QTest::addColumn<Antialiasing>("antialiasing");
         QTest::addColumn<QString>("reason");
         const auto at = QStringLiteral(" The pixel's centre lies beyond L₁₂, at −3 px measured "
-                                       "along the column (−2.12132 px square to the edge).");
+                                       "along the column (−2.12132 px perpendicular to the edge).");
         QTest::newRow("4 samples")
             << Antialiasing::Samples4
             << QStringLiteral("No sample of the pixel lies in the triangle.") + at;
         QTest::newRow("area") << Antialiasing::Area
-                              << QStringLiteral("The triangle has no part of the pixel's square.")
+                              << QStringLiteral(
+                                     "The triangle covers no part of the pixel's square.")
                 + at;
     }
     void underAntialiasingNoFillRuleIsNamed()
@@ -246,7 +247,7 @@ private slots:
         QCOMPARE(pixelHistory(*traceScene(scene), 6, 5).front().reason, reason);
     }
 
-    /// (8, 6) to (12, 4) falls by ½ px a column: halfway at columns 9 and 11.
+    /// (8, 6) to (12, 4) falls by ½ px per column: halfway between pixels at columns 9 and 11.
     void aLineThatPassesMidwayIsToldWithTheTruthsChoice_data()
     {
         QTest::addColumn<bool>("isSteep");
@@ -278,7 +279,7 @@ private slots:
     }
 
     /// Edge equations exchange the sides of P₀P₁, whose function was −48 at P₂; the solved system
-    /// has other numbers.
+    /// has different numbers.
     void aTieIsToldInTheMethodsOwnNumbers_data()
     {
         QTest::addColumn<QString>("method");
@@ -325,7 +326,7 @@ private slots:
         QCOMPARE(inSetUp(*traced, "G₁"), Quantity::integer(255));
     }
 
-    /// b = 8 along, a = 1 across: F(8, −½) = 64 + 16 − 64 = 16, and no row is inwards of y = 0.
+    /// b = 8 along, a = 1 across: F(8, −½) = 64 + 16 − 64 = 16, and no row lies inward of y = 0.
     void anArcThatEndsOnTheAxisStaysThere()
     {
         const Shape ellipse = ellipseAtUnits(latticePixel(8, 10), unitsPerPixel, 8 * unitsPerPixel);
@@ -356,7 +357,7 @@ private slots:
         QCOMPARE(inSpan(*traced, 0, "y_line"), Quantity::rational(213, 200));
     }
 
-    /// f_bc(p) = −2·area(b, c, p): of P₁P₂, from (9, 1) to (9, 2), −10 at (−1, −1) and −7 at (2,
+    /// f_bc(p) = −2·area(b, c, p): for P₁P₂, from (9, 1) to (9, 2), −10 at (−1, −1) and −7 at (2,
     /// 1).
     void anAcceptedTieTellsTheProduct()
     {
@@ -373,7 +374,7 @@ private slots:
         QVERIFY2(reason.contains(QStringLiteral("is −11 at the off-screen point (−1, −1) and −7 at "
                                                 "the vertex that faces it; their product, 77, ")),
                  qPrintable(reason));
-        // No rule is asked where none of its edges passes.
+        // No rule decides about a sample that lies on no edge.
         QVERIFY(!pixelHistory(
                      *traceScene(slideTriangle("barycentric-off-screen", FillRule::OffScreenPoint)),
                      4, 4)
@@ -390,7 +391,7 @@ private slots:
         QVERIFY2(reason.contains(QStringLiteral("their product, −")), qPrintable(reason));
     }
 
-    /// p_k = 2Δy·x_k − 2Δx·y_k + c, as the slide has it before it drops what does not change.
+    /// p_k = 2Δy·x_k − 2Δx·y_k + c, the slide's form before it drops what does not change.
     void bresenhamsConstantMakesEveryDecision_data()
     {
         QTest::addColumn<Shape>("line");

@@ -30,7 +30,7 @@ ExactLine lineThrough(const LatticePoint &p, const LatticePoint &q,
     return ExactLine(form, p, q, p);
 }
 
-/// a·x + b·y + c in pixels, with the coefficients given.
+/// a·x + b·y + c in pixels, with the given coefficients.
 double at(double a, double b, double c, double x, double y) { return a * x + b * y + c; }
 
 /// The cells of a traced sample with these titles.
@@ -54,7 +54,7 @@ std::vector<Quantity> cellsOf(const TracedScene &traced, std::int64_t x, std::in
 
 } // namespace
 
-/// The slides' misprints (resources/misprints.md) in equations: of edges, planes and weights, each
+/// The slides' misprints (resources/misprints.md) in equations of edges, planes and weights, each
 /// with the right form and the slides' own numbers.
 class TestEquationMisprints : public QObject {
     Q_OBJECT
@@ -71,7 +71,7 @@ private slots:
         QCOMPARE(double(line.c) / 65536, x1 * y0 - x0 * y1);
         // As printed: B = y₀ − x₁, C = x₀y₀ − x₀y₁.
         QVERIFY(at(y1 - y0, y0 - x1, x0 * y0 - x0 * y1, x1, y1) != 0);
-        // Only B put right: C is still not a line's through the two points.
+        // With only B corrected, C is still not that of a line through the two points.
         QVERIFY(at(y1 - y0, x0 - x1, x0 * y0 - x0 * y1, x0, y0) != 0);
     }
 
@@ -92,9 +92,8 @@ private slots:
     void strictAndWeakTestsDifferOnTheBoundaryAlone()
     {
         // The second of the Triangle Rasterization slides, "Triangle rasterization implementation
-        // guidelines", keeps E >= 0: the closed rule. Under E > 0 no
-        // boundary sample is left, under E >= 0 all are: Pick's count A + B/2 + 1 against A − B/2
-        // + 1.
+        // guidelines", keeps E >= 0: the closed rule. Under E > 0 no boundary sample is drawn,
+        // under E >= 0 all are: Pick's count A + B/2 + 1 against A − B/2 + 1.
         const Triangle triangle = triangleAt(0, 0, 8, 0, 0, 8);
         WindowPicture closed(10, 10);
         closed.draw(*methodNamed(u"edge-equations"), triangle, {});
@@ -146,7 +145,7 @@ private slots:
 
     void aWeightIsTheSameByEitherNameOfItsEdge()
     {
-        // f_ac = −f_ca: their quotients by the value at b agree, their signs alone do not.
+        // f_ac = −f_ca: divided by their values at b they agree; their signs alone do not.
         const LatticePoint a = latticePixel(2, 1), b = latticePixel(9, 3), c = latticePixel(4, 8);
         const ExactLine ca = lineThrough(c, a), ac = lineThrough(a, c);
         const LatticePoint sample = latticePixel(5, 4);
@@ -195,7 +194,7 @@ private slots:
             }
         }
         QCOMPARE(compared, seesAll ? 56 : 36);
-        // The row v = 0.2 as it is printed, and its gap: −0.2 0.0 0.2 _ 0.6 0.8 1.0.
+        // The printed row v = 0.2, and its gap: −0.2 0.0 0.2 _ 0.6 0.8 1.0.
         if (seesAll)
             QCOMPARE(cellsOf(*traced, 3, 1, titles)[2], Quantity::rational(4, 10));
     }

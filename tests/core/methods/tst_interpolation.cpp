@@ -42,8 +42,8 @@ Triangle triangleOf(Dice &dice, const std::array<LatticePoint, 3> &corners)
     return triangle;
 }
 
-/// One triangle with attributes. Every fourth is a sliver along a random line, every fifth on whole
-/// pixels, where vertices and edges meet samples.
+/// A random triangle with attributes. Every fourth is a sliver along a random line, every fifth on
+/// whole pixels, where vertices and edges meet samples.
 Scene anyScene(std::uint32_t seed)
 {
     Dice dice(seed);
@@ -75,7 +75,7 @@ std::shared_ptr<const TracedScene> tracedBy(Scene scene, const char *form, FillR
     return traceScene(scene);
 }
 
-/// Position and R G B z u v N_x N_y N_z of every sample in order.
+/// Position and R G B z u v N_x N_y N_z of each sample, in order.
 struct ChannelValues {
     std::int64_t x = 0;
     std::int64_t y = 0;
@@ -92,7 +92,7 @@ QStringList namesOf(const std::vector<NumberDescription> &numbers)
     return names;
 }
 
-/// Those of the channels that are not among the names.
+/// The channels that are not among the names.
 QStringList missing(const QStringList &names, QStringList channels)
 {
     channels.removeIf([&](const QString &channel) {
@@ -102,7 +102,7 @@ QStringList missing(const QStringList &names, QStringList channels)
     return channels;
 }
 
-/// Whether a title is made of a channel's name: "z₀", "z_B", "δz₀₁", "a_Nx".
+/// Whether a title is built from a channel's name: "z₀", "z_B", "δz₀₁", "a_Nx".
 bool belongsTo(QString title, const QStringList &channels)
 {
     static const QRegularExpression decoration(QStringLiteral("^[δΔ]|^[abcABCD]_|[₀₁₂]+$|_?[BT]$"));
@@ -112,7 +112,7 @@ bool belongsTo(QString title, const QStringList &channels)
     });
 }
 
-/// The samples of a span in these channels.
+/// The values of a span's samples in these channels.
 std::vector<std::vector<Quantity>> carriedCells(const TracedScene &traced, std::size_t span,
                                                 const QStringList &channels)
 {
@@ -219,8 +219,8 @@ private slots:
         QVERIFY(valuesOf(*tracedBy(scene, forms[1], FillRule::Closed)) == expected);
     }
 
-    /// What the columns' form makes of the triangle in a mirror at the diagonal: of the channels,
-    /// nothing else is known of the plane.
+    /// Compares the rows' form with the columns' form on the triangle mirrored at the diagonal: of
+    /// the channels, nothing else is known of the plane.
     void rowsAreTheColumnsOfTheMirroredTriangle()
     {
         const char *const rows = "interpolate-bilinear-rows";
@@ -373,7 +373,7 @@ private slots:
                     for (const NumberDescription &number : *table)
                         QVERIFY2(!belongsTo(number.title, others), qPrintable(number.title));
                 }
-                // What is carried is what it was beside the others.
+                // A carried channel has the same values as when the others are carried too.
                 for (std::size_t span = 0; span < traced->trace->spanCount(); ++span)
                     QCOMPARE(carriedCells(*traced, span, channels),
                              carriedCells(*all, span, channels));

@@ -22,8 +22,8 @@ Shape reversed(Shape line)
     return line;
 }
 
-/// Lines between all points of a lattice of 12 × 12, in units of a third of the frame's pixel or
-/// whole pixels.
+/// Calls a function for lines between all points of a lattice of 12 × 12, in units of a third of
+/// the frame's pixel or whole pixels.
 template <class Function>
 void forEachSmallLine(Lattice step, const Function &function)
 {
@@ -94,7 +94,7 @@ private slots:
         QRandomGenerator random(20);
         for (int round = 0; round < fewerIfSanitized(150); ++round) {
             const Shape line = randomLine(random, reach);
-            // The window that a long line is sure to cross: around its middle.
+            // A window around the middle of a long line, which the line is sure to cross.
             const auto middle = [&](Lattice a, Lattice b) {
                 return std::int32_t(floorPixel(a / 2 + b / 2) - 40);
             };
@@ -158,7 +158,7 @@ private slots:
             const LatticePoint b = line.vertices[1].position;
             const Lattice length = std::max(absolute(b.x - a.x), absolute(b.y - a.y));
             const Lattice breadth = std::min(absolute(b.x - a.x), absolute(b.y - a.y));
-            // y(k) = k·Δy/Δx ends in 1/2 for some k only if Δx has more factors 2 than Δy.
+            // y(k) = k·Δy/Δx ends in 1/2 for some k only if Δx has more factors of 2 than Δy.
             const bool mayTie = breadth != 0 && (length & -length) > (breadth & -breadth);
             if (!difference.isNone() && !mayTie)
                 failure = nameOf(line) + QStringLiteral(": ") + difference.message();
@@ -197,7 +197,7 @@ private slots:
         }
     }
 
-    // Drawing takes each line's own integers, a trace the widest of all.
+    // Drawing uses each line's own integer width, a trace the widest of all.
     void aLineBesideAVeryLongOneIsDrawnAsItIsTraced()
     {
         for (const char *method : {"line-dda", "line-slope-intercept"}) {

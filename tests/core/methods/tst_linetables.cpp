@@ -15,7 +15,7 @@ namespace {
 
 const FrameSpec slideFrame = frameOf(16, 10, 18, 38);
 
-/// The cells with these ids of all spans of a scene, a line a span; "-" where there is none.
+/// The cells with these ids, one line per span; "-" for a missing cell.
 QStringList tableOf(const Scene &scene, const QStringList &ids)
 {
     const auto traced = traceScene(scene);
@@ -37,7 +37,7 @@ QStringList tableOf(const Scene &scene, const QStringList &ids)
 
 } // namespace
 
-/// The tables that the texts print of their lines, and how each step is explained.
+/// The tables that the course texts print for their lines, and how each step is explained.
 class TestLineTables : public QObject {
     Q_OBJECT
 
@@ -101,8 +101,8 @@ private slots:
             scene,
             {QStringLiteral("k"), QStringLiteral("p_k"), QStringLiteral("x"), QStringLiteral("y")});
 
-        // Rasterization slides, "Bresenham: Example". The tie p₄ = 0 goes up, whatever the rule
-        // beside it prints.
+        // Rasterization slides, "Bresenham: Example". The tie p₄ = 0 goes up, although the rule
+        // printed next to it says otherwise.
         QCOMPARE(table,
                  QStringList({QStringLiteral("- - 20 41"), QStringLiteral("0 -4 21 41"),
                               QStringLiteral("1 2 22 42"), QStringLiteral("2 -12 23 42"),
@@ -168,7 +168,7 @@ private slots:
                           : "p_k₊₁ = Δx·(2·y_k − 2·(y₀ − (x_k + 2 − x₀)·Δy/Δx) − 1)");
     }
 
-    void aStepIsSpokenOfByWhatDecidedIt_data()
+    void aStepIsExplainedByItsDecision_data()
     {
         QTest::addColumn<QString>("method");
         QTest::addColumn<int>("span");
@@ -191,11 +191,11 @@ private slots:
         row("line-bresenham-symmetric", 5,
             "p_k = 0, a tie: step diagonally to the pixel (25, 43); Δp = 2Δy − 2Δx = −14.");
         row("line-dda", 1,
-            "On the column 21 the line is at y = 41 3/10, which rounds to the pixel (21, 41).");
+            "On the column 21 the walk is at y = 41 3/10, which rounds to the pixel (21, 41).");
         row("line-slope-intercept", 2,
-            "On the column 22 the line is at y = 41 3/5, which rounds to the pixel (22, 42).");
+            "On the column 22 the line is at y = 41 3/5; (int)(y + ½) makes it the pixel (22, 42).");
     }
-    void aStepIsSpokenOfByWhatDecidedIt()
+    void aStepIsExplainedByItsDecision()
     {
         QFETCH(QString, method);
         QFETCH(int, span);

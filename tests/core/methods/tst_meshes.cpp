@@ -14,7 +14,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Samples of a mesh's rectangle that are not covered once.
+/// Samples of a mesh's rectangle that are not covered exactly once.
 struct MeshFaults {
     int holes = 0;
     int doubles = 0;
@@ -28,7 +28,8 @@ struct MeshFaults {
     friend bool operator==(const MeshFaults &, const MeshFaults &) = default;
 };
 
-/// How often each sample of a window around the mesh is covered, by drawing triangle by triangle.
+/// Draws triangle by triangle and counts how often each sample of a window around the mesh is
+/// covered.
 MeshFaults faultsOf(const TriangleMesh &mesh, const Method &method, const ScanSettings &settings)
 {
     const auto first = [](Lattice coordinate) { return std::int32_t(floorPixel(coordinate)) - 1; };
@@ -67,7 +68,7 @@ MeshFaults faultsFarFromTheOrigin(const Method &method)
     return faults;
 }
 
-/// Whether an edge's line passes through the off-screen point: there its rule promises nothing.
+/// Whether an edge's line passes through the off-screen point, where the rule guarantees nothing.
 bool meetsOffScreenPoint(const TriangleMesh &mesh)
 {
     const LatticePoint point = latticePixel(-1, -1);
@@ -87,7 +88,7 @@ std::vector<MeshPlace> places()
     std::vector<MeshPlace> found;
     for (const Lattice step : {256, 16, 1}) {
         for (const Lattice origin : {0, 16384, -16384, 1 << 20, -(1 << 20)}) {
-            // Between samples on the finer lattices.
+            // Vertices lie between samples on the finer lattices.
             const Lattice shift = step == 256 ? 0 : 5 * step;
             found.push_back({{origin * unitsPerPixel + shift, -origin * unitsPerPixel + 3 * shift},
                              step,
@@ -102,8 +103,7 @@ constexpr std::array watertightRules
 
 } // namespace
 
-/// A mesh of triangles is one surface: under a watertight rule no sample of it is missed or drawn
-/// twice.
+/// A mesh of triangles is one surface: under a watertight rule no sample is missed or drawn twice.
 class TestMeshes : public QObject {
     Q_OBJECT
 
@@ -213,7 +213,7 @@ private slots:
 
     void theOffScreenRuleTearsAnEdgeThatPassesThroughItsPoint()
     {
-        // The diagonal of the square passes through (−1, −1): both triangles refuse it.
+        // The diagonal of the square passes through (−1, −1): neither triangle takes it.
         TriangleMesh mesh{{}, latticePixel(0, 0), latticePixel(64, 64)};
         mesh.add(latticePixel(0, 0), latticePixel(64, 0), latticePixel(64, 64));
         mesh.add(latticePixel(0, 0), latticePixel(64, 64), latticePixel(0, 64));
@@ -225,7 +225,7 @@ private slots:
     }
 
 private:
-    /// Blended once everywhere inside, and all of it the truth.
+    /// Compares with the truth and checks that every inner pixel is blended exactly once.
     static void compareWithEffects(const TriangleMesh &mesh, const Method &method,
                                    Antialiasing antialiasing, FrameOrigin origin)
     {

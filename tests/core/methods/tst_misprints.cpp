@@ -26,7 +26,7 @@ QString textOfTest(const QString &file)
 } // namespace
 
 /// The slides' misprints (resources/misprints.md) in walks along columns, rows and lines, each with
-/// the right form; and that every misprint of the list has a test, here or elsewhere.
+/// the right form; every misprint on the list has a test, here or elsewhere.
 class TestMisprints : public QObject {
     Q_OBJECT
 
@@ -36,7 +36,7 @@ private slots:
         QFile file(resource(QStringLiteral("/misprints.md")));
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QString list = QString::fromUtf8(file.readAll());
-        // One of the slots here, or some in another file of tests.
+        // One or more test functions here, or in another named file.
         const QRegularExpression pattern(QStringLiteral(
             "\\*\\*Test:\\*\\* ((?:`\\w+`(?: and )?)+)(?:\\s+in\\s+`tests/([\\w/]+\\.cpp)`)?"));
         int named = 0;
@@ -87,12 +87,12 @@ private slots:
     void theLeftmostColumnOfHalfCentresIsAtTheCeilingOfItsHalf()
     {
         // Triangle Rasterization slides, "Triangle rasterization implementation guidelines": left =
-        // (int)(x_min + .5). A pixel whose centre lies exactly on x_min, 2.5 here, belongs to the
-        // closed triangle and is left out.
+        // (int)(x_min + .5). A pixel whose centre lies exactly on x_min, here 2.5, belongs to the
+        // closed triangle but is left out.
         const double smallest = 2.5;
         QCOMPARE(int(smallest + .5), 3);
         QCOMPARE(int(std::ceil(smallest - .5)), 2);
-        // Left of the origin (int) rounds towards 0 and the last column is wrong.
+        // Left of the origin (int) rounds towards 0, so the last column is wrong.
         const double largest = -1.75;
         QCOMPARE(int(largest - .5), -2);
         QCOMPARE(int(std::floor(largest - .5)), -3);

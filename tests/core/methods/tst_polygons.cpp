@@ -23,9 +23,9 @@ Shape anyPolygon(Dice &dice, std::int64_t side, Lattice grid)
     return polygonOf(contours, fills[std::size_t(dice.in(0, 1))]);
 }
 
-/// Whether the line between two points has a pixel, tested by inequalities alone: it is the one for
-/// its column (its row, where the line is steep), that is at most ½ px above the line and less than
-/// ½ px below it.
+/// Whether the line between two points has a pixel, tested by inequalities alone: it is the one
+/// pixel of its column (its row if the line is steep) that is at most ½ px above the line and less
+/// than ½ px below it.
 bool lineHas(LatticePoint a, LatticePoint b, std::int64_t column, std::int64_t row)
 {
     LatticePoint pixel = latticePixel(column, row);
@@ -134,8 +134,8 @@ private slots:
 
     void roundingFormsMissATieThatExactRowsKeep()
     {
-        // The left edge gains 1/10 px a row. On every tenth row it meets a sample, which the sum of
-        // rounded tenths misses.
+        // The left edge gains 1/10 px per row. On every tenth row it meets a sample, which the sum
+        // of rounded tenths misses.
         const Shape shape = polygonOf({pixels({{0, 0}, {20, 0}, {23, 30}, {3, 30}})});
         const FrameSpec frame = frameOf(32, 32);
         const Scene exact = sceneOf({shape}, frame, "polygon-parity");
@@ -151,7 +151,7 @@ private slots:
     {
         for (std::uint32_t seed = 0; seed < std::uint32_t(fewerIfSanitized(400)); ++seed) {
             Dice dice(seed);
-            // A square cut by a random chain from its left side to its right side.
+            // A square cut in two by a random chain from its left to its right side.
             const Lattice side = 20 * 256;
             const Lattice grid = seed % 2 == 0 ? 256 : 1;
             Contour cut = {{0, dice.in(0, side / grid) * grid}};
@@ -165,7 +165,8 @@ private slots:
             const FrameOrigin origin
                 = seed % 4 < 2 ? FrameOrigin::BottomLeft : FrameOrigin::TopLeft;
             const std::int64_t firstRow = origin == FrameOrigin::BottomLeft ? 1 : 0;
-            // The chain may cross itself: then only the parities of the two add up to one.
+            // The chain may intersect itself: then only the parities of the two parts add up to
+            // one.
             for (std::int64_t y = -1; y <= 21; ++y) {
                 for (std::int64_t x = -1; x <= 21; ++x) {
                     const bool inSquare = x >= 0 && x < 20 && y >= firstRow && y < firstRow + 20;
@@ -209,7 +210,7 @@ private slots:
                     const bool isOutline = std::ranges::any_of(edges, [&](const ContourEdge &edge) {
                         return lineHas(edge.from, edge.to, x, y);
                     });
-                    // An edge without length on a pixel has that pixel.
+                    // An edge of length 0 on a pixel has that pixel.
                     const bool isPoint = std::ranges::any_of(edges, [&](const ContourEdge &edge) {
                         return edge.from == edge.to && edge.from == latticePixel(x, y);
                     });
@@ -258,7 +259,7 @@ private slots:
                  PrimitiveRejection::OutsideFrame);
     }
 
-    void nothingIsDrawnOfWhatHasNoAreaOrLiesElsewhere()
+    void shapesWithoutAreaOrOutsideTheFrameDrawNothing()
     {
         QCOMPARE(rejectionOf(polygonOf({pixels({{1, 4}, {7, 4}, {3, 4}})}), "polygon-parity"),
                  PrimitiveRejection::ZeroArea);

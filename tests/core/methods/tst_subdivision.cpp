@@ -15,7 +15,8 @@ using namespace pixelplumb;
 
 namespace {
 
-/// The point at a parameter, px: near enough to see to which pixel it rounds, but at borders.
+/// The point at a parameter, in px: precise enough to tell which pixel it rounds to, except at
+/// borders.
 std::array<double, 2> pointAt(const Shape &curve, double parameter)
 {
     std::vector<std::array<double, 2>> points;
@@ -43,7 +44,7 @@ std::set<std::pair<int, int>> roundedPixels(const Shape &curve)
     return pixels;
 }
 
-/// Why the kernel's picture is not the truth; empty where it is.
+/// Why the kernel's picture is not the truth; empty if it is.
 QString departureOf(const Shape &curve, const FrameSpec &frame)
 {
     const QString parts
@@ -60,7 +61,7 @@ class TestSubdivision : public QObject {
 private slots:
     void subdivisionIsTheTruth_data()
     {
-        QTest::addColumn<Lattice>("step"); // of the control points; coarse ones make ties
+        QTest::addColumn<Lattice>("step"); // of the control points; coarse steps make ties
         QTest::newRow("lattice") << Lattice(1);
         QTest::newRow("sixteenths") << Lattice(16);
         QTest::newRow("half pixels") << halfPixel;
@@ -80,7 +81,7 @@ private slots:
     void subdivisionIsTheTruthOnSmallCurvesOfQuarters()
     {
         const FrameSpec frame = frameOf(4, 4, -1, -1);
-        // Ends and turns lie on borders and corners throughout.
+        // Ends and turning points always lie on borders and corners.
         for (int index = 0; index < 9 * 9 * 9 * 9 * 9; index += isSanitized ? 233 : 29) {
             int rest = index;
             const auto next = [&] { return Lattice(std::exchange(rest, rest / 9) % 9) * 64; };
@@ -104,7 +105,7 @@ private slots:
             rounded += roundedPixels(curve).size();
             thin += truth.pixelCount();
         }
-        // 3/10 of them, as of lines: see resources/misprints.md.
+        // As with lines, 3/10 are saved: see resources/misprints.md.
         const double share = double(thin) / double(rounded);
         QVERIFY2(share > 0.65 && share < 0.75, qPrintable(QString::number(share)));
     }

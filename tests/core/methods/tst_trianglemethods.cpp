@@ -13,7 +13,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// A row for each method, arithmetic that it claims to be stable in, and fill rule.
+/// Adds a row for each method, each arithmetic in which it claims to be stable, and each fill rule.
 void addStableRows()
 {
     QTest::addColumn<QString>("id");
@@ -42,7 +42,7 @@ bool drawsTheTruth(const Method &method, const Triangle &triangle, const ScanSet
     return false;
 }
 
-/// Vertices in and around a window, now and then in line or in one place.
+/// Vertices in and around a window, sometimes collinear or coincident.
 Triangle randomTriangle(std::mt19937_64 &random, const FrameSpec &window, Lattice step)
 {
     const auto coordinate = [&](std::int64_t first, std::int64_t length) {
@@ -55,10 +55,10 @@ Triangle randomTriangle(std::mt19937_64 &random, const FrameSpec &window, Lattic
         point = {coordinate(window.firstColumn, window.width),
                  coordinate(window.firstRow, window.height)};
     switch (std::uniform_int_distribution<int>(0, 11)(random)) {
-    case 0: // in line: zero area
+    case 0: // collinear: zero area
         points[2] = {2 * points[1].x - points[0].x, 2 * points[1].y - points[0].y};
         break;
-    case 1: // two in one place
+    case 1: // two coincident vertices
         points[2] = points[std::uniform_int_distribution<std::size_t>(0, 1)(random)];
         break;
     case 2: // a sliver
@@ -76,7 +76,7 @@ Triangle randomTriangle(std::mt19937_64 &random, const FrameSpec &window, Lattic
 
 } // namespace
 
-/// Every method for triangles, in the slides' forms and in the stable ones, against the oracle.
+/// Every triangle method, in the slides' forms and in the stable ones, against the oracle.
 class TestTriangleMethods : public QObject {
     Q_OBJECT
 
@@ -177,14 +177,15 @@ private slots:
             return traceScene(scene)->trace->setUp(0).cells.back();
         };
         QCOMPARE(method.numbers.setUp.back().title, QStringLiteral("proved₀₂"));
-        // W'·H' = 2^20 · 2^20 and one row more.
+        // W'·H' = 2^20 · 2^20, then one row more.
         QCOMPARE(isProved(triangleOf({{{0, 0}, {1 << 20, 1 << 20}, {0, 300}}})),
                  Quantity::integer(1));
         QCOMPARE(isProved(triangleOf({{{0, 0}, {1 << 20, (1 << 20) + 1}, {0, 300}}})),
                  Quantity::integer(0));
     }
 
-    /// Each column of it reaches from the lowest pixel of its three lines to the highest.
+    /// Each column of a filled outline reaches from the lowest pixel of its three lines to the
+    /// highest.
     void aFilledOutlineIsItsLinesAndWhatLiesBetweenThem()
     {
         const Method &fill = *methodNamed(u"midpoint-outline-fill");
@@ -193,7 +194,7 @@ private slots:
         int beyondTheTruth = 0;
         for (int round = 0; round < 400; ++round) {
             WindowPicture drawn(24, 20, -3, 2);
-            WindowPicture lines(24, 120, -3, -46); // with all rows that a triangle reaches
+            WindowPicture lines(24, 120, -3, -46); // with all rows that a triangle can reach
             WindowPicture truth(24, 20, -3, 2);
             const Triangle triangle
                 = randomTriangle(random, drawn.spec(), round % 2 == 0 ? 256 : 37);
@@ -217,7 +218,7 @@ private slots:
                     const bool isFilled = y >= lowest && y <= highest;
                     QVERIFY2((drawn.at(x, y) != 0) == isFilled, textOfTriangle(triangle).c_str());
                     beyondTheTruth += isFilled && truth.at(x, y) == 0;
-                    // Of whole pixels it has all that the truth has.
+                    // On whole pixels it has everything that the truth has.
                     QVERIFY2(round % 2 != 0 || isFilled || truth.at(x, y) == 0,
                              textOfTriangle(triangle).c_str());
                 }

@@ -13,7 +13,7 @@ namespace tst_numbers {
 
 using namespace pixelplumb;
 
-/// Mixed numbers, fixed point and the one spelling of both.
+/// Mixed numbers, fixed point, and their shared notation.
 class TestNumbers : public QObject {
     Q_OBJECT
 
@@ -129,7 +129,7 @@ private slots:
             const Quantity exact
                 = Quantity::rational(Int128(random() >> 4) - (Int128(1) << 59),
                                      (Int128(random() >> 20) << (random() % 60)) + 1);
-            // An ulp or some from it.
+            // Up to a few ulps away from it.
             double used = exact.toDouble();
             for (std::uint64_t step = random() % 4; step > 0; --step)
                 used = std::nextafter(used, random() % 2 == 0 ? 1e30 : -1e30);

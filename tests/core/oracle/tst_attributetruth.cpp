@@ -18,7 +18,7 @@ Material checker(TextureWrap wrap)
     return material;
 }
 
-/// Two texels side by side, 0 and 255, read between them.
+/// Two adjacent texels, 0 and 255, sampled between them.
 Material blackAndWhite(TextureWrap wrap)
 {
     Material material;
@@ -30,7 +30,7 @@ Material blackAndWhite(TextureWrap wrap)
 
 } // namespace
 
-/// The truth of perspective and textures against what was worked out by hand.
+/// The truth of perspective and textures against values worked out by hand.
 class TestAttributeTruth : public QObject {
     Q_OBJECT
 
@@ -48,7 +48,7 @@ private slots:
         QCOMPARE(sample.texture[0], Quantity::rational(1, 3));
         QCOMPARE(sample.affineTexture[0], Quantity::rational(1, 2));
         QCOMPARE(sample.reciprocalW, Quantity::rational(3, 4));
-        QCOMPARE(sample.levels[0], Quantity::integer(85)); // colours too
+        QCOMPARE(sample.levels[0], Quantity::integer(85)); // the colour too
         QCOMPARE(sample.z, Quantity::rational(1, 2)); // but not the depth
     }
 
@@ -70,7 +70,7 @@ private slots:
 
     void aBoardInPerspectiveHasItsTexelBordersWhereTheyAre()
     {
-        // u = x/(32 - x); the borders u = k/8 stand at x = 32k/(8 + k).
+        // u = x/(32 - x); the borders u = k/8 lie at x = 32k/(8 + k).
         std::array<VertexAttributes, 3> vertices = withU(0, attributeOne);
         vertices[1].w = attribute(2);
         Primitives primitives = oneSlope(vertices);
@@ -85,7 +85,7 @@ private slots:
 
     void aTexelBeginsOnItsBorder_data()
     {
-        QTest::addColumn<int>("sixteenths"); // u at x = 16, of 1/16
+        QTest::addColumn<int>("sixteenths"); // u at x = 16, in 1/16
         QTest::addColumn<TextureWrap>("wrap");
         QTest::addColumn<QString>("row");
         QTest::newRow("rising, repeated")
@@ -113,7 +113,7 @@ private slots:
 
     void betweenTwoTexelsTheirMeanIsRead_data()
     {
-        QTest::addColumn<int>("x"); // of sixteenths of the picture
+        QTest::addColumn<int>("x"); // in sixteenths of the picture
         QTest::addColumn<TextureWrap>("wrap");
         QTest::addColumn<int>("level");
         QTest::newRow("the first texel's middle") << 4 << TextureWrap::Repeat << 0;
@@ -136,7 +136,8 @@ private slots:
 
         QCOMPARE(int(sample.colour.red()), level);
         QCOMPARE(sample.texels.size(), std::size_t(4));
-        Quantity upperWeight = sample.texels[2].weight; // v = 0: half of the row below
+        Quantity upperWeight = sample.texels[2].weight; // v = 0: half of it comes from the row
+                                                        // below
         QCOMPARE(upperWeight, sample.texels[0].weight);
     }
 
@@ -169,7 +170,7 @@ private slots:
             return oracle::effectSampleAt(primitives, 0, ByteRounding::Nearest, {}, x, 0)
                 .has_value();
         };
-        QVERIFY(hasNumbersAt(33)); // of one colour: there is nothing to divide
+        QVERIFY(hasNumbersAt(33)); // one colour: there is nothing to divide
         primitives.triangles[0].vertices[1].colour = black;
         QVERIFY(hasNumbersAt(31));
         QVERIFY(!hasNumbersAt(32));

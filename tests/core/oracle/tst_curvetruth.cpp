@@ -29,7 +29,7 @@ struct CurvePoint {
     Int128 pixel = 0;
 };
 
-/// B(part/parts) by Bernstein's sum.
+/// B(part/parts) by the Bernstein sum.
 CurvePoint pointOn(const Shape &curve, std::int64_t part, std::int64_t parts)
 {
     const std::size_t degree = curve.vertices.size() - 1;
@@ -56,8 +56,8 @@ Int128 distance(const CurvePoint &point, std::int64_t x, std::int64_t y)
     return absolute(point.x - x * point.pixel) + absolute(point.y - y * point.pixel);
 }
 
-/// The pixels that the definition gives to one point: those nearer than 1/2 px, or at exactly
-/// that distance the upper and the right one.
+/// Adds the pixels that the definition assigns to a point: those nearer than 1/2 px or, at exactly
+/// that distance, the upper and the right one.
 void insertPixelsNear(PixelSet &pixels, const CurvePoint &point)
 {
     const auto x = std::int64_t(floorDivide(point.x, point.pixel));
@@ -73,7 +73,7 @@ void insertPixelsNear(PixelSet &pixels, const CurvePoint &point)
     }
 }
 
-/// What the points of a curve at equal steps of its parameter give, and its two ends.
+/// The pixels of points of a curve at equal parameter steps, including its two ends.
 PixelSet sampledPixels(const Shape &curve, std::int64_t parts)
 {
     PixelSet pixels;
@@ -85,7 +85,7 @@ PixelSet sampledPixels(const Shape &curve, std::int64_t parts)
     return pixels;
 }
 
-/// Whether a point of the curve at equal steps comes within 1/2 px and a 64th of a pixel.
+/// Whether a curve point at equal parameter steps comes within 1/2 px plus 1/64 px of the pixel.
 bool comesNear(const Shape &curve, std::int64_t parts, std::int64_t x, std::int64_t y)
 {
     for (std::int64_t part = 0; part <= parts; ++part) {
@@ -98,7 +98,7 @@ bool comesNear(const Shape &curve, std::int64_t parts, std::int64_t x, std::int6
 
 } // namespace
 
-/// The truth of a Bézier curve: the pixels that the definition gives to its points, in integers.
+/// The truth of a Bézier curve: the pixels that the definition assigns to its points, in integers.
 class TestCurveTruth : public QObject {
     Q_OBJECT
 
@@ -131,7 +131,7 @@ private slots:
 
     void theTruthIsThePixelsThatDensePointsComeNearTo_data()
     {
-        QTest::addColumn<Lattice>("step"); // of the control points; coarse ones make ties
+        QTest::addColumn<Lattice>("step"); // of the control points; coarse steps make ties
         QTest::newRow("lattice") << Lattice(1);
         QTest::newRow("half pixels") << halfPixel;
         QTest::newRow("whole pixels") << unitsPerPixel;
@@ -140,7 +140,7 @@ private slots:
     {
         QFETCH(Lattice, step);
         QRandomGenerator random(53);
-        constexpr std::int64_t parts = 3 * 4096; // thirds, too, are exact points
+        constexpr std::int64_t parts = 3 * 4096; // thirds are exact points, too
         for (int round = 0; round < 12; ++round) {
             const Shape curve = randomCurve(random, step);
             const CasePicture picture = truthOf(curve, frameOf(64, 64, -2, -2));
@@ -163,16 +163,16 @@ private slots:
             = [](const char *name, const std::vector<LatticePoint> &controls, const char *picture) {
                   QTest::newRow(name) << bezierAt(controls) << QString(picture);
               };
-        // Between two rows and between two columns: the upper, the right pixels.
+        // Between two rows and between two columns: the upper and the right pixels.
         add("along y = 1/2", {{0, 128}, {256, 128}, {512, 128}}, "....\n###.\n....\n....\n");
         add("along x = 1/2", {{128, 0}, {128, 256}, {128, 512}}, ".#..\n.#..\n.#..\n....\n");
         // Through left corners, at irrational parameters.
         add("down along x = 1/2", {{128, 512}, {128, 320}, {128, 0}}, ".#..\n.#..\n.#..\n....\n");
-        // Its lowest point is the middle of (1, 1).
+        // Its lowest point is the centre of (1, 1).
         add("touches y = 1 from above", {{0, 512}, {256, 0}, {512, 512}},
             "#.#.\n.#..\n....\n....\n");
-        // Its highest point is the lower corner of (1, 1), which owns it, and the upper one of
-        // (1, 0), which does not.
+        // Its highest point is the lower corner of (1, 1), which owns it, and the upper one of (1,
+        // 0), which does not.
         add("touches y = 1/2 from below", {{0, -128}, {256, 384}, {512, -128}},
             "....\n.#..\n#.#.\n....\n");
         // Its highest point is the lower corner of (1, 1), at t = 1/3.

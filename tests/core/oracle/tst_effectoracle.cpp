@@ -10,8 +10,8 @@ namespace tst_effectoracle {
 
 using namespace pixelplumb;
 
-/// The truth of depth and blending against what was worked out by hand; that all effects agree with
-/// a second derivation in fractions is the effect cases' to say (tst_effectcases).
+/// The truth of depth and blending against values worked out by hand; tst_effectcases checks that
+/// all effects agree with a second derivation in fractions.
 class TestEffectOracle : public QObject {
     Q_OBJECT
 
@@ -56,7 +56,7 @@ private slots:
         primitives.appearance.depthFormat = DepthFormat::Bits24;
         QCOMPARE(sampleOf(primitives, 3, 0).depth, Quantity::integer(8388608));
         QCOMPARE(rowText(primitives), QStringLiteral("................."));
-        // 2^-24 is 256 of the levels of 32 bits.
+        // 2^-24 is 256 of the 32-bit levels.
         primitives.appearance.depthFormat = DepthFormat::Bits32;
         QCOMPARE(rowText(primitives), QStringLiteral("#################"));
     }
@@ -104,14 +104,15 @@ private slots:
                         = oracle::blended({{std::uint8_t(source), 0, 0}}, std::uint8_t(alpha),
                                           {{std::uint8_t(destination), 0, 0}});
                     const int sum = source * alpha + destination * (255 - alpha);
-                    // 255 is odd: there is no tie, and just one byte is nearer than half a level.
+                    // 255 is odd: there is no tie, and exactly one byte is nearer than half a
+                    // level.
                     QVERIFY(std::abs(255 * blended.red() - sum) <= 127);
                 }
             }
         }
     }
 
-    void glassLetsThroughWhatStandsBehindIt()
+    void glassShowsWhatIsBehindIt()
     {
         Primitives primitives = oneSlope(withAlpha(255), {{200, 0, 10}});
         addSlope(primitives, withAlpha(100), {{0, 255, 20}});
@@ -189,9 +190,9 @@ private slots:
 
     void whatASegmentCarriesIsDividedByW()
     {
-        // From black with w = 1 at (0, 0) to white with w = 3 at (8, 0); whatever lies between them
-        // counts for nothing. Half way: (½·255/3) ÷ (½/1 + ½/3) = 42½ ÷ ⅔ = 63¾, and z, which is
-        // not divided, (0 + 1)/2.
+        // From black with w = 1 at (0, 0) to white with w = 3 at (8, 0); a vertex between them is
+        // ignored. Halfway: (½·255/3) ÷ (½/1 + ½/3) = 42½ ÷ ⅔ = 63¾, and z, which is not divided,
+        // (0 + 1)/2.
         Primitives primitives;
         primitives.triangles = {triangleAt(0, 0, 3, 0, 8, 0)};
         primitives.triangles[0].vertices[0].colour = {{0, 0, 0}};

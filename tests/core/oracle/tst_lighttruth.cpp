@@ -32,7 +32,7 @@ Primitives litSlope(const std::array<Attribute, 3> &towardsLight,
 
 } // namespace
 
-/// The truth of light against what was worked out by hand.
+/// The truth of light against values worked out by hand.
 class TestLightTruth : public QObject {
     Q_OBJECT
 
@@ -51,7 +51,7 @@ private slots:
             << Colour{{241, 171, 100}}; // 200·0.70711 + 100, 100·0.70711 + 100, 100
         QTest::newRow("from 45°, seen from ahead")
             << Vector{one, 0, one}
-            << Vector{0, 0, 3 * one} // 0.92388² = 0.85355 of 100 beside the same
+            << Vector{0, 0, 3 * one} // 0.92388² = 0.85355 of 100, plus the same
             << Colour{{227, 156, 85}};
         QTest::newRow("from behind")
             << Vector{one, 0, -one} << Vector{0, 0, one} << Colour{{0, 0, 0}};
@@ -61,7 +61,7 @@ private slots:
             << Vector{one, 0, one} << Vector{-5 * one, 0, -5 * one} << Colour{{141, 71, 0}};
         QTest::newRow("no viewer")
             << Vector{one, 0, one} << Vector{0, 0, 0} << Colour{{141, 71, 0}};
-        // N·L = 3/5; N·V = -24/25, so that H lies behind: 3/5 - 24/25 < 0.
+        // N·L = 3/5; N·V = -24/25, so H points backward: 3/5 - 24/25 < 0.
         QTest::newRow("seen from behind")
             << Vector{4 * one, 0, 3 * one} << Vector{7 * one, 0, -24 * one} << Colour{{120, 60, 0}};
         QTest::newRow("no light's direction")
@@ -93,7 +93,7 @@ private slots:
         QCOMPARE(sampleOf(primitives, 3, 0).colour, (Colour{{200, 100, 0}}));
         QCOMPARE(sampleOf(primitives, 0, 0).colour, (Colour{{160, 80, 0}}));
         QCOMPARE(sampleOf(primitives, 0, 0).lit->lights[0].diffuse, 0.8);
-        // From beside the light, seen by the viewer there, H = L = V and the highlight is N·L².
+        // With the viewer at the light, H = L = V and the highlight is N·L².
         primitives.appearance.viewerKind = Light::Kind::Positional;
         primitives.appearance.viewer = {3 * one, 0, 4 * one};
         QCOMPARE(sampleOf(primitives, 0, 0).lit->lights[0].highlight, 0.64);
@@ -138,7 +138,7 @@ private slots:
         Primitives primitives = litSlope({0, 0, attributeOne}, {0, 0, attributeOne});
         Material &material = primitives.appearance.materials[0];
         material.texture = std::make_shared<Texture>(Texture{"one", 1, 1, {Colour{{51, 0, 0}}}});
-        // 200·51/255 = 40 and the highlight's 100 over it, which the texel does not darken
+        // 200·51/255 = 40 plus the highlight's 100, which the texel does not darken
         QCOMPARE(sampleOf(primitives, 3, 4).colour, (Colour{{140, 100, 100}}));
     }
 };

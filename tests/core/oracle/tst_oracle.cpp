@@ -15,7 +15,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Where random vertices come from and which window of the plane is compared.
+/// Where random vertices come from, and which window of the plane is compared.
 struct Family {
     Lattice extent; ///< coordinates within ± this, lattice units
     Lattice grid; ///< all coordinates are multiples of this
@@ -63,7 +63,7 @@ bool agree(const Triangle &triangle, const FrameSpec &spec, FillRule rule, ByteR
 
 } // namespace
 
-/// The column scan in exact arithmetic against the truth, which shares nothing with it.
+/// The column scan in exact arithmetic against the truth, with which it shares no code.
 class TestOracle : public QObject {
     Q_OBJECT
 
@@ -139,7 +139,7 @@ private slots:
     {
         const bool held = rc::check("a quad cut along its diagonal is tiled once", [] {
             const Triangle first = *triangles({20 * unitsPerPixel, 16, 48});
-            // The fourth corner is the first vertex mirrored at the middle of the opposite edge.
+            // The fourth corner is the first vertex mirrored at the midpoint of the opposite edge.
             Triangle second = first;
             const auto &v = first.vertices;
             second.vertices[0].position = {v[1].position.x + v[2].position.x - v[0].position.x,
@@ -152,7 +152,7 @@ private slots:
                         const bool a = oracle::covers(first, rule, x, y);
                         const bool b = oracle::covers(second, rule, x, y);
                         if (rule == FillRule::Closed) {
-                            // Inside the quad both closed triangles meet on the diagonal only.
+                            // Inside the quad the two closed triangles meet only on the diagonal.
                             const auto verdict = oracle::judge(first, rule, x, y);
                             RC_ASSERT(!(a && b) || verdict.edges[1].edgeFunction == 0);
                         } else {

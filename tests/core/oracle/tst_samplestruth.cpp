@@ -13,7 +13,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// What lies at x <= edge, in lattice units, of the pixels around the origin; white, opaque.
+/// A white, opaque area x <= edge (lattice units) that covers the pixels around the origin.
 Primitives leftHalf(Lattice edge, Antialiasing antialiasing)
 {
     const Lattice far = 1024 * unitsPerPixel;
@@ -32,7 +32,7 @@ int redOfOrigin(const Primitives &primitives, FillRule rule = FillRule::Closed)
 
 } // namespace
 
-/// The truth of antialiasing against what was worked out by hand.
+/// The truth of antialiasing against values worked out by hand.
 class TestSamplesTruth : public QObject {
     Q_OBJECT
 
@@ -43,7 +43,7 @@ private slots:
         QCOMPARE(sampleOf(half, 0, 0).area, Quantity::rational(1, 2));
         QCOMPARE(sampleOf(half, 0, 0).sharedAlpha, std::uint8_t(128)); // 127.5
         QCOMPARE(redOfOrigin(half), 128);
-        // The edge stands on the pixel's side, left and right.
+        // The edge lies on the pixel's left side, then on its right side.
         QCOMPARE(redOfOrigin(leftHalf(-halfPixel, Antialiasing::Area)), 0);
         QCOMPARE(redOfOrigin(leftHalf(halfPixel, Antialiasing::Area)), 255);
         QCOMPARE(redOfOrigin(leftHalf(halfPixel - 1, Antialiasing::Area)), 254); // 255 - 0.996
@@ -103,23 +103,23 @@ private slots:
     void aPixelHasSeveralSamplesWhereAnEdgeMeetsItsSquare()
     {
         const Triangle triangle = slope(white);
-        // Row -1 touches the edge y = 0 nowhere, row 0 does; the diagonal x + y = 16 touches the
-        // square around (9, 8) in its corner (8.5, 7.5).
+        // Row -1 does not touch the edge y = 0, row 0 does; the diagonal x + y = 16 touches the
+        // square around (9, 8) at its corner (8.5, 7.5).
         QVERIFY(!oracle::edgeMeetsSquare(triangle, 4, -1));
         QVERIFY(oracle::edgeMeetsSquare(triangle, 4, 0));
         QVERIFY(!oracle::edgeMeetsSquare(triangle, 4, 1));
         QVERIFY(oracle::edgeMeetsSquare(triangle, 9, 8));
         QVERIFY(!oracle::edgeMeetsSquare(triangle, 9, 9));
         QVERIFY(oracle::edgeMeetsSquare(triangle, 16, 0));
-        QVERIFY(!oracle::edgeMeetsSquare(triangle, 17, 0)); // the edge's line goes on, it does not
+        QVERIFY(!oracle::edgeMeetsSquare(triangle, 17, 0)); // only the edge's line continues there
         const Triangle touching = triangleAtUnits({128, 5}, {900, 900}, {900, 0});
-        QVERIFY(oracle::edgeMeetsSquare(touching, 0, 0)); // in one point of its side
+        QVERIFY(oracle::edgeMeetsSquare(touching, 0, 0)); // at one point of its side
     }
 
     void samplesHaveDepthsAndColoursOfTheirOwn()
     {
-        // z = x/16 passes z = 1/2 between the samples of pixel 8, which an edge (y = 0) meets; at
-        // y = 0 the samples of the lower half are outside of both.
+        // z = x/16 passes z = 1/2 between the samples of pixel 8, which an edge (y = 0) meets; at y
+        // = 0 the samples of the lower half are outside both triangles.
         std::array<VertexAttributes, 3> rising;
         rising[1].z = attributeOne;
         Primitives primitives = oneSlope(atDepth(attribute(1, 2)), {{0, 200, 0}});
@@ -128,7 +128,8 @@ private slots:
         const FrameBuffer frame = truthOver(primitives, frameOf(17, 2));
         // Of the samples (-96, 32) and (32, 96) the first is nearer than 1/2, the second is not.
         QCOMPARE(pixelOf(frame, 8, 0), (Colour{{50, 50, 0}}));
-        QCOMPARE(pixelOf(frame, 8, 1), (Colour{{200, 0, 0}})); // one sample, and the later shows
+        QCOMPARE(pixelOf(frame, 8, 1), (Colour{{200, 0, 0}})); // one sample, and the later triangle
+                                                               // shows
     }
 };
 

@@ -26,7 +26,7 @@ Shape textOf(const char *words, const LatticePoint &start, Lattice height)
 
 } // namespace
 
-/// Text as outlines (Rasterization slides, "Output Primitives"), filled by the polygon's kernel.
+/// Text as outlines (Rasterization slides, "Output Primitives"), filled by the polygon kernel.
 class TestTextOutlines : public QObject {
     Q_OBJECT
 
@@ -99,8 +99,8 @@ private slots:
                                "text-outlines");
         Scene downward = upward;
         downward.frame.origin = FrameOrigin::TopLeft;
-        // The middle line of an odd frame would be its own mirror image; here 12 becomes 27, and
-        // the rule for samples on the boundary is mirrored with the frame.
+        // The middle line of an odd frame would be its own mirror image; here row 12 becomes 27,
+        // and the rule for samples on the boundary is mirrored with the frame.
         downward.shapes = {textOf("Ag", {2 * 256, 27 * 256}, 20 * 256)};
         const QStringList up = drawn(upward).split(u'\n', Qt::SkipEmptyParts);
         QStringList down = drawn(downward).split(u'\n', Qt::SkipEmptyParts);
@@ -110,13 +110,13 @@ private slots:
             for (int x = 0; x < 40; ++x)
                 different += int(up[line][x] != down[line][x]);
         }
-        QVERIFY(different < 30); // of some 250 pixels: only those whose samples lie on an outline
+        QVERIFY(different < 30); // of about 250 pixels: only those whose samples lie on an outline
         QCOMPARE(drawn(downward), truthOf(downward));
     }
 
     void theEmIsTheHeightAndAdvancesAddUp()
     {
-        // Without rounding on the way: at 2048 units an em every font unit is one lattice unit.
+        // No rounding on the way: at 2048 units per em, every font unit is one lattice unit.
         const Shape one = outlinesOf(textOf("A", {0, 0}, 2048)).polygon;
         const Shape second = outlinesOf(textOf("AA", {0, 0}, 2048)).polygon;
         QCOMPARE(second.vertices.size(), 2 * one.vertices.size());
@@ -136,7 +136,7 @@ private slots:
             return outlinesOf(textOf(words, {0, 0}, em)).polygon.vertices.back().position.x;
         };
 
-        // To a lattice unit: points are rounded, the advance is cut.
+        // To within a lattice unit: points are rounded, the advance is truncated.
         QVERIFY(std::abs(double(last("lA") - last("A") - advance)) <= 1);
         QCOMPARE(advanceOf(textOf("l", {0, 0}, -em)), advance);
         QCOMPARE(advanceOf(textOf("", {0, 0}, em)), Lattice(0));
@@ -144,7 +144,8 @@ private slots:
 
     void chordsLeaveTheirCurvesByAtMostAThirtySecondOfAPixel()
     {
-        // An outline at 64 times the size has finer chords; its points lie near the coarse ones'.
+        // An outline at 64 times the size has finer chords; its points lie near those of the coarse
+        // one.
         const Shape coarse = outlinesOf(textOf("o", {0, 0}, 40 * 256)).polygon;
         const Shape fine = outlinesOf(textOf("o", {0, 0}, 40 * 256 * 64)).polygon;
         double farthest = 0;
@@ -172,7 +173,7 @@ private slots:
             farthest = std::max(farthest, nearest);
         }
         QVERIFY2(farthest <= 256. / 32 + 1, qPrintable(QString::number(farthest)));
-        QVERIFY(farthest > 1); // or the bound is not tested
+        QVERIFY(farthest > 1); // otherwise the bound is not tested
     }
 
     void aTextBeyondTheLatticeIsRefused()

@@ -14,7 +14,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// A contour around the middle of a square, its vertices in order of direction: concave, and simple
+/// A contour around the centre of a square, its vertices ordered by direction: concave, and simple
 /// unless they leave a gap of half a turn.
 Contour starContour(Dice &dice, Lattice side, std::int64_t count)
 {
@@ -27,7 +27,7 @@ Contour starContour(Dice &dice, Lattice side, std::int64_t count)
     return contour;
 }
 
-/// Whether two edges cross inside both.
+/// Whether two edges cross in the interior of both.
 bool cross(const ContourEdge &one, const ContourEdge &two)
 {
     const auto parts = [](const ContourEdge &edge, const ContourEdge &other) {
@@ -38,7 +38,7 @@ bool cross(const ContourEdge &one, const ContourEdge &two)
     return parts(one, two) && parts(two, one);
 }
 
-/// Whether the four vertices that a rejection names are the ends of two edges that cross.
+/// Whether the four vertices named by a rejection are the ends of two crossing edges.
 bool namesACrossing(const Shape &shape, const Rejection &rejection)
 {
     const std::vector<ContourEdge> edges = contoursOf(shape).edges;
@@ -52,7 +52,7 @@ bool namesACrossing(const Shape &shape, const Rejection &rejection)
         && cross(edge(0), edge(2));
 }
 
-/// How near a sample is to the polygon's edges, px.
+/// The distance of a sample from the polygon's edges, px.
 double distanceToEdges(const Shape &shape, std::int64_t x, std::int64_t y)
 {
     double nearest = 1e9;
@@ -103,7 +103,7 @@ private slots:
         QVERIFY(drawnPolygons > 300);
     }
 
-    void aFanIsRefusedToWhatIsNotConvex_data()
+    void aFanRejectsNonConvexPolygons_data()
     {
         QTest::addColumn<Shape>("shape");
         QTest::addColumn<bool>("isConvex");
@@ -131,7 +131,7 @@ private slots:
             << polygonOf({pixels({{0, 0}, {2, 0}, {0, 2}}), pixels({{4, 4}, {6, 4}, {4, 6}})})
             << false << Vertices{};
     }
-    void aFanIsRefusedToWhatIsNotConvex()
+    void aFanRejectsNonConvexPolygons()
     {
         QFETCH(Shape, shape);
         QFETCH(bool, isConvex);
@@ -150,7 +150,8 @@ private slots:
         int refused = 0;
         for (std::uint32_t seed = 0; seed < 2000; ++seed) {
             Dice dice(seed);
-            // Every third from any vertices on a coarse grid, where contours touch and overlap.
+            // Every third polygon has arbitrary vertices on a coarse grid, where contours touch and
+            // overlap.
             const Lattice grid = seed % 3 == 0 ? 512 : seed % 3 == 1 ? 256 : 1;
             const Lattice side = 20 * 256 / grid;
             std::vector<Contour> contours;
@@ -240,7 +241,8 @@ private slots:
 
     void whatCrossesOnTheLatticeIsTessellatedExactly()
     {
-        // A bow tie that crosses in (8, 8), and the plus sign of two bars, four times.
+        // A bow tie that crosses itself at (8, 8), and a plus sign of two bars, with four
+        // crossings.
         const Shape bowTie = polygonOf({pixels({{1, 1}, {15, 15}, {15, 1}, {1, 15}})});
         const Shape bars = polygonOf({pixels({{2, 6}, {15, 6}, {15, 9}, {2, 9}}),
                                       pixels({{6, 2}, {9, 2}, {9, 15}, {6, 15}})});

@@ -10,10 +10,10 @@ using namespace pixelplumb;
 
 namespace {
 
-/// How a number moves from one span of a part to the next.
+/// How a number changes from one span of a part to the next.
 struct Course {
     bool rests = true;
-    bool follows = true; ///< the place of the span, forth or back
+    bool follows = true; ///< the span's position, forward or backward
 
     void go(const Quantity &from, const Quantity &to, std::int64_t step)
     {
@@ -25,8 +25,8 @@ struct Course {
 
 } // namespace
 
-/// The numbers of the group Position stay in sight where a student is to foretell a row: they tell
-/// which row it is, and nothing that its formulas compute.
+/// The numbers of the group Position stay visible while a student predicts a row: they say which
+/// row it is, and nothing that its formulas compute.
 class TestCountingNumbers : public QObject {
     Q_OBJECT
 
@@ -68,7 +68,7 @@ private slots:
             QVERIFY2(courses[i].rests || courses[i].follows, qPrintable(numbers[i].id));
             isCounted = isCounted || courses[i].follows;
         }
-        QVERIFY(isCounted); // or nobody knows what is asked for
+        QVERIFY(isCounted); // otherwise nobody knows which row is asked for
     }
 };
 

@@ -20,7 +20,7 @@ namespace {
 
 const FrameSpec frame = frameOf(40, 40);
 
-/// A span of a run and what is said of it.
+/// A span of a run and what is said about it.
 struct ToldSpan {
     const TracedScene &traced;
     std::size_t span;
@@ -39,7 +39,7 @@ struct ToldSpan {
         return {};
     }
     std::int64_t count(const char *id) const { return std::int64_t(cell(id).numerator()); }
-    /// Whether a place along a or b lies in one of the squares that the piece may meet.
+    /// Whether a position along a or b lies in one of the squares that the piece may meet.
     bool isAmong(const QByteArray &coordinate, double place) const
     {
         return place > double(count(coordinate + "_low")) - 1e-9
@@ -85,7 +85,7 @@ double coordinateAt(const Shape &curve, Lattice LatticePoint::*axis, double t)
 
 } // namespace
 
-/// What is said of the steps of circles and curves, against independent statements of the case.
+/// What is said about the steps of circles and curves, against independently computed facts.
 class TestCurveWords : public QObject {
     Q_OBJECT
 
@@ -117,7 +117,7 @@ private slots:
                          isSteep);
                 return;
             }
-            // F at the midpoint below the row before, times 4.
+            // 4·F at the midpoint below the previous row.
             const std::int64_t along = isSteep ? b : a, across = isSteep ? a : b;
             const std::int64_t row = 2 * (y + down) - 1;
             const std::int64_t f = 4 * across * across * x * x + along * along * row * row
@@ -165,7 +165,7 @@ private slots:
                                      .arg(std::lround(centre - h))),
                              qPrintable(step.sentence()));
                     QVERIFY(step.sentence().startsWith(
-                        QStringLiteral("On the column %1 the curve is h = ").arg(x)));
+                        QStringLiteral("On the column %1 the curve is h from y_c").arg(x)));
                 },
                 arithmetic);
         }
@@ -200,7 +200,7 @@ private slots:
         QFETCH(Shape, curve);
         forEachSpan(curve, "bezier-subdivision", [&](const ToldSpan &step) {
             const QString sentence = step.sentence();
-            // A piece of more halvings than a fraction holds has no numbers of its own.
+            // A piece with more halvings than a fraction can hold has no numbers of its own.
             if (step.cell("t_from").isNone() || step.cell("t_to").isNone())
                 return;
             const double from = step.cell("t_from").toDouble(), to = step.cell("t_to").toDouble();

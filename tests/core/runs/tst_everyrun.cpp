@@ -17,7 +17,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// What the checks find in the runs of one method: of each check the first fault, and how many runs
+/// The checks' findings in the runs of one method: the first fault of each check, and how many runs
 /// have one.
 class Findings {
 public:
@@ -30,7 +30,7 @@ public:
             finding.first = where + QStringLiteral(": ") + fault;
     }
 
-    /// A line a check; empty where nothing was found.
+    /// One line per check; empty if nothing was found.
     QString text() const
     {
         QString text;
@@ -55,7 +55,7 @@ CheckedRun exampleRun()
                         defaultSceneIn(Arithmetic::Exact));
 }
 
-/// The run's trace, to be put out of step with what stands beside it.
+/// The run's trace, so that a test can make it inconsistent with the rest.
 TracedScene &changeable(const CheckedRun &run)
 {
     return *std::const_pointer_cast<TracedScene>(run.traced);
@@ -63,8 +63,8 @@ TracedScene &changeable(const CheckedRun &run)
 
 } // namespace
 
-/// Every method on every scene in every arithmetic, each run traced once: all that holds of every
-/// run is checked of it (tests/support/runchecks).
+/// Every method on every scene in every arithmetic, each run traced once and given to all checks
+/// that must hold for every run (tests/support/runchecks).
 class TestEveryRun : public QObject {
     Q_OBJECT
 
@@ -85,7 +85,7 @@ private slots:
                 findings.note(check, run.name, check.faultOf(run));
         });
         for (const RunCheck &check : checks) {
-            // Few runs do not show all.
+            // A few runs cannot show everything.
             if (check.faultOfAll && !isSanitized)
                 findings.note(check, method->id, check.faultOfAll(*method));
         }

@@ -26,7 +26,7 @@ std::shared_ptr<const TracedScene> traced(const char *method, std::int32_t heigh
 
 } // namespace
 
-/// The exact numbers that stand beside the rounded ones.
+/// The exact numbers shown next to the rounded ones.
 class TestExactNumbers : public QObject {
     Q_OBJECT
 
@@ -66,15 +66,15 @@ private slots:
         }
     }
 
-    /// What the exact run draws may call for other effects, whose numbers stand in other columns: a
-    /// number is found by its name. q = ¾ + ¼·½ beside (1, 0), by hand.
+    /// The exact run may need other effects, whose numbers are in other columns, so numbers are
+    /// found by name. q = ¾ + ¼·½ at (1, 0), by hand.
     void areFoundByTheirNamesWhereTheExactRunHasOthers()
     {
         Scene scene;
         scene.frame = frameOf(6, 6);
         scene.method = "column-scan";
         scene.settings.arithmetic = Arithmetic::Float32;
-        // The first triangle has no area, no sample and an alpha; the second one has a perspective.
+        // The first triangle has no area, no sample and an alpha; the second has perspective.
         scene.triangles = {Triangle{{{{{halfPixel, 0}, {{255, 0, 0}}},
                                       {{3 * halfPixel, unitsPerPixel}, {{0, 255, 0}}},
                                       {{5 * halfPixel, 2 * unitsPerPixel}, {{0, 0, 255}}}}}},
@@ -114,7 +114,7 @@ private slots:
             const std::vector<SampleRecord> samples = run->trace->samples(span);
             QCOMPARE(exactSamplesOf(*run, span, samples).size(), samples.size());
         }
-        // A walk of the column for each of its samples takes minutes.
+        // Walking the column again for each of its samples would take minutes.
         QVERIFY2(timer.elapsed() < 30000, qPrintable(QString::number(timer.elapsed())));
     }
 };

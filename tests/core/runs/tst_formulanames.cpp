@@ -10,7 +10,7 @@ namespace tst_formulanames {
 
 using namespace pixelplumb;
 
-/// A formula with numbers in place of its names.
+/// Formulas with numbers in place of their names.
 class TestFormulaNames : public QObject {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ private slots:
                  QStringLiteral("7 + (−2)·(−1 1/2)"));
     }
 
-    /// Of a sum beside a whole number, the digits that are shown add up to the same side of it.
+    /// In a sum close to a whole number, the shown digits add up to the same side of it.
     void theOperandsOfASumJustifyItsCeiling()
     {
         std::mt19937 random(5);

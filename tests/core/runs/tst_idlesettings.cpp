@@ -29,7 +29,7 @@ bool roundingMatters(const Scene &scene)
     return drawn(scene, ByteRounding::Nearest) != drawn(scene, ByteRounding::Truncate);
 }
 
-/// By a method, under the settings that it keeps.
+/// The scene by a method, under the settings that the method supports.
 Scene by(const Method &method, Scene scene)
 {
     scene.method = method.id.toStdString();
@@ -47,7 +47,7 @@ Scene lineScene(const Colour &from, const Colour &to)
 
 } // namespace
 
-/// A choice that is said to change nothing changes nothing.
+/// A setting that is said to change nothing changes nothing.
 class TestIdleSettings : public QObject {
     Q_OBJECT
 

@@ -15,8 +15,8 @@ using namespace pixelplumb;
 
 namespace {
 
-/// The two edges that a triangle's column or row crosses at the sample line, by their positions
-/// there, px: an independent statement of the bounds.
+/// The two edges that a triangle's column or row crosses, by their positions there (px): computed
+/// independently of the bounds.
 struct Crossing {
     QString edge;
     double at = 0;
@@ -53,7 +53,7 @@ std::vector<Crossing> crossingsOf(const TracedScene &traced, std::size_t span)
 
 } // namespace
 
-/// A number is one row: what it is called and how it is read cannot part.
+/// A number has one row: its name and its reading cannot diverge.
 class TestNumberRows : public QObject {
     Q_OBJECT
 
@@ -71,7 +71,7 @@ private slots:
     {
         QFETCH(QString, id);
         const Method &method = *methodNamed(id);
-        // What a sample's table says of every method; a method may describe the same numbers.
+        // The columns of every method's sample table; a method may describe the same numbers.
         const QSet<QString> shared
             = {QStringLiteral("primitive"), QStringLiteral("x"), QStringLiteral("y"),
                QStringLiteral("R"),         QStringLiteral("G"), QStringLiteral("B")};
@@ -113,8 +113,8 @@ private slots:
         }
     }
 
-    /// y points upward in one scene and downward in another. What is counted as seen is the turn of
-    /// a polygon's contours.
+    /// y points upward in one scene and downward in the other. Only the turn of a polygon's
+    /// contours is counted as seen on the screen.
     void noWordHoldsForOneDirectionOfYAlone_data() { addMethods(); }
     void noWordHoldsForOneDirectionOfYAlone()
     {

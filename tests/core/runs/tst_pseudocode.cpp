@@ -32,7 +32,7 @@ std::vector<NamedScene> scenesWithEffects()
         scene.frame.height = std::min(scene.frame.height, 60);
         scenes.push_back({name, scene});
     }
-    // Each of the ways to antialias, with all that the first scenes have.
+    // Each kind of antialiasing, with everything that the first scenes have.
     for (std::size_t i = 0; i < 3; ++i) {
         for (const Antialiasing antialiasing :
              {Antialiasing::Samples4, Antialiasing::Samples16, Antialiasing::Area}) {
@@ -49,7 +49,7 @@ bool isOn(const PseudocodeLine &line, Moment moment)
     return std::ranges::find(line.moments, moment) != line.moments.end();
 }
 
-/// Which lines, by their texts, are done in a run. A step that no line lists is reported.
+/// Adds the texts of the lines that a run does. A step that no line lists is reported.
 void collectLines(const TracedScene &traced, const QString &scene, std::set<QString> &done)
 {
     const ScanTrace &trace = *traced.trace;
@@ -102,8 +102,8 @@ QStringList boundFormulas(const StepWords &words)
 
 } // namespace
 
-/// The pseudocode of every method is what its kernel does; that each step does a line of it and
-/// each line is done is checked of every run (tst_everyrun).
+/// The pseudocode of every method describes its kernel; tst_everyrun checks that each step does a
+/// line of it and that each line is done.
 class TestPseudocode : public QObject {
     Q_OBJECT
 
@@ -134,7 +134,7 @@ private slots:
         QCOMPARE(missing, QStringList());
     }
 
-    /// The line "else: y_B ← y_B + m" is marked where the formula says so, too.
+    /// The line "else: y_B ← y_B + m" is marked where the formula says so.
     void edgesBeginAndGoOnWhereTheFormulasSaySo_data()
     {
         QTest::addColumn<QString>("id");
@@ -164,8 +164,8 @@ private slots:
         QVERIFY(added > 100);
     }
 
-    /// Of two pixels that follow each other, a step that crosses changes both coordinates, one that
-    /// stays one of them.
+    /// Between successive pixels, a step that crosses changes both coordinates, one that stays
+    /// changes one.
     void decisionsGoWhereTheirLineSays_data()
     {
         QTest::addColumn<QString>("id");

@@ -17,16 +17,16 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Twice the signed area of the triangle a, b, p in square lattice units: 0 where p lies on the
-/// line through a and b.
+/// Twice the signed area of the triangle a, b, p in square lattice units: 0 if p lies on the line
+/// through a and b.
 Int128 crossOf(const LatticePoint &a, const LatticePoint &b, const LatticePoint &p)
 {
     return Int128(b.x - a.x) * (p.y - a.y) - Int128(b.y - a.y) * (p.x - a.x);
 }
 
-/// How often a ray to the left of (x, y) meets the contours, and downward less upward: 1 inside a
-/// counter-clockwise contour. By the rule top-left the sample is a little to the right of its place
-/// and then a little below.
+/// How often a ray to the left of (x, y) meets the contours, and how many more times downward than
+/// upward: 1 inside a counter-clockwise contour. Under the top-left rule the sample is displaced a
+/// little to the right and then a little down.
 struct Crossings {
     int count = 0;
     int winding = 0;
@@ -47,7 +47,7 @@ Crossings crossingsLeftOf(const Shape &polygon, std::int64_t x, std::int64_t y)
             const bool isUpward = a.y < b.y;
             const LatticePoint &low = isUpward ? a : b;
             const LatticePoint &high = isUpward ? b : a;
-            // Below: a row through an end counts the edge that comes from below it.
+            // Displaced down: a row through an end counts the edge that comes from below.
             if (!(low.y < sample.y && sample.y <= high.y))
                 continue;
             if (crossOf(low, high, sample) > 0)
@@ -71,7 +71,7 @@ Shape square(int left, int bottom, int side)
     return polygon;
 }
 
-/// A pentagram, whose middle is crossed twice, and a square with a hole.
+/// A pentagram, whose centre is enclosed twice, and a square with a hole.
 Scene polygonScene(ShapeFill fill)
 {
     Shape star = square(0, 0, 1);
@@ -83,7 +83,7 @@ Scene polygonScene(ShapeFill fill)
     Shape frame = square(20, 1, 10);
     frame.fill = fill;
     frame.laterContours = {4};
-    // The hole's other sense takes it out by winding number as well as by parity.
+    // The hole's opposite winding removes it by winding number as well as by parity.
     for (const auto &[x, y] :
          {std::pair(23, 4), std::pair(23, 8), std::pair(27, 8), std::pair(27, 4)})
         frame.vertices.push_back({latticePixel(x, y), {}});
@@ -96,7 +96,7 @@ Scene polygonScene(ShapeFill fill)
     return scene;
 }
 
-/// The sentence of every refused sample, with where it is.
+/// The sentence about each refused sample, and the sample's position.
 struct Refusal {
     std::size_t primitive = 0;
     SampleRecord sample;
@@ -119,7 +119,7 @@ std::vector<Refusal> refusalsOf(const TracedScene &traced)
 
 } // namespace
 
-/// What is said of samples that a method refuses, against an independent statement of the case.
+/// What is said about samples that a method refuses, against independently computed facts.
 class TestRefusals : public QObject {
     Q_OBJECT
 
@@ -155,7 +155,7 @@ private slots:
         }
     }
 
-    /// f(r) and f(a), as the set-up has it.
+    /// f(r) and f(a), as in the set-up.
     void theOffScreenPointsSideOfAnEdgeIsTold()
     {
         Scene scene;
@@ -171,7 +171,7 @@ private slots:
                      "gives it to the other side: the edge's function is 6 at the off-screen "
                      "point (−1, −1) and −36 at the vertex that faces it; their product, −216, "
                      "is not above 0."));
-        // On two edges, both of which look away from r.
+        // On two edges, both of which face away from r.
         const QString corner = pixelHistory(*traced, 0, 0).front().reason;
         QVERIFY2(
             corner.startsWith(u"The sample lies exactly on P₀P₁, and the rule off-screen-point "
@@ -203,9 +203,9 @@ private slots:
             qPrintable(attempt.reason));
     }
 
-    /// From (2, 10) to (12, 5): half-way in column 3 Bresenham's line goes down, the truth does
-    /// not.
-    void aPixelBesideALineIsToldWhatDecidedItsStep()
+    /// From (2, 10) to (12, 5): halfway between pixels in column 3, Bresenham's line goes down and
+    /// the truth does not.
+    void aPixelNextToALineShowsTheDecidingNumber()
     {
         const auto traced
             = traceScene(sceneOf(lineAt(2, 10, 12, 5), "line-bresenham", frameOf(16, 12)));
@@ -370,7 +370,8 @@ private slots:
         scene.frame.width = scene.frame.height = 12;
         scene.method = method.toStdString();
         scene.settings.fillRule = rule;
-        // Two triangles share an edge whose line goes through (−1, −1), many samples lie on edges.
+        // Two triangles share an edge whose line passes through (−1, −1); many samples lie on
+        // edges.
         scene.triangles = {triangleAt(1, 1, 9, 9, 9, 1), triangleAt(1, 1, 9, 9, 1, 9)};
         const auto traced = traceScene(scene);
 
@@ -438,7 +439,7 @@ private slots:
         scene.shapes = {square(2, 2, 8)};
         const auto traced = traceScene(scene);
 
-        // On the right side, which the rule leaves out: beside the second triangle, not the first.
+        // On the right side, which the rule leaves out: of the second triangle, not the first.
         const PixelAttempt attempt = pixelHistory(*traced, 10, 5).front();
         QVERIFY(attempt.span);
         QCOMPARE(attempt.span->endSample, std::int64_t(10));

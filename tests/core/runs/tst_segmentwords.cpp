@@ -16,7 +16,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// A triangle of these corners, px.
+/// A traced triangle with these corners.
 std::shared_ptr<const TracedScene> tracedOf(const QString &id,
                                             const std::array<LatticePoint, 3> &corners)
 {
@@ -28,7 +28,7 @@ std::shared_ptr<const TracedScene> tracedOf(const QString &id,
     return traceScene(scene);
 }
 
-/// From (1, 1) to (9, 5), with a vertex between them.
+/// A triangle without area from (1, 1) to (9, 5), with a vertex between the ends.
 std::shared_ptr<const TracedScene> tracedSegment(const QString &id)
 {
     return tracedOf(id, {latticePixel(1, 1), latticePixel(9, 5), latticePixel(5, 3)});
@@ -61,7 +61,7 @@ void addEdgeTests()
 
 } // namespace
 
-/// A triangle without an area is drawn as its segment: no edge tells which samples are its own.
+/// A triangle without area is drawn as its segment: no edge decides which samples it owns.
 class TestSegmentWords : public QObject {
     Q_OBJECT
 
@@ -82,7 +82,7 @@ private slots:
                      .contains(QStringLiteral(
                          "passes the sample by: (9 − 1)·(2 − 1) − (5 − 1)·(4 − 1) = −4, not 0.")),
                  qPrintable(reasonAt(*traced, 4, 2)));
-        // On the same line, two columns on.
+        // On the same line, two columns further.
         QVERIFY2(
             reasonAt(*traced, 11, 6)
                 .contains(QStringLiteral(
@@ -118,7 +118,7 @@ private slots:
         QCOMPARE(drawn, std::size_t(5));
     }
 
-    /// The weights of a segment are 0/0: its listing has none of their lines.
+    /// The weights of a segment are 0/0: its listing contains none of their lines.
     void theListingOfASegmentDividesNothing_data() { addEdgeTests(); }
     void theListingOfASegmentDividesNothing()
     {

@@ -39,7 +39,7 @@ Scene sceneOfAllKinds(const Method &method)
     return scene;
 }
 
-/// What is said of the first set-up that is not rejected.
+/// The explanation of the first set-up that is not rejected.
 Explanation setUpOf(const Scene &scene)
 {
     const auto traced = traceScene(scene);
@@ -76,7 +76,7 @@ double numberIn(const QJsonObject &row, const char *id)
 
 } // namespace
 
-/// What is said of a primitive before it is drawn, and what heads its columns.
+/// What is said about a primitive before it is drawn, and the headings of its columns.
 class TestSetUps : public QObject {
     Q_OBJECT
 
@@ -264,7 +264,7 @@ private slots:
         int compared = 0;
         for (const QJsonValue &value : document[QStringLiteral("rows")].toArray()) {
             const QJsonObject row = value.toObject();
-            // Equal bounds have no rate, and columns outside the frame no levels.
+            // Equal bounds have no rate; columns outside the frame have no levels.
             if (row[QStringLiteral("delta_R")].isNull() || row[QStringLiteral("first_R")].isNull())
                 continue;
             const double again = numberIn(row, "R_B")

@@ -22,8 +22,8 @@ Scene sceneOf(QByteArray text)
     return read->scene;
 }
 
-/// The formulas with numbers of a run; a test fails where one does not come out at the number
-/// beside it.
+/// The formulas of a run with their numbers; the test fails if one does not give the number next to
+/// it.
 QSet<QString> formulasOf(const TracedScene &traced)
 {
     const Arithmetic arithmetic = traced.scene.settings.arithmetic;
@@ -48,13 +48,13 @@ QSet<QString> formulasOf(const TracedScene &traced)
 
 } // namespace
 
-/// Of triangles with effects, and of the column scan in float64.
+/// Formulas of triangles with effects, and of the column scan in float64.
 class TestShadedFormulas : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Texels beyond the texture, levels beyond a byte, planes and weights of triangles and of
-    /// segments, and what has no w beside what has.
+    /// Texels beyond the texture, levels beyond a byte, planes and weights of triangles and
+    /// segments, and primitives with and without w in one scene.
     void everyNumberOfAShadedTriangleHasAFormulaThatComesOut_data()
     {
         QTest::addColumn<QString>("method");
@@ -135,7 +135,7 @@ private slots:
             QVERIFY2(shown.contains(QString::fromUtf8(formula)), formula);
     }
 
-    /// At (2, 2) the hypotenuse x + y = 4 passes through the centre; of its samples (−1/8, −3/8),
+    /// At (2, 2) the hypotenuse x + y = 4 passes through the centre; of the samples (−1/8, −3/8),
     /// (3/8, −1/8), (−3/8, 1/8) and (1/8, 3/8) the first and the third lie below it.
     void theSumOfAPixelsSamplesIsWorkedOutFromThem()
     {
@@ -146,7 +146,7 @@ private slots:
                 *traceScene(sceneOf("{ 'pixelplumb': 1, 'frame': { 'width': 6, 'height': 6 }, "
                                     "'antialiasing': 4, 'primitives': [ { "
                                     + QByteArray(primitive) + " } ] }")));
-            // A stroke one pixel wide has all four there.
+            // A stroke one pixel wide covers all four samples there.
             const bool isTriangle = QByteArray(primitive).contains("triangle");
             const QString sum
                 = QStringLiteral("sum_R = 255 + %1 + 255 + %1").arg(isTriangle ? 0 : 255);
@@ -154,7 +154,7 @@ private slots:
         }
     }
 
-    /// By hand: 118 1/2 exactly, which float64 has as 118.49999999999999; A = −132, and β is
+    /// By hand: exactly 118 1/2, which float64 computes as 118.49999999999999; A = −132, and β is
     /// 1/(4·132·256²) = 2.88992…·10⁻⁸.
     void whatIsAddedToLevelsInFloat64IsShown()
     {

@@ -36,7 +36,7 @@ QString sentenceAt(const Scene &scene, std::size_t step)
 
 } // namespace
 
-/// What set-ups and spans of triangles are called, and what is said of them.
+/// What set-ups and spans of triangles are called, and what is said about them.
 class TestSpanWords : public QObject {
     Q_OBJECT
 
@@ -97,13 +97,12 @@ private slots:
         QTest::addColumn<QString>("id");
         QTest::addColumn<FillRule>("rule");
         QTest::addColumn<QString>("expected");
-        // (1, 1), (9, 1), (1, 8): the top row is one sample, row 1 the lower edge.
+        // (1, 1), (9, 1), (1, 8): the top row is one sample, row 1 is the lower edge.
         QTest::newRow("one bound") << "row-walk" << FillRule::TopLeft
                                    << "x_L = 1 and x_R = 1 have just the column 1 between them, "
                                       "exactly on an edge, and the fill rule does not take it.";
-        QTest::newRow("no bounds told")
-            << "interpolate-plane" << FillRule::Open
-            << "No sample of the frame lies here that the fill rule takes.";
+        QTest::newRow("no bounds told") << "interpolate-plane" << FillRule::Open
+                                        << "The fill rule takes no sample of the frame here.";
         QTest::newRow("two bounds")
             << "column-scan" << FillRule::Open
             << "y_B = 1 and y_T = 2 have just the rows 1 and 2 between them, exactly on edges, and "

@@ -17,7 +17,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Of a run: its first step, its last and others evenly between them.
+/// The steps checked per run: the first, the last and others evenly between them.
 constexpr std::size_t mostSteps = 280;
 
 Scene exampleNamed(const QString &name)
@@ -27,8 +27,8 @@ Scene exampleNamed(const QString &name)
 
 } // namespace
 
-/// Of the stages of a lit sample and of those from space to the frame each has its formulas; that
-/// the others come out at the numbers beside them is checked of every run (tst_everyrun).
+/// Each stage of a lit sample, and each from space to the frame, has its formulas; tst_everyrun
+/// checks that the other formulas give the numbers next to them.
 class TestStageFormulas : public QObject {
     Q_OBJECT
 
@@ -147,8 +147,8 @@ private slots:
             QVERIFY2(formulas.contains(QString::fromUtf8(formula)), formula);
     }
 
-    /// Red, under an ambient light of 32 and one of 128 that meets V₀ in its normal and V₁ at 45°:
-    /// 255·(32 + 128)/255 and 255·(32 + 128/√2)/255 = 122.5 …, which is 123.
+    /// Red, under an ambient light of 32 and one of 128 that meets V₀ along its normal and V₁ at
+    /// 45°: 255·(32 + 128)/255 and 255·(32 + 128/√2)/255 = 122.5 …, which is 123.
     void aPlainTriangleTellsHowItIsLit_data()
     {
         QTest::addColumn<QByteArray>("shading");
@@ -157,7 +157,7 @@ private slots:
         QTest::newRow("gouraud") << QByteArray("gouraud")
                                  << QStringList{QStringLiteral("V₀"), QStringLiteral("V₁")}
                                  << QList<double>{160, 123};
-        // The normals' mean: (1/√2, 0, −2 − 1/√2), N·L = 2.7071…/√(½ + 2.7071²) = 0.9675…
+        // The mean normal: (1/√2, 0, −2 − 1/√2), N·L = 2.7071…/√(½ + 2.7071²) = 0.9675…
         QTest::newRow("flat") << QByteArray("flat") << QStringList{QStringLiteral("centre")}
                               << QList<double>{156};
     }

@@ -10,7 +10,8 @@ namespace tst_walkedshapes {
 
 using namespace pixelplumb;
 
-/// A pixel that a walk along a shape left out is told which step passed it by, with its numbers.
+/// For a pixel that a walk along a shape left out, the panel names the step that passed it, with
+/// its numbers.
 class TestWalkedShapes : public QObject {
     Q_OBJECT
 
@@ -31,7 +32,7 @@ private slots:
         circle("F(4, 3 1/2) = 3 1/4", QPoint(12, 12), "Step 4: p_k = 3 1/4 > 0");
         circle("mirrored", QPoint(4, 4), "Step 4: p_k = 3 1/4 > 0");
         circle("next to none", QPoint(8, 9), "Step 0: The arc starts at (x_k, y_k) = (0, 5)");
-        // At t = 1/8 the line is at (2, 1½), half of a pixel above.
+        // At t = 1/8 the line is at (2, 1½), half a pixel above.
         QTest::newRow("below a tie of P(t)")
             << lineAt(1, 1, 9, 5) << QByteArray("line-parametric") << QPoint(2, 1)
             << "Step 1: At t = 1/8 the line is at (2, 1 1/2), which rounds to the pixel (2, 2).";

@@ -14,7 +14,7 @@ using search::RandomNumbers;
 
 namespace {
 
-/// c₀ + g_x·Δx + g_y·Δy with β = 1/(4A), every operation rounded (resources/numerics.md, 3.3 c and
+/// c₀ + g_x·Δx + g_y·Δy with β = 1/(4A), each operation rounded (resources/numerics.md, 3.3 c and
 /// d).
 template <class Float>
 std::int64_t levelByPlane(const ColourPlace &place)
@@ -27,7 +27,8 @@ std::int64_t levelByPlane(const ColourPlace &place)
     return std::int64_t(std::floor(value + (Float(0.5) + Float(0.25) / area)));
 }
 
-/// The same by the product's own arithmetic, which must not have fallen back on integers.
+/// Like levelByPlane(), but in the product's own arithmetic, which must not have fallen back on
+/// integers.
 std::int64_t levelByProduct(const ColourPlace &place)
 {
     const Triangle triangle = place.triangle();
@@ -37,7 +38,7 @@ std::int64_t levelByProduct(const ColourPlace &place)
     using A = BiasArithmetic<BiasOrExactNumber>;
     const A::ColourRamp ramp(corners[0], corners[1], corners[2]);
     ColumnState<A> column;
-    column.x = 0; // ColourPlace::triangle() lays the sample there
+    column.x = 0; // ColourPlace::triangle() puts the sample there
     const BiasOrExactNumber number = ramp.starts(column, 0)[0];
     return number.isExact ? -1 : A::level(number, ByteRounding::Nearest);
 }
@@ -68,14 +69,14 @@ bool isInWordDomain(const ColourPlace &place)
     return 4 * place.area() * (steps.right + steps.up + 1) < Int128(2) << F;
 }
 
-/// 4 A (n + 1), of which colourplane.h asks that it be below 2^56.
+/// 4 A (n + 1), which colourplane.h requires to be below 2^56.
 double resolutionOf(const ColourPlace &place)
 {
     const Steps box = place.boxInPixels();
     return 4 * double(place.area()) * double(box.right + box.up);
 }
 
-/// The product's 56-bit words; `resolution` is what it is told of the triangle.
+/// The product's 56-bit words; `resolution` is the value that they are given for the triangle.
 std::int64_t levelByWideWords(const ColourPlace &place, double resolution)
 {
     const Triangle triangle = place.triangle();
@@ -102,7 +103,7 @@ std::int64_t levelByTrueWideWords(const ColourPlace &place)
 {
     return levelByWideWords(place, resolutionOf(place));
 }
-/// Made to believe that its bits suffice.
+/// Like levelByWideWords(), but made to assume that its bits suffice.
 std::int64_t levelByDeceivedWideWords(const ColourPlace &place)
 {
     return levelByWideWords(place, 0);
@@ -147,8 +148,8 @@ QString wrongLevels(std::int64_t (*level)(const ColourPlace &), int bits, std::i
 
 } // namespace
 
-/// The exact colours of resources/numerics.md, 3.3, from both sides: inside the domain that is
-/// proved for a form no byte is wrong, outside some are.
+/// The exact colours of resources/numerics.md, 3.3, tested from both sides: inside the domain
+/// proved for a form no byte is wrong, outside it some are.
 class TestColourDomains : public QObject {
     Q_OBJECT
 
@@ -185,7 +186,7 @@ private slots:
     {
         QCOMPARE(wrongLevels(levelByProduct, 40, 256), QString());
     }
-    /// Samples beside a half find what random ones do not (resources/numerics.md, 3.3 c).
+    /// Samples next to a half find errors that random ones do not (resources/numerics.md, 3.3 c).
     void float64PlanesFailAt44Bits()
     {
         QVERIFY(wrongLevels(levelByPlane<double>, 44, 256).contains(QLatin1String("wrong")));

@@ -13,8 +13,8 @@ using search::RandomNumbers;
 
 namespace {
 
-/// An edge from (xa, ya) to (xa + dx, ya + dy), dx > 0, in units of 1/scale px, and a column of it
-/// in px. All that asks for y there: N/D px with D = dx·scale.
+/// An edge from (xa, ya) to (xa + dx, ya + dy), dx > 0, in units of 1/scale px, and a column in px
+/// at which everything asks for y: N/D px with D = dx·scale.
 struct Place {
     std::int64_t xa = 0, ya = 0, dx = 1, dy = 0;
     std::int64_t scale = 1;
@@ -48,7 +48,7 @@ Rows exactRows(const Place &place)
             std::int64_t(ceilDivide(place.numerator(), place.denominator()))};
 }
 
-/// y₀ + (x − x₀)·m with β = 1/(2D), every operation rounded.
+/// y₀ + (x − x₀)·m with β = 1/(2D), each operation rounded.
 template <class Float>
 Rows rowsByMultiplying(const Place &place)
 {
@@ -59,7 +59,8 @@ Rows rowsByMultiplying(const Place &place)
     return {std::int64_t(std::floor(y + bias)), std::int64_t(std::ceil(y - bias))};
 }
 
-/// The same by the product's own arithmetic, which must not have fallen back on integers.
+/// Like rowsByMultiplying(), but in the product's own arithmetic, which must not have fallen back
+/// on integers.
 Rows rowsByProduct(const Place &place)
 {
     const Vertex a = {{place.xa, place.ya}, {}};
@@ -68,13 +69,13 @@ Rows rowsByProduct(const Place &place)
     const BiasOrExactNumber y
         = A::edgeOrdinate(a, b, A::runTo(place.column, a), A::edgeSlope(a, b));
     if (y.isExact || place.scale != unitsPerPixel)
-        return {1, 0}; // right nowhere
+        return {1, 0}; // always wrong
     return {y.floor(), y.ceil()};
 }
 
 /// Fixed point: y at the edge's first column and the slope are rounded, then the slope is added
-/// from column to column. Sums of fixed-point numbers are exact, so that n additions are one
-/// product. The bias 1/(2D) itself is not rounded.
+/// from column to column. Sums of fixed-point numbers are exact, so n additions equal one product.
+/// The bias 1/(2D) itself is not rounded.
 template <class Fixed>
 Rows rowsByAdding(const Place &place)
 {
@@ -91,7 +92,7 @@ Rows rowsByAdding(const Place &place)
             std::int64_t(ceilDivide<Int128>(raw * twoD - one, one * twoD))};
 }
 
-/// t with a·t ≡ 1 modulo m; a and m have no common divisor.
+/// The t with a·t ≡ 1 modulo m; a and m must be coprime.
 std::int64_t inverse(std::int64_t a, std::int64_t m)
 {
     std::int64_t r0 = m, r1 = ((a % m) + m) % m, t0 = 0, t1 = 1;
@@ -105,15 +106,16 @@ std::int64_t inverse(std::int64_t a, std::int64_t m)
 
 std::int64_t modulo(Int128 value, std::int64_t m) { return std::int64_t(((value % m) + m) % m); }
 
-/// What the numbers of one arithmetic are drawn from: W' and Y' are extents in units of 1/scale px.
+/// The range from which the numbers of one arithmetic are drawn: W' and Y' are extents in units of
+/// 1/scale px.
 struct Canvas {
     std::int64_t width = 0;
     std::int64_t height = 0;
     std::int64_t scale = 1;
 };
 
-/// An edge within the canvas (0 <= y <= Y', dx <= W') and a column at which y is 1/D below an
-/// integer, 1/D above one, or one: where rounding has the least room. Or any column.
+/// An edge within the canvas (0 <= y <= Y', dx <= W') and a column at which y is an integer or 1/D
+/// below or above one, where rounding has the least room; or any column.
 Place drawPlace(RandomNumbers &random, const Canvas &canvas)
 {
     Place place;
@@ -140,7 +142,7 @@ Place drawPlace(RandomNumbers &random, const Canvas &canvas)
     return place;
 }
 
-/// Draws a canvas and places on it; counts those whose rows are wrong and keeps the first.
+/// Draws canvases and places on them; counts those whose rows are wrong and keeps the first.
 template <class DrawCanvas>
 QString wrongPlaces(Rows (*rows)(const Place &), std::uint64_t seed, int count,
                     const DrawCanvas &drawCanvas)
@@ -164,7 +166,8 @@ QString wrongPlaces(Rows (*rows)(const Place &), std::uint64_t seed, int count,
         .arg(first);
 }
 
-/// W'·Y' just below 2^bits in all shapes from flat to steep, Y' at least two pixels.
+/// A canvas with W'·Y' just below 2^bits, in all shapes from flat to steep; Y' is at least two
+/// pixels.
 auto canvasOfArea(int bits, std::int64_t scale)
 {
     return [bits, scale](RandomNumbers &random) {
@@ -176,7 +179,7 @@ auto canvasOfArea(int bits, std::int64_t scale)
     };
 }
 
-/// W' below 2^bits, up to half of it.
+/// A canvas with W' below 2^bits and at least half of it.
 auto canvasOfWidth(int bits, std::int64_t scale)
 {
     return [bits, scale](RandomNumbers &random) {
@@ -190,8 +193,8 @@ constexpr int placeCount = 200000;
 
 } // namespace
 
-/// The half-quantum bias theorem (resources/numerics.md, 3.2) from both sides: inside the domain
-/// that is proved for an arithmetic no ⌈y⌉ and no ⌊y⌋ is wrong, outside some are.
+/// The half-quantum bias theorem (resources/numerics.md, 3.2) tested from both sides: inside the
+/// domain proved for an arithmetic no ⌈y⌉ and no ⌊y⌋ is wrong, outside it some are.
 class TestDomains : public QObject {
     Q_OBJECT
 
@@ -221,7 +224,7 @@ private slots:
         QVERIFY(!wrongPlaces(rowsByMultiplying<double>, seed, placeCount, canvasOfArea(52, 1))
                      .isEmpty());
     }
-    /// The product asks for 2^40, because it computes the colours in the same numbers.
+    /// The product requires 2^40, because it computes the colours in the same numbers.
     void theBiasedColumnScanIsRightBelow40Bits()
     {
         QCOMPARE(wrongPlaces(rowsByProduct, seed, placeCount, canvasOfArea(40, unitsPerPixel)),

@@ -10,8 +10,8 @@ namespace tst_drift {
 
 using namespace pixelplumb;
 
-/// The rounding forms fail where resources/numerics.md, 2.1 and 2.2, say that they do, and are
-/// right where they say so: the checks of the exact form can fail.
+/// The rounding forms fail where resources/numerics.md, 2.1 and 2.2, says so, and are right where
+/// it says so: the checks of the exact form can fail.
 class TestDrift : public QObject {
     Q_OBJECT
 
@@ -54,7 +54,7 @@ private slots:
         scene.settings.arithmetic = arithmetic;
         scene.triangles = {triangle};
         const auto traced = traceScene(scene);
-        if (missing < 0) { // thousands, the exact number belongs to the machine's rounding
+        if (missing < 0) { // thousands; the exact count depends on the machine's rounding
             QVERIFY(traced->differences.count(Difference::Extra) > 50000);
             return;
         }

@@ -15,7 +15,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// `#` covered, `.` not; row by row from the frame's first.
+/// The coverage: `#` covered, `.` not; row by row from the frame's first.
 template <class Covers>
 QString pictureOf(const FrameSpec &spec, const Covers &covers)
 {
@@ -40,7 +40,7 @@ QString definedPicture(const Scene &scene)
     });
 }
 
-/// What `draw` writes into a frame of alpha 0; every kernel writes alpha 255.
+/// The coverage of what `draw` writes into a frame of alpha 0; every kernel writes alpha 255.
 template <class Draw>
 QString writtenPicture(const Scene &scene, const Draw &draw)
 {
@@ -103,7 +103,7 @@ QString describe(const Scene &scene, const QString &expected, const QString &fou
         .arg(positionsOf(scene), expected, found);
 }
 
-/// How the pictures that the program makes of a scene differ from the definition's.
+/// How the program's pictures of a scene differ from the definition's.
 QString faultOf(const Scene &scene, bool isRecorded)
 {
     const QString expected = definedPicture(scene);
@@ -118,7 +118,8 @@ QString faultOf(const Scene &scene, bool isRecorded)
     return {};
 }
 
-/// Whether the line of an edge passes through the off-screen point: its rule promises nothing then.
+/// Whether the line of an edge passes through the off-screen point, where the rule guarantees
+/// nothing.
 bool hasEdgeThrough(const TriangleMesh &mesh, const Scene &scene)
 {
     const LatticePoint point = definition::pointOf(scene.frame);
@@ -130,7 +131,8 @@ bool hasEdgeThrough(const TriangleMesh &mesh, const Scene &scene)
     });
 }
 
-/// What of a mesh's rectangle is not written once, `0` and `2` and so on; empty when all is.
+/// The parts of a mesh's rectangle that are not written exactly once, as `0`, `2` and so on; empty
+/// if there are none.
 QString coverageFault(const TriangleMesh &mesh, const Scene &scene)
 {
     FrameMap<int> writes(scene.frame);

@@ -35,7 +35,7 @@ WindowPicture pictureOf(const char16_t *method, const Triangle &triangle,
     return picture;
 }
 
-/// Vertices between pixels, not in the order of x; every variant shows in it.
+/// Vertices between pixels, not sorted by x; every variant shows on this triangle.
 Triangle unevenTriangle()
 {
     return triangleOf({LatticePoint{3000, 900}, LatticePoint{430, 300}, {5300, 4500}});
@@ -191,7 +191,7 @@ private slots:
 
     void withWholeVerticesNothingIsLateWithoutAPreStepOfEdges()
     {
-        // It also shows that the ramp of departures is the plane's where nothing departs.
+        // Also shows that the ramp of departures equals the plane's where nothing departs.
         std::mt19937 random(7);
         std::uniform_int_distribution<std::int64_t> at(-6, 28);
         for (int round = 0; round < 300; ++round) {
@@ -268,8 +268,8 @@ private slots:
                              qPrintable(nameText(text)));
             }
         }
-        // What it says of the start of an edge is what the kernel does: at its first row an edge
-        // between two rows has its vertex' x.
+        // Its words about the start of an edge describe the kernel: at its first row, an edge that
+        // starts between two rows has its vertex' x.
         const VariantWords &words = wordsOf(Variant::NoEdgePreStep, rows.spanAxis);
         QCOMPARE(nameText(words.printed), QStringLiteral("x = x₀ at the first row"));
         Scene scene;
@@ -307,7 +307,7 @@ private slots:
         QCOMPARE(drawn.at(20, 15), colourOf(whole.vertices[2].colour));
     }
 
-    void aMethodRefusesWhatItDoesNotKnowWithTheNamesOfThoseThatDo()
+    void aMethodRejectsUnknownVariantsNamingMethodsThatKnowThem()
     {
         const Method &plane = *methodNamed(u"interpolate-plane");
         const ScanSettings settings = settingsWith(only(Variant::RoundedBox));

@@ -132,10 +132,10 @@ private slots:
         QTest::newRow("only a line feed") << "\n"
                                           << "line 1: nothing; expected a line of # and .";
         QTest::newRow("ragged") << "##\n###\n"
-                                << "line 2: 3 characters; expected 2 as in the first line";
+                                << "line 2: its length is 3; expected 2, as that of the first line";
         QTest::newRow("blank line inside")
             << "##\n\n##\n"
-            << "line 2: 0 characters; expected 2 as in the first line";
+            << "line 2: its length is 0; expected 2, as that of the first line";
         QTest::newRow("other character") << "##\n#x\n"
                                          << "line 2, column 2: “x”; expected # or .";
         QTest::newRow("space") << " #\n"

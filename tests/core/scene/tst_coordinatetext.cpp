@@ -8,7 +8,7 @@ namespace tst_coordinatetext {
 
 using namespace pixelplumb;
 
-/// Coordinates as texts: read exactly, snapped to the lattice, refused with the reason.
+/// Coordinates as texts: read exactly, snapped to the lattice, or refused with a reason.
 class TestCoordinateText : public QObject {
     Q_OBJECT
 
@@ -47,9 +47,9 @@ private slots:
         row("-0", 0);
         row("1073741824", largestCoordinate);
         row("-1073741824", -largestCoordinate);
-        // 0.1 is no double, and the lattice is not 0.1: 25.6 units.
+        // 0.1 is not a double, and not on the lattice: 25.6 units.
         row("0.1", 26, "1/640");
-        // One part in 10^30 above the middle between two lattice points decides.
+        // One part in 10^30 above or below the midpoint between two lattice points decides.
         row("0.001953124999999999999999999999999999", 0, "-0.001953125");
         row("0.001953125000000000000000000000000001", 1, "0.001953125");
         row("4181389724724491839037947176121567782371328/"

@@ -10,7 +10,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Three vertices and so many faces.
+/// A mesh with three vertices and this many faces.
 QByteArray meshOf(qsizetype faces, const QByteArray &lineEnd)
 {
     const QByteArray vertices = "v 0 0 0" + lineEnd + "v 1 0 0" + lineEnd + "v 0 1 0" + lineEnd;
@@ -19,8 +19,8 @@ QByteArray meshOf(qsizetype faces, const QByteArray &lineEnd)
 
 } // namespace
 
-/// Meshes up to the limit and beyond it. Where each line is looked for from the file's beginning or
-/// to its end, these take an hour, and the test ends by its time limit.
+/// Meshes up to the limit and beyond it. If each line were searched from the file's beginning or to
+/// its end, these would take an hour and run into the test's time limit.
 class TestLargeMeshes : public QObject {
     Q_OBJECT
 

@@ -93,7 +93,7 @@ private slots:
         QCOMPARE(bytesToRead(folder.filePath(QStringLiteral("none.json"))), qint64(0));
     }
 
-    void readingAMeshTellsHowFarItIsAndStopsWhenItIsToldTo()
+    void meshReadingReportsProgressAndCanBeStopped()
     {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("scene.json"));
@@ -149,7 +149,7 @@ private slots:
 
     void filesThatCannotBeUsedAreNamed_data()
     {
-        QTest::addColumn<QByteArray>("content"); // of the file; none: there is no file
+        QTest::addColumn<QByteArray>("content"); // of the file; null: there is no file
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("message"); // %1: its path
         const auto row
@@ -163,7 +163,7 @@ private slots:
             "materials.a.texture: %1: no picture: Unsupported image format; expected a picture "
             "such "
             "as PNG or JPEG");
-        // A header of 5000 x 20 texels, and nothing behind it.
+        // A header of 5000 x 20 texels without data.
         row("huge picture", "P6 5000 20 255\n", "a.ppm",
             "materials.a.texture: %1: a picture of 5000 × 20; expected at most "
             "4096 × 4096");

@@ -18,7 +18,7 @@ QByteArray frameOf(const QByteArray &frame)
 
 } // namespace
 
-/// What the reader says of a faulty scene: the fault, and where in the text it stands.
+/// What the reader says about a faulty scene: the fault and its position in the text.
 class TestSceneFaults : public QObject {
     Q_OBJECT
 
@@ -160,7 +160,7 @@ private slots:
 
     void tellsTheSameFaultOfALargeTextAsOfASmallOne_data()
     {
-        QTest::addColumn<QByteArray>("wrong"); // what stands instead of the middle triangle
+        QTest::addColumn<QByteArray>("wrong"); // replaces the middle triangle
         QTest::newRow("unknown key") << QByteArray("{ \"triangel\": [[0, 0], [1, 1], [2, 0]] }");
         QTest::newRow("missing colours")
             << QByteArray("{ \"triangle\": [[0, 0], [1, 1], [2, 0]] }");

@@ -24,7 +24,7 @@ QByteArray shapeScene(const QByteArray &primitives)
 
 } // namespace
 
-/// Scenes written and read back, and the files that hold them.
+/// Scenes written and read back, and their files.
 class TestSceneFile : public QObject {
     Q_OBJECT
 

@@ -27,8 +27,8 @@ Scene sceneFrom(const QByteArray &text)
     return reading ? reading->scene : Scene();
 }
 
-/// Whether a text is read, and what is written of it is read as the same scene and written as the
-/// same bytes.
+/// Checks that a text is read, and that writing the scene and reading it again gives the same scene
+/// and the same bytes.
 void comesBack(const QByteArray &text)
 {
     const Result<SceneReading> reading = readScene(text);
@@ -42,7 +42,8 @@ void comesBack(const QByteArray &text)
 
 } // namespace
 
-/// What scene files say of three dimensions and of how triangles look: every key read and written.
+/// The keys of scene files for three dimensions and for the triangles' appearance: each is read and
+/// written.
 class TestSceneSpace : public QObject {
     Q_OBJECT
 

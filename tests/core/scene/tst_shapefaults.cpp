@@ -11,7 +11,7 @@ namespace tst_shapefaults {
 
 using namespace pixelplumb;
 
-/// Faulty primitives that are not triangles: each named, with its place.
+/// Faulty primitives that are not triangles: each fault is named with its position.
 class TestShapeFaults : public QObject {
     Q_OBJECT
 

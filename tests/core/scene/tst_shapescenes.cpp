@@ -106,7 +106,7 @@ private slots:
 
     void keepsAMethodThatDrawsNoneOfThePrimitivesYet()
     {
-        // A window can save such a scene, so it has to open again.
+        // A window can save such a scene, so it must open again.
         const Result<SceneReading> reading = readScene(
             sceneOfPrimitives(shapeExamples()[1].text, "\"method\": \"column-scan\", "));
         QVERIFY(reading.isOk());

@@ -21,7 +21,7 @@ QByteArray triangleWith(const QByteArray &members)
 
 } // namespace
 
-/// What is refused of what scene files say of three dimensions and of how triangles look.
+/// Faults in what scene files say about three dimensions and about the triangles' appearance.
 class TestSpaceFaults : public QObject {
     Q_OBJECT
 
@@ -222,7 +222,7 @@ private slots:
         QCOMPARE(faultOf(text), message);
     }
 
-    void memoryIsSaidBeforeItIsTaken()
+    void memoryIsReportedBeforeAllocation()
     {
         const QByteArray sphere = "{ 'sphere': [0, 0, 0], 'radius': 1, 'segments': [1024, 1024] }";
         QVERIFY(readScene(sceneOf(camera, sphere)));

@@ -29,7 +29,7 @@ const StageNumber &numberNamed(const StagePoint &point, const QString &name)
     return *number;
 }
 
-/// The least distance to the centre of points of the sphere's faces.
+/// The least distance of points on the sphere's faces from its centre.
 double nearestToCentre(const Solid &sphere)
 {
     const SolidVertices<double> vertices(sphere);
@@ -56,7 +56,7 @@ double nearestToCentre(const Solid &sphere)
 
 } // namespace
 
-/// The stages of a face with their numbers, and what is said of surfaces.
+/// The stages of a face with their numbers, and what is said about surfaces.
 class TestFaceStages : public QObject {
     Q_OBJECT
 
@@ -98,7 +98,7 @@ private slots:
     void everyUsedNumberStandsBesideTheOneWithoutRounding()
     {
         Scene scene = sceneOf({triangle3({1, 2, -3}, {-1, 0, 0}, {2, -1, 1})});
-        scene.camera->fieldOfView = 90; // its cotangent is 1, and that of the double is not
+        scene.camera->fieldOfView = 90; // its cotangent is 1, that of the double is not
 
         const FaceStages stages = stagesOf(scene, projectedSolids(scene), 0);
 
@@ -124,7 +124,7 @@ private slots:
 
     void theClippedPolygonSaysWhichEdgeIsCutAndWhere()
     {
-        // Depths 3, 7 and 0.5 before a near plane at 1: t = 2/2.5 from the first, 6/6.5 from the
+        // Depths 3, 7 and 0.5 with a near plane at 1: t = 2/2.5 from the first, 6/6.5 from the
         // second.
         const Scene scene = sceneOf({triangle3({0, 0, 2}, {1, 0, -2}, {0, 1, 4.5})});
 
@@ -218,7 +218,7 @@ private slots:
     void aPatchsNormalsStandOnItAlsoWhereItsTangentsVanish()
     {
         Solid patch = solidOf(SolidKind::Patch);
-        // A corner pulled together: ∂P/∂u = 0 there.
+        // A degenerate corner: ∂P/∂u = 0 there.
         patch.corners[1] = patch.corners[0];
         const BezierPatch<double> surface(patch);
 

@@ -32,7 +32,7 @@ class TestNearClip : public QObject {
 private slots:
     void clippingKeepsTheAreaBeyondTheNearPlane()
     {
-        // Orthographic along a slanted triangle: what is cut off is known in the plane of x and z.
+        // Orthographic view along a slanted triangle: the clipped part is known in the xz plane.
         Scene scene = sceneOf({triangle3({-2, -1, 10}, {2, -1, 10}, {0, 1, -10})});
         scene.camera->projection = Projection::Orthographic;
         scene.camera->height = 4;
@@ -40,7 +40,7 @@ private slots:
 
         const ProjectedSolids projected = projectedSolids(scene);
 
-        // The upper half of the triangle in height has a quarter of its area: 4·2/2/4 = 1.
+        // The upper half of the triangle's height has a quarter of its area: 4·2/2/4 = 1.
         const double unit = 80 / 4.0 * 256;
         const auto area = double(doubledAreaOf(projected.triangles)) / 2;
         QCOMPARE(projected.triangles.size(), 1U);
@@ -63,7 +63,7 @@ private slots:
             const ProjectedSolids projected = projectedSolids(scene);
 
             clipped += projected.triangles.size() != 1 ? 1 : 0;
-            // Half-planes: points of the triangle, and whether a piece holds them.
+            // Half-planes: points of the triangle, and whether a piece contains them.
             for (int i = 0; i < 100; ++i) {
                 double s = random.generateDouble();
                 double t = random.generateDouble();
@@ -88,7 +88,7 @@ private slots:
 
     void anEdgeIsCutAtTheSamePointFromBothOfItsFaces()
     {
-        // Clipping a whole solid opens it along the near plane alone, and makes no T-junction.
+        // Clipping a whole solid opens it only along the near plane and makes no T-junction.
         for (const SolidKind kind : {SolidKind::Sphere, SolidKind::Patch, SolidKind::Mesh}) {
             Scene scene = sceneOf({solidOf(kind)});
             scene.camera->eye = {0.3, 0.4, 1.9};

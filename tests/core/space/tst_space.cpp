@@ -25,8 +25,8 @@ class TestSpace : public QObject {
 private slots:
     void aPointIsWhereItsRayMeetsThePicturePlane()
     {
-        // By similar triangles: the eye at (0, 0, 5) sees (1, 2, −3) at 8 in depth, and 90° show
-        // as much above the axis as the depth.
+        // By similar triangles: the eye at (0, 0, 5) sees (1, 2, −3) at depth 8, and 90° show as
+        // much above the axis as the depth.
         Scene scene = sceneOf({triangle3({1, 2, -3}, {-1, 0, 0}, {2, -1, 1})});
         scene.camera->fieldOfView = 90;
 

@@ -15,7 +15,7 @@ namespace {
 
 const double turn = 2 * std::acos(-1.0);
 
-/// A light that shines down from an angle to the z axis, in the plane of x and z.
+/// A light that shines down at an angle to the z axis, in the xz plane.
 Light lightFrom(double angle, const Colour &colour)
 {
     Light light;
@@ -25,7 +25,7 @@ Light lightFrom(double angle, const Colour &colour)
     return light;
 }
 
-/// A triangle in the plane z = 0 that faces the orthographic viewer, of one material.
+/// A triangle of one material in the plane z = 0 that faces the orthographic viewer.
 Scene facingScene(double angle, Shading shading)
 {
     Scene scene = sceneOf({triangle3({-1, -1, 0}, {1, -1, 0}, {0, 1, 0})});
@@ -41,7 +41,7 @@ Scene facingScene(double angle, Shading shading)
     return scene;
 }
 
-/// Of a normal towards the viewer, by angles: H halves the angle of L and V.
+/// The level for a normal towards the viewer, by angles: H bisects the angle of L and V.
 std::uint8_t expectedLevel(double angle, int colour, int diffuse, int specular, int light)
 {
     const int own = int(std::floor(colour * diffuse / 255.0 + 0.5));

@@ -39,7 +39,7 @@ QImage drawnPicture(const Scene &scene)
 
 } // namespace
 
-/// Drawing and explaining are the same code: the trace's promises.
+/// The trace's promises: drawing and explaining are the same code.
 class TestTrace : public QObject {
     Q_OBJECT
 

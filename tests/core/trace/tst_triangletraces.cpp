@@ -31,7 +31,7 @@ Scene tracedSceneOf(const QString &id, const ScanSettings &settings)
 
 } // namespace
 
-/// The triangle methods' traces: drawing and explaining are the same code.
+/// The traces of the triangle methods: drawing and explaining are the same code.
 class TestTriangleTraces : public QObject {
     Q_OBJECT
 
@@ -49,7 +49,7 @@ private slots:
         QFETCH(QString, id);
         Scene scene = tracedSceneOf(id, {});
         scene.appearance.antialiasing = Antialiasing::Samples4;
-        // Its left edge passes between the centre and the outermost sample of a column.
+        // The left edge passes between the centre and the outermost sample of a column.
         scene.triangles = {triangleOf({{{90, 600}, {90, 3000}, {1500, 1800}}})};
         const auto traced = traceScene(scene);
         const ScanTrace &trace = *traced->trace;
@@ -60,7 +60,7 @@ private slots:
                 QCOMPARE(sample.x, x);
             if (span > 0 && trace.primitiveOf(span - 1) == trace.primitiveOf(span))
                 QVERIFY(trace.placeOf(span - 1).coordinate <= x);
-            // Only samples beside the centres reach the column: no edge meets it.
+            // Only off-centre samples reach the column: no edge meets it.
             if (trace.span(span).lower.isNone()) {
                 ++unbounded;
                 QVERIFY(trace.spanWords(span).sentence.startsWith(QStringLiteral("Only samples")));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A right column scan (rule closed), for the adapter to be tried with.
+// A correct column scan (rule closed), used to try the adapter.
 
 #include <algorithm>
 #include <array>

@@ -20,7 +20,7 @@ namespace {
 constexpr int randomCount = 8;
 constexpr QLatin1String sceneOfAllKinds("mixed");
 
-/// Of the set-ups of a run, of its spans and of its samples, those that are explained.
+/// How many set-ups, spans and samples of a run are explained, each.
 std::size_t mostOfAKind() { return areAllCasesRun() ? 30 : 8; }
 
 std::vector<std::size_t> stepsToExplain(const ScanTrace &trace)
@@ -36,8 +36,8 @@ std::vector<std::size_t> stepsToExplain(const ScanTrace &trace)
     return steps;
 }
 
-/// Gives one run after another the rules and roundings of a method, each rule with every arithmetic
-/// though a scene is drawn in all arithmetics one after the other.
+/// Cycles through a method's fill rules and roundings from run to run, so that each rule meets
+/// every arithmetic although a scene is drawn in all arithmetics in a row.
 class Turns {
 public:
     explicit Turns(const Method &method)
@@ -59,7 +59,7 @@ private:
     std::size_t m_turn = 0;
 };
 
-/// Each variant by itself, and each together with those before it.
+/// Each variant alone, and each together with those before it.
 std::vector<VariantSet> variantSetsOf(const Method &method)
 {
     std::vector<VariantSet> sets;

@@ -6,23 +6,23 @@
 
 namespace pixelplumb {
 
-/// The methods × scenes × arithmetics. Fill rules and roundings take turns from run to run. Of hard
-/// cases the arithmetics take turns too, from case to case and from method to method; all of them
-/// where all cases are run.
+/// The methods × scenes × arithmetics. Fill rules and roundings alternate from run to run. For hard
+/// cases the arithmetics alternate too, from case to case and from method to method, unless all
+/// cases are run: then each gets all of them.
 class CheckedRuns {
 public:
     CheckedRuns();
 
-    /// Traces every run of a method once, in the same order each time. Scenes that the method draws
-    /// nothing of are passed over, but for one that has all kinds.
+    /// Traces every run of a method once, always in the same order. Skips scenes of which the
+    /// method draws nothing, except the one that has all kinds of primitives.
     void forEachOf(const Method &method, const std::function<void(const CheckedRun &)> &look) const;
 
 private:
     std::vector<NamedScene> m_scenes;
-    std::vector<NamedScene> m_cases; ///< hard ones
+    std::vector<NamedScene> m_cases; ///< hard cases
 };
 
-/// A scene's run by the method and settings that it names, with some of its steps explained.
+/// A scene traced by the method and settings it names, with some of its steps explained.
 CheckedRun checkedRunOf(const QString &name, RunOrigin origin, const Scene &scene);
 
 } // namespace pixelplumb

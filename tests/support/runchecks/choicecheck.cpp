@@ -9,7 +9,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// What the runs that wrote a pixel were drawn with.
+/// The settings of the runs that wrote a pixel.
 struct Choices {
     std::set<Arithmetic> arithmetics;
     std::set<FillRule> fillRules;

@@ -7,25 +7,28 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <map>
 
 namespace pixelplumb {
 
 namespace {
 
-/// How many formulas may be known so badly from the digits that are shown that a wrong number would
-/// pass: those that divide by a difference of two shortened numbers, as spans do.
-constexpr double vagueShare = 0.06;
-/// A method whose numbers have formulas shows more of them.
+/// The share of formulas whose shown digits are so few that a wrong number would pass: those that
+/// divide by a difference of two shortened numbers, as spans do, or that round a whole number, as
+/// boxes do.
+constexpr double vagueShare = 0.065;
+/// If a method's numbers have formulas at all, it shows more of them than this.
 constexpr double fewestFormulas = 40;
-/// Of one run, so that a message can be read.
+/// Per run, so that a message stays readable.
 constexpr qsizetype mostFaults = 5;
 
 struct Tally {
-    double count = 0; ///< formulas that were worked out
-    double vague = 0; ///< of these, from too few digits
+    double count = 0; ///< formulas that were evaluated
+    double vague = 0; ///< those evaluated from too few digits
+    std::map<QString, int> vagueOnes; ///< how often each of them, by its symbols
 };
 
-/// What an exact run has no exact number for it computes in double.
+/// Where an exact run has no exact number, it computes in double.
 Arithmetic arithmeticOf(const FormulaLine &line, Arithmetic ofRun)
 {
     return ofRun == Arithmetic::Exact && !line.used.isRational() ? Arithmetic::Float64 : ofRun;
@@ -36,7 +39,7 @@ QString faultOf(const CheckedRun &run, Tally &tally)
     QStringList faults;
     for (const ExplainedStep &each : run.steps) {
         for (const FormulaLine &line : each.explanation.lines) {
-            // What no formula gives, where effects are done, stands by itself.
+            // With effects, a number that no formula gives is shown without one.
             if (run.traced->plan && line.substituted.isEmpty())
                 continue;
             const Arithmetic arithmetic = arithmeticOf(line, run.traced->scene.settings.arithmetic);
@@ -49,7 +52,10 @@ QString faultOf(const CheckedRun &run, Tally &tally)
             if (run.origin != RunOrigin::Scene)
                 continue;
             ++tally.count;
-            tally.vague += range && !range->isNarrow() ? 1 : 0;
+            if (range && !range->isNarrow()) {
+                ++tally.vague;
+                ++tally.vagueOnes[line.symbols];
+            }
         }
     }
     return faults.join(QStringLiteral("; "));
@@ -61,9 +67,15 @@ QString faultOfAll(const Method &method, const Tally &tally)
         = [](const NumberDescription &number) { return !number.formula.isEmpty(); };
     if (std::ranges::any_of(method.numbers.span, hasFormula) && tally.count <= fewestFormulas)
         return QStringLiteral("only %1 formulas").arg(tally.count);
-    return tally.vague <= vagueShare * tally.count
-        ? QString()
-        : QStringLiteral("%1 of %2 are vague").arg(tally.vague).arg(tally.count);
+    if (tally.vague <= vagueShare * tally.count)
+        return {};
+    const auto most = std::ranges::max_element(tally.vagueOnes, {},
+                                               [](const auto &entry) { return entry.second; });
+    return QStringLiteral("%1 of %2 are vague, %3 of them %4")
+        .arg(tally.vague)
+        .arg(tally.count)
+        .arg(most->second)
+        .arg(most->first);
 }
 
 } // namespace

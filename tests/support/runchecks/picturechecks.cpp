@@ -11,7 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// The first pixel, by rows from the top, at which two pictures differ; empty where none does.
+/// The first pixel, row by row from the top, at which two pictures differ; empty if none does.
 QString differenceBetween(const QImage &is, const QImage &should)
 {
     for (int row = 0; row < should.height(); ++row) {
@@ -49,7 +49,7 @@ QString replayFault(const CheckedRun &run)
     return atTheStart.isEmpty() ? QString() : QStringLiteral("back at the start ") + atTheStart;
 }
 
-/// What a method refuses to draw, with a reason, is no picture of it.
+/// Whether the method refuses, with a reason, to draw a primitive: then its picture is incomplete.
 bool refusesSome(const ScanTrace &trace)
 {
     return std::ranges::any_of(trace.rejectedPrimitives(), [&trace](std::size_t primitive) {
@@ -63,7 +63,7 @@ bool refusesSome(const ScanTrace &trace)
 QString truthFault(const CheckedRun &run)
 {
     const TracedScene &traced = *run.traced;
-    // Of effects, square roots are not decided everywhere.
+    // With effects, square roots are not decided exactly everywhere.
     if (traced.plan || !traced.method->isStableUnder(traced.scene.settings)
         || refusesSome(*traced.trace) || traced.differences.total() == 0)
         return {};
@@ -73,7 +73,7 @@ QString truthFault(const CheckedRun &run)
         .arg(traced.differences.count(Difference::Colour));
 }
 
-/// The position after the last visit that decides a pixel which differs from the truth.
+/// For each pixel that differs from the truth, the position after the last visit that decides it.
 std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> lastVisitsOf(const TracedScene &traced)
 {
     std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> visits;

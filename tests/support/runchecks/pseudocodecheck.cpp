@@ -13,7 +13,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// All steps of a run that shows which lines are done, and of the others some.
+/// All steps of a scene's run in the method's first arithmetic; some steps of other runs.
 std::vector<std::size_t> stepsToLookAt(const CheckedRun &run)
 {
     std::vector<std::size_t> steps;
@@ -29,8 +29,8 @@ std::vector<std::size_t> stepsToLookAt(const CheckedRun &run)
     return steps;
 }
 
-/// A step that no line lists; empty where there is none. The texts of the lines that are done are
-/// added to the others.
+/// The first step that no line lists; empty if there is none. Adds the texts of the lines that are
+/// done to `done`.
 QString faultOf(const CheckedRun &run, std::set<QString> &done)
 {
     const ScanTrace &trace = *run.traced->trace;
@@ -60,7 +60,7 @@ QString faultOfAll(const Method &method, const std::set<QString> &done)
 {
     QStringList missing;
     for (const PseudocodeLine &line : method.pseudocode) {
-        // Segments are drawn under one rule: tst_segmentwords.
+        // Segments are drawn under one rule only: tst_segmentwords checks them.
         if (line.of != LineOf::Segment && !done.contains(line.text))
             missing += line.text;
     }

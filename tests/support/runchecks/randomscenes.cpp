@@ -12,7 +12,7 @@ namespace {
 
 constexpr int frameSide = 20; // px, of the frame
 
-/// Points in and around the frame, finer and finer: on whole pixels, on halves, on 1/256 px.
+/// Points in and around the frame, on ever finer lattices: whole pixels, halves, 1/256 px.
 class RandomScenes {
 public:
     Scene next()
@@ -76,7 +76,8 @@ private:
         curve.fill = fill();
         return curve;
     }
-    /// In the first four scenes with three vertices, so that every method of polygons draws it.
+    /// A filled polygon; in the first four scenes it has three vertices, so that every polygon
+    /// method draws it.
     Shape filledPolygon()
     {
         Shape polygon = shape(PrimitiveKind::Polygon, m_count < 4 ? 3 : 3 + below(4));

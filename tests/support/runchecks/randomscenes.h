@@ -5,8 +5,8 @@
 
 namespace pixelplumb {
 
-/// Scenes with something of every kind, of which a method draws what it draws, the same on every
-/// machine. Four that follow each other have every origin with every pixel centre.
+/// Scenes with primitives of every kind, the same on every machine; a method draws the kinds it
+/// knows. Any four in a row combine both origins with both pixel centres.
 std::vector<NamedScene> randomScenes(int count);
 
 } // namespace pixelplumb

@@ -8,10 +8,10 @@ namespace pixelplumb {
 
 namespace {
 
-/// Of a run's spans, those whose words are asked for.
+/// How many spans of a run have their words checked.
 constexpr std::size_t mostSpans = 12;
 
-/// Whether the words describe these numbers, each in its place.
+/// Whether the words describe these numbers, each in its position.
 bool describe(const StepWords &words, const std::vector<NumberDescription> &numbers)
 {
     return std::ranges::equal(words.numbers, numbers, {}, &NumberDescription::id,
@@ -45,7 +45,7 @@ QString cellFault(const CheckedRun &run)
     return {};
 }
 
-/// Whether a sample stands at the place in its column or row that its order tells.
+/// Whether a sample lies at the position in its column or row that its order implies.
 bool isInOrder(const SampleRecord &sample, const SpanRecord &span, std::size_t place)
 {
     const bool isRow = span.place.axis == SpanAxis::Row;
@@ -56,7 +56,7 @@ bool isInOrder(const SampleRecord &sample, const SpanRecord &span, std::size_t p
 QString sampleFault(const CheckedRun &run)
 {
     const ScanTrace &trace = *run.traced->trace;
-    // With effects a pixel may be visited for several samples.
+    // With effects, a pixel may be visited for several samples.
     if (run.traced->plan)
         return {};
     for (std::size_t span = 0; span < trace.spanCount(); ++span) {

@@ -14,10 +14,10 @@ namespace pixelplumb {
 
 class TableFolder;
 
-/// Why a run is among those that are checked.
+/// Why a run is checked.
 enum class RunOrigin {
     Scene,
-    Variant, ///< the method departs from the right algorithm
+    Variant, ///< the method deliberately departs from the right algorithm
     HardCase,
 };
 
@@ -28,7 +28,7 @@ struct ExplainedStep {
     Explanation explanation;
 };
 
-/// A scene by a method in one arithmetic, traced once: what every check looks at.
+/// A scene drawn by one method in one arithmetic, traced once: the input of every check.
 struct CheckedRun {
     QString name; ///< "mixed, column-scan float32 closed truncate"
     RunOrigin origin = RunOrigin::Scene;
@@ -36,27 +36,29 @@ struct CheckedRun {
     std::vector<ExplainedStep> steps; ///< some set-ups, spans and samples, ascending
 };
 
-/// What must hold of every run. It hears of the runs of one method, one after the other.
+/// A property that must hold for every run. It is given the runs of one method, one after the
+/// other.
 struct RunCheck {
     QString sentence; ///< "the picture is the truth where the method is stable"
-    /// Why it does not hold of a run; empty where it does.
+    /// Why the property does not hold for a run; empty if it does.
     std::function<QString(const CheckedRun &)> faultOf;
-    /// Why the method's runs together fall short, when all have been seen; empty where they do not.
+    /// Why the method's runs as a whole fall short, asked after the last one; empty if they do not.
     std::function<QString(const Method &)> faultOfAll = {};
 };
 
-/// The checks, new: none has seen a run. Some tables are kept in the folder for other programs.
+/// All checks, freshly created: none has seen a run. Some tables are kept in the folder for other
+/// programs.
 std::vector<RunCheck> runChecks(TableFolder &folder);
 
-/// The same in parts, each in a file of its own.
+/// The parts of runChecks(), each defined in its own file.
 std::vector<RunCheck> pictureChecks();
 std::vector<RunCheck> recordChecks();
 std::vector<RunCheck> wordChecks();
 RunCheck formulaCheck();
 RunCheck pseudocodeCheck();
 RunCheck tableCheck(TableFolder &folder);
-/// Fails where a fill rule, a rounding, an origin, a pixel centre or an arithmetic of the method is
-/// in no run that writes a pixel.
+/// Fails if a fill rule, rounding, origin, pixel centre or arithmetic of the method is in no run
+/// that writes a pixel.
 RunCheck choiceCheck();
 
 } // namespace pixelplumb

@@ -16,7 +16,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// px: of an example with effects, what its runs show.
+/// px: the part of an example with effects that its runs show.
 constexpr std::int32_t middleWidth = 16;
 constexpr std::int32_t middleHeight = 12;
 
@@ -45,7 +45,7 @@ Scene withFourTexels(Scene scene)
     return scene;
 }
 
-/// A triangle in three colours with a texture, as far from the eye everywhere.
+/// A textured triangle in three colours, everywhere at the same distance from the eye.
 Scene flatTexture()
 {
     Scene scene;
@@ -145,7 +145,7 @@ Scene departingScene(const Method &method)
     scene.frame = frameOf(24, 20);
     scene.method = method.id.toStdString();
     if (method.draws(PrimitiveKind::Triangle)) {
-        // Between pixels and not in the order of x; the rounded box of the second one ends a column
+        // Between pixels and not sorted by x; the rounded box of the second triangle ends a column
         // before its right side.
         scene.triangles
             = {triangleOf({LatticePoint{3000, 900}, LatticePoint{430, 300}, {5300, 4500}}),

@@ -5,15 +5,15 @@
 
 namespace pixelplumb {
 
-/// Lines that are steep, fall or are given backwards, points, curves, polygons and triangles of all
-/// forms, cut by their frame on all sides.
+/// Steep, falling and reversed lines, points, curves, polygons and triangles of all forms, cut by
+/// the frame on all sides.
 Scene sceneCutByItsFrame();
 
-/// A triangle whose vertices carry z, u, v and normals that call for no effect.
+/// A triangle whose vertices carry z, u, v and normals that require no effect.
 Scene sceneThatCarriesNumbers();
 
-/// The middles of the examples that call for effects, some of them with antialiasing as well, and
-/// textures with four texels a sample.
+/// The middles of the examples that require effects, some also with antialiasing and with bilinear
+/// textures (four texels a sample).
 std::vector<NamedScene> scenesWithEffects();
 
 /// A scene on which each variant of the method departs from the right picture.

@@ -7,7 +7,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// One run in so many is kept for another program to read; all of them where all cases are run.
+/// One run in this many is kept for another program to read; all if all cases are run.
 constexpr std::size_t keptShare = 4;
 
 } // namespace
@@ -17,7 +17,8 @@ RunCheck tableCheck(TableFolder &folder)
     const auto runs = std::make_shared<std::size_t>(0);
     return {QStringLiteral("every table of the run can be read"),
             [&folder, runs](const CheckedRun &run) {
-                // Their tables are those of the tests of effects and of the trace command.
+                // The tables of runs with effects belong to the tests of effects and of the trace
+                // command.
                 if (run.traced->plan)
                     return QString();
                 return (*runs)++ % keptShare == 0 || areAllCasesRun()

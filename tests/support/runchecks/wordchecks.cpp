@@ -10,7 +10,7 @@ namespace pixelplumb {
 
 namespace {
 
-/// Of a run's spans, those whose titles are compared.
+/// How many spans of a run have their titles compared.
 constexpr std::size_t titledSpans = 12;
 
 QString sentenceFault(const CheckedRun &run)

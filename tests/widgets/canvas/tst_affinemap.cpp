@@ -22,7 +22,7 @@ namespace {
 
 const QString layerId = QStringLiteral("affine-map");
 
-/// A fraction of the tests' own, so small that nothing overflows.
+/// The tests' own fraction; its numbers are too small to overflow.
 struct Ratio {
     std::int64_t above = 0;
     std::int64_t below = 1;
@@ -44,7 +44,7 @@ struct Ratio {
     }
 };
 
-/// All exact, or, where one is long, all in three decimals.
+/// All exact or, if one of them is long, all with three decimals.
 QStringList texts(const std::vector<Ratio> &numbers)
 {
     QStringList exact;
@@ -58,7 +58,7 @@ QStringList texts(const std::vector<Ratio> &numbers)
     return isLong ? rounded : QStringList(QString()) + exact;
 }
 
-/// In half pixels, so that frames of both kinds have whole numbers.
+/// A point in half pixels, so that frames of both kinds have whole numbers.
 struct Point {
     std::int64_t x = 0;
     std::int64_t y = 0;
@@ -71,7 +71,7 @@ std::int64_t determinant(const Point &origin, const Point &a, const Point &b)
     return (a.x - origin.x) * (b.y - origin.y) - (a.y - origin.y) * (b.x - origin.x);
 }
 
-/// The parts of β and γ in p = a + β(b − a) + γ(c − a) by Cramer's rule, α = 1 − β − γ.
+/// The numerators of α, β and γ in p = a + β(b − a) + γ(c − a) by Cramer's rule, α = 1 − β − γ.
 struct CramerWeights {
     std::array<std::int64_t, 3> parts;
     std::int64_t whole = 0;
@@ -135,7 +135,7 @@ double crossProduct(const QPointF &a, const QPointF &b) { return a.x() * b.y() -
 
 } // namespace
 
-/// Barycentric coordinates do not change under affine maps: the layer's numbers, and its image as
+/// Barycentric coordinates are invariant under affine maps: the layer's numbers, and its image as
 /// something to drag.
 class TestAffineMap : public QObject {
     Q_OBJECT
@@ -183,7 +183,7 @@ private slots:
         QCOMPARE(labelOf(drawing, QStringLiteral("p′:")),
                  QStringLiteral("p′: %1").arg(weights.text()));
 
-        // The place of the image, and its areas: the weights of the whole area there.
+        // The position of the image, and its areas: the weights of the whole area there.
         const auto mean = [&](auto coordinate) {
             std::int64_t sum = 0;
             for (std::size_t i = 0; i < 3; ++i)
@@ -278,7 +278,7 @@ private slots:
         look.view.picked = QPoint(40, 20);
         QCOMPARE(notesOf(look.drawing("affine-map"), QStringLiteral("p (40, 20). ")).size(), 1);
         look.view.picked.reset();
-        // Nothing is drawn, or all: the pixel in the middle, (10/3, 2).
+        // Nothing is drawn, or everything: the pixel in the middle, (10/3, 2).
         for (const std::size_t position : {std::size_t(0), trace.stepCount()}) {
             look.view.position = position;
             QCOMPARE(notesOf(look.drawing("affine-map"), QStringLiteral("p (3, 2). ")).size(), 1);
@@ -377,7 +377,7 @@ private slots:
                 return image.x >= 0 && image.x <= 64 * unitsPerPixel && image.y >= 0
                     && image.y <= 48 * unitsPerPixel;
             });
-            // Of a sliver, which whole pixels would flatten, the area is kept instead.
+            // A sliver, which whole pixels would flatten, keeps its area instead.
             QVERIFY(isInFrame || area == doubledArea(corners[0], corners[1], corners[2]));
             // Turned: no edge keeps its direction.
             QVERIFY(crossProduct(placeOf(corners[1]) - placeOf(corners[0]),
@@ -472,7 +472,7 @@ private slots:
         bench.drag(bench.at(30, 40), bench.at(40, 30));
         QTest::keyClick(&bench.canvas, Qt::Key_Escape);
         QVERIFY(bench.document.pendingVertices().empty());
-        bench.document.undoStack()->undo(); // of the discarding
+        bench.document.undoStack()->undo(); // undoes the discarding
         bench.document.undoStack()->undo();
         QCOMPARE(bench.options.affineImage()->corners[1], latticePixel(30, 40));
     }
@@ -491,7 +491,7 @@ private slots:
 
         QCOMPARE(bench.options.affineImage()->corners[2], latticePixel(11, 21));
         QVERIFY(!bench.document.isModified());
-        bench.document.undoStack()->undo(); // one for each time that Control was held
+        bench.document.undoStack()->undo(); // one per press of Control
         QCOMPARE(bench.options.affineImage()->corners[2], latticePixel(11, 20));
         bench.document.undoStack()->undo();
         QCOMPARE(bench.options.affineImage()->corners[2], latticePixel(10, 20));

@@ -14,7 +14,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Also where the screen ends: it is small at a large device pixel ratio.
+/// Works even at the screen's edge: the screen is small at a large device pixel ratio.
 void point(CanvasBench &bench, const QPoint &position)
 {
     bench.send(QEvent::MouseMove, position, Qt::NoButton, Qt::NoButton);
@@ -22,7 +22,7 @@ void point(CanvasBench &bench, const QPoint &position)
 
 } // namespace
 
-/// The canvas looked at: the tool Inspect, and what stands beside the pointer.
+/// Looking at the canvas: the Inspect tool, and the readout next to the pointer.
 class TestCanvasInspecting : public QObject {
     Q_OBJECT
 
@@ -95,7 +95,7 @@ void TestCanvasInspecting::theReadoutSaysWhichEdgeKeepsAnUnpaintedPixelOut()
     QVERIFY(bench.canvas.readout().endsWith("px outside L₀₂ of triangle 0"));
 
     bench.send(QEvent::MouseButtonPress, bench.at(31, 1), Qt::LeftButton, Qt::LeftButton);
-    QCOMPARE(bench.canvas.readout(), QString()); // the button does something
+    QCOMPARE(bench.canvas.readout(), QString()); // a button is pressed
 }
 
 void TestCanvasInspecting::theReadoutSaysThatASampleIsOnAnEdge()
@@ -109,7 +109,7 @@ void TestCanvasInspecting::theReadoutSaysThatASampleIsOnAnEdge()
     point(open, open.at(14, 9));
     QCOMPARE(open.canvas.readout(),
              QStringLiteral("(14, 9) #000000\nnot painted · on L₀₂ of triangle 0"));
-    // As the Pixel panel tells it.
+    // The same words as in the Pixel panel.
     QVERIFY(pixelHistory(*open.playhead.traced(), 14, 9)
                 .front()
                 .reason.startsWith("The sample lies exactly on L₀₂"));

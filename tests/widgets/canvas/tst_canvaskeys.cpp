@@ -48,7 +48,7 @@ void TestCanvasKeys::aShortcutWithShiftDoesNotPeek()
     QElapsedTimer held;
     held.start();
     QTest::keyPress(&bench.canvas, Qt::Key_Shift, Qt::ShiftModifier);
-    // As long as a slow hand takes to get to the other key.
+    // As long as a slow hand needs to reach the other key.
     QTest::qWait(450);
     if (held.elapsed() >= peekDelay.count())
         QSKIP("the machine is too busy to hold a key for half a second");

@@ -23,7 +23,7 @@ LayerTone toneOf(const Canvas &canvas)
     return layerSurface(canvas.mapping(), canvas.view(), canvas.palette()).tone;
 }
 
-/// Whether a colour stands within a few device pixels of a place of the canvas; lines between two
+/// Whether a colour is within a few device pixels of a position on the canvas; lines between two
 /// device pixels are a little paler.
 bool isSeenAt(const Canvas &canvas, const QImage &grabbed, const QPointF &place, LayerInk ink)
 {
@@ -53,7 +53,7 @@ Shape square()
 
 } // namespace
 
-/// Layers among the canvas's own lines and signs: what a layer draws is seen.
+/// Layers among the canvas's own lines and signs: what a layer draws is visible.
 class TestCanvasLayers : public QObject {
     Q_OBJECT
 
@@ -63,7 +63,7 @@ private slots:
         CanvasBench bench(sceneOf(square(), "polygon-parity", {}));
         const ScanTrace &trace = *bench.playhead.traced()->trace;
         bench.playhead.seek(trace.indexOfSpan(*trace.spanOn(0, SpanAxis::Row, 20)) + 1);
-        // Away from the names, which stand at the edges' middles and the crossings.
+        // Away from the names, which are at the edges' middles and the crossings.
         const QPointF onInterval = bench.canvas.positionOf(QPoint(30, 20));
         const QPointF onEdge = bench.canvas.positionOf(QPoint(50, 14));
         const auto isSeen = [&](const QPointF &place, LayerInk ink) {
@@ -122,7 +122,7 @@ private slots:
         const std::size_t sample = trace.sampleCount() / 2;
         bench.playhead.seek(trace.indexOfSample(sample) + 1);
         const PixelChange change = trace.changes()[sample];
-        // Along the line, in the cell of the sample in hand.
+        // Along the line, in the cell of the current sample.
         const auto line = [&] {
             const QImage grabbed = bench.canvas.grab().toImage();
             const double ratio = grabbed.devicePixelRatio();
@@ -138,7 +138,7 @@ private slots:
         bench.options.setLayers({QStringLiteral("weights")});
         const std::vector<QRgb> withOthers = line();
 
-        // Were the line above them, it would hide both.
+        // If the line were above them, it would hide both.
         QVERIFY(withNumber != withOthers);
     }
 
@@ -180,7 +180,7 @@ private slots:
         const QImage grabbed = bench.canvas.grab().toImage();
         const QRect cell = bench.canvas.mapping().deviceCellOf(pixel);
 
-        // Left of the sample the cell is plain.
+        // Left of the sample the cell has a single colour.
         QImage side = grabbed.copy(cell.adjusted(2, 2, -cell.width() / 2 - 12, -2));
         QImage plain = side;
         plain.fill(side.pixelColor(0, 0));

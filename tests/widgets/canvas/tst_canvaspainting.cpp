@@ -18,7 +18,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Those of a figure, which must be well-formed.
+/// The texts of a figure, which must be well-formed.
 QStringList textsIn(const QByteArray &figure)
 {
     QXmlStreamReader reader(figure);
@@ -69,7 +69,7 @@ void TestCanvasPainting::cellsHaveWholeDevicePixelsInsideAWindow()
     QWidget window;
     window.resize(800, 600);
     bench.canvas.setParent(&window);
-    bench.canvas.move(33, 17); // at a ratio of 1.5 between two device pixels
+    bench.canvas.move(33, 17); // between two device pixels at a ratio of 1.5
     bench.playhead.seek(bench.playhead.end());
     bench.options.setGridShown(false);
     bench.canvas.show();
@@ -96,8 +96,8 @@ void TestCanvasPainting::largeCellsHoldTheirValuesInEitherNotation()
     CanvasBench bench(firstScene());
     bench.playhead.seek(bench.playhead.end());
     bench.options.setGridShown(false);
-    // Whether a cell in the view's middle has anything but its colour, left and right of the
-    // sample.
+    // Whether a cell in the middle of the view has anything but its colour to the left and right of
+    // the sample.
     const auto inked = [&bench] {
         const QPoint pixel = *bench.canvas.pixelAt(bench.canvas.view().center());
         const QImage grabbed = bench.canvas.grab().toImage();
@@ -115,7 +115,7 @@ void TestCanvasPainting::largeCellsHoldTheirValuesInEitherNotation()
     bench.canvas.setZoom(64);
     const int decimal = inked();
     if (bench.canvas.devicePixelRatioF() >= 2) {
-        QCOMPARE(decimal, 0); // the largest cells have no room there
+        QCOMPARE(decimal, 0); // even the largest cells have no room
         return;
     }
     QVERIFY(decimal > 20);
@@ -168,7 +168,7 @@ void TestCanvasPainting::differencesAppearOnlyWhenDecided()
 
 void TestCanvasPainting::theClippedPolygonIsDrawnWhereItIsWanted()
 {
-    // The third vertex lies behind the eye: four corners are left, and two triangles.
+    // The third vertex lies behind the eye: clipping leaves four corners, so two triangles.
     CanvasBench bench(sceneOf({triangle3({-1, -0.5, 2}, {1, -0.5, 2}, {0, 1, 5.5})}));
     const TracedScene &traced = *bench.playhead.traced();
     const auto corners = clippedPolygon(traced.scene, *traced.primitives.sourceOf(0));
@@ -198,7 +198,7 @@ void TestCanvasPainting::theClippedPolygonIsDrawnWhereItIsWanted()
     QVERIFY(!differsAt(plain, marked, middle({0, 1, 2})));
     QVERIFY(!differsAt(plain, marked, middle({0, 2, 3})));
     QVERIFY(shown(0, false) == plain);
-    // The other triangle's outline is drawn; of the polygon, edges and the fan's edge between.
+    // The other triangle's outline is drawn; of the polygon, its edges and the fan's inner edge.
     QVERIFY(differsAt(shown(1, false), shown(1, true), middle({0, 1})));
 }
 

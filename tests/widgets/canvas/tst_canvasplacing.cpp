@@ -106,7 +106,7 @@ void TestCanvasPlacing::anEdgeIsSharedByClicksOnItsVertices()
 
     QCOMPARE(bench.document.scene().triangles.size(), 2U);
     QCOMPARE(bench.vertex(1, 0), latticePixel(50, 40));
-    QCOMPARE(bench.vertex(1, 1), bench.vertex(0, 2)); // not where it was clicked, where it is
+    QCOMPARE(bench.vertex(1, 1), bench.vertex(0, 2)); // the vertex's place, not the click's
     QCOMPARE(bench.vertex(1, 2), bench.vertex(0, 1));
     QVERIFY(bench.document.pendingVertices().empty());
 }
@@ -121,7 +121,7 @@ void TestCanvasPlacing::aSecondClickOnASelectedVertexPlacesOneThere()
     QCOMPARE(bench.document.pendingVertices().front().position, bench.vertex(0, 2));
     bench.click(26, 44);
     bench.click(26, 44);
-    QCOMPARE(bench.document.scene().triangles.size(), 2U); // of no area
+    QCOMPARE(bench.document.scene().triangles.size(), 2U); // without area
 }
 
 void TestCanvasPlacing::escapeEndsADragWithoutATrace()
@@ -174,7 +174,7 @@ void TestCanvasPlacing::handlesOfAPolygonHaveItsColour()
     document.closePending();
     QCOMPARE(coloursOf(document.verticesOf(0)), std::vector(3, violet));
 
-    document.setVertexColour({0, 2}, Colour{{0, 255, 0}}); // of any of its handles
+    document.setVertexColour({0, 2}, Colour{{0, 255, 0}}); // through any of its handles
     QCOMPARE(coloursOf(document.verticesOf(0)), std::vector(3, Colour{{0, 255, 0}}));
 }
 
@@ -184,7 +184,7 @@ void TestCanvasPlacing::clicksSnapToSixteenths()
     bench.canvas.setZoom(64);
     bench.document.setSnap(Snap::Sixteenth);
     const QPoint pixel = *bench.canvas.pixelAt(bench.canvas.view().center());
-    // A quarter to the right of and three sixteenths above the sample.
+    // A quarter pixel to the right of the sample and three sixteenths above it.
     const LatticePoint point{pixel.x() * unitsPerPixel + 64, pixel.y() * unitsPerPixel + 48};
 
     QTest::mouseClick(&bench.canvas, Qt::LeftButton, {}, bench.canvas.positionOf(point).toPoint());
@@ -206,7 +206,7 @@ void TestCanvasPlacing::halfPixelCentresKeepTheScenesCoordinates()
     QCOMPARE(bench.document.pendingVertices().at(0).position, corner);
     const QPointF between
         = (bench.canvas.positionOf(QPoint(9, 19)) + bench.canvas.positionOf(QPoint(10, 20))) / 2;
-    // Each of the two middles may be a device pixel off to the upper left.
+    // Each of the two middles may be one device pixel too far to the upper left.
     QVERIFY((bench.canvas.positionOf(corner) - between).manhattanLength() <= 2);
 }
 
@@ -254,7 +254,7 @@ void TestCanvasPlacing::doubleClickOnAnEmptyPlacePlacesVertices()
     bench.click(10, 10);
     bench.send(QEvent::MouseButtonDblClick, bench.at(10, 10), Qt::LeftButton, Qt::LeftButton);
     bench.send(QEvent::MouseButtonRelease, bench.at(10, 10), Qt::LeftButton, {});
-    QCOMPARE(colourRequested.count(), 0); // the first click placed the vertex under the second
+    QCOMPARE(colourRequested.count(), 0); // the second click hits the new vertex
 
     bench.send(QEvent::MouseButtonDblClick, bench.at(30, 10), Qt::LeftButton, Qt::LeftButton);
     bench.send(QEvent::MouseButtonRelease, bench.at(30, 10), Qt::LeftButton, {});
@@ -306,13 +306,13 @@ void TestCanvasPlacing::whatATriangleCarriesCanBeTyped()
     QCOMPARE(dialog.triangle().error().place, QStringLiteral("vertex 0, w"));
     type("vertex0w", {});
     type("vertex0N_z", QStringLiteral("1"));
-    QVERIFY(!dialog.triangle()); // one normal of three
+    QVERIFY(!dialog.triangle()); // only one of three normals
     QVERIFY(dialog.triangle().error().message().contains(QStringLiteral("three normals")));
     type("vertex0N_z", {});
     type("vertex1z", {});
     type("vertex2u", {});
     take();
-    QVERIFY(document.scene().attributes.empty()); // what all triangles have is not kept
+    QVERIFY(document.scene().attributes.empty()); // default values are not kept
     document.undoStack()->undo();
     QCOMPARE(document.attributesOf(0).vertices[1].z, attributeOne / 4);
 }

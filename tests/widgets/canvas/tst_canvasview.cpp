@@ -114,11 +114,11 @@ void TestCanvasView::aClickOnTheRulerSeeksThatColumn()
 {
     CanvasBench bench(firstScene());
     QTest::mouseClick(&bench.canvas, Qt::LeftButton, {}, bench.onColumnRuler(33));
-    QCOMPARE(bench.playhead.columnXInHand(), std::optional(std::int64_t(33)));
+    QCOMPARE(bench.playhead.currentColumnX(), std::optional(std::int64_t(33)));
 
     // The triangle begins at column 4.
     QTest::mouseClick(&bench.canvas, Qt::LeftButton, {}, bench.onColumnRuler(0));
-    QCOMPARE(bench.playhead.columnXInHand(), std::optional(std::int64_t(4)));
+    QCOMPARE(bench.playhead.currentColumnX(), std::optional(std::int64_t(4)));
     QVERIFY(!bench.document.isModified());
 }
 
@@ -185,7 +185,7 @@ void TestCanvasView::stepsAndChoicesOutsideTheViewMoveIt()
     for (int column = 0; column < 30; ++column) {
         bench.playhead.step(StepUnit::Span, StepDirection::Forward);
         const double x
-            = bench.canvas.positionOf(QPoint(int(bench.playhead.columnXInHand().value_or(4)), 0))
+            = bench.canvas.positionOf(QPoint(int(bench.playhead.currentColumnX().value_or(4)), 0))
                   .x();
         QVERIFY(x >= bench.canvas.view().left() && x <= bench.canvas.view().right());
     }
@@ -195,10 +195,10 @@ void TestCanvasView::stepsAndChoicesOutsideTheViewMoveIt()
     for (int i = 0; i < 25; ++i)
         QTest::keyClick(&bench.canvas, Qt::Key_Right);
     QVERIFY(isSeen());
-    bench.playhead.setForetold(true); // nothing but the column is told
+    bench.playhead.setForetold(true); // only the column is shown
     bench.playhead.seekToSpan(50);
     QVERIFY(bench.canvas.view().contains(
-        bench.canvas.positionOf(QPoint(int(*bench.playhead.columnXInHand()), 0)).x(),
+        bench.canvas.positionOf(QPoint(int(*bench.playhead.currentColumnX()), 0)).x(),
         bench.canvas.view().center().y()));
 }
 

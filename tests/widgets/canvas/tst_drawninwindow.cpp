@@ -24,7 +24,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// With a frame whose samples stand in the middles of pixels, or on their corners.
+/// An empty scene whose samples are at pixel centres, or at pixel corners.
 Scene emptyScene(PixelCentre centre)
 {
     Scene scene;
@@ -58,7 +58,7 @@ QString pixelText(const QPoint &pixel)
 
 } // namespace
 
-/// What the window tells of what a person draws on the canvas.
+/// What the window reports about shapes that a user draws on the canvas.
 class TestDrawnInWindow : public QObject {
     Q_OBJECT
 
@@ -196,7 +196,8 @@ private slots:
     void theSlidesExampleEdgeStandsInTheFormulasOfItsTriangle_data()
     {
         QTest::addColumn<QString>("method");
-        QTest::addColumn<QStringList>("numbers"); // a₀, b₀, c₀: −2x − y + 2, and by k = ½
+        QTest::addColumn<QStringList>("numbers"); // a₀, b₀, c₀: −2x − y + 2, and multiplied by k =
+                                                  // ½
         QTest::newRow("F") << "edge-equations" << QStringList{"−2", "−1", "2"};
         QTest::newRow("F′") << "edge-equations-solved" << QStringList{"−1", "−1/2", "1"};
     }

@@ -14,7 +14,7 @@ namespace {
 Scene sceneWith(FillRule rule, PixelCentre centre)
 {
     Scene scene = firstScene();
-    scene.method = "edge-equations"; // it keeps both rules
+    scene.method = "edge-equations"; // it supports both rules
     scene.settings.fillRule = rule;
     scene.frame.pixelCentre = centre;
     return scene;
@@ -22,7 +22,7 @@ Scene sceneWith(FillRule rule, PixelCentre centre)
 
 } // namespace
 
-/// The point of the rule off-screen-point on the canvas.
+/// The point of the off-screen-point rule on the canvas.
 class TestOffScreenPoint : public QObject {
     Q_OBJECT
 
@@ -73,7 +73,7 @@ private slots:
         QVERIFY(bench.document.pendingVertices().empty());
         bench.document.undoStack()->undo();
         QCOMPARE(bench.document.scene(), before);
-        bench.drag(pressed, pressed + QPoint(1, 0)); // a hand that trembles
+        bench.drag(pressed, pressed + QPoint(1, 0)); // a trembling hand
         QCOMPARE(bench.document.scene(), before);
     }
 

@@ -26,7 +26,7 @@ FrameSpec downwardFrame()
 const FrameSpec upward = frameOf(64, 48);
 const FrameSpec downward = downwardFrame();
 
-/// A picture in which every pixel has a colour of its own.
+/// A picture in which every pixel has its own colour.
 QImage numbered(const FrameSpec &frame)
 {
     QImage picture(frame.width, frame.height, QImage::Format_RGB32);
@@ -78,7 +78,7 @@ private slots:
 void TestViewMapping::thePositionOfAPixelReachesItOrItsDrawnNeighbour()
 {
     QFETCH(ViewMapping, mapping);
-    // Of so many pixels in a row one is drawn; it stands for the others.
+    // Only one of this many pixels in a row is drawn; it represents the others.
     const int drawnTogether = std::max(1, mapping.zoom().framePixels);
     const FrameSpec &frame = mapping.frame();
     std::vector<QPoint> missed;
@@ -124,7 +124,7 @@ void TestViewMapping::samplePointsComeBack()
 {
     QFETCH(ViewMapping, mapping);
     const FrameSpec &frame = mapping.frame();
-    // A device pixel is this long; the point comes back to within one.
+    // The length of a device pixel; the point comes back to within one.
     const double tolerance = unitsPerPixel / mapping.zoom().factor() + 1;
     for (const QPointF &offset : {QPointF(0, 0), QPointF(3.25, 5.5), QPointF(-20, 70)}) {
         const LatticePoint point{Lattice((frame.firstColumn + offset.x()) * unitsPerPixel),
@@ -193,7 +193,7 @@ void TestViewMapping::showsEveryPixelOfALargeFrameOnceBelowOneToOne()
 {
     const ViewMapping mapping(frameOf(10, 1), ViewZoom::fromNumber(-4), {0, 0});
 
-    // Blocks of four: 0…3, 4…7, 8…9; each shows its middle pixel, the last what it has.
+    // Blocks of four: 0…3, 4…7, 8…9; each shows its middle pixel, the last one the nearest it has.
     QCOMPARE(mapping.devicePicture(), QRect(0, 0, 3, 1));
     QCOMPARE(mapping.pixelAt({0, 0}), std::optional(QPoint(2, 0)));
     QCOMPARE(mapping.pixelAt({1, 0}), std::optional(QPoint(6, 0)));

@@ -41,7 +41,7 @@ void modify(const MainWindow &window)
     window.parts().document->setSettings(settings);
 }
 
-/// A scene that takes so long to write that something else may be asked for meanwhile.
+/// A scene that takes so long to write that another request can come meanwhile.
 Scene largeScene()
 {
     Scene scene;
@@ -50,7 +50,7 @@ Scene largeScene()
     return scene;
 }
 
-/// How each of them is opened.
+/// How to open each of the dialogs.
 QMap<QString, Way> ways()
 {
     return {
@@ -103,7 +103,7 @@ QMap<QString, Way> ways()
     };
 }
 
-/// Notes the names of the dialogs that come, and closes each of them.
+/// Records the names of the dialogs that appear, and closes each of them.
 class DialogWatch : public QObject {
 public:
     DialogWatch() { qApp->installEventFilter(this); }
@@ -127,7 +127,7 @@ private:
 
 } // namespace
 
-/// The dialogs that are promised to programs come under their names.
+/// The dialogs that are promised to programs appear under their names.
 class TestDialogNames : public QObject {
     Q_OBJECT
 

@@ -30,7 +30,7 @@ Scene triangleScene(const char *method)
 
 } // namespace
 
-/// "Go to 27" goes where the method's steps are counted.
+/// "Go to 27" goes to the place where the method counts its steps.
 class TestGoToDialog : public QObject {
     Q_OBJECT
 
@@ -46,7 +46,7 @@ private slots:
                               << QStringLiteral("Goes to row 9.");
         QTest::newRow("steps") << sceneOf(circleAt(20, 20, 18), "circle-midpoint", frameOf(40, 40))
                                << SpanAxis::Free << QStringLiteral("Goes to the shape's step 9.");
-        // A steep line, with which the run begins, and a flat one: both have a place 9.
+        // A steep line, with which the run begins, and a flat one: both have a position 9.
         Scene lines = sceneOf(lineAt(2, 2, 9, 36), "line-bresenham", frameOf(40, 40));
         lines.shapes.push_back(lineAt(8, 2, 20, 5));
         QTest::newRow("columns and rows")
@@ -74,7 +74,7 @@ private slots:
             QCOMPARE(line->accessibleName().contains(QLatin1String(noun)), each == axis);
         }
         dialog.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok)->click();
-        const std::optional<SpanPlace> place = playhead.placeInHand();
+        const std::optional<SpanPlace> place = playhead.currentPlace();
         QVERIFY(place);
         QCOMPARE(place->axis, axis);
         QCOMPARE(place->coordinate, std::int64_t(9));

@@ -22,7 +22,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// A document that is kept in a folder as soon as it has changed.
+/// A document that is saved to a folder whenever it changes.
 struct Kept {
     SceneDocument document;
     std::unique_ptr<Autosave> autosave;
@@ -33,7 +33,7 @@ struct Kept {
         autosave->setRest(std::chrono::milliseconds(1));
         document.reset(Scene());
     }
-    /// The kept file's path.
+    /// Changes the document and returns the saved file's path.
     QString change()
     {
         QSignalSpy kept(autosave.get(), &Autosave::kept);
@@ -42,7 +42,7 @@ struct Kept {
     }
 };
 
-/// As a run that was killed leaves its files: no living process holds the lock.
+/// Leaves files as a killed run does: no living process holds the lock.
 void leave(const QString &folder, const QString &name, const Scene &scene)
 {
     QDir().mkpath(folder);
@@ -62,7 +62,7 @@ Scene oneTriangle()
 
 } // namespace
 
-/// Unsaved scenes that outlive a crash, and nothing else.
+/// Unsaved scenes survive a crash, and nothing else does.
 class TestAutosave : public QObject {
     Q_OBJECT
 
@@ -78,7 +78,7 @@ private slots:
 
         kept.document.markSaved();
         QVERIFY(!QFile::exists(path));
-        kept.document.undoStack()->undo(); // differs from what was saved
+        kept.document.undoStack()->undo(); // it differs from the saved scene
         QTRY_VERIFY(QFile::exists(path));
         kept.document.undoStack()->redo();
         QTRY_VERIFY(!QFile::exists(path));
@@ -91,7 +91,7 @@ private slots:
             Kept kept(folder.path());
             QVERIFY(QFile::exists(kept.change()));
             kept.document.clear();
-            QTest::qWait(5); // another file may be under way
+            QTest::qWait(5); // another file may be in progress
         }
         QVERIFY(QThreadPool::globalInstance()->waitForDone());
         QVERIFY(QDir(folder.path()).isEmpty());
@@ -123,7 +123,7 @@ private slots:
         const std::optional<UnsavedScene> left = first.autosave->leftBehind();
         QVERIFY(left);
         QCOMPARE(left->sceneFile, QStringLiteral("/home/someone/mine.json"));
-        QVERIFY(!second.autosave->leftBehind()); // the first one's person is being asked
+        QVERIFY(!second.autosave->leftBehind()); // the first window's user is being asked about it
 
         first.document.reset(oneTriangle());
         first.autosave->adopt(*left);
@@ -164,7 +164,7 @@ private slots:
 
         QCOMPARE(window->parts().document->scene() == oneTriangle(), isShown);
         QCOMPARE(window->isWindowModified(), isShown);
-        QVERIFY(!isShown || window->parts().files->path().isEmpty()); // never the person's own file
+        QVERIFY(!isShown || window->parts().files->path().isEmpty()); // never the user's own file
         QCOMPARE(QFile::exists(path), isLeft);
         window->parts().document->markSaved();
         QDir(Autosave::defaultFolder()).removeRecursively();

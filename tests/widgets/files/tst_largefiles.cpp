@@ -28,7 +28,7 @@ QString writtenScene(const IsolatedSettings &settings, const QString &name, cons
 
 } // namespace
 
-/// Files of large scenes: read and written beside the GUI thread.
+/// Files of large scenes are read and written in the background.
 class TestLargeFiles : public QObject {
     Q_OBJECT
 
@@ -55,8 +55,8 @@ private slots:
         QVERIFY(!window->findChild<QProgressBar *>("loadProgress")->isVisible());
     }
 
-    /// Prints how long the GUI thread works at most between two looks at its events; a machine that
-    /// does other work makes it wait longer.
+    /// Prints the longest time that the GUI thread works without processing events; a busy machine
+    /// makes it wait longer.
     void theWindowAnswersWhileALargeSceneIsOpenedAndTraced()
     {
         const Scene scene = crowd(100'000, 30, exact);
@@ -215,7 +215,7 @@ private slots:
         SceneFiles *files = window->parts().files;
         const QString path = m_settings.folder() + "/saved.json";
         QVERIFY(files->saveTo(path));
-        QVERIFY(files->mayReplace()); // waits in a dialog
+        QVERIFY(files->mayReplace()); // waits for the file in a dialog
         QVERIFY(!files->saving().isRunning());
 
         document->addTriangle(triangleAt(1, 2, 30, 4, 5, 60));

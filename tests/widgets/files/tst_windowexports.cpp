@@ -31,7 +31,7 @@ namespace tst_windowexports {
 
 using namespace pixelplumb;
 
-/// What leaves the window as a file: of which moment, where to, and when it is cancelled.
+/// Exports from the window: of which moment, to which path, and when they are cancelled.
 class TestWindowExports : public QObject {
     Q_OBJECT
 
@@ -133,7 +133,7 @@ private slots:
         QVERIFY(!window->parts().files->saveTo(path));
 
         QCOMPARE(*readFile(path), before);
-        QVERIFY(window->parts().files->saveTo(scene)); // which it is
+        QVERIFY(window->parts().files->saveTo(scene)); // the scene's own file
     }
 
     void exportsTellOfTheFinishedRunUnlessAskedOtherwise()
@@ -178,7 +178,7 @@ private slots:
         QCOMPARE(rows("drawn.csv", TraceLevel::Pixel, asDrawn),
                  qsizetype(traced.trace->samplesDoneAt(playhead.position())));
         QCOMPARE(rows("columns.csv", TraceLevel::Column, asDrawn),
-                 qsizetype(*playhead.spanInHand() + 1));
+                 qsizetype(*playhead.currentSpan() + 1));
     }
 
     void exportsOfAMovingSceneNameTheFrameThatTheyAreOf()
@@ -187,7 +187,7 @@ private slots:
         const auto path = [&folder](const char *name) { return folder.filePath(name); };
         const auto window = openedWindow(QStringLiteral("moving-sliver.json"));
         SceneDocument &document = *window->parts().document;
-        document.setFrameInHand(8);
+        document.setCurrentFrame(8);
         QTRY_COMPARE(window->parts().playhead->traced()->scene.triangles,
                      sceneAtFrame(document.scene(), 8).triangles);
         SceneExports *exports = window->parts().exports;
@@ -197,7 +197,8 @@ private slots:
         QVERIFY(exports->writePicture(path("at8.png")));
         QCOMPARE(QImage(path("at8.png")).text(QStringLiteral("Description")), frame);
         QVERIFY(exports->writeAnnotatedGrid(path("at8.svg")));
-        QCOMPARE(readFile(path("at8.svg"))->count(frame.toLatin1()), 2); // described, and written
+        QCOMPARE(readFile(path("at8.svg"))->count(frame.toLatin1()), 2); // once in the description
+                                                                         // and once in the drawing
         QVERIFY(exports->writeRaster(path("at8.txt")));
         for (const auto &[name, format] :
              {std::pair("at8.csv", TableFormat::Csv), std::pair("at8.json", TableFormat::Json)}) {
@@ -214,7 +215,7 @@ private slots:
             QVERIFY2(notice[0].toString().endsWith(frame + u'.'), qPrintable(notice[0].toString()));
     }
 
-    void theExportDialogOffersTheMomentInHand()
+    void theExportDialogOffersTheCurrentMoment()
     {
         QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
         const auto window = openedWindow();
@@ -245,7 +246,8 @@ private slots:
 
         QVERIFY(exports->writeTrace(path, TraceLevel::Pixel, TableFormat::Csv));
 
-        // The call is over, the file is not there yet, and a second one would cancel the first.
+        // The call has returned, the file does not exist yet, and a second call would cancel the
+        // first.
         QVERIFY(exports->writing().isRunning());
         QVERIFY(!QFile::exists(path));
         QVERIFY(!exports->writeTrace(folder.filePath(QStringLiteral("other.csv")),

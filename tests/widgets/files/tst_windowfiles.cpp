@@ -40,7 +40,7 @@ QString writtenFile(const IsolatedSettings &settings, const QString &name, const
 
 } // namespace
 
-/// Scenes opened and saved in the window, and what it asks and tells of them.
+/// Scenes opened and saved in the window, and what it asks and reports about them.
 class TestWindowFiles : public QObject {
     Q_OBJECT
 
@@ -101,10 +101,10 @@ private slots:
         QVERIFY(window->parts().files->saveTo(path));
         QTest::qWait(50);
         const auto *bar = named<MessageBar>(*window, "messageBar");
-        QVERIFY(!bar->isVisible()); // its own writing is no news
+        QVERIFY(!bar->isVisible()); // its own writing is not reported
 
         const Scene theirs;
-        QFile other(path); // by no function of ours, which refuse what this window has read
+        QFile other(path); // not by our functions, which refuse files that this window has read
         QVERIFY(other.open(QIODevice::WriteOnly | QIODevice::Truncate));
         QVERIFY(other.write(writeScene(theirs)) > 0);
         other.close();
@@ -181,14 +181,14 @@ private slots:
 
         Scene scene;
         scene.triangles = {triangleAt(1, 1, 9, 2, 5, 12)};
-        QVERIFY(window->parts().files->showScene(scene)); // a case
+        QVERIFY(window->parts().files->showScene(scene)); // a hard case
         QVERIFY(canvas.tool() == CanvasTool::Inspect);
         action(*window, "newScene")->trigger();
         action(*window, "openDefaultScene")->trigger();
         QVERIFY(canvas.tool() == CanvasTool::Inspect);
     }
 
-    /// The window opens in the middle of a run, which is there to be looked at.
+    /// The window opens in the middle of a run, ready to be looked at.
     void theFirstClickPicksAPixelAndKeysOfMethodsLeaveNothingToSave()
     {
         const auto window = openedWindow();
@@ -214,7 +214,7 @@ private slots:
         QVERIFY(window->close());
     }
 
-    /// What is saved by then is the method in hand, and a change of the scene is a change still.
+    /// What is saved then is the current method; a change of the scene is still a change.
     void aSceneIsSavedWithItsMethodAndChangesCountAfterAnotherOne()
     {
         const QTemporaryDir folder;
@@ -239,7 +239,7 @@ private slots:
     {
         const auto window = openedWindow();
         Canvas &canvas = *window->parts().canvas;
-        // As the view is fitted in the room that there is now.
+        // Whether the view is as it would be fitted now.
         const auto isSeenWhole = [&] {
             if (!waitForRun(*window))
                 return false;
@@ -266,7 +266,7 @@ private slots:
         zoomIn();
         Scene same = window->parts().document->scene();
         same.triangles.front().vertices[0].colour = {{9, 9, 9}};
-        QVERIFY(window->parts().files->showScene(same)); // a case
+        QVERIFY(window->parts().files->showScene(same)); // a hard case
         QVERIFY(isSeenWhole());
         zoomIn();
         action(*window, "newScene")->trigger();
@@ -295,7 +295,7 @@ private slots:
         QTRY_COMPARE(window->parts().files->path(), all[1].path);
     }
 
-    void picturesInSightAreDrawnFirstAndTheOthersSayThatTheyAreToCome()
+    void visiblePicturesAreDrawnFirstAndOthersSayThatTheyArePending()
     {
         const auto window = openedWindow();
         action(*window, "showExamples")->trigger();
@@ -347,7 +347,7 @@ private slots:
 
         QTimer::singleShot(0, answer);
         QVERIFY(!window->parts().files->save());
-        // Nor is it proposed once it is merely the last file that was opened.
+        // Nor is its name proposed once it is merely the last file that was opened.
         window->parts().files->newScene();
         QTimer::singleShot(0, answer);
         QVERIFY(!window->parts().files->save());

@@ -21,7 +21,7 @@ namespace tst_columntable {
 
 using namespace pixelplumb;
 
-/// The column table by hand: rows chosen, filtered and copied, columns shown and hidden.
+/// The column table in use: rows chosen, filtered and copied, columns shown and hidden.
 class TestColumnTable : public QObject {
     Q_OBJECT
 
@@ -47,8 +47,8 @@ void TestColumnTable::choosingARowGoesToItsColumn()
 
     table.selectRow(rowOf(27));
 
-    QCOMPARE(playhead.columnXInHand(), std::int64_t(27));
-    QVERIFY(!playhead.pixelInHand());
+    QCOMPARE(playhead.currentColumnX(), std::int64_t(27));
+    QVERIFY(!playhead.currentPixel());
 }
 
 void TestColumnTable::steppingMovesTheCurrentRow()
@@ -60,7 +60,7 @@ void TestColumnTable::steppingMovesTheCurrentRow()
 
     playhead.step(StepUnit::Sample, StepDirection::Forward);
     QCOMPARE(table.currentIndex().row(), rowOf(30));
-    QVERIFY(playhead.pixelInHand()); // the table did not pull the position back
+    QVERIFY(playhead.currentPixel()); // the table did not reset the position
 
     playhead.step(StepUnit::Span, StepDirection::Forward);
     QCOMPARE(table.currentIndex().row(), rowOf(31));
@@ -85,7 +85,7 @@ void TestColumnTable::aClickLeavesTheRowsUnderTheMouse()
         const int row = table.rowAt(y);
         QVERIFY(row >= 0);
         QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, {40, y});
-        QCOMPARE(playhead.spanInHand(), std::optional(std::size_t(row)));
+        QCOMPARE(playhead.currentSpan(), std::optional(std::size_t(row)));
         QCOMPARE(table.verticalScrollBar()->value(), scrolled);
     }
     playhead.step(StepUnit::Span, StepDirection::Forward); // steps do scroll
@@ -147,7 +147,7 @@ void TestColumnTable::copiedRowsAgreeWithTheExportedTrace()
 
 void TestColumnTable::theFilterShowsRowsWithTiesClampsAndErrors()
 {
-    Scene scene; // y = 2 + (x − 1)/10 below: a tie in every tenth column, and float32 misses some
+    Scene scene; // y = 2 + (x − 1)/10 below: a tie in every tenth column; float32 misses some
     scene.triangles = {triangleAt(1, 2, 61, 8, 61, 44)};
     scene.settings.arithmetic = Arithmetic::Float32;
     Playhead playhead;
@@ -165,8 +165,8 @@ void TestColumnTable::theFilterShowsRowsWithTiesClampsAndErrors()
     QCOMPARE(panel.findChild<QLabel *>(QStringLiteral("columnTableSummary"))->text(),
              QStringLiteral("%1 of 61 columns").arg(model.rowCount()));
     panel.table()->selectRow(0);
-    QCOMPARE(playhead.spanInHand(), std::optional(model.spanAt(0)));
-    playhead.seekToSpan(11); // no tie: no row is in hand
+    QCOMPARE(playhead.currentSpan(), std::optional(model.spanAt(0)));
+    playhead.seekToSpan(11); // no tie: no row is selected
     QVERIFY(!panel.table()->selectionModel()->hasSelection());
 
     box->setCurrentIndex(int(RowFilter::Errors));
@@ -230,7 +230,7 @@ void TestColumnTable::switchesShowAndHideGroupsOfColumns()
     press("showEdgeColoursButton");
     QVERIFY(!isShown("R_B") && !isShown("R_B_exact") && isShown("y_B"));
 
-    // What was chosen outlasts a new run.
+    // The choice survives a new run.
     playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Float64)));
     QVERIFY(!isShown("R_B") && isShown("y_B_exact"));
 }

@@ -32,8 +32,8 @@ Scene sceneOf(const EffectScene &made, const QString &method, Arithmetic arithme
     return scene;
 }
 
-/// The parts of the triangle that face its vertices, at a sample; without an area, how far its
-/// segment goes on to either end, along x or, where it is upright, y.
+/// The areas opposite the vertices at a sample; without an area, how far its segment continues to
+/// either end, along x or, if it is vertical, along y.
 std::array<BigInteger, 3> partsAt(const Triangle &triangle, std::int64_t x, std::int64_t y)
 {
     const LatticePoint sample = latticePixel(x, y);
@@ -56,9 +56,9 @@ std::array<BigInteger, 3> partsAt(const Triangle &triangle, std::int64_t x, std:
     return parts;
 }
 
-/// The levels at a sample, from the vertices: Σ λ·c/w ÷ Σ λ/w, λ the parts of the area that face
-/// the vertices; all w taken as 1 without perspective, all c as the first where colours are not
-/// smooth. Where Σ λ/w is not above 0 none, but of one colour this, which no w changes.
+/// The levels at a sample, from the vertices: Σ λ·c/w ÷ Σ λ/w, where λ are the areas opposite the
+/// vertices; all w are 1 without perspective, all c the first one if colours are not smooth. If Σ
+/// λ/w is not above 0 there are none, except in a single colour, which no w changes.
 std::optional<std::array<BigRational, 3>> levelsAt(const Primitives &primitives, std::size_t index,
                                                    std::int64_t x, std::int64_t y)
 {
@@ -92,12 +92,12 @@ std::optional<std::array<BigRational, 3>> levelsAt(const Primitives &primitives,
 
 bool isSame(const Quantity &shown, const BigRational &expected)
 {
-    if (!shown.isRational()) // more than 128 bits hold
+    if (!shown.isRational()) // more than 128 bits can hold
         return !shown.isNone() && shown.toDouble() == expected.convert_to<double>();
     return BigRational(BigInteger(shown.numerator()), BigInteger(shown.denominator())) == expected;
 }
 
-/// What the Formula panel has beside R, G or B; null where it has no such line.
+/// The Formula panel's line for R, G or B; null if it has no such line.
 const FormulaLine *lineOf(const Explanation &explanation, QChar letter)
 {
     const auto found = std::ranges::find_if(explanation.lines, [letter](const FormulaLine &line) {
@@ -109,8 +109,8 @@ const FormulaLine *lineOf(const Explanation &explanation, QChar letter)
 
 } // namespace
 
-/// Whatever view shows a level as exact shows the same one, and it is that of what the run does:
-/// with perspective where it divides by w, in one colour where colours are not smooth.
+/// All views that show a level as exact show the same one, and it fits the run: with perspective if
+/// the run divides by w, in one colour if colours are not smooth.
 class TestExactLevels : public QObject {
     Q_OBJECT
 
@@ -184,7 +184,7 @@ private:
         }
     }
 
-    /// The panel leaves out an exact number that is the one used.
+    /// The panel omits an exact number that equals the one used.
     static void compareInPanel(const QModelIndex &beside, const Quantity &used,
                                const Quantity &exact)
     {

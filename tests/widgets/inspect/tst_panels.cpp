@@ -23,7 +23,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Without the signs that keep a line from breaking in a number.
+/// The text without the characters that prevent line breaks in numbers.
 QString textOf(const QTextBrowser &browser) { return browser.toPlainText().remove(QChar(0x2060)); }
 
 } // namespace

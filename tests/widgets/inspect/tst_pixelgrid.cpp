@@ -17,7 +17,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// The grid around pixel (27, 20), the picked one, of the default scene.
+/// The grid around the picked pixel (27, 20) of the default scene.
 struct GridBench {
     Playhead playhead;
     DisplayOptions options;
@@ -51,7 +51,7 @@ private slots:
     void arrowKeysNudgeAsTheFrameIsSeen();
     void wheelAndKeysChangeTheNumberOfCells();
     void boundsStandBesideTheCellsAtEveryScale();
-    void theCellsHaveTheWholeWidthWhereNoColumnIsInHand();
+    void theCellsHaveTheWholeWidthWhereNoColumnIsCurrent();
     void nothingRunsThroughTheDigits();
 };
 
@@ -67,7 +67,7 @@ void TestPixelGrid::cellsShowTheFrameAtThePosition()
     const auto colourShown = [&] {
         const QImage image = grid.grab().toImage();
         const QRect cell = grid.mapping().cell(written);
-        return image.pixel(cell.right() - 1, cell.bottom() - 1); // clear of value, dot and signs
+        return image.pixel(cell.right() - 1, cell.bottom() - 1); // away from value, dot and signs
     };
 
     playhead.seek(0);
@@ -86,9 +86,9 @@ void TestPixelGrid::leftClickPicksAndGoesToTheWrite()
 
     bench.click(QPoint(29, 22), Qt::LeftButton);
     QCOMPARE(playhead.pickedPixel(), QPoint(29, 22));
-    QCOMPARE(playhead.pixelInHand(), QPoint(29, 22));
+    QCOMPARE(playhead.currentPixel(), QPoint(29, 22));
 
-    // A pixel that nothing writes is picked, and time stands still.
+    // A click picks a pixel that nothing writes; the position stays.
     playhead.pick(QPoint(4, 6));
     const std::size_t position = playhead.position();
     bench.click(QPoint(3, 8), Qt::LeftButton);
@@ -172,7 +172,7 @@ void TestPixelGrid::boundsStandBesideTheCellsAtEveryScale()
     QVERIFY(labels != empty);
 }
 
-void TestPixelGrid::theCellsHaveTheWholeWidthWhereNoColumnIsInHand()
+void TestPixelGrid::theCellsHaveTheWholeWidthWhereNoColumnIsCurrent()
 {
     GridBench bench;
     bench.grid.resize(500, 300);
@@ -183,7 +183,7 @@ void TestPixelGrid::theCellsHaveTheWholeWidthWhereNoColumnIsInHand()
     QVERIFY(cells.rows() <= 9);
 
     bench.playhead.seekToSpan(20);
-    // y_B and y_T stand there.
+    // The labels y_B and y_T are there.
     QVERIFY(bench.grid.mapping().grid().right() < (500 - 100) * bench.grid.devicePixelRatioF());
 }
 
@@ -204,7 +204,7 @@ void TestPixelGrid::nothingRunsThroughTheDigits()
     const QImage one = drawnOver(Qt::red);
     const QImage other = drawnOver(Qt::yellow);
     QVERIFY(one != other);
-    for (const int middle : {10, 30, 49}) { // of the lines of R, G and B
+    for (const int middle : {10, 30, 49}) { // the lines of R, G and B
         const QRect digits(4, middle - 3, 17, 6);
         QCOMPARE(one.copy(digits), other.copy(digits));
     }

@@ -11,7 +11,7 @@ namespace tst_pixelgridscene {
 
 using namespace pixelplumb;
 
-/// Where the pixel grid's cells stand, and what is to be shown in them: no widget is needed.
+/// The positions and contents of the pixel grid's cells, without a widget.
 class TestPixelGridScene : public QObject {
     Q_OBJECT
 
@@ -20,7 +20,7 @@ private slots:
     void everyCellIsAWholeNumberOfDevicePixels();
     void rowsGrowInTheDirectionOfTheFrame_data();
     void rowsGrowInTheDirectionOfTheFrame();
-    void boundsAreNamedAfterTheSpanInHandAmongTheCells();
+    void boundsAreNamedAfterTheCurrentSpanAmongTheCells();
     void candidatesAreTheRowsThatAreNotWrittenYet();
     void differencesAreShownOnceTheyAreDecided();
     void tiesAreMarkedWhereASampleLiesOnAnEdge();
@@ -81,7 +81,7 @@ void TestPixelGridScene::rowsGrowInTheDirectionOfTheFrame()
     QCOMPARE(mapping.position(40.5, 20 + 0.5 * upward), QPointF(50, 40));
 }
 
-void TestPixelGridScene::boundsAreNamedAfterTheSpanInHandAmongTheCells()
+void TestPixelGridScene::boundsAreNamedAfterTheCurrentSpanAmongTheCells()
 {
     Playhead playhead;
     DisplayOptions options;
@@ -93,7 +93,7 @@ void TestPixelGridScene::boundsAreNamedAfterTheSpanInHandAmongTheCells()
     };
 
     QCOMPARE(boundsAround({27, 20}), QStringLiteral("column 27"));
-    QCOMPARE(boundsAround({23, 20}), QStringLiteral("column 27")); // the last one of the cells
+    QCOMPARE(boundsAround({23, 20}), QStringLiteral("column 27")); // the last of the visible cells
     QCOMPARE(boundsAround({32, 20}), QString());
 }
 
@@ -109,17 +109,17 @@ void TestPixelGridScene::candidatesAreTheRowsThatAreNotWrittenYet()
     const PixelGridScene entered = pixelGridScene(playhead, options, mapping);
     QCOMPARE(entered.firstCandidate, column.firstDrawn);
     QCOMPARE(entered.endCandidate, column.endDrawn);
-    QVERIFY(!entered.pixelInHand);
+    QVERIFY(!entered.currentPixel);
 
     playhead.step(StepUnit::Sample, StepDirection::Forward);
     const PixelGridScene stepped = pixelGridScene(playhead, options, mapping);
     QCOMPARE(stepped.firstCandidate, column.firstDrawn + 1);
-    QCOMPARE(stepped.pixelInHand, QPoint(33, int(column.firstDrawn)));
+    QCOMPARE(stepped.currentPixel, QPoint(33, int(column.firstDrawn)));
 }
 
 void TestPixelGridScene::differencesAreShownOnceTheyAreDecided()
 {
-    // 16.16 loses the edge's last bits over a long run and colours other pixels than the truth.
+    // Over a long run, 16.16 loses the edge's last bits and colours other pixels than the truth.
     Scene scene = defaultSceneIn(Arithmetic::Fixed16);
     scene.frame.width = 2048;
     scene.frame.height = 700;

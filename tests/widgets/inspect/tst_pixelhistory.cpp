@@ -34,7 +34,7 @@ private slots:
     void theChannelsOfAWriteChangeWithIt();
     void historyOfARefusedPixelListsEdges();
     void historyCountsTheRefusalsThatItDoesNotList();
-    void theAttemptInHandIsChosen();
+    void theCurrentAttemptIsChosen();
     void historyRunsToTheWritesOfThePickedPixel();
     void historyNamesPixelColourAndTruth();
     void aLongReasonIsSeenWholeAndNoColumnIsCutOff();
@@ -88,7 +88,7 @@ void TestPixelHistory::historyOfAWrittenPixelListsChannels()
     QCOMPARE(model.decisiveRow().data().toString(), QStringLiteral("△ 0 will write it"));
 }
 
-/// "≈" is said of the same number in decimals alone: exact arithmetic may be wrong by a variant.
+/// "≈" means the same number in decimals; even exact arithmetic may be wrong through a variant.
 void TestPixelHistory::aColourThatIsNotTheExactOneIsToldWithItsError()
 {
     Scene scene = defaultSceneIn(Arithmetic::Exact);
@@ -119,7 +119,7 @@ void TestPixelHistory::whatVerticesCarryIsListedWhereTheSceneCallsForIt()
     const PixelAttempt attempt = pixelHistory(*traced, 27, 19).front();
     QCOMPARE(attempt.carried.size(), std::size_t(1));
     QCOMPARE(attempt.carried[0].title, QStringLiteral("z"));
-    // Of the plane through the vertices' depths 0, 1 and 2.
+    // From the plane through the vertices' depths 0, 1 and 2.
     const auto weights = oracle::barycentricWeights(traced->primitives.triangles[0], 27, 19);
     const double depth
         = (weights.parts[1].convert_to<double>() + 2 * weights.parts[2].convert_to<double>())
@@ -205,7 +205,7 @@ void TestPixelHistory::historyCountsTheRefusalsThatItDoesNotList()
              QStringLiteral("and 5 more that refuse it"));
 }
 
-void TestPixelHistory::theAttemptInHandIsChosen()
+void TestPixelHistory::theCurrentAttemptIsChosen()
 {
     Playhead playhead;
     playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact, 3)));
@@ -233,13 +233,13 @@ void TestPixelHistory::historyRunsToTheWritesOfThePickedPixel()
 
     QTest::mouseClick(panel.findChild<QToolButton *>(QStringLiteral("runToNextWrite")),
                       Qt::LeftButton);
-    QCOMPARE(playhead.pixelInHand(), QPoint(27, 19));
+    QCOMPARE(playhead.currentPixel(), QPoint(27, 19));
 
     playhead.seek(playhead.end());
     playhead.pick(QPoint(27, 19));
     QTest::mouseClick(panel.findChild<QToolButton *>(QStringLiteral("runToPreviousWrite")),
                       Qt::LeftButton);
-    QCOMPARE(playhead.pixelInHand(), QPoint(27, 19));
+    QCOMPARE(playhead.currentPixel(), QPoint(27, 19));
 }
 
 void TestPixelHistory::historyNamesPixelColourAndTruth()
@@ -261,7 +261,7 @@ void TestPixelHistory::historyNamesPixelColourAndTruth()
     QVERIFY(!heading->text().contains(QStringLiteral("#000000")));
 }
 
-/// In the panel's place in a window of 1366 × 768.
+/// The panel at its size in a window of 1366 × 768.
 void TestPixelHistory::aLongReasonIsSeenWholeAndNoColumnIsCutOff()
 {
     Playhead playhead;
@@ -285,7 +285,7 @@ void TestPixelHistory::aLongReasonIsSeenWholeAndNoColumnIsCutOff()
         panel.resize(width, 300);
         const int total = tree->header()->length();
         QVERIFY(total >= tree->viewport()->width());
-        // What does not fit can be scrolled to.
+        // A table that does not fit can be scrolled.
         QCOMPARE(tree->horizontalScrollBar()->maximum() > 0, total > tree->viewport()->width());
         QVERIFY(width == 490 || total > tree->viewport()->width());
     }

@@ -39,7 +39,7 @@ Prediction predictionOf(const Quantity &value, const Quantity &earlier = {})
 
 } // namespace
 
-/// The panels from which one learns by foretelling and by reading along.
+/// The panels that teach by prediction and by reading along.
 class TestPredict : public QObject {
     Q_OBJECT
 
@@ -66,14 +66,14 @@ private slots:
         add("8,37", Guess::Right);
         add("8,3", Guess::Near);
         add("8,370,4", Guess::Unread);
-        add("8.4", Guess::Near); // too few places to tell
+        add("8.4", Guess::Near); // too few places to decide
         add("8.3", Guess::Near);
         add("8.38", Guess::Wrong);
         add("−8 10/27", Guess::OtherSign);
         add("8 13/54", Guess::Earlier);
         add("eight", Guess::Unread);
         add("", Guess::Unread);
-        add("9", Guess::RoundedUp); // no whole number is asked for
+        add("9", Guess::RoundedUp); // the question is not about whole numbers
         add("8", Guess::RoundedDown);
         add("10", Guess::Wrong);
     }
@@ -111,7 +111,7 @@ private slots:
         QCOMPARE(judge(bound, typed) == Guess::Right, isRight);
     }
 
-    /// Where the answer is near, a form is asked for, and the first try is not lost.
+    /// If the answer is near, the panel asks for more places, and the first try still counts.
     void aTryIsNotLostByTooFewPlaces()
     {
         openPanel();
@@ -156,7 +156,8 @@ private slots:
             told(row, "5.33").contains(QStringLiteral("a whole number is asked for: the first")));
     }
 
-    /// What the brackets mean, but not the number in them: it is a question of its own.
+    /// The panel explains the brackets but does not reveal the number in them, which is a question
+    /// of its own.
     void aWrongRoundingIsToldWhatItsBracketsMean_data()
     {
         QTest::addColumn<QString>("rule");
@@ -186,7 +187,7 @@ private slots:
         QVERIFY(verdict("7").startsWith(QStringLiteral("Not yet: %1.").arg(told)));
     }
 
-    /// What is computed anew in every span is no sum of steps.
+    /// A number that is computed anew in every span is not a sum of steps.
     void anEarlierNumberIsToldWhatMakesTheNextOne()
     {
         Prediction number = predictionOf(Quantity::integer(-12), Quantity::integer(-14));
@@ -200,11 +201,11 @@ private slots:
         QCOMPARE(told(), QStringLiteral("That is Δp of the span before: Δp = 2Δy."));
     }
 
-    /// What is asked for is what the table says once the step is done.
+    /// The answer to a question is what the table says once the step is done.
     void everyQuestionIsANumberOfTheNextSpan()
     {
         const TracedScene &traced = *m_playhead->traced();
-        const std::size_t span = *m_playhead->spanInHand() + 1;
+        const std::size_t span = *m_playhead->currentSpan() + 1;
         const auto cells = traced.trace->span(span).cells;
         const auto all = predictionsAfter(traced, m_playhead->position());
         QVERIFY(all.size() >= 10);
@@ -228,12 +229,12 @@ private slots:
         answer(toText(asked.value));
         QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Right")));
         QVERIFY(label("predictVerdict").contains(QStringLiteral("m")));
-        // The first answer alone counts.
+        // Only the first answer counts.
         QCOMPARE(label("predictScore"), QStringLiteral("Right at the first try: 0 of 1"));
 
-        const std::size_t before = *m_playhead->spanInHand();
+        const std::size_t before = *m_playhead->currentSpan();
         QTest::keyClick(line(), Qt::Key_Return);
-        QCOMPARE(*m_playhead->spanInHand(), before + 1);
+        QCOMPARE(*m_playhead->currentSpan(), before + 1);
         answer(
             toText(predictionsAfter(*m_playhead->traced(), m_playhead->position()).front().value));
         QCOMPARE(label("predictScore"), QStringLiteral("Right at the first try: 1 of 2"));
@@ -252,25 +253,25 @@ private slots:
     void nothingAheadIsToldWhileThePanelIsSeen()
     {
         const auto *table = named<QTableView>(*m_window, "columnTable");
-        const int inHand = int(*m_playhead->spanInHand());
+        const int current = int(*m_playhead->currentSpan());
         const int bound = columnOf(*table, QStringLiteral("y_B"));
-        const QString next = table->model()->index(inHand + 1, bound).data().toString();
+        const QString next = table->model()->index(current + 1, bound).data().toString();
         QVERIFY(next != QStringLiteral("?"));
 
         openPanel();
-        QCOMPARE(table->model()->index(inHand + 1, bound).data().toString(), QStringLiteral("?"));
-        QVERIFY(!table->model()->index(inHand + 1, bound).data(Qt::ToolTipRole).isValid());
-        QVERIFY(table->model()->index(inHand, bound).data().toString() != QStringLiteral("?"));
+        QCOMPARE(table->model()->index(current + 1, bound).data().toString(), QStringLiteral("?"));
+        QVERIFY(!table->model()->index(current + 1, bound).data(Qt::ToolTipRole).isValid());
+        QVERIFY(table->model()->index(current, bound).data().toString() != QStringLiteral("?"));
         const auto ahead = nextPixelAfter(*m_playhead->traced(), m_playhead->position());
         m_playhead->pick(ahead->pixel);
         QVERIFY(label("pixelHistoryHeading").contains(QStringLiteral("predict it")));
 
         m_playhead->step(StepUnit::Span, StepDirection::Forward);
-        QCOMPARE(table->model()->index(inHand + 1, bound).data().toString(), next);
+        QCOMPARE(table->model()->index(current + 1, bound).data().toString(), next);
 
         QTest::keyClick(m_window.get(), Qt::Key_Escape);
         action(*m_window, "predictDockToggle")->trigger();
-        QCOMPARE(table->model()->index(inHand + 2, bound).data().toString() != QStringLiteral("?"),
+        QCOMPARE(table->model()->index(current + 2, bound).data().toString() != QStringLiteral("?"),
                  true);
     }
 
@@ -296,10 +297,10 @@ private slots:
         m_playhead->pick(next.pixel);
         QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Right")));
         QTest::mouseClick(named<QPushButton>(*m_window, "predictNext"), Qt::LeftButton);
-        QCOMPARE(m_playhead->pixelInHand(), std::optional(next.pixel));
+        QCOMPARE(m_playhead->currentPixel(), std::optional(next.pixel));
     }
 
-    void whatIsTypedOverAFieldThatIsNotAskedIsNoKeyOfTheCanvas()
+    void typingOnAnUnaskedFieldIsNoCanvasKey()
     {
         openPanel();
         const std::string method = m_window->parts().document->scene().method;
@@ -321,7 +322,7 @@ private slots:
         auto *show = named<QPushButton>(*m_window, "predictShow");
         show->setFocus();
         show->click();
-        QVERIFY(line()->hasFocus()); // Enter goes on
+        QVERIFY(line()->hasFocus()); // Enter continues
         m_playhead->seek(m_playhead->end());
         QVERIFY(panel->hasFocus());
     }
@@ -360,7 +361,7 @@ private slots:
     {
         action(*m_window, "methodDockToggle")->trigger();
         const auto *text = named<QTextBrowser>(*m_window, "methodText");
-        m_playhead->seekToSpan(*m_playhead->spanInHand() + 1);
+        m_playhead->seekToSpan(*m_playhead->currentSpan() + 1);
         QVERIFY(text->toPlainText().contains(QStringLiteral("▶")));
         const QString atSpan
             = named<MethodPanel>(*m_window, "methodPanel")->accessibleDescription();
@@ -388,7 +389,7 @@ private:
         QTest::keyClicks(line(), text);
         QTest::keyClick(line(), Qt::Key_Return);
     }
-    /// A label's words without their markup.
+    /// A label's words without markup.
     QString label(const char *name)
     {
         QTextDocument document;

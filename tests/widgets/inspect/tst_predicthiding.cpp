@@ -33,7 +33,7 @@ namespace tst_predicthiding {
 
 using namespace pixelplumb;
 
-/// Nothing in the window tells what a student is asked to foretell.
+/// Nothing in the window reveals what a student is asked to predict.
 class TestPredictHiding : public QObject {
     Q_OBJECT
 
@@ -41,7 +41,7 @@ private slots:
     void init() { m_settings.clear(); }
     void cleanup() { m_window.reset(); }
 
-    void rowsAheadTellNothingButWhatCountsThem_data()
+    void rowsAheadShowOnlyTheirCountingNumber_data()
     {
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("method");
@@ -59,14 +59,14 @@ private slots:
         QTest::newRow("midpoint circle") << "circles.json"
                                          << "circle-midpoint" << QStringList{"arc", "x_k"};
     }
-    void rowsAheadTellNothingButWhatCountsThem()
+    void rowsAheadShowOnlyTheirCountingNumber()
     {
         QFETCH(QString, file);
         QFETCH(QString, method);
         QFETCH(QStringList, told);
         open(file, method);
         const QAbstractItemModel &model = *table()->model();
-        const int ahead = int(*playhead().spanInHand()) + 1;
+        const int ahead = int(*playhead().currentSpan()) + 1;
 
         for (int column = 0; column < model.columnCount(); ++column) {
             if (table()->isColumnHidden(column))
@@ -80,14 +80,14 @@ private slots:
         }
     }
 
-    /// It could be copied from the step before.
-    void whatNeverChangesIsAskedForOnceATriangle_data()
+    /// The answer could be copied from the previous step.
+    void constantNumbersAreAskedOncePerTriangle_data()
     {
         QTest::addColumn<Arithmetic>("arithmetic");
         QTest::newRow("exact") << Arithmetic::Exact;
         QTest::newRow("but for rounding") << Arithmetic::Float32;
     }
-    void whatNeverChangesIsAskedForOnceATriangle()
+    void constantNumbersAreAskedOncePerTriangle()
     {
         QFETCH(Arithmetic, arithmetic);
         Scene scene = defaultScene();
@@ -105,9 +105,9 @@ private slots:
             QCOMPARE(times[QString::fromUtf8(bound)], int(traced->trace->spanCount()));
     }
 
-    /// Nor under another name: p_k of a line is p_k₊₁ of the step before. That a number may be the
-    /// same as before is for the student to find.
-    void noAnswerStandsInTheStepInHandUnderAnotherName_data()
+    /// Nor under another name: p_k of a line is p_k₊₁ of the previous step. The student must find
+    /// out whether a number stays the same.
+    void noAnswerStandsInTheCurrentStepUnderAnotherName_data()
     {
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("method");
@@ -123,7 +123,7 @@ private slots:
         QTest::newRow("outline") << "polygon-outline.json"
                                  << "polygon-outline";
     }
-    void noAnswerStandsInTheStepInHandUnderAnotherName()
+    void noAnswerStandsInTheCurrentStepUnderAnotherName()
     {
         QFETCH(QString, file);
         QFETCH(QString, method);
@@ -131,7 +131,7 @@ private slots:
         const TracedScene &traced = *playhead().traced();
         const ScanTrace &trace = *traced.trace;
         QHash<QString, QSet<QString>>
-            mayBeCopied; // the question's title; what it always was so far
+            mayBeCopied; // by the question's title: what its answer has always equalled so far
         for (std::size_t span = 0; span + 1 < trace.spanCount(); ++span) {
             if (trace.beginsPart(span + 1))
                 continue;
@@ -158,7 +158,7 @@ private slots:
                                 + QStringList(question->begin(), question->end()).join(u' ')));
     }
 
-    /// Not what is shown of them by the question mark.
+    /// The column width does not depend on the question marks shown instead of the numbers.
     void columnsKeepTheWidthOfTheNumbersThatAreHidden()
     {
         m_window = openedWindow();
@@ -193,7 +193,7 @@ private slots:
         open(QStringLiteral("lines.json"), QStringLiteral("line-bresenham"));
         table()->copyAll();
         const QStringList lines = QGuiApplication::clipboard()->text().split(u'\n');
-        const int ahead = int(*playhead().spanInHand()) + 1;
+        const int ahead = int(*playhead().currentSpan()) + 1;
         const QStringList names = lines.front().split(u'\t');
         const QStringList cells = lines[ahead + 1].split(u'\t');
         QCOMPARE(cells[names.indexOf(QStringLiteral("y"))], QString());
@@ -236,7 +236,7 @@ private slots:
         QVERIFY(canvas->isTruthVisible());
     }
 
-    /// Nothing lies ahead there.
+    /// At the end, nothing lies ahead.
     void atTheEndAllIsShownAndBehindItHiddenAgain()
     {
         open(QStringLiteral("default.json"), QStringLiteral("column-scan"));
@@ -260,8 +260,8 @@ private slots:
         QCOMPARE(widths(), before);
     }
 
-    /// The first triangle has written the pixel; the second is still to refuse it or to write it.
-    void aPixelsHistoryEndsAtTheStepInHand()
+    /// The first triangle has written the pixel; the second has yet to refuse or write it.
+    void aPixelsHistoryEndsAtTheCurrentStep()
     {
         Scene scene = defaultScene();
         scene.triangles.push_back(scene.triangles.front());
@@ -280,21 +280,21 @@ private slots:
         QVERIFY(!heading.toPlainText().contains(QStringLiteral("truth")));
     }
 
-    /// The numbers of a line's step name its pixel.
-    void theNextPixelIsNotTheOneThatTheStepInHandTells()
+    /// The numbers of a line's step name the step's pixel.
+    void theNextPixelIsNotTheOneThatTheCurrentStepTells()
     {
         open(QStringLiteral("lines.json"), QStringLiteral("line-bresenham"));
         const ScanTrace &trace = *playhead().traced()->trace;
         playhead().seekToSpan(6);
         const NextPixel next = *nextPixelAfter(*playhead().traced(), playhead().position());
         QCOMPARE(trace.spanOf(trace.stepAt(next.step).sample), std::size_t(7));
-        const PixelChange &inHand = trace.changes()[trace.firstSampleOf(6)];
+        const PixelChange &current = trace.changes()[trace.firstSampleOf(6)];
         QVERIFY(wrongPixelText(*playhead().traced(), playhead().position(),
-                               {int(inHand.x), int(inHand.y)})
-                    .contains(QStringLiteral("step in hand")));
+                               {int(current.x), int(current.y)})
+                    .contains(QStringLiteral("current step")));
     }
 
-    /// Of every panel: of the pixels that are still ahead none stands in it, in its colour.
+    /// No panel shows the colour of a pixel that is still ahead.
     void noPanelShowsAPixelThatIsAhead()
     {
         m_window = openedWindow(twoTriangles());
@@ -314,13 +314,13 @@ private slots:
             QStringList told;
             for (QDockWidget *dock : m_window->findChildren<QDockWidget *>()) {
                 if (dock == dockNamed("predictDock"))
-                    continue; // seen, it hides what is ahead
+                    continue; // while visible, it hides what is ahead
                 m_window->parts().messageBar->hide();
                 named<QAction>(*m_window, qPrintable(dock->objectName() + "Toggle"))
                     ->setEnabled(true);
                 dock->show();
                 dock->raise();
-                QTest::qWait(150); // studies draw beside the window
+                QTest::qWait(150); // studies draw in the background
                 if (pixelsOf(ahead, dock->widget()->grab().toImage()) > 20)
                     told += dock->objectName();
             }
@@ -343,8 +343,8 @@ private slots:
         QVERIFY(!named<QWidget>(*dockNamed("submissionDock"), "predictVeil")->isVisible());
     }
 
-    /// A pixel that a student's picture lacks is one that the method paints.
-    void theMarksOfAStudentsPictureEndAtTheStepInHand()
+    /// A pixel missing from a student's picture is one that the method paints.
+    void theMarksOfAStudentsPictureEndAtTheCurrentStep()
     {
         m_window = openedWindow(twoTriangles());
         QImage empty = playhead().frame()->image().copy();
@@ -353,7 +353,7 @@ private slots:
         QTRY_VERIFY(m_window->parts().student->judgement());
         playhead().seek(playhead().traced()->trace->indexOfSetUp(1));
         const Canvas &canvas = *m_window->parts().canvas;
-        const QPoint pixel(30, 20); // of the second triangle
+        const QPoint pixel(30, 20); // a pixel of the second triangle
         const auto isMarked = [&] {
             const QImage seen = m_window->parts().canvas->grab().toImage();
             const QRect cell = canvas.mapping().cellOf(pixel).toAlignedRect();
@@ -375,7 +375,7 @@ private slots:
     }
 
 private:
-    /// The second in colours that no part of the window has.
+    /// Two triangles, the second in colours that the window uses nowhere else.
     static Scene twoTriangles()
     {
         Scene scene;
@@ -410,7 +410,7 @@ private:
     ColumnTable *table() { return named<ColumnTable>(*m_window, "columnTable"); }
     static Scene defaultScene() { return openedWindow()->parts().document->scene(); }
 
-    /// In the middle of the run, the panel in sight.
+    /// Opens a scene in the middle of its run, with the panel visible.
     void open(const QString &file, const QString &method)
     {
         m_window = openedWindow(file);

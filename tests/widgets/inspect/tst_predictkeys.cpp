@@ -37,7 +37,7 @@ private slots:
     void theKeyOfADockGivesItsContentTheFocus_data()
     {
         QTest::addColumn<QString>("dock");
-        QTest::addColumn<QString>("field"); // any inside, where it is empty
+        QTest::addColumn<QString>("field"); // empty: any field inside the dock
         QTest::newRow("predict") << "predictDock"
                                  << "predictAnswer";
         QTest::newRow("primitives") << "primitivesDock"
@@ -92,19 +92,19 @@ private slots:
 
         type(QStringLiteral("%1 %2").arg(next.pixel.x() + 1).arg(next.pixel.y()));
         QVERIFY(verdict().startsWith(u"Not "));
-        QVERIFY(!m_playhead->isPlaying()); // the space is the answer's
+        QVERIFY(!m_playhead->isPlaying()); // the answer field keeps the space
         type(QStringLiteral("here"));
         QVERIFY(verdict().contains(QStringLiteral("12, 7")));
         type(QStringLiteral("%1, %2").arg(next.pixel.x()).arg(next.pixel.y()));
         QVERIFY(verdict().startsWith(u"Right"));
 
-        QTest::keyClick(line(), Qt::Key_Return); // goes on
-        QCOMPARE(m_playhead->pixelInHand(), std::optional(next.pixel));
+        QTest::keyClick(line(), Qt::Key_Return); // continues
+        QCOMPARE(m_playhead->currentPixel(), std::optional(next.pixel));
         QVERIFY(line()->hasFocus());
     }
 
-    /// Who steps on, reads the number and steps back is asked again, but gets no credit; nor is a
-    /// question another one from the next pixel of the span before.
+    /// A user who steps on, reads the number and steps back is asked again but gets no credit; nor
+    /// is the same question a new one at the next pixel of the span.
     void aStepThatWasDoneAlreadyIsNotForetold()
     {
         const auto value = [this] {
@@ -130,7 +130,8 @@ private slots:
         QCOMPARE(score(), QStringLiteral("Right at the first try: 1 of 1"));
     }
 
-    /// Nor is it where another setting traces the same columns once more, or an edit is undone.
+    /// Nor does the user get credit if another setting traces the same columns again, or an edit is
+    /// undone.
     void aStepThatWasDoneUnderOtherSettingsIsNotForetold()
     {
         SceneDocument &document = *m_window->parts().document;
@@ -170,7 +171,7 @@ private slots:
         QVERIFY2(reasonBy("column-scan").contains(u"cover"), qPrintable(reasonBy("column-scan")));
     }
 
-    /// A triangle that is drawn while its numbers are to be foretold is not scanned at once.
+    /// A triangle drawn while its numbers are to be predicted is not scanned at once.
     void aNewTriangleIsForetoldFromItsFirstColumn()
     {
         pressKeyOf(QStringLiteral("predictDock"));
@@ -218,7 +219,8 @@ private slots:
         m_window->parts().playhead->seek(0);
         named<QComboBox>(*m_window, "predictChoice")->setCurrentText(QStringLiteral("y_B"));
         QVERIFY(plain(named<QLabel>(*m_window, "predictQuestion")->text())
-                    .endsWith(QStringLiteral("A whole number."))); // that of the vertex (4, 5)
+                    .endsWith(QStringLiteral("A whole number."))); // it is the y of the vertex (4,
+                                                                   // 5)
         auto *answer = named<QLineEdit>(*m_window, "predictAnswer");
         QTest::keyClicks(answer, QStringLiteral("5"));
         QTest::keyClick(answer, Qt::Key_Return);

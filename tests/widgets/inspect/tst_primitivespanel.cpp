@@ -35,7 +35,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Two triangles, the second with a z of its own, and two lines.
+/// Two triangles, the second with its own z, and two lines.
 Scene fourPrimitives()
 {
     Scene scene;
@@ -53,7 +53,7 @@ Scene fourPrimitives()
 
 } // namespace
 
-/// The list of primitives, by hand: chosen, moved, recoloured, deleted, typed.
+/// The list of primitives in use: selected, moved, recoloured, deleted, edited.
 class TestPrimitivesPanel : public QObject {
     Q_OBJECT
 
@@ -89,7 +89,7 @@ private slots:
         m_tree->expand(m_model->indexOfPrimitive(0));
         m_tree->setCurrentIndex(x);
         type(x, "53/");
-        QTest::keyClick(field(), Qt::Key_Return); // is no number: the field stays
+        QTest::keyClick(field(), Qt::Key_Return); // not a number: the field stays
         QVERIFY(field());
         QVERIFY(!document().isModified());
         QTest::keyClicks(field(), "2");
@@ -138,7 +138,7 @@ private slots:
 
         document().movePrimitive(2, 1);
         QCOMPARE(document().scene().shapes[0], fourPrimitives().shapes[1]);
-        document().movePrimitive(2, 2); // there is no such place
+        document().movePrimitive(2, 2); // there is no such position
         QCOMPARE(document().undoStack()->index(), 1);
     }
 
@@ -170,7 +170,7 @@ private slots:
     {
         const QModelIndex row = m_model->indexOfPrimitive(0);
         QCOMPARE(row.data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
-        QVERIFY(m_model->setData(row, Qt::Checked, Qt::CheckStateRole)); // as it is
+        QVERIFY(m_model->setData(row, Qt::Checked, Qt::CheckStateRole)); // unchanged
         QVERIFY(!document().isModified());
         QVERIFY(m_model->setData(row, Qt::Unchecked, Qt::CheckStateRole));
 
@@ -195,7 +195,7 @@ private slots:
         QVERIFY(!document().isModified());
     }
 
-    void theButtonHidesTheRowInHandAndKeepsIt()
+    void theButtonHidesTheCurrentRowAndKeepsIt()
     {
         click(m_model->indexOfPrimitive(2));
         QCOMPARE(button("primitivesHide")->text(), QStringLiteral("Hide"));
@@ -212,7 +212,7 @@ private slots:
         QCOMPARE(m_tree->currentIndex().row(), 2);
 
         press("primitivesHide");
-        press("primitivesDelete"); // for good
+        press("primitivesDelete"); // permanently
         QCOMPARE(document().hiddenCount(), 0);
         QCOMPARE(m_model->rowCount(), 3);
         document().undoStack()->undo();
@@ -315,7 +315,7 @@ private slots:
         QVERIFY(!button("primitivesUp")->isEnabled());
         press("primitivesDown");
         QCOMPARE(document().scene().solids[1], scene.solids[0]);
-        QCOMPARE(m_tree->currentIndex().row(), 1); // it stays in hand
+        QCOMPARE(m_tree->currentIndex().row(), 1); // it stays selected
         QVERIFY(!button("primitivesDown")->isEnabled());
 
         takeAmber();
@@ -336,20 +336,20 @@ private slots:
         while (document().undoStack()->canUndo())
             document().undoStack()->undo();
         QCOMPARE(document().scene(), scene);
-        document().moveSolid(0, 2); // there is no such place
+        document().moveSolid(0, 2); // there is no such position
         document().deleteSolid(2); // nor such a solid
         QCOMPARE(document().undoStack()->index(), 0);
     }
 
-    void hidingAndItsUndoKeepTheStepInHand()
+    void hidingAndItsUndoKeepTheCurrentStep()
     {
         Playhead &playhead = *m_window->parts().playhead;
         playhead.seek(40);
-        const auto column = playhead.columnXInHand();
+        const auto column = playhead.currentColumnX();
         QVERIFY(column);
         document().hidePrimitive(3);
         QTRY_COMPARE(playhead.traced()->scene.hidden.size(), std::size_t(1));
-        QCOMPARE(playhead.columnXInHand(), column);
+        QCOMPARE(playhead.currentColumnX(), column);
         document().undoStack()->undo();
         QTRY_COMPARE(playhead.traced()->scene.hidden.size(), std::size_t(0));
         QCOMPARE(playhead.position(), std::size_t(40));
@@ -371,7 +371,7 @@ private slots:
         options.setAffineImage(
             AffineImage{0, {latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)}});
         click(m_model->indexOfPrimitive(1));
-        clickPixel(*m_window, {30, 40}); // a corner of the map, which takes the arrow keys
+        clickPixel(*m_window, {30, 40}); // a corner of the map, which then takes the arrow keys
         QVERIFY(!document().selectedVertex());
         QVERIFY(!m_tree->selectionModel()->hasSelection());
         QVERIFY(!button("primitivesDelete")->isEnabled());
@@ -385,7 +385,7 @@ private slots:
         QCOMPARE(m_tree->currentIndex().row(), 1);
     }
 
-    void aVertexThatWaitsLeavesNoRowInHand()
+    void aVertexThatWaitsLeavesNoCurrentRow()
     {
         click(m_model->indexOfPrimitive(1));
         document().placeVertex(latticePixel(40, 20));
@@ -399,7 +399,7 @@ private slots:
         click(m_model->indexOfPrimitive(2));
         QTest::keyClick(m_tree, Qt::Key_Delete);
         QCOMPARE(document().scene().shapes.size(), std::size_t(1));
-        press("primitivesHide"); // the next row, which came into hand
+        press("primitivesHide"); // the next row, which became selected
         QCOMPARE(document().hiddenCount(), 1);
         QTest::keyClick(m_tree, Qt::Key_Delete);
         QCOMPARE(document().hiddenCount(), 0);
@@ -436,7 +436,7 @@ private slots:
         const QRect row = m_tree->visualRect(m_model->index(1, PrimitiveListModel::Name));
         const QImage shown = m_tree->viewport()->grab(row).toImage();
         const QColor base = palette.color(QPalette::Base);
-        double most = 0; // of the box, which stands before the name
+        double most = 0; // the contrast of the box before the name
         for (int x = 0; x < shown.height(); ++x)
             most = std::max(most, contrastRatio(shown.pixelColor(x, shown.height() / 2), base));
         QVERIFY2(most >= 3, qPrintable(QString::number(most)));
@@ -465,7 +465,7 @@ private slots:
         for (quint32 seed = 1; seed <= 40; ++seed)
             QTest::addRow("seed %u", seed) << seed;
     }
-    /// Against a list of colours, by which the primitives are known, in the file's order.
+    /// Compared with a list of colours that identify the primitives, in the file's order.
     void hiddenOnesKeepTheirPlacesWhateverIsDone()
     {
         QFETCH(quint32, seed);

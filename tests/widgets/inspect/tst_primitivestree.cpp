@@ -29,7 +29,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// All scenes that are shipped, and none at all.
+/// All shipped scenes, and an empty one.
 std::vector<Scene> shippedScenes()
 {
     std::vector<Scene> scenes(1);
@@ -73,7 +73,7 @@ protected:
 
 } // namespace
 
-/// The list of primitives follows every scene, and keys and mouse edit what stands in it.
+/// The list of primitives follows every scene; keys and mouse edit its contents.
 class TestPrimitivesTree : public QObject {
     Q_OBJECT
 
@@ -104,7 +104,7 @@ private slots:
                 + scene.shapes.size() + scene.hidden.size();
             QCOMPARE(std::size_t(tree->model()->rowCount()), all);
         };
-        for (const Scene &scene : scenes) { // and every one the one before it
+        for (const Scene &scene : scenes) { // every scene also after the previous one
             follow(scene);
             follow(Scene());
             follow(scene);
@@ -141,9 +141,9 @@ private slots:
         QTest::keyClick(m_tree, Qt::Key_Down); // vertex 1
         QTest::keyClick(m_tree, Qt::Key(key));
         typeOver("50");
-        QTest::keyClick(field(), Qt::Key_Tab); // on to y
+        QTest::keyClick(field(), Qt::Key_Tab); // moves on to y
         typeOver("21/2");
-        QTest::keyClick(field(), Qt::Key_Tab); // on to the next vertex
+        QTest::keyClick(field(), Qt::Key_Tab); // moves on to the next vertex
         typeOver("30");
         QTest::keyClick(field(), Qt::Key_Return);
 
@@ -178,7 +178,7 @@ private slots:
         document().reset(scene);
         m_tree->setCurrentIndex(m_model->indexOfPrimitive(0));
         QCOMPARE(checkedForms(), QStringList({"Circle", "Outlined"}));
-        takeForm("Circle"); // it has it already
+        takeForm("Circle"); // it already has this form
         QCOMPARE(checkedForms(), QStringList({"Circle", "Outlined"}));
         QVERIFY(!document().undoStack()->canUndo());
 
@@ -189,7 +189,7 @@ private slots:
         takeForm("Filled");
         QCOMPARE(document().shapeAt(0).fill, ShapeFill::NonZero);
         QCOMPARE(checkedForms(), QStringList({"Ellipse: its corner is free", "Filled"}));
-        takeForm("Circle"); // and its corner comes onto its square
+        takeForm("Circle"); // and its corner moves onto its square
         QCOMPARE(document().shapeAt(0).vertices[1].position, latticePixel(32, 32));
 
         for (int edits = 0; edits < 4; ++edits)

@@ -151,7 +151,7 @@ private slots:
         QFETCH(QSize, size);
         m_window->resize(size);
         runToItsEnd();
-        QTest::qWait(50); // the docks take their places by events
+        QTest::qWait(50); // events move the docks into place
         const auto *tabs = named<QTabWidget>(*m_lab, "labTabs");
         const QRect place = tabs->geometry();
         StudySettings request = smallRequest();
@@ -181,7 +181,7 @@ private slots:
 
         QCOMPARE(writeStudy(*m_lab->results()), writeStudy(study));
         QSignalSpy complaints(m_lab, &AccuracyLab::complaint);
-        QVERIFY(!m_lab->files()->writeTable(path, study)); // it was read
+        QVERIFY(!m_lab->files()->writeTable(path, study)); // results that were read, not measured
         QVERIFY(complaints.takeFirst().constFirst().toString().contains("not written"));
         QVERIFY(!m_lab->openResults(m_folder.filePath(QStringLiteral("lab.csv"))));
         QVERIFY(complaints.takeFirst().constFirst().toString().contains("not opened"));
@@ -210,7 +210,8 @@ private slots:
             QVERIFY2(text.contains(QLatin1String(part)), part);
         const QImage picture(png);
         QCOMPARE(picture.size(), QSize(1920, 1280));
-        QCOMPARE(picture.pixelColor(2, 2), QColor(Qt::white)); // paper, whatever the window
+        QCOMPARE(picture.pixelColor(2, 2), QColor(Qt::white)); // paper, whatever the window's
+                                                               // palette
         QCOMPARE(plot.palette(), palette);
     }
 
@@ -219,7 +220,7 @@ private slots:
         m_window->resize(1016, 600);
         action(*m_window, "resetLayout")->trigger();
         runToItsEnd();
-        QTest::qWait(50); // the docks take their places by events
+        QTest::qWait(50); // events move the docks into place
 
         QCOMPARE(m_window->size(), QSize(1016, 600));
         for (const char *name : {"labRun", "labTabs", "labConditions"})

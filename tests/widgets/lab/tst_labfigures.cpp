@@ -22,8 +22,8 @@ namespace {
 
 const ErrorAxis &wrongPixels() { return *errorAxisNamed(QStringLiteral("wrong-pixels")); }
 
-/// Two plain kernels and their SIMD twins; measured on a loaded machine by a command that has no
-/// spaces to break it at.
+/// Two plain kernels and their SIMD twins; measured on a busy machine by a command without spaces
+/// at which it could be broken.
 std::shared_ptr<Study> twins()
 {
     auto results = madeResults({{"column-scan:float32", 2.0, 5221},
@@ -53,7 +53,7 @@ std::unique_ptr<ParetoPlot> paretoOfTwins(const QSize &size = {800, 420})
     return plot;
 }
 
-/// All texts of a drawing, one after the other.
+/// All texts of a drawing, concatenated.
 QString textsOf(LabPlot &plot) { return QString::fromUtf8(plot.svg({})); }
 
 enum class Chart { Pareto, Misses, Parts };
@@ -81,7 +81,7 @@ std::unique_ptr<LabPlot> chartOf(Chart chart)
 
 } // namespace
 
-/// What the lab's charts tell apart, and what they carry on paper.
+/// What the lab's charts distinguish, and what they print on paper.
 class TestLabFigures : public QObject {
     Q_OBJECT
 
@@ -104,7 +104,7 @@ private slots:
         for (const Arithmetic arithmetic : allArithmetics) {
             const QCPScatterStyle plain = kernelDot(arithmetic, LabKernel::Plain, palette);
             const QCPScatterStyle loop = straightLoopDot(arithmetic, palette);
-            QVERIFY(plain.brush() != loop.brush()); // the hollow one is a straight loop
+            QVERIFY(plain.brush() != loop.brush()); // a straight loop is hollow
             QCOMPARE(plain.shape(), loop.shape());
             QCOMPARE(kernelDot(arithmetic, LabKernel::Fast, palette).shape(),
                      QCPScatterStyle::ssCustom);
@@ -282,7 +282,7 @@ private slots:
         const QByteArray csv = plot->csv(figureOrigin(study));
         const QImage png = QImage::fromData(plot->png(figureOrigin(study)));
 
-        // As drawn: after the description, and in lines of their own.
+        // As drawn: after the description, and on separate lines.
         const QString drawn = svg.mid(svg.indexOf(QStringLiteral("</desc>")));
         for (const QString &part :
              {title, QStringLiteral("a processor, 0 processors"),

@@ -29,13 +29,13 @@ using namespace pixelplumb;
 namespace {
 
 constexpr int longest = 60'000; // ms
-/// What a screen of 1366 × 768 leaves.
+/// The room that a screen of 1366 × 768 leaves.
 constexpr QSize sizeOnSmallScreen(1358, 728);
 const QString contenderId = QStringLiteral("column-scan:float32");
 
 enum class Colours { One, Three };
 
-/// On the lattice, not on whole pixels.
+/// A triangle with vertices on the lattice, not on whole pixels.
 Scene randomTriangle(const QString &method, Arithmetic arithmetic, Colours colours,
                      std::mt19937 &random)
 {
@@ -55,11 +55,11 @@ Scene randomTriangle(const QString &method, Arithmetic arithmetic, Colours colou
     return scene;
 }
 
-/// A triangle of which a method goes wrong in this way first.
+/// A triangle that a method first draws wrong in this way.
 LabMiss missOf(Difference kind, const QString &method, Arithmetic arithmetic)
 {
     std::mt19937 random(1);
-    // Where the colour goes wrong it mostly does so first.
+    // A triangle with a wrong colour usually has it first.
     const Colours colours = kind == Difference::Colour ? Colours::Three : Colours::One;
     for (int attempt = 0; attempt < 100'000; ++attempt) {
         const Scene scene = randomTriangle(method, arithmetic, colours, random);
@@ -74,7 +74,7 @@ LabMiss missOf(Difference kind, const QString &method, Arithmetic arithmetic)
 
 } // namespace
 
-/// A click on a dot of the lab: everything stands at the contender's first wrong pixel.
+/// A click on a dot of the lab brings everything to the contender's first wrong pixel.
 class TestLabMisses : public QObject {
     Q_OBJECT
 
@@ -124,7 +124,7 @@ private slots:
         const TracedScene &traced = *playhead->traced();
         QCOMPARE(playhead->pickedPixel(), std::optional(pixel));
         QCOMPARE(playhead->position(), traced.decidedAt(miss.x, miss.y)); // so it is marked
-        const TraceStep step = *playhead->stepInHand();
+        const TraceStep step = *playhead->currentStep();
         const bool isVisited = step.kind == StepKind::Sample
             && traced.trace->changes()[step.sample].x == pixel.x()
             && traced.trace->changes()[step.sample].y == pixel.y();

@@ -47,7 +47,7 @@ ParetoChart chartOf(const std::vector<ParetoPoint> &points)
     return chart;
 }
 
-/// What a plot draws.
+/// The picture of a plot.
 template <class Plot, class... Arguments>
 QImage shown(const Arguments &...arguments)
 {
@@ -62,7 +62,7 @@ const ErrorAxis &wrongPixels() { return *errorAxisNamed(QStringLiteral("wrong-pi
 
 } // namespace
 
-/// The charts and the table of the lab, by made-up studies.
+/// The charts and the table of the lab, with made-up studies.
 class TestLabPlots : public QObject {
     Q_OBJECT
 
@@ -139,12 +139,12 @@ private slots:
         QVERIFY(at("cheap").x() < at("lucky").x());
         QVERIFY(at("lucky").x() < at("column-scan:float32").x());
         QVERIFY(at("proved").x() < at("dear").x());
-        // A logarithmic axis: 0.9 to 1.8 is as far as 2 to 4.
+        // A logarithmic axis: 0.9 to 1.8 is the same distance as 2 to 4.
         const double perOctave = (at("dear").x() - at("cheap").x()) / std::log2(8.8 / 0.9);
         QVERIFY(std::abs(at("column-scan:float32").x() - at("cheap").x()
                          - perOctave * std::log2(2 / 0.9))
                 < 1.5);
-        QVERIFY(at("cheap").y() < at("dear").y()); // downward is more exact
+        QVERIFY(at("cheap").y() < at("dear").y()); // lower is more exact
         QVERIFY(at("dear").y() < at("lucky").y());
         QVERIFY(at("lucky").y() < at("proved").y());
         QVERIFY(!plot.positionOf(QStringLiteral("nobody")));
@@ -248,7 +248,7 @@ private slots:
 
         QVERIFY(free[0] && free[0]->intersects(right));
         QVERIFY(lined[0] && !lined[0]->intersects(right));
-        QVERIFY(beside[0] && beside[0]->intersects(right)); // there is no other place
+        QVERIFY(beside[0] && beside[0]->intersects(right)); // there is no other position
     }
 
     void missesStandOnTheirSides()

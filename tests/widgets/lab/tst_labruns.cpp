@@ -24,7 +24,7 @@ constexpr int longest = 60'000; // ms
 
 } // namespace
 
-/// Runs of the lab in the window that are cancelled, done again or made to wait.
+/// Runs of the lab in the window that are cancelled, repeated or made to wait.
 class TestLabRuns : public QObject {
     Q_OBJECT
 
@@ -65,7 +65,7 @@ private slots:
         QVERIFY(button("labRun")->isEnabled());
         const auto kept = spy.size();
         QTest::qWait(300);
-        QCOMPARE(spy.size(), kept); // the ended run says nothing more
+        QCOMPARE(spy.size(), kept); // the ended run reports nothing more
     }
 
     void aRunThatIsCancelledBeforeItsFirstTimesLeavesTheResultsBefore()
@@ -73,7 +73,7 @@ private slots:
         runToItsEnd();
         const SharedResults before = m_lab->results();
         StudySettings request = smallRequest();
-        request.families.clear(); // all: judging them takes a while
+        request.families.clear(); // all families: judging them takes a while
         m_lab->setRequest(request);
         QSignalSpy notices(m_lab, &AccuracyLab::notice);
 

@@ -13,7 +13,7 @@ namespace {
 
 enum class Times { None, OfFirstFamily };
 
-/// Of two families, "f" and "g".
+/// Results of two families, "f" and "g".
 SharedResults madeWith(Times times)
 {
     auto results = madeResults({{"column-scan:float32", 2, 5000}});
@@ -26,7 +26,7 @@ SharedResults madeWith(Times times)
 
 } // namespace
 
-/// What the lab shows while runs come and go.
+/// What the lab shows while runs start and end.
 class TestShownResults : public QObject {
     Q_OBJECT
 
@@ -52,7 +52,7 @@ private slots:
         shown.beginRun();
 
         QVERIFY(!shown.takeNews(madeWith(Times::None), QStringLiteral("f")));
-        QVERIFY(!shown.takeNews(timed, QStringLiteral("g"))); // of which it has none yet
+        QVERIFY(!shown.takeNews(timed, QStringLiteral("g"))); // it has no times for this family yet
         QCOMPARE(shown.results(), before);
         QVERIFY(!shown.areOfRun());
         QVERIFY(shown.takeNews(timed, QStringLiteral("f")));
@@ -62,7 +62,7 @@ private slots:
         const SharedResults further = madeWith(Times::None);
         QVERIFY(shown.takeNews(further, QStringLiteral("g")));
         QCOMPARE(shown.results(), further);
-        QCOMPARE(shown.earlier(), before); // not an earlier state of the same run
+        QCOMPARE(shown.earlier(), before); // not a previous state of the same run
     }
 
     void aFamilyThatTheNewStudyLeavesOutIsNotWaitedFor()

@@ -23,7 +23,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// The locale that widgets take, as the program finds it where numbers have a comma.
+/// The locale that widgets use on a system where numbers have a comma.
 class CommaLocale {
 public:
     CommaLocale() { QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany)); }
@@ -31,7 +31,7 @@ public:
     Q_DISABLE_COPY_MOVE(CommaLocale)
 };
 
-/// All files with numbers that the window writes of the first scene, by their names.
+/// All files with numbers that the window writes for the first scene, by name.
 QMap<QString, QByteArray> writtenFiles()
 {
     const QTemporaryDir folder;
@@ -57,7 +57,7 @@ QMap<QString, QByteArray> writtenFiles()
 
 } // namespace
 
-/// Numbers have a point on the screen and in files, in every language.
+/// Numbers have a decimal point on the screen and in files, in every language.
 class TestDecimalPoint : public QObject {
     Q_OBJECT
 

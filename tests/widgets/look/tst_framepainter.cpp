@@ -22,7 +22,7 @@ namespace {
 
 constexpr QRectF view(0, 0, 700, 520);
 
-/// A white canvas and what is drawn on it.
+/// A white canvas to draw on.
 struct Sheet {
     explicit Sheet(const ViewMapping &at)
         : mapping(at)
@@ -32,7 +32,7 @@ struct Sheet {
         painter.begin(&picture);
     }
 
-    /// Whether ink stands within a pixel of a sample point.
+    /// Whether there is ink within a pixel of a sample point.
     bool hasInkAt(double x, double y) const
     {
         const QPoint at = mapping.positionOf(x, y).toPoint();
@@ -43,7 +43,7 @@ struct Sheet {
         return false;
     }
 
-    /// Whether ink stands at a tenth of the sample points from one to another, as along a dashed
+    /// Whether there is ink at a tenth of the points between two sample points, as along a dashed
     /// line.
     bool hasInkAlong(const QPointF &from, const QPointF &to) const
     {
@@ -83,7 +83,7 @@ Shape pathAt(const std::vector<LatticePoint> &controls)
     return path;
 }
 
-/// From (5, 5) to (35, 25), which are among them.
+/// Random corners, including (5, 5) and (35, 25), that lie between these two.
 std::vector<LatticePoint> randomCorners(int count)
 {
     QRandomGenerator random(1);
@@ -103,7 +103,7 @@ private slots:
     void everyShapeHasAnOutlineHoweverFlatItIs_data()
     {
         QTest::addColumn<Shape>("shape");
-        QTest::addColumn<QPointF>("place"); ///< on its outline, off its vertices
+        QTest::addColumn<QPointF>("place"); ///< on its outline, away from its vertices
         const auto at = [](std::int64_t x, std::int64_t y) { return latticePixel(x, y); };
         QTest::newRow("level line") << lineAt(5, 9, 35, 9) << QPointF(20, 9);
         QTest::newRow("upright line") << lineAt(9, 5, 9, 25) << QPointF(9, 15);
@@ -142,8 +142,8 @@ private slots:
         QVERIFY(sheet.hasInkAt(place.x(), place.y()));
     }
 
-    /// What hides the picture, and would take seconds to paint, is drawn as its bounds: the number
-    /// of painted elements is bounded, whatever the shape's.
+    /// An outline that would hide the picture, and take seconds to paint, is drawn as its bounds:
+    /// the number of painted elements is bounded, whatever the shape.
     void aDenseOutlineIsDrawnAsItsBounds_data()
     {
         QTest::addColumn<int>("corners");
@@ -169,7 +169,7 @@ private slots:
         QVERIFY(sheet.hasInkAlong({35, 5}, {35, 25}));
     }
 
-    /// Up close, and where it is short, an outline of many lines is drawn as it is.
+    /// Close up, or if it is short, an outline of many lines is drawn as it is.
     void anOutlineThatIsNotDenseIsDrawnWhateverItsCorners()
     {
         Sheet sheet(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));
@@ -182,7 +182,7 @@ private slots:
         sheet.frame.drawShapeOutline(polygonAt(corners));
         QVERIFY(sheet.hasInkAt(30, 15));
         QVERIFY(sheet.hasInkAt(20, 25));
-        QVERIFY(!sheet.hasInkAlong({10, 5}, {15, 5})); // its bounds
+        QVERIFY(!sheet.hasInkAlong({10, 5}, {15, 5})); // along its bounds
 
         Sheet closeUp(ViewMapping(frameOf(4000, 4000), {1, 1}, {0, 0}, 1));
         std::vector<LatticePoint> most = {latticePixel(10, 3990), latticePixel(600, 3990)};
@@ -209,7 +209,7 @@ private slots:
             return QPointF(double(point.x), double(point.y)) / unitsPerPixel;
         };
         const QPointF centre = at(0), corner = at(1);
-        // Of each tangent, near the corner and far from the curve; the lines are dotted.
+        // Dots along each tangent, near the corner and far from the curve; the lines are dotted.
         int dotsAcross = 0, dotsAlong = 0, dotsElsewhere = 0;
         for (double part = 0; part < 0.25; part += 0.02) {
             const QPointF on = corner - part * (corner - centre);
@@ -304,7 +304,7 @@ private slots:
 
     void aNoteStandsBesideTheFrameWhereThatLeavesItTheRoom()
     {
-        // A frame that is high and narrow stands in the middle.
+        // A tall, narrow frame in the middle.
         Sheet sheet(ViewMapping::fitted(frameOf(10, 30), view.toRect(), 1));
         sheet.frame.drawCornerNote(QStringLiteral("a note that goes into lines beside the frame, "
                                                   "since one line would lie across it and hide "
@@ -344,7 +344,7 @@ private slots:
         const QPointF middle = view.center();
         const QRectF within = view.adjusted(60, 20, -60, -20);
         std::vector<QPointF> handles;
-        // One handle more each time, the last ones in the way of long lines everywhere.
+        // One more handle each time; the last ones block long lines everywhere.
         for (const QPointF &next :
              {within.bottomLeft(), within.bottomRight(), within.topLeft(), within.topRight(),
               QPointF(middle.x(), within.bottom()), QPointF(middle.x(), within.top()), middle}) {
@@ -395,7 +395,7 @@ private slots:
                 QVERIFY(!place.intersects(plate));
             places.push_back(plate);
         }
-        QCOMPARE(drawn(places), first); // there is no place: as by choice
+        QCOMPARE(drawn(places), first); // no room is left: back to the first choice
     }
 
     void noNameCoversAnother_data()

@@ -101,13 +101,13 @@ void TestNumberFormat::decimalsAreDigitsOfTheNumberAndNotRounded_data()
         << Quantity::rational(1, 7) << 24 << QStringLiteral("0.142857142857142857142857…");
     QTest::newRow("integer") << Quantity::integer(3) << 2 << QStringLiteral("3.00");
     QTest::newRow("float") << Quantity::of(0.5F) << 3 << QStringLiteral("0.500");
-    // A double tells its shortest decimal, and where that has more places what sentences cut of it.
+    // A double shows its shortest decimal; if that has more places, it is cut as in sentences.
     QTest::newRow("double") << Quantity::of(0.3) << 6 << QStringLiteral("0.300000");
     QTest::newRow("double of many digits")
         << Quantity::of(8.0 / 3) << 6 << QStringLiteral("2.666666…");
     QTest::newRow("little below 0")
         << Quantity::rational(-1, 2097152) << 6 << QStringLiteral("−0.0000004…");
-    // Numbers whose ceiling or floor the digits must let a reader believe.
+    // Numbers whose ceiling or floor must be credible from the digits.
     QTest::newRow("just above 12")
         << Quantity::of(12 + 0x1p-40) << 4 << QStringLiteral("12.0000000000009…");
     QTest::newRow("just below 12") << Quantity::of(12 - 0x1p-40) << 4 << QStringLiteral("11.9999…");

@@ -35,11 +35,11 @@ namespace {
 const QString sources = resource(QStringLiteral("/.."));
 const QString english = QStringLiteral("pixelplumb_en.ts");
 
-/// The command that brings the files into step with the sources.
+/// The command that updates the files from the sources.
 const QString mending = QStringLiteral("cmake --build build/release --target translations");
 
-/// What lupdate finds in the sources, as a file without translations has it; with all texts or, as
-/// English has them, with those alone that count.
+/// The texts that lupdate finds in the sources, as an untranslated file has them: all texts or, as
+/// for English, only those that depend on a number.
 QList<TranslatedText> textsInTheSources(const QStringList &options = {})
 {
     const QTemporaryDir folder;
@@ -53,7 +53,7 @@ QList<TranslatedText> textsInTheSources(const QStringList &options = {})
     if (!lupdate.waitForFinished(120000))
         return {};
     if (const QByteArray told = lupdate.readAllStandardError(); !told.isEmpty())
-        qWarning("%s", told.constData()); // a class without Q_OBJECT: its texts are not found
+        qWarning("%s", told.constData()); // a class without Q_OBJECT, whose texts are not found
     return textsOf(file);
 }
 
@@ -86,7 +86,7 @@ QStringList matchesIn(const QString &text, const QString &pattern)
     return found;
 }
 
-/// What is put in later; %n may be a word in the singular: "once".
+/// The placeholders for later arguments; %n may be a word in the singular: "once".
 QStringList placeholdersIn(const QString &text)
 {
     return matchesIn(text, QStringLiteral("%(L?[1-9]|[vm])"));
@@ -99,7 +99,7 @@ QStringList tagsIn(const QString &text)
 
 bool hasMnemonic(const QString &text) { return !matchesIn(text, "&\\w").isEmpty(); }
 
-/// A dialog follows, a value follows, a sentence ends, a number goes before.
+/// The punctuation: a dialog follows, a value follows, a sentence ends, a number comes before.
 QString edgesOf(const QString &text)
 {
     QString edges;
@@ -110,7 +110,7 @@ QString edgesOf(const QString &text)
     return text.startsWith(u' ') ? u' ' + edges : edges;
 }
 
-/// What is wrong with a form; empty where nothing is.
+/// What is wrong with a form; empty if nothing is.
 QString faultOf(const TranslatedText &text, const QString &form)
 {
     if (form.isEmpty())
@@ -131,7 +131,8 @@ QString faultOf(const TranslatedText &text, const QString &form)
 QString text(const QString &name) { return name; }
 QString text(std::string_view name) { return nameText(name); }
 
-/// What core's lists name, but for what stands in English everywhere: methods, rules, arithmetics.
+/// The names in core's lists, except methods, rules and arithmetics, which are in English
+/// everywhere.
 QStringList namesOfCore()
 {
     QStringList names;
@@ -160,7 +161,7 @@ QStringList namesOfCore()
 
 } // namespace
 
-/// The files of the window's languages, and which of them is taken.
+/// The files of the window's languages, and which of them is used.
 class TestTranslations : public QObject {
     Q_OBJECT
 
@@ -221,7 +222,7 @@ private slots:
         QVERIFY(QString::fromUtf8(manual.readAll()).simplified().contains(mending));
     }
 
-    void theFirstLanguageThatThereAreWordsInIsTaken_data()
+    void theFirstTranslatedLanguageIsUsed_data()
     {
         QTest::addColumn<QStringList>("wanted");
         QTest::addColumn<QString>("taken");
@@ -232,7 +233,7 @@ private slots:
         QTest::newRow("the computer's language") << QStringList{"C"} << "en";
         QTest::newRow("none") << QStringList{} << "en";
     }
-    void theFirstLanguageThatThereAreWordsInIsTaken()
+    void theFirstTranslatedLanguageIsUsed()
     {
         QFETCH(QStringList, wanted);
 
@@ -304,7 +305,7 @@ private slots:
     }
 
 private:
-    /// What methods say stands once more in a list of widgets/look, which has a context of its own.
+    /// The words of methods are repeated in a list of widgets/look, which has its own context.
     static void compareWithContext(const QString &file, const QString &context,
                                    const QStringList &said)
     {

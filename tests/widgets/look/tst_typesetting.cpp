@@ -22,13 +22,13 @@ using namespace pixelplumb;
 
 namespace {
 
-/// The lines into which rich text is broken at a width.
+/// The lines of rich text at a given width.
 QStringList linesOf(const QString &html, double width)
 {
     QTextDocument document;
     document.setHtml(html);
     document.setTextWidth(width);
-    document.documentLayout()->documentSize(); // lines are broken when somebody asks
+    document.documentLayout()->documentSize(); // lines are broken on demand
     QStringList lines;
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         for (int line = 0; line < block.layout()->lineCount(); ++line) {
@@ -41,7 +41,7 @@ QStringList linesOf(const QString &html, double width)
 
 } // namespace
 
-/// How texts are set where there is little room.
+/// How texts are laid out where there is little room.
 class TestTypesetting : public QObject {
     Q_OBJECT
 
@@ -96,14 +96,14 @@ private slots:
         button.setChecked(true);
 
         const QColor inside = insideColour();
-        // What WCAG 2.1, 1.4.11, asks of a control's border.
+        // WCAG 2.1, 1.4.11, requires this of a control's border.
         QVERIFY(contrastRatio(off, window) >= 3);
         QVERIFY(contrastRatio(frameColour(), window) >= 3);
         QVERIFY(inside != insideOff);
         QVERIFY(contrastRatio(inside, button.palette().color(QPalette::ButtonText)) >= 4.5);
     }
 
-    /// A line of its own says how far it is off; where it is not, one word is enough.
+    /// An extra line gives the error if there is one; otherwise one word is enough.
     void anExactNumberTakesALineOnlyWhereItDiffers()
     {
         Explanation explanation;

@@ -39,14 +39,14 @@ void showPanel(const MainWindow &window, const QDockWidget &dock)
     settle();
 }
 
-/// What stands there in every language.
+/// Whether a text is the same in every language.
 bool isOfNoLanguage(const ShownText &shown)
 {
     static const QRegularExpression word(QStringLiteral("[A-Za-zÄÖÜäöüß]{2}"));
     if (!word.match(shown.text).hasMatch())
-        return true; // a sign or a number
+        return true; // a symbol or a number
     // Core names methods, rules, arithmetics and cases as course texts, files and the command line
-    // do, and explains them in English, as those texts are. A button has its colour's name.
+    // do, and explains them in English, as those texts do. A button has its colour's name.
     static const QRegularExpression places(QStringLiteral(
         "^((method|variant|arithmeticMenu|fillRuleMenu|roundingMenu)-.*|layer-.* tip|precision_.*"
         "|(method|arithmetic|fillRule|rounding)Box|compare(Method|Arithmetic|FillRule)[1-4]"
@@ -55,7 +55,7 @@ bool isOfNoLanguage(const ShownText &shown)
     return places.match(shown.place).hasMatch();
 }
 
-/// Line by line; empty where all are translated.
+/// The untranslated texts, one per line; empty if all are translated.
 QString untranslatedOf(const QList<ShownText> &texts)
 {
     QStringList untranslated;
@@ -75,7 +75,7 @@ QChar mnemonicOf(const QString &text)
     return place < 0 || place + 1 == text.size() ? QChar() : text[place + 1].toLower();
 }
 
-/// The entries of a menu, or of one in it, that share a letter; empty where none do.
+/// The entries of a menu or submenu that share a letter; empty if none do.
 QString sharedLetterIn(const QList<QAction *> &entries)
 {
     QMap<QChar, QString> taken;
@@ -94,12 +94,12 @@ QString sharedLetterIn(const QList<QAction *> &entries)
     return {};
 }
 
-/// Buttons and labels of a part of the window that have less room than their text takes.
+/// Buttons and labels of a part of the window that are narrower than their text.
 QStringList narrowIn(const QWidget &whole)
 {
     QStringList narrow;
     const auto judge = [&narrow](const QWidget &part, const QString &text) {
-        // A push button is by its style wider than a short text, which is read in less.
+        // By style, a push button is wider than a short text needs.
         const int wanted = qobject_cast<const QPushButton *>(&part)
             ? std::min(part.sizeHint().width(), part.fontMetrics().horizontalAdvance(text) + 8)
             : part.sizeHint().width();
@@ -114,8 +114,8 @@ QStringList narrowIn(const QWidget &whole)
     for (const auto *button : whole.findChildren<QToolButton *>())
         judge(*button, button->text());
     for (const auto *label : whole.findChildren<QLabel *>()) {
-        // One that elides has its whole text in the tool tip; one with a least width of 1 is cut by
-        // its panel, which is made wider.
+        // A label that elides has its whole text in the tool tip; one with a minimum width of 1 is
+        // cut by its panel, which can be widened.
         if (!label->wordWrap() && !qobject_cast<const ElidedLabel *>(label)
             && label->minimumWidth() != 1)
             judge(*label, label->text());
@@ -125,7 +125,7 @@ QStringList narrowIn(const QWidget &whole)
 
 } // namespace
 
-/// The window in other languages than the sources'.
+/// The window in languages other than the sources'.
 class TestWindowLanguages : public QObject {
     Q_OBJECT
 
@@ -193,7 +193,8 @@ private slots:
              textsOf(resource(QStringLiteral("/translations/pixelplumb_de.ts"))))
             unknown.remove(text.name());
         for (const QString &name : unknown) {
-            if (!name.startsWith(QLatin1String("pixelplumb::CoreWords"))) // which asks for all
+            if (!name.startsWith(QLatin1String("pixelplumb::CoreWords"))) // CoreWords requests all
+                                                                          // texts
                 QFAIL(qPrintable(name));
         }
     }
@@ -205,14 +206,14 @@ private slots:
 
         QCOMPARE(sharedLetterIn(window->menuBar()->actions()), QString());
         window->openScene(resource(QStringLiteral("/scenes/lines.json")));
-        settle(); // the steps have other names
+        settle(); // the steps now have other names
         QCOMPARE(sharedLetterIn(window->menuBar()->actions()), QString());
     }
 
     void nothingIsCutInGerman_data()
     {
         QTest::addColumn<QSize>("size");
-        // What a frame and a title bar leave of the usual screens.
+        // The room that a frame and a title bar leave on common screens.
         QTest::newRow("1024 × 640") << QSize(1016, 600);
         QTest::newRow("1366 × 768") << QSize(1358, 728);
     }

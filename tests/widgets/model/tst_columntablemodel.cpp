@@ -28,7 +28,7 @@ private slots:
     void canonicalTextIsThatOfTheTrace();
     void marksWhatChangedSinceTheColumnBefore();
     void marksWhereTrianglesAndHalvesBegin();
-    void knowsTheRowInHandAndTheRowsAhead();
+    void knowsTheCurrentRowAndTheRowsAhead();
     void computesNothingForRowsThatNobodyAsksFor();
 };
 
@@ -145,7 +145,7 @@ void TestColumnTableModel::marksWhatChangedSinceTheColumnBefore()
             .toBool();
     };
 
-    QVERIFY(!changed(0, "y_B")); // nothing before it
+    QVERIFY(!changed(0, "y_B")); // there is no row before it
     QVERIFY(changed(1, "y_B"));
     QVERIFY(!changed(1, "half"));
     QVERIFY(changed(23, "half")); // column 27
@@ -168,7 +168,7 @@ void TestColumnTableModel::marksWhereTrianglesAndHalvesBegin()
     QCOMPARE(model.headerData(55, Qt::Vertical).toString(), QStringLiteral("△ 1"));
 }
 
-void TestColumnTableModel::knowsTheRowInHandAndTheRowsAhead()
+void TestColumnTableModel::knowsTheCurrentRowAndTheRowsAhead()
 {
     Playhead playhead;
     ColumnTableModel model(&playhead);
@@ -178,8 +178,8 @@ void TestColumnTableModel::knowsTheRowInHandAndTheRowsAhead()
     playhead.seekToSpan(10);
 
     QVERIFY(changes.count() > 0);
-    QVERIFY(model.index(10, 0).data(ColumnTableModel::IsInHandRole).toBool());
-    QVERIFY(!model.index(9, 0).data(ColumnTableModel::IsInHandRole).toBool());
+    QVERIFY(model.index(10, 0).data(ColumnTableModel::IsCurrentRole).toBool());
+    QVERIFY(!model.index(9, 0).data(ColumnTableModel::IsCurrentRole).toBool());
     QVERIFY(!model.index(10, 0).data(ColumnTableModel::IsAheadRole).toBool());
     QVERIFY(model.index(11, 0).data(ColumnTableModel::IsAheadRole).toBool());
 }
@@ -189,7 +189,7 @@ void TestColumnTableModel::computesNothingForRowsThatNobodyAsksFor()
     Scene scene;
     scene.frame.width = 4096;
     scene.frame.height = 4;
-    // Wide and flat, many times over: 204800 columns with few pixels.
+    // Wide and flat, many times over: 204800 columns with few pixels each.
     scene.triangles.assign(50,
                            {{vertexAt(0, 0, {}), vertexAt(4095, 0, {}), vertexAt(4095, 3, {})}});
     const std::shared_ptr<const TracedScene> traced = traceScene(scene);

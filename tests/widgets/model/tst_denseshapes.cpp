@@ -13,7 +13,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// A scene of one primitive of many corners in a small frame: a polygon of random ones, or letters.
+/// A scene with one primitive of many corners in a small frame: a random polygon, or letters.
 Scene denseScene(PrimitiveKind kind, int count)
 {
     Scene scene;
@@ -35,7 +35,7 @@ Scene denseScene(PrimitiveKind kind, int count)
             shape.vertices.push_back({{x(random), y(random)}, {{255, 255, 255}}});
     }
     scene.shapes = {shape};
-    scene.settings.fillRule = FillRule::TopLeft; // which both keep
+    scene.settings.fillRule = FillRule::TopLeft; // both support it
     return scene;
 }
 
@@ -51,15 +51,15 @@ double windowTime() { return processorTime(CLOCK_THREAD_CPUTIME_ID); }
 
 } // namespace
 
-/// One primitive of very many corners. What is painted of it, tst_framepainter counts.
+/// One primitive with very many corners. tst_framepainter counts what is painted of it.
 class TestDenseShapes : public QObject {
     Q_OBJECT
 
 private slots:
     void init() { m_settings.clear(); }
 
-    /// It is traced beside the window, and its vertices have no handles. Prints what the window's
-    /// own thread did.
+    /// The primitive is traced in the background, and its vertices have no handles. Prints the time
+    /// that the window's own thread took.
     void aPrimitiveOfManyCornersDoesNotHoldUpTheWindow_data()
     {
         QTest::addColumn<PrimitiveKind>("kind");
@@ -111,7 +111,7 @@ private slots:
         TraceOptions options;
         options.spanLimit = 2'000;
         const auto traced = traceScene(denseScene(PrimitiveKind::Polygon, 3'000), options);
-        // A row meets about a third of the edges, and four crossings count as a span.
+        // A row meets about a third of the edges, and each four crossings count as a span.
         QVERIFY(traced->trace->isCut());
         QVERIFY(traced->trace->spanCount() < 20);
         options.spanLimit = 100'000;

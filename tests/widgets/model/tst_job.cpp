@@ -17,12 +17,12 @@ namespace {
 
 constexpr int timeout = 60'000; // ms
 
-/// Goes on until it is told to end, or until somebody opens the gate.
+/// Work that continues until it is told to end, or until the gate is opened.
 struct Gate {
     std::shared_ptr<std::atomic<bool>> isOpen = std::make_shared<std::atomic<bool>>(false);
 
     void open() const { *isOpen = true; }
-    /// Whether the gate was opened.
+    /// Waits; returns whether the gate was opened.
     bool passes(const ProgressListener &listener, const JobProgress &progress) const
     {
         while (!*isOpen && listener(progress))
@@ -33,7 +33,7 @@ struct Gate {
 
 } // namespace
 
-/// Work beside the GUI thread.
+/// Work in the background.
 class TestJob : public QObject {
     Q_OBJECT
 
@@ -112,7 +112,7 @@ private slots:
             Job job;
             job.start(
                 [hasEnded, gate](const ProgressListener &) {
-                    // Work that does not listen: only this test can end it.
+                    // Work that ignores the listener: only this test can end it.
                     gate.passes([](const JobProgress &) { return true; }, {});
                     *hasEnded = true;
                     return 1;

@@ -52,7 +52,7 @@ protected:
 
 } // namespace
 
-/// Scenes of ten thousand triangles and more in the window: seen at once, moved under the hand.
+/// Scenes with ten thousand triangles and more in the window: shown at once, moved while dragging.
 class TestLargeScenes : public QObject {
     Q_OBJECT
 
@@ -116,11 +116,11 @@ private slots:
             }
         }
         QVERIFY2(finished >= 190,
-                 qPrintable(QString::number(finished))); // of 200, some under signs
+                 qPrintable(QString::number(finished))); // of 200, some of them under signs
         QVERIFY2(unfinished >= 190, qPrintable(QString::number(unfinished)));
     }
 
-    void aCrowdedViewHasHandlesOnlyForWhatIsInHand()
+    void aCrowdedViewHasHandlesOnlyForWhatIsCurrent()
     {
         const auto window = windowWith(crowd(5000, 100, exact));
         Canvas *canvas = window->parts().canvas;
@@ -132,7 +132,7 @@ private slots:
             = canvas->positionOf(window->parts().document->vertexAt(some)->position);
         QCOMPARE(canvas->vertexAt(place).has_value(), true);
         window->parts().document->selectVertex(some);
-        // The handle of the selected vertex is as easy to hit as ever.
+        // The handle of the selected vertex is as easy to hit as before.
         const auto near = canvas->vertexAt(place + QPointF(0.5, 0.5));
         QVERIFY(near.has_value());
         window->parts().document->selectVertex(std::nullopt);
@@ -156,8 +156,8 @@ private slots:
         QVERIFY(choice.primitives({}).size() < 300);
     }
 
-    /// Prints how long a move of the mouse takes to the painted frame; asserts only the order of
-    /// events, because machines differ.
+    /// Prints the time from a mouse move to the painted frame; asserts only the order of events,
+    /// because machines differ.
     void everyMoveOfADragIsDrawnAndPainted_data()
     {
         QTest::addColumn<double>("area");
@@ -183,15 +183,15 @@ private slots:
         QSignalSpy drawn(window->parts().previewer, &ScenePreviewer::pictureChanged);
         QSignalSpy traced(window->parts().tracer, &SceneTracer::traced);
 
-        // A picture may be painted by the same turn of the event loop that brought it.
+        // A picture may be painted in the same iteration of the event loop that delivered it.
         int paintsBefore = 0;
         connect(window->parts().previewer, &ScenePreviewer::pictureChanged, &counter,
                 [&] { paintsBefore = counter.paints; });
 
         send(*canvas, QEvent::MouseButtonPress, start);
         std::vector<double> times; // ms
-        std::vector<double> guiTimes; // ms of a processor in the GUI thread
-        std::vector<double> allTimes; // the same in all threads
+        std::vector<double> guiTimes; // ms of processor time in the GUI thread
+        std::vector<double> allTimes; // ms of processor time in all threads
         for (int move = 1; move <= 41; ++move) {
             const qsizetype picturesBefore = drawn.size();
             const double guiBefore = processorTime(CLOCK_THREAD_CPUTIME_ID);
@@ -212,7 +212,7 @@ private slots:
               medianOf(times), *std::ranges::min_element(times), medianOf(allTimes),
               medianOf(guiTimes));
         QVERIFY(waitForTrace(*window));
-        QVERIFY(traced.size() >= 1); // the run follows when the hand rests
+        QVERIFY(traced.size() >= 1); // the run follows when the mouse rests
         QCOMPARE(window->parts().playhead->traced()->scene, window->parts().document->scene());
     }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr auto forward = StepDirection::Forward;
 constexpr auto backward = StepDirection::Backward;
 
-/// A small triangle, one of zero area that the rule refuses, and one that draws over the first.
+/// A small triangle, one without area that the rule refuses, and one that overdraws the first.
 std::shared_ptr<const TracedScene> traced(FillRule rule = FillRule::HalfOpenColumn)
 {
     Scene scene;
@@ -31,7 +31,7 @@ QImage pictureOf(const Playhead &playhead) { return playhead.frame()->copy(); }
 
 } // namespace
 
-/// One object moves time for all views.
+/// One object controls the position of all views.
 class TestPlayhead : public QObject {
     Q_OBJECT
 
@@ -92,7 +92,7 @@ private slots:
         std::vector<std::size_t> expected;
         for (std::size_t column = 0; column < trace.spanCount(); ++column)
             expected.push_back(trace.indexOfSpan(column) + 1);
-        expected.push_back(trace.indexOfSetUp(1) + 1); // refused: it has no column to stop at
+        expected.push_back(trace.indexOfSetUp(1) + 1); // refused, so it has no column to stop at
         expected.push_back(trace.stepCount());
         std::ranges::sort(expected);
 
@@ -140,9 +140,9 @@ private slots:
     {
         Playhead playhead;
         playhead.setTraced(traced());
-        while (!playhead.pixelInHand())
+        while (!playhead.currentPixel())
             playhead.step(StepUnit::Sample, forward);
-        QCOMPARE(playhead.pickedPixel(), playhead.pixelInHand());
+        QCOMPARE(playhead.pickedPixel(), playhead.currentPixel());
         const std::size_t position = playhead.position();
 
         playhead.pick({1000, -5});
@@ -169,14 +169,14 @@ private slots:
         } while (playhead.position() > 0);
 
         // (4, 5) in the first triangle, column 6 in the first; the third covers x 3 … 13, at x = 4
-        // rows 2 and 3 only; then its column 6; then the end.
+        // only rows 2 and 3; then its column 6; then the end.
         QCOMPARE(stops.size(), std::size_t(4));
         QCOMPARE(stopsBack, stops);
         playhead.seek(stops[0]);
-        QCOMPARE(playhead.pixelInHand(), std::optional(QPoint(4, 5)));
+        QCOMPARE(playhead.currentPixel(), std::optional(QPoint(4, 5)));
         playhead.seek(stops[1]);
-        QCOMPARE(playhead.columnXInHand(), std::optional<std::int64_t>(6));
-        QVERIFY(!playhead.pixelInHand());
+        QCOMPARE(playhead.currentColumnX(), std::optional<std::int64_t>(6));
+        QVERIFY(!playhead.currentPixel());
     }
 
     void runsToTheStepsThatWriteThePickedPixel()
@@ -196,7 +196,7 @@ private slots:
         QCOMPARE(messages.size(), 1);
         playhead.runToPickedPixel(backward);
         QCOMPARE(playhead.position(), first);
-        QCOMPARE(playhead.stepInHand()->primitive, std::size_t(0));
+        QCOMPARE(playhead.currentStep()->primitive, std::size_t(0));
     }
 
     void keepsColumnAndPixelWhenASceneIsTracedAnew()
@@ -208,8 +208,8 @@ private slots:
 
         playhead.setTraced(traced(FillRule::Closed));
 
-        QCOMPARE(playhead.pixelInHand(), std::optional(QPoint(5, 3)));
-        QCOMPARE(playhead.stepInHand()->primitive, std::size_t(0));
+        QCOMPARE(playhead.currentPixel(), std::optional(QPoint(5, 3)));
+        QCOMPARE(playhead.currentStep()->primitive, std::size_t(0));
     }
 
     void anAddedTriangleIsShownFinished()
@@ -233,7 +233,7 @@ private slots:
         playhead.setStepsPerSecond(Playhead::fastest);
         playhead.setPlaying(true);
         QTRY_VERIFY(!playhead.isPlaying());
-        QCOMPARE(playhead.columnXInHand(), std::optional<std::int64_t>(6));
+        QCOMPARE(playhead.currentColumnX(), std::optional<std::int64_t>(6));
 
         playhead.clearBreakpoints();
         playhead.setPlaying(true);

@@ -14,12 +14,12 @@ namespace {
 
 constexpr Colour yellow = {{255, 255, 0}};
 
-/// A triangle this many pixels to the right.
+/// A triangle shifted this many pixels to the right.
 Triangle triangle(std::int64_t shift) { return triangleAt(shift, 0, shift + 4, 0, shift, 4); }
 
 } // namespace
 
-/// Vertices, frames and the selection of a document, and what it refuses.
+/// Vertices, frames and the selection of a document, and the edits that it refuses.
 class TestSceneDocument : public QObject {
     Q_OBJECT
 
@@ -88,7 +88,7 @@ void TestSceneDocument::theJointOfTwoPiecesMovesAsOne()
     Shape path;
     path.kind = PrimitiveKind::Bezier;
     path.fill = ShapeFill::EvenOdd;
-    // They meet in (4, 0), where the first one ends, and leave a gap at the other end.
+    // The pieces meet at (4, 0), where the first one ends, and leave a gap at the other end.
     for (const LatticePoint &control : {latticePixel(0, 0), latticePixel(2, 4), latticePixel(4, 0),
                                         latticePixel(4, 0), latticePixel(8, 8), latticePixel(0, 9)})
         path.vertices.push_back({control, red});
@@ -128,7 +128,7 @@ void TestSceneDocument::changesInSpaceAreEdits()
         sphere.segments[0] = around;
         document.setSolid(0, sphere, segmentsDrag);
     }
-    document.setSolid(7, sphere, document.newDrag()); // there is none
+    document.setSolid(7, sphere, document.newDrag()); // there is no such solid
     Appearance flat = scene.appearance;
     flat.shading = Shading::Flat;
     document.setAppearance(flat);
@@ -303,7 +303,7 @@ void TestSceneDocument::snapsToTheChosenLattice_data()
     QTest::addColumn<Snap>("snap");
     QTest::addColumn<Lattice>("x");
     QTest::addColumn<Lattice>("expected");
-    // In units of 1/256 px; a sixteenth has 16 of them.
+    // In units of 1/256 px; a sixteenth of a pixel is 16 of them.
     QTest::newRow("pixel, down") << Snap::Pixel << Lattice(256 + 127) << Lattice(256);
     QTest::newRow("pixel, the middle goes up") << Snap::Pixel << Lattice(256 + 128) << Lattice(512);
     QTest::newRow("pixel, negative") << Snap::Pixel << Lattice(-129) << Lattice(-256);

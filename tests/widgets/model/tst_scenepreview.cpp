@@ -19,7 +19,7 @@ namespace {
 
 const ProgressListener always;
 
-/// Triangles that overlap each other and the frame's border, some in the background's colour.
+/// Triangles that overlap each other and the frame's border, some in the background colour.
 Scene scatteredScene(unsigned seed, const ScanSettings &settings, const QString &method)
 {
     std::mt19937 random(seed);
@@ -46,7 +46,8 @@ Scene scatteredScene(unsigned seed, const ScanSettings &settings, const QString 
     return scene;
 }
 
-/// What the differences are, as a raster: the first that two rasters have not in common is named.
+/// The differences as a raster, so that a failed comparison names the first one that two rasters do
+/// not share.
 QString rasterOf(const DifferenceMap &differences, const FrameSpec &frame)
 {
     QString raster;
@@ -63,12 +64,12 @@ std::shared_ptr<const Scene> shared(const Scene &scene)
     return std::make_shared<const Scene>(scene);
 }
 
-/// Long enough under way that another request finds it there.
+/// A scene that is drawn slowly enough for another request to arrive meanwhile.
 Scene slowScene()
 {
     Scene scene;
     scene.frame = frameOf(1200, 900);
-    scene.settings.arithmetic = Arithmetic::Float64; // has no fast kernel
+    scene.settings.arithmetic = Arithmetic::Float64; // it has no fast kernel
     scene.triangles.assign(40, triangleAt(0, 0, 1199, 10, 500, 899));
     return scene;
 }
@@ -128,7 +129,7 @@ private slots:
             if (!method.draws(PrimitiveKind::Triangle) || !method.supports(FillRule::Closed))
                 continue;
             for (const Arithmetic arithmetic : method.arithmetics) {
-                // Whole pixels, for ties: there rounding decides.
+                // Whole pixels, where ties let rounding decide.
                 Scene scene = scatteredScene(
                     2, {arithmetic, FillRule::Closed, ByteRounding::Nearest}, method.id);
                 for (Triangle &triangle : scene.triangles) {
@@ -256,7 +257,7 @@ private slots:
 
         QTRY_VERIFY_WITH_TIMEOUT(!previewer.isRunning(), 60'000);
         QVERIFY(previewer.picture()->drawn().copy() == last.copy());
-        QCOMPARE(changed.size(), 2); // the one under way, and the newest
+        QCOMPARE(changed.size(), 2); // the one in progress and the newest
     }
 
     void aWholeTraceLeavesNothingToShow()

@@ -14,7 +14,7 @@ namespace {
 
 constexpr Colour yellow = {{255, 255, 0}};
 
-/// A triangle this many pixels to the right.
+/// A triangle shifted this many pixels to the right.
 Triangle triangle(std::int64_t shift) { return triangleAt(shift, 0, shift + 4, 0, shift, 4); }
 
 /// Three vertices, placed one by one.
@@ -27,7 +27,7 @@ void placeThree(SceneDocument &document)
 
 } // namespace
 
-/// What can be undone in a document, in which steps, and when it counts as modified.
+/// What can be undone in a document, in which steps, and when the document counts as modified.
 class TestUndo : public QObject {
     Q_OBJECT
 
@@ -267,7 +267,7 @@ void TestUndo::discardedVerticesAreNotOnTheUndoStack()
 
     QVERIFY(document.pendingVertices().empty());
     QCOMPARE(document.scene().triangles.size(), std::size_t(1));
-    document.undoStack()->undo(); // of the triangle
+    document.undoStack()->undo(); // undoes the triangle
     QVERIFY(document.pendingVertices().empty());
     QVERIFY(document.scene().triangles.empty());
 }

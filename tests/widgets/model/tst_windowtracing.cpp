@@ -33,7 +33,7 @@ class TestWindowTracing : public QObject {
 private slots:
     void init() { m_settings.clear(); }
 
-    void aLargeSceneIsTracedBesideTheWindow()
+    void aLargeSceneIsTracedInTheBackground()
     {
         const auto window = openedWindow(Scene());
         QSignalSpy started(&window->parts().tracer->job(), &Job::started);

@@ -28,7 +28,7 @@ namespace {
 
 constexpr int longest = 60'000; // ms; the study of segments takes some 100 ms
 
-/// A plain triangle, a triangle that the near plane cuts, and a sphere.
+/// A plain triangle, a triangle that the near plane clips, and a sphere.
 Scene spaceScene()
 {
     Scene scene = sceneOf(
@@ -46,7 +46,7 @@ void open(ProjectionPanel &panel, Playhead &playhead, const Scene &scene)
     QVERIFY(spy.count() > 0 || spy.wait(longest));
 }
 
-/// The step at which a primitive's first sample is written, or its set-up.
+/// The step that writes a primitive's first sample, or its set-up.
 std::size_t positionIn(const Playhead &playhead, std::size_t primitive)
 {
     const ScanTrace &trace = *playhead.traced()->trace;
@@ -66,7 +66,7 @@ QTreeWidgetItem *stageItem(const StageTree &tree, const QString &title)
     return nullptr;
 }
 
-/// The text of a number of a stage's point.
+/// The text of a number at a stage's point.
 QString cell(const StageTree &tree, const QString &title, int point, int number, int column)
 {
     // The first row below a stage is its formula.
@@ -84,7 +84,7 @@ QStringList notesOf(const StageTree &tree, const QString &title)
 
 } // namespace
 
-/// The dock that shows how a triangle came from three dimensions to the frame.
+/// The dock that shows how a triangle got from three dimensions to the frame.
 class TestProjectionDock : public QObject {
     Q_OBJECT
 
@@ -247,7 +247,8 @@ private slots:
             QVERIFY(std::abs(face.picture[i].x / corner.x - stages.face.devices[i].x) < 1e-12);
             QVERIFY(std::abs(face.picture[i].y / corner.y - stages.face.devices[i].y) < 1e-12);
         }
-        // The ray of a sample inside the triangle meets its plane within the sphere's depths.
+        // The ray of a sample inside the triangle meets the triangle's plane within the sphere's
+        // depths.
         const auto &place = stages.face.places;
         const QPoint pixel(qRound((place[0][0] + place[1][0] + place[2][0]) / 3),
                            qRound((place[0][1] + place[1][1] + place[2][1]) / 3));
@@ -275,7 +276,7 @@ private slots:
         QVERIFY2(after.contains(QStringLiteral("x = 4 (exact)")), qPrintable(after));
         QVERIFY2(after.contains(QStringLiteral("y = 3.5 (exact)")), qPrintable(after));
 
-        // The scene's own 13 × 7 among those of the study.
+        // The scene's own 13 × 7 is one of the study's.
         QCOMPARE(panel.figures().size(), 7U);
         for (std::size_t i = 1; i < panel.figures().size(); ++i)
             QVERIFY(panel.figures()[i].distance < panel.figures()[i - 1].distance);

@@ -32,7 +32,7 @@ std::array<int, 2> segmentsIn(const SceneDocument &document)
 
 } // namespace
 
-/// The segments of a sphere, dragged.
+/// The sphere's segments, changed with sliders.
 class TestSegmentSliders : public QObject {
     Q_OBJECT
 

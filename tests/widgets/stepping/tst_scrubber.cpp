@@ -100,7 +100,7 @@ private slots:
             window->parts().canvas->setZoom(zoom);
             for (std::size_t position = 2; position <= playhead.end(); position += 97) {
                 playhead.seek(position);
-                const double x = canvas.positionOf(QPoint(int(*playhead.columnXInHand()), 0)).x();
+                const double x = canvas.positionOf(QPoint(int(*playhead.currentColumnX()), 0)).x();
                 QVERIFY(x >= canvas.view().left() && x <= canvas.view().right());
                 QCOMPARE(
                     canvas.mapTo(window.get(), QPointF(x, 0)).x(),
@@ -133,7 +133,7 @@ private slots:
     {
         QTest::addColumn<Scene>("scene");
         QTest::addColumn<QString>("told");
-        // Drawn to (29, 44) by a loop that ends one step too early.
+        // A line drawn only to (29, 44), by a loop that ends one step too early.
         const Colour white = {{255, 255, 255}};
         Shape line;
         line.kind = PrimitiveKind::Line;

@@ -48,7 +48,7 @@ private slots:
         QVERIFY(m_window->parts().canvas->height() >= 200);
     }
 
-    void comparesTheMethodInHandWithItsOtherNumbersAtFirst()
+    void comparesTheCurrentMethodWithItsOtherNumbersAtFirst()
     {
         open();
 

@@ -27,7 +27,7 @@ namespace {
 
 constexpr int longest = 30'000; // ms; a plan takes some milliseconds
 
-/// Two triangles that overlap, the later one farther away; white, half of the frame each.
+/// Two white triangles that overlap, each half of the frame; the later one is farther away.
 Scene overlapping()
 {
     Scene scene;
@@ -45,7 +45,7 @@ Scene overlapping()
     return scene;
 }
 
-/// A panel with what it follows.
+/// A panel and the objects it follows.
 struct Bench {
     explicit Bench(const Scene &scene)
         : panel(&document, &switches)
@@ -73,7 +73,7 @@ void choose(const Bench &bench, const char *name, int index)
 
 } // namespace
 
-/// The dock that says which effects a scene calls for.
+/// The dock that says which effects a scene needs.
 class TestEffectsPanel : public QObject {
     Q_OBJECT
 
@@ -218,7 +218,7 @@ private slots:
         QVERIFY(!timing->costs[Effect::Clipping]);
         QVERIFY(!timing->costs[Effect::Texture]); // there are no texels
         QVERIFY(!bench.cell(Effect::Depth, 5).isEmpty());
-        // Both triangles cover the same samples: each asks once, the first writes.
+        // Both triangles cover the same samples: each tests the depth once, the first also writes.
         QCOMPARE(*timing->costs[Effect::Depth]->operations, 3 * timing->pixels);
         QCOMPARE(bench.cell(Effect::Depth, 6), QStringLiteral("3.00"));
         QVERIFY(bench.cell(Effect::Texture, 7).isEmpty());

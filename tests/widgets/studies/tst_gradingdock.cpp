@@ -57,7 +57,7 @@ void drop(MainWindow &window, const QString &path)
 
 } // namespace
 
-/// The assistant's bench, by the hands of an assistant.
+/// The assistant's bench, used as an assistant does.
 class TestGradingDock : public QObject {
     Q_OBJECT
 
@@ -123,7 +123,7 @@ private slots:
     {
         const Classroom classroom;
         QImage clear = drawn(smallScene()).convertToFormat(QImage::Format_ARGB32);
-        clear.setPixel(0, 0, 0); // the background, but transparent
+        clear.setPixel(0, 0, 0); // the background colour, but transparent
         QVERIFY(clear.save(classroom.submissions() + "/ada/small.png"));
         const auto assignment = readAssignmentFile(classroom.assignmentFile());
         QVERIFY(gradeFolder({classroom.submissions(), classroom.results(), "1"}, *assignment));
@@ -226,7 +226,7 @@ private slots:
         press(*window, Qt::Key_J);
         QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "bob · small", longestWait);
         QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
-        QTest::qWait(100); // the docks take their places
+        QTest::qWait(100); // events move the docks into place
 
         grabbed(*window, "bench");
         QCOMPARE(window->size(), size);

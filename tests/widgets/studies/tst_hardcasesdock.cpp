@@ -38,7 +38,7 @@ private slots:
     void isHiddenAtFirstAndNeverHidesTheCanvas()
     {
         QVERIFY(!m_panel->isVisible());
-        QVERIFY(m_panel->cases().empty()); // nothing is read before it is looked at
+        QVERIFY(m_panel->cases().empty()); // nothing is read before the panel is shown
 
         open();
 
@@ -51,7 +51,7 @@ private slots:
     {
         open();
 
-        // Of each file, the cases with coordinates that are refused apart.
+        // For each file, the cases with rejected coordinates are counted separately.
         for (const char *name :
              {"hard_cases.json", "more_cases.json", "shape_cases.json", "effect_cases.json"}) {
             const QString path = testData(name);
@@ -64,7 +64,7 @@ private slots:
         for (const GalleryCase &each : m_panel->cases()) {
             QVERIFY2(!each.family.isEmpty() && !each.hardCase.stresses.isEmpty(),
                      qPrintable(each.hardCase.id));
-            // Two sentences, at least.
+            // At least two sentences.
             QVERIFY2(each.why.count(u'.') >= 2, qPrintable(each.hardCase.id));
         }
     }
@@ -77,7 +77,7 @@ private slots:
             QVERIFY2(each.why != fallback, qPrintable(each.family));
     }
 
-    void drawsTheChosenCaseByTheMethodInHandAndByTheTruth()
+    void drawsTheChosenCaseByTheCurrentMethodAndByTheTruth()
     {
         setArithmetic(Arithmetic::Float32);
         open();
@@ -105,7 +105,7 @@ private slots:
             m_playhead->traced() && m_playhead->traced()->scene.frame.width == 1001, 20000);
         QTRY_COMPARE_WITH_TIMEOUT(m_playhead->pickedPixel(), std::optional(QPoint(10, 1)), 5000);
         QCOMPARE(m_playhead->traced()->differences.at(10, 1), Difference::Missing);
-        QCOMPARE(m_playhead->columnXInHand(), std::optional<std::int64_t>(10));
+        QCOMPARE(m_playhead->currentColumnX(), std::optional<std::int64_t>(10));
     }
 
     void tellsWithinThreeClicksWhyFloat64LosesMoreAtTenthsThanFloat32()
@@ -115,7 +115,7 @@ private slots:
         auto *compare = named<ComparePanel>(*m_window, "compare");
 
         QTest::mouseClick(named<QPushButton>(*m_window, "hardCaseCompare"),
-                          Qt::LeftButton); // the second
+                          Qt::LeftButton); // the second click
 
         QTRY_VERIFY_WITH_TIMEOUT(compare->contest() && !compare->isRunning()
                                      && compare->contest()->scene.frame.width == 1001,
@@ -128,7 +128,7 @@ private slots:
         QCOMPARE(compare->contenders()[1].settings.arithmetic, Arithmetic::Float32);
         QCOMPARE(missing(1), 64);
         QCOMPARE(missing(2), 127);
-        m_playhead->pick({20, 2}); // the third, on a pixel that both lose
+        m_playhead->pick({20, 2}); // the third click, on a pixel that both lose
         const QString reason = named<QLabel>(*compare, "compareReason")->text();
         QVERIFY2(reason.contains(QStringLiteral("y_B = 2.0000000000000004 instead of 2")),
                  qPrintable(reason));
@@ -150,7 +150,7 @@ private slots:
 
     void saysTheDriftedNumberOfLostTiesIsAsTold()
     {
-        // The words on tie_tenths: at 64 and 127 ties the error is on the losing side.
+        // The words about tie_tenths: at 64 and 127 ties the error is on the losing side.
         Scene scene;
         for (const GalleryCase &each : galleryOf(QStringLiteral(":/cases/more_cases.json")))
             scene = each.hardCase.id == "tie_tenths" ? sceneOf(each.hardCase, methods().front(), {})
@@ -185,7 +185,7 @@ private slots:
                                  30000);
 
         grabbed(*m_window, QStringLiteral("hardcases"));
-        // Not hardCasesTree, most of which are the cases' pictures, on grounds of their own.
+        // Not hardCasesTree: most of it is pictures of the cases, on backgrounds of their own.
         QTRY_COMPARE(readingFault(*named<QWidget>(*m_window, "hardCaseWords")), QString());
     }
 
@@ -201,7 +201,8 @@ private:
         settings.arithmetic = arithmetic;
         m_window->parts().document->setSettings(settings);
         QTRY_COMPARE(m_playhead->traced()->scene.settings.arithmetic, arithmetic);
-        m_window->parts().document->undoStack()->setClean(); // nothing to be asked about
+        m_window->parts().document->undoStack()->setClean(); // so that it does not ask about
+                                                             // changes
     }
     static std::vector<GalleryCase> galleryOf(const QString &path)
     {

@@ -207,7 +207,7 @@ private slots:
         auto *slider = named<QSlider>(*window, "motionSlider");
         const auto isAt = [&](int frame) {
             Scene moved = sceneAtFrame(movingScene(), frame);
-            moved.motion = playhead.traced()->scene.motion; // that of frame 0 moves on
+            moved.motion = playhead.traced()->scene.motion; // is not compared
             return playhead.traced()->scene == moved;
         };
         slider->setFocus();
@@ -218,15 +218,15 @@ private slots:
         QCOMPARE(document.undoStack()->count(), 0);
         QCOMPARE(document.scene(), movingScene());
 
-        // 8 of 24 frames: by 4/3 and 1 px; a handle is where it is seen, and moves the scene's
-        // vertex.
+        // 8 of 24 frames: by 4/3 and 1 px; a handle is where the vertex is shown, and moves the
+        // scene's vertex.
         const LatticePoint start = movingScene().triangles.front().vertices[0].position;
         const LatticePoint seen = sceneAtFrame(movingScene(), 8).triangles[0].vertices[0].position;
         canvas.setTool(CanvasTool::Draw);
         QCOMPARE(canvas.vertexAt(canvas.positionOf(seen)), std::optional(VertexRef{0, 0}));
         QVERIFY(!canvas.vertexAt(canvas.positionOf(start)));
         QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.positionOf(QPoint(20, 3)).toPoint());
-        QCOMPARE(document.atFrameInHand(document.pendingVertices().front().position),
+        QCOMPARE(document.atCurrentFrame(document.pendingVertices().front().position),
                  latticePixel(20, 3));
         QTest::keyClick(&canvas, Qt::Key_Escape);
 
@@ -240,7 +240,7 @@ private slots:
         QTRY_VERIFY(isAt(13));
         QTest::mouseClick(named<QToolButton>(*window, "motionPlay"), Qt::LeftButton);
 
-        // Its steps are this frame's, also when another panel stands in front.
+        // The steps are those of this frame, even if another panel is in front.
         const int frame = slider->value();
         action(*window, "columnsDockToggle")->trigger();
         action(*window, "runToEnd")->trigger();
@@ -258,7 +258,7 @@ private slots:
         window->resize(1366, 768);
         SceneDocument &document = *window->parts().document;
         Canvas &canvas = *window->parts().canvas;
-        document.setFrameInHand(8); // by 4/3 and 1 px
+        document.setCurrentFrame(8); // by 4/3 and 1 px
         QTRY_COMPARE(window->parts().playhead->traced()->scene.triangles,
                      sceneAtFrame(movingScene(), 8).triangles);
         canvas.setTool(CanvasTool::Draw);
@@ -269,7 +269,8 @@ private slots:
         QTest::mouseMove(&canvas, target);
         QTest::mouseRelease(&canvas, Qt::LeftButton, {}, target);
 
-        QCOMPARE(document.atFrameInHand(document.vertexAt({0, 0})->position), latticePixel(12, 14));
+        QCOMPARE(document.atCurrentFrame(document.vertexAt({0, 0})->position),
+                 latticePixel(12, 14));
         QCOMPARE(canvas.spokenState(),
                  QStringLiteral("vertex 0 of triangle 0 at (12, 14), frame 8 of 24 of the motion"));
     }
@@ -281,11 +282,11 @@ private slots:
         action(*window, "motionDockToggle")->trigger();
         auto *slider = named<QSlider>(*window, "motionSlider");
         slider->setValue(20);
-        QTRY_COMPARE(window->parts().document->frameInHand(), 20);
+        QTRY_COMPARE(window->parts().document->currentFrame(), 20);
         Scene other = movingScene();
         other.motion = Motion{{256, 0}, 11};
         window->parts().document->reset(other);
-        QCOMPARE(window->parts().document->frameInHand(), 0);
+        QCOMPARE(window->parts().document->currentFrame(), 0);
         QCOMPARE(slider->value(), 0);
         QCOMPARE(window->parts().playhead->traced()->scene.triangles, other.triangles);
     }

@@ -48,7 +48,7 @@ private slots:
         QCOMPARE(panel.counts()->primitives, std::int64_t(1));
     }
 
-    void showsTheOperationsOfTheArithmeticInHand()
+    void showsTheOperationsOfTheCurrentArithmetic()
     {
         Playhead playhead;
         OperationPanel panel(&playhead);

@@ -160,8 +160,8 @@ private slots:
 
         QTest::mouseClick(plot, Qt::LeftButton, {}, place);
 
-        QVERIFY(m_playhead->columnXInHand());
-        QVERIFY(std::abs(*m_playhead->columnXInHand() - 37) <= 1);
+        QVERIFY(m_playhead->currentColumnX());
+        QVERIFY(std::abs(*m_playhead->currentColumnX() - 37) <= 1);
     }
 
     void looksRightInBothPalettes_data() { addPalettes(); }

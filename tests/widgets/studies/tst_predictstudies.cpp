@@ -25,12 +25,12 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Of the default scene's triangle, before and behind the column of the middle, in a row that the
-/// row walk has drawn when it has come half its way.
+/// On the default scene's triangle, before and after the middle column, in a row that the row walk
+/// has already drawn halfway through its run.
 constexpr QPoint past(26, 30);
 constexpr QPoint ahead(34, 30);
 
-/// What a view shows in the middle of a pixel's cell.
+/// The colour that a view shows in the middle of a pixel's cell.
 QRgb shownAt(CompareView *view, const QPoint &pixel)
 {
     const QImage grabbed = view->grab().toImage();
@@ -39,7 +39,7 @@ QRgb shownAt(CompareView *view, const QPoint &pixel)
 
 } // namespace
 
-/// The studies of a whole run tell of its past alone while a student foretells it.
+/// While a student predicts a run, studies of the whole run show only its past.
 class TestPredictStudies : public QObject {
     Q_OBJECT
 
@@ -49,7 +49,7 @@ private slots:
 
     void comparedPicturesShowThePixelsThatAreDecided_data()
     {
-        QTest::addColumn<QString>("method"); // none: the truth
+        QTest::addColumn<QString>("method"); // empty: the truth
         QTest::newRow("the truth") << QString();
         QTest::newRow("another way") << QStringLiteral("row-walk");
     }
@@ -125,7 +125,7 @@ private slots:
         playhead().pick(wrong);
         QVERIFY2(reason->text().contains(QStringLiteral("1 of 2 agree")),
                  qPrintable(reason->text()));
-        // Where nothing lies ahead, nothing is hidden.
+        // If nothing lies ahead, nothing is hidden.
         const auto tells = [this](const char *words) {
             return std::ranges::any_of(m_panel->findChildren<QLabel *>(), [words](QLabel *label) {
                 return label->text().contains(QString::fromLatin1(words));
@@ -155,7 +155,7 @@ private slots:
         const QCPRange range = plot->xAxis->range();
         for (const std::size_t span : {2, 9}) {
             playhead().seekToSpan(span);
-            QCOMPARE(last(), double(*playhead().columnXInHand()));
+            QCOMPARE(last(), double(*playhead().currentColumnX()));
             QCOMPARE(plot->xAxis->range().upper, range.upper); // nothing jumps
         }
         playhead().seek(0);
@@ -178,7 +178,7 @@ private slots:
         QVERIFY(overlay->grab().toImage() != hidden);
     }
 
-    void theCopyOfAPixelEndsAtTheStepInHand()
+    void theCopyOfAPixelEndsAtTheCurrentStep()
     {
         openPredict(QStringLiteral("default.json"));
         const auto copied = [this](const QPoint &pixel) {
@@ -224,7 +224,7 @@ private:
         return last;
     }
 
-    /// In a column of the middle, Predict in sight.
+    /// Opens a scene at a middle column, with Predict visible.
     void openPredict(const QString &file)
     {
         m_window = openedWindow(file);
@@ -233,7 +233,7 @@ private:
         togglePredict();
         QTRY_VERIFY(playhead().isAheadHidden());
     }
-    /// The method in hand in the first pane, another or the truth in the second.
+    /// Opens the current method in the first pane, and another one or the truth in the second.
     void openCompare(const QString &file, const QString &other)
     {
         openPredict(file);
@@ -246,7 +246,7 @@ private:
                                  20000);
         QCoreApplication::processEvents();
     }
-    /// In its workspace, and back.
+    /// Toggles Predict in its workspace.
     void togglePredict()
     {
         action(*m_window, "stepWorkspace")->trigger();

@@ -37,10 +37,10 @@ using namespace pixelplumb;
 
 namespace {
 
-constexpr QPoint missing(35, 20); ///< the default scene covers it
-constexpr QPoint extra(1, 46); ///< and not this
+constexpr QPoint missing(35, 20); ///< a pixel that the default scene covers
+constexpr QPoint extra(1, 46); ///< a pixel that it does not cover
 
-/// What the method draws of the scene.
+/// The method's picture of the scene.
 QImage drawn(const Scene &scene)
 {
     const FrameBuffer frame(scene.frame);
@@ -48,7 +48,7 @@ QImage drawn(const Scene &scene)
     return frame.image().copy();
 }
 
-/// With one missing pixel and one extra one.
+/// The method's picture with one missing pixel and one extra one.
 QImage wrongPicture(const Scene &scene)
 {
     QImage picture = drawn(scene);
@@ -95,7 +95,8 @@ std::vector<Defect> defectIn(const Scene &right, const QString &id)
     return {*found};
 }
 
-/// With a small scene, in which defects are sought soon, and the picture that it has with a defect.
+/// A window with a small scene, in which defects are found quickly, and the scene's picture with a
+/// defect.
 std::unique_ptr<MainWindow> windowWithDefect(const char *id)
 {
     auto window = openedWindow();
@@ -118,7 +119,7 @@ void nameTheBug(const MainWindow &window)
     QTRY_VERIFY_WITH_TIMEOUT(!named<DiagnosisView>(window, "diagnosis")->isRunning(), 60'000);
 }
 
-/// Among what was found, in the assistant's words.
+/// Selects a defect among those found, in the assistant's words.
 void choose(const MainWindow &window, const QString &id)
 {
     named<QComboBox>(window, "diagnosisAudience")->setCurrentIndex(1);
@@ -128,7 +129,7 @@ void choose(const MainWindow &window, const QString &id)
     candidates->setCurrentItem(items.front());
 }
 
-/// Whether anything of a sign's colour is seen in a pixel's cell.
+/// Whether a pixel's cell shows the colour of a sign.
 bool isMarked(MainWindow &window, const QPoint &pixel, Sign sign)
 {
     Canvas &canvas = *window.parts().canvas;
@@ -146,7 +147,7 @@ bool isMarked(MainWindow &window, const QPoint &pixel, Sign sign)
 
 } // namespace
 
-/// A student's picture on the canvas, by the hands of a person.
+/// A student's picture on the canvas, handled as a user does.
 class TestStudentPicture : public QObject {
     Q_OBJECT
 
@@ -170,7 +171,7 @@ private slots:
         QCOMPARE(text(*window, "submissionName"), "student.png");
         QCOMPARE(text(*window, "submissionVerdict"), "Wrong: 2 pixels differ.");
         QVERIFY(text(*window, "submissionCounts").contains("1 missing"));
-        QTest::qWait(50); // the dock has come
+        QTest::qWait(50); // the dock has appeared
         window->parts().canvas->fitToView();
         grabbed(*window, "student");
         QVERIFY(isMarked(*window, missing, Sign::Missing));
@@ -280,7 +281,7 @@ private slots:
         QTest::mouseMove(canvas, (from + QPointF(40, -40)).toPoint());
         QTest::mouseMove(canvas, (from + QPointF(60, -60)).toPoint());
 
-        QTRY_VERIFY(judgement(*window)->diff.differing() > 0); // before the button is let go
+        QTRY_VERIFY(judgement(*window)->diff.differing() > 0); // before the button is released
         QTest::mouseRelease(canvas, Qt::LeftButton, {}, (from + QPointF(60, -60)).toPoint());
         action(*window, "undo")->trigger();
         QTRY_COMPARE(text(*window, "submissionVerdict"), "Right: no pixel differs.");
@@ -472,7 +473,8 @@ private slots:
                          qPrintable(QDebug::toString(placeInView(part))));
     }
 
-    /// The method draws the scene right; beside a wrong picture that would be a second verdict.
+    /// The method draws the scene right; shown together with a wrong picture, that would be a
+    /// second verdict.
     void oneVerdictIsToldAtATime()
     {
         const auto window = windowWithDefect("rounding-truncate");
@@ -525,7 +527,7 @@ private slots:
         const auto parts = partingStepOf(right, document->scene());
         QVERIFY(parts);
         QCOMPARE(playhead->position(), parts->step + 1);
-        // The right picture still stands beside the student's.
+        // The right picture is still shown next to the student's.
         QVERIFY(judgement(*window)->diff.differing() > 0);
         QCOMPARE(drawn(*window->parts().student->scene()), drawn(right));
 

@@ -17,10 +17,10 @@ namespace tst_everystepinwindow {
 
 using namespace pixelplumb;
 
-/// Every method beside a scene that has primitives of all kinds, and every scene under a method
-/// that draws it and one that draws others, the arithmetics in turn, stepped through in the window:
-/// a method may have nothing to draw, but the window always has something to say. What it says is
-/// checked of every run without a window (tst_everyrun).
+/// Every method with a scene that has primitives of all kinds, and every scene under a method that
+/// draws it and one that does not, in alternating arithmetics, stepped through in the window: a
+/// method may draw nothing, but the window always has something to say. tst_everyrun checks what it
+/// says about every run, without a window.
 class TestEveryStepInWindow : public QObject {
     Q_OBJECT
 
@@ -48,7 +48,7 @@ private slots:
     {
         QFETCH(std::size_t, scene);
         const auto window = openedWindow(m_scenes[scene].second);
-        // One method of each sort, another from scene to scene.
+        // One method of each sort, a different one from scene to scene.
         for (const bool draws : {true, false}) {
             Scene drawn = m_scenes[scene].second;
             for (std::size_t i = 0; i < methods().size(); ++i) {
@@ -64,7 +64,7 @@ private slots:
     }
 
 private:
-    /// What the window lacks at the steps of its scene under a method; empty where nothing.
+    /// What the window fails to show at the steps of its scene under a method; empty if nothing.
     static QString faultUnder(MainWindow &window, const Method &method, std::size_t turn)
     {
         SceneDocument &document = *window.parts().document;

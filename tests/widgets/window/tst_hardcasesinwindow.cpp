@@ -17,11 +17,11 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Of a method that visits each pixel for each primitive. Where there would be more, the case's
-/// detail is opened: its pixels around the place where it is hard.
+/// The limit for a method that visits each pixel for each primitive. Above it, the case's detail is
+/// opened: the pixels around the place where the case is hard.
 constexpr std::int64_t mostVisits = 1'000'000;
 
-/// One in so many methods opens a case.
+/// One in this many methods opens a case.
 constexpr std::size_t methodShare = 3;
 
 std::int64_t visitsOf(const Scene &scene)
@@ -30,7 +30,7 @@ std::int64_t visitsOf(const Scene &scene)
         * std::int64_t(scene.triangles.size() + scene.shapes.size());
 }
 
-/// The cases, the largest of them as their details.
+/// The cases; the largest ones are replaced by their details.
 std::vector<NamedScene> casesToOpen()
 {
     std::vector<NamedScene> cases = hardCaseScenes();
@@ -44,9 +44,9 @@ std::vector<NamedScene> casesToOpen()
 
 } // namespace
 
-/// Every hard case under a third of the methods, its own kind or not, and every method beside a
-/// third of the cases, stepped through in the window. The arithmetics take turns, too;
-/// tst_everyrun has every case under every method.
+/// Every hard case under a third of the methods, whether they draw its kind or not, and every
+/// method with a third of the cases, stepped through in the window. The arithmetics alternate, too;
+/// tst_everyrun runs every case under every method.
 class TestHardCasesInWindow : public QObject {
     Q_OBJECT
 
@@ -71,7 +71,7 @@ private slots:
     void everyHardCaseCanBeSteppedInTheWindow()
     {
         QFETCH(std::size_t, index);
-        // From case to case and from method to method.
+        // The arithmetics alternate from case to case and from method to method.
         std::size_t turn = index / methodShare;
         for (std::size_t i = index % methodShare; i < methods().size(); i += methodShare) {
             const Method &method = methods()[i];
@@ -91,7 +91,8 @@ private slots:
 private:
     IsolatedSettings m_settings;
     const std::vector<NamedScene> m_cases = casesToOpen();
-    std::unique_ptr<MainWindow> m_window; ///< one for all, as for a person who opens one by one
+    std::unique_ptr<MainWindow> m_window; ///< one window for all, as for a user who opens one after
+                                          ///< the other
 };
 
 PIXELPLUMB_TEST(TestHardCasesInWindow)

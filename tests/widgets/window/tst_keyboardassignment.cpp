@@ -24,7 +24,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Without a window manager nobody makes the window active again when a dialog has gone.
+/// Reactivates the window after a dialog closes; without a window manager nothing else does.
 void comeBack()
 {
     for (QWidget *window : QApplication::topLevelWidgets()) {
@@ -34,34 +34,34 @@ void comeBack()
     QVERIFY(QTest::qWaitFor([] { return QApplication::focusWidget() != nullptr; }));
 }
 
-/// A key as it comes from the keyboard: to whatever has the focus.
+/// Sends a key to the widget in focus, as the keyboard does.
 void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
 {
     comeBack();
     QTest::keyClick(QApplication::focusWidget(), key, modifiers);
 }
 
-/// Types into the dialog that a key opens, and ends it by Enter.
+/// Types into the dialog that a key opens, and closes it with Enter.
 void answerWith(const QString &text)
 {
-    comeBack(); // no dialog is open while that is waited for
+    comeBack(); // no dialog is open while this waits
     QTimer::singleShot(0, qApp, [text] {
-        const auto fieldInHand = [] {
+        const auto currentField = [] {
             QWidget *dialog = QApplication::activeModalWidget();
             return dialog ? qobject_cast<QLineEdit *>(dialog->focusWidget()) : nullptr;
         };
-        if (!QTest::qWaitFor([&] { return fieldInHand() != nullptr; })) {
-            delete QApplication::activeModalWidget(); // which would wait for ever
+        if (!QTest::qWaitFor([&] { return currentField() != nullptr; })) {
+            delete QApplication::activeModalWidget(); // it would wait for ever
             QTest::qFail(qPrintable(text), __FILE__, __LINE__);
             return;
         }
-        QLineEdit *field = fieldInHand();
+        QLineEdit *field = currentField();
         const QPointer<QWidget> dialog = QApplication::activeModalWidget();
         QVERIFY(QTest::qWaitFor([&] {
             if (!dialog || !dialog->isVisible())
                 return true;
-            // A dialog of files offers names in a list, whenever its folder has been read; there
-            // Enter would take one of them.
+            // A file dialog offers names in a list once its folder has been read; Enter would then
+            // choose one of them.
             if (QWidget *names = QApplication::activePopupWidget())
                 names->hide();
             if (field->text() != text) {
@@ -83,7 +83,7 @@ void goTo(const QString &pixel)
 
 } // namespace
 
-/// The assignment from the first vertex to the picture's file, without a mouse.
+/// The assignment from the first vertex to the picture file, without a mouse.
 class TestKeyboardAssignment : public QObject {
     Q_OBJECT
 
@@ -95,7 +95,7 @@ private slots:
         const Playhead &playhead = *window->parts().playhead;
         const SceneDocument &document = *window->parts().document;
 
-        // Three vertices: by numbers, by arrows, by numbers.
+        // Three vertices: by numbers, by arrow keys, by numbers.
         press(Qt::Key_N, Qt::ControlModifier);
         QVERIFY(document.scene().triangles.empty());
         goTo("4, 5");
@@ -119,7 +119,7 @@ private slots:
         std::set<std::int64_t> columns;
         while (playhead.position() < playhead.end()) {
             press(Qt::Key_F10);
-            if (const auto x = playhead.columnXInHand())
+            if (const auto x = playhead.currentColumnX())
                 columns.insert(*x);
         }
         QCOMPARE(columns, (std::set<std::int64_t>{4, 5, 6, 7, 8, 9, 10}));
@@ -127,7 +127,7 @@ private slots:
         std::size_t pixels = 0;
         while (playhead.position() < playhead.end()) {
             press(Qt::Key_F11);
-            pixels += playhead.pixelInHand().has_value();
+            pixels += playhead.currentPixel().has_value();
         }
         QCOMPARE(pixels, playhead.traced()->trace->sampleCount());
 
@@ -136,7 +136,7 @@ private slots:
         QCOMPARE(playhead.pickedPixel(), QPoint(6, 9));
         QVERIFY(named<QLabel>(*window, "pixelHistoryHeading")->text().contains("(6, 9)"));
 
-        // The picture's file.
+        // The picture file.
         const QString path = folder.filePath("picture.png");
         answerWith(path);
         press(Qt::Key_E, Qt::ControlModifier);

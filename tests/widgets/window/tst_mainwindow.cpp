@@ -26,7 +26,7 @@ namespace tst_mainwindow {
 
 using namespace pixelplumb;
 
-/// The window as a whole: what it opens with, what its parts agree on, what lasts.
+/// The window as a whole: its initial state, the agreement of its parts, and what is remembered.
 class TestMainWindow : public QObject {
     Q_OBJECT
 
@@ -38,9 +38,9 @@ private slots:
         const auto window = openedWindow();
         const Playhead &playhead = *window->parts().playhead;
 
-        QCOMPARE(playhead.columnXInHand(), std::optional<std::int64_t>(27));
-        QCOMPARE(playhead.pixelInHand(), std::optional(QPoint(27, 19)));
-        QCOMPARE(playhead.pickedPixel(), playhead.pixelInHand());
+        QCOMPARE(playhead.currentColumnX(), std::optional<std::int64_t>(27));
+        QCOMPARE(playhead.currentPixel(), std::optional(QPoint(27, 19)));
+        QCOMPARE(playhead.pickedPixel(), playhead.currentPixel());
         QVERIFY(!playhead.isPlaying());
         QVERIFY(named<QLabel>(*window, "statusPixel")->text().startsWith("pixel (27, 19) #"));
         QCOMPARE(named<QLabel>(*window, "statusColumn")->text(), "column 27, second half");
@@ -49,7 +49,7 @@ private slots:
     void threeClicksOnTheCanvasDrawTheTriangle()
     {
         const auto window = openedWindow(Scene());
-        window->resize(1000, 700); // each pixel can be hit, on a small screen too
+        window->resize(1000, 700); // so that each pixel can be hit, even on a small screen
         clickPixel(*window, {4, 5});
         clickPixel(*window, {58, 12});
         clickPixel(*window, {26, 44});

@@ -45,7 +45,7 @@ QString boxesOf(const MainWindow &window)
         .join(u' ');
 }
 
-/// Where the boxes, the status bar, the trace and the document do not say the same; empty else.
+/// Where the boxes, the status bar, the trace and the document disagree; empty if they do not.
 QString disagreementIn(const MainWindow &window)
 {
     const Scene &scene = window.parts().document->scene();

@@ -27,7 +27,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Chooses a method as a person does, by its entry in the box.
+/// Chooses a method as a user does, by its entry in the box.
 void choose(MainWindow &window, const QString &method)
 {
     auto *box = named<QComboBox>(window, "methodBox");
@@ -46,7 +46,7 @@ QStringList rowTexts(const MainWindow &window, int row)
     return texts;
 }
 
-/// What the columns of the table are called in files.
+/// The names in files of the table's columns.
 QStringList fileNames(const MainWindow &window)
 {
     const auto &model = *qobject_cast<const ColumnTableModel *>(
@@ -182,7 +182,7 @@ private slots:
     {
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("method");
-        QTest::addColumn<QString>("drawing"); ///< a method that draws what is there
+        QTest::addColumn<QString>("drawing"); ///< a method that draws these primitives
         QTest::newRow("triangle by a line's method") << "default.json"
                                                      << "line-bresenham"
                                                      << "column-scan";
@@ -236,10 +236,10 @@ private slots:
         Playhead &playhead = *window->parts().playhead;
         playhead.seek(0);
         playhead.step(StepUnit::Span, StepDirection::Forward);
-        QVERIFY(playhead.placeInHand().has_value());
-        QVERIFY(playhead.placeInHand()->axis == SpanAxis::Row);
-        // Edge walking goes down from the uppermost point.
-        QCOMPARE(playhead.placeInHand()->coordinate, std::int64_t(44));
+        QVERIFY(playhead.currentPlace().has_value());
+        QVERIFY(playhead.currentPlace()->axis == SpanAxis::Row);
+        // The edge walk goes down from the top.
+        QCOMPARE(playhead.currentPlace()->coordinate, std::int64_t(44));
         QCOMPARE(action(*window, "nextColumn")->iconText(), QStringLiteral("row"));
         QCOMPARE(named<QLabel>(*window, "statusColumn")->text(),
                  QStringLiteral("row 44, first trapezoid"));

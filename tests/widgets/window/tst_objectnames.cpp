@@ -25,7 +25,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Keys that act in the same scope, by scope: window-wide, or in one widget.
+/// The scope in which an action's keys work: window-wide, or in one widget.
 QString scopeOf(const QAction &action)
 {
     return action.shortcutContext() == Qt::WindowShortcut
@@ -36,7 +36,7 @@ QString scopeOf(const QAction &action)
 
 } // namespace
 
-/// The contract with programs that drive the window, with hands and with screen readers.
+/// The contract with programs that drive the window, with users' hands and with screen readers.
 class TestObjectNames : public QObject {
     Q_OBJECT
 
@@ -63,7 +63,7 @@ private slots:
         QVERIFY(names.size() > 100);
         names += promisedNames(PromisedObject::Action) + promisedNames(PromisedObject::Dialog);
         QCOMPARE(names.removeDuplicates(), 0);
-        // Those that the first programs were written for.
+        // The names that the first programs were written for.
         for (const char *name :
              {"canvas", "columnTable", "pixelGrid", "formulaPanel", "pixelHistory", "stepperBar",
               "methodBox", "arithmeticBox", "fillRuleBox", "effectsPanel", "accuracyLab",
@@ -93,10 +93,10 @@ private slots:
 
     void noTwoActionsShareAKeyInOneScope()
     {
-        // The same object may be in several menus; the window's keys also act in the canvas.
+        // The same object may be in several menus; the window's keys also work in the canvas.
         QMap<QString, QString> window;
         QMap<QString, QString> canvas;
-        QMap<QString, QString> elsewhere; // in lists, each with keys of its own
+        QMap<QString, QString> elsewhere; // in lists, each with its own keys
         QStringList collisions;
         for (const QAction *action : m_window->findChildren<QAction *>()) {
             for (const QKeySequence &key : action->shortcuts()) {
@@ -149,7 +149,7 @@ private slots:
                     && widget->parentWidget()->inherits("QComboBoxPrivateContainer"))
                 || widget->inherits("QMenu")
                 || widget->inherits("QMenuBar")
-                // A bar of tabs is named by its current tab, which a spare one does not have.
+                // A tab bar takes its name from its current tab, which an unused one does not have.
                 || (widget->inherits("QTabBar") && !widget->isVisible());
             if (isInner || widget->focusPolicy() == Qt::NoFocus)
                 continue;
@@ -215,7 +215,7 @@ private:
     static void collect(const QMenu *menu, QList<QAction *> &all)
     {
         if (menu->objectName() == "recentMenu")
-            return; // files come and go
+            return; // recent files change
         for (QAction *action : menu->actions()) {
             if (action->menu())
                 collect(action->menu(), all);

@@ -26,7 +26,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// What Qt shows a What's This text in.
+/// The widget in which Qt shows a What's This text.
 QWidget *shownText()
 {
     for (QWidget *each : QApplication::topLevelWidgets()) {
@@ -53,7 +53,7 @@ QStringList explainedParts(const MainWindow &window)
 
 } // namespace
 
-/// Help ▸ What's This?, and what it tells of each part.
+/// Help ▸ What's This?, and what it says about each part.
 class TestWhatsThis : public QObject {
     Q_OBJECT
 
@@ -74,7 +74,7 @@ private slots:
     void everythingInTheToolBarsAndTheStatusBarIsExplained()
     {
         const auto window = openedWindow();
-        window->resize(1440, 900); // so that the tool bars show all that is theirs
+        window->resize(1440, 900); // so that the tool bars show all their buttons
         QTest::qWait(50);
         QStringList silent;
         int parts = 0;
@@ -178,7 +178,7 @@ private slots:
                  QStringLiteral("Play by the chosen unit (Space)"));
         QCOMPARE(action(*window, "play")->whatsThis(),
                  QStringLiteral("Play by the chosen unit (Space)"));
-        QVERIFY(action(*window, "zoomIn")->whatsThis().isEmpty()); // its menu tells
+        QVERIFY(action(*window, "zoomIn")->whatsThis().isEmpty()); // the menu has its text
         QCOMPARE(action(*window, "gradingDockToggle")->whatsThis(),
                  named<QDockWidget>(*window, "gradingDock")->whatsThis());
     }

@@ -37,8 +37,7 @@ Scene lineWithTwoVariants()
     return scene;
 }
 
-/// Whether a marked line of the pseudocode reaches out of what is seen of it; the marks are
-/// counted.
+/// Whether a marked line of the pseudocode reaches outside the visible part; the marks are counted.
 bool isMarkOutOfView(const QTextBrowser &text, int &marks)
 {
     const int top = text.verticalScrollBar()->value();
@@ -55,7 +54,7 @@ bool isMarkOutOfView(const QTextBrowser &text, int &marks)
 
 } // namespace
 
-/// What a hand expects of the window as a whole.
+/// What a user expects of the window as a whole.
 class TestWindowHabits : public QObject {
     Q_OBJECT
 
@@ -87,7 +86,7 @@ private slots:
         const QAction *differences = action(*window, "showDifferences");
         const bool wereMarked = differences->isChecked();
         QTest::keyClick(window.get(), Qt::Key_F,
-                        Qt::AltModifier); // by its bar, which hears of keys
+                        Qt::AltModifier); // through its menu bar, which receives the keys
         auto *menu = named<QMenu>(*window, "fileMenu");
         QTRY_COMPARE(QApplication::activePopupWidget(), menu);
 
@@ -163,14 +162,14 @@ private slots:
                  qPrintable(field->text()));
     }
 
-    void theLinesOfTheMethodInHandAreInView()
+    void theLinesOfTheCurrentMethodAreInView()
     {
         const auto window = openedWindow(lineWithTwoVariants());
         window->resize(1366, 768);
         action(*window, "methodDockToggle")->trigger();
         const auto *text = named<QTextBrowser>(*window, "methodText");
         QTRY_VERIFY(text->isVisible());
-        QVERIFY(text->verticalScrollBar()->maximum() > 0); // else nothing is asked of it
+        QVERIFY(text->verticalScrollBar()->maximum() > 0); // otherwise nothing is tested
         action(*window, "runToStart")->trigger();
         int marks = 0;
         bool hasScrolled = false;
@@ -191,7 +190,7 @@ private slots:
                               {latticePixel(20, 7), green},
                               {latticePixel(8, 21), blue}}}}};
         const auto window = openedWindow(scene);
-        window->resize(1366, 740); // 768 less a title bar
+        window->resize(1366, 740); // 768 minus a title bar
         action(*window, "resetLayout")->trigger();
         const auto *formulas = named<QTextBrowser>(*window, "formulaText");
         action(*window, "runToStart")->trigger();
@@ -300,7 +299,7 @@ private slots:
         const auto window = openedWindow();
         MessageBar &bar = *window->parts().messageBar;
         bar.complain(QStringLiteral("“abc” is no coordinate."));
-        QCoreApplication::processEvents(); // the key that caused it is done with
+        QCoreApplication::processEvents(); // the key that caused it is processed
         QTest::keyClick(window->parts().canvas, Qt::Key_Shift);
         QVERIFY(bar.isVisible());
         QTest::keyClick(window->parts().canvas, Qt::Key(key));
@@ -312,7 +311,7 @@ private slots:
         const auto window = openedWindow();
         MessageBar &bar = *window->parts().messageBar;
         bar.complain(QStringLiteral("“abc” is no coordinate."));
-        QCoreApplication::processEvents(); // the key that caused it is done with
+        QCoreApplication::processEvents(); // the key that caused it is processed
         QTest::keyClick(window->parts().canvas, Qt::Key_Escape);
         QVERIFY(!bar.isVisible());
 

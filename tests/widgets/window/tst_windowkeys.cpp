@@ -43,7 +43,7 @@ private slots:
         QCOMPARE(playhead.position(), std::size_t(0));
     }
 
-    void f9StopsTheRunAtTheColumnInHand()
+    void f9StopsTheRunAtTheCurrentColumn()
     {
         const auto window = openedWindow();
         const Playhead &playhead = *window->parts().playhead;
@@ -51,8 +51,8 @@ private slots:
         window->parts().playhead->seek(0);
         QTest::keyClick(window.get(), Qt::Key_F5);
 
-        QCOMPARE(playhead.columnXInHand(), std::optional<std::int64_t>(27));
-        QVERIFY(!playhead.pixelInHand());
+        QCOMPARE(playhead.currentColumnX(), std::optional<std::int64_t>(27));
+        QVERIFY(!playhead.currentPixel());
     }
 
     void letterKeysActOnlyInTheCanvas()
@@ -122,7 +122,7 @@ private slots:
         turn(methods);
         turn(speed);
         QCOMPARE(methods->currentText() + speed->text(), before);
-        // Nor does the wheel give them the focus.
+        // Nor does the wheel focus them.
         QCOMPARE(methods->focusPolicy() & Qt::WheelFocus, Qt::StrongFocus);
 
         speed->setFocus();
@@ -130,7 +130,7 @@ private slots:
         QVERIFY(methods->currentText() + speed->text() != before);
     }
 
-    /// What Undo would take back stands in the menu, where it is looked for.
+    /// The menu shows what Undo would revert, because users look for it there.
     void listsOfKeysCallUndoByItsName()
     {
         const auto window = openedWindow();

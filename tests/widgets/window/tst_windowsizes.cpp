@@ -34,7 +34,7 @@ using namespace pixelplumb;
 
 namespace {
 
-/// Seen whole: within each of the widgets that hold it.
+/// Fully visible: within each of its parents.
 bool isInSight(const QWidget *part)
 {
     if (!part || !part->isVisible())
@@ -48,7 +48,7 @@ bool isInSight(const QWidget *part)
     return true;
 }
 
-/// Parts that should be seen and are not wholly within the window.
+/// Parts that should be visible but are not wholly within the window.
 QStringList hiddenParts(const MainWindow &window)
 {
     QStringList hidden;
@@ -69,7 +69,7 @@ int hiddenFormulaLines(const MainWindow &window)
 
 using Sizes = std::vector<std::pair<const char *, QSize>>;
 
-/// What a frame and a title bar leave of the usual screens, logical pixels.
+/// The room that a frame and a title bar leave on common screens, in logical pixels.
 const Sizes allSizes = {{"1024 × 640", {1016, 600}},
                         {"1366 × 768", {1358, 728}},
                         {"2560 × 1440 at scale 2", {1272, 680}},
@@ -81,7 +81,7 @@ void addSizes(const Sizes &sizes)
     for (const auto &[name, size] : sizes)
         QTest::newRow(name) << size;
 }
-/// Of those to run each function draws its own.
+/// Each function draws its own sample of the sizes to run.
 void addSizes()
 {
     addSizes(casesToRun(
@@ -213,8 +213,8 @@ private slots:
         }
     }
 
-    /// Everything that brings a panel into the window: by its key, floating and back, dragged to
-    /// every side, all at once, and the layout reset.
+    /// Everything that brings a panel into the window: its key, floating and docking, dragging to
+    /// every side, all panels at once, and resetting the layout.
     void noPanelMakesTheWindowLargerThanItsScreen_data() { addSizes(); }
     void noPanelMakesTheWindowLargerThanItsScreen()
     {
@@ -256,7 +256,7 @@ private slots:
         }
         for (const Qt::DockWidgetArea area : {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea,
                                               Qt::TopDockWidgetArea, Qt::BottomDockWidgetArea}) {
-            for (QDockWidget *dock : docks) { // each beside all others, none behind a tab
+            for (QDockWidget *dock : docks) { // each next to all others, none behind a tab
                 window->addDockWidget(area, dock);
                 dock->show();
                 QVERIFY(isAsLarge(dock->objectName() + " is dragged"));
@@ -288,8 +288,8 @@ private slots:
         QCOMPARE(window->size(), size);
     }
 
-    void theWindowStaysAsWideAsItIsBesideACompanyOfPanes_data() { addSizes(); }
-    void theWindowStaysAsWideAsItIsBesideACompanyOfPanes()
+    void manyPanesDoNotWidenTheWindow_data() { addSizes(); }
+    void manyPanesDoNotWidenTheWindow()
     {
         QFETCH(QSize, size);
         const auto window = windowOf(size);

@@ -75,7 +75,7 @@ QStringList panelsInFront(const MainWindow &window)
     return front;
 }
 
-/// Between the canvas and what stands left or right of it, where it can be dragged.
+/// The draggable separator between the canvas and what is to its left or right.
 QPoint separatorBeside(const MainWindow &window, Qt::DockWidgetArea area)
 {
     const QRect centre = window.centralWidget()->geometry();
@@ -93,7 +93,7 @@ void addSizes()
 
 } // namespace
 
-/// The four arrangements of the window, and the ways from one to another.
+/// The four arrangements of the window, and how to get from one to another.
 class TestWorkspaces : public QObject {
     Q_OBJECT
 
@@ -325,7 +325,7 @@ private slots:
     {
         const auto window = openedWindow();
         goTo(*window, "compareWorkspace");
-        dockNamed(*window, "formulaDock")->show(); // by the menu over the titles
+        dockNamed(*window, "formulaDock")->show(); // through the context menu of the titles
         settle();
         QVERIFY(!panelsInFront(*window).contains("formulaDock"));
         toggle(*window, "formulaDock");
@@ -405,7 +405,7 @@ private slots:
             const int way = area == Qt::LeftDockWidgetArea ? 600 : -600;
             QTest::mousePress(window.get(), Qt::LeftButton, {}, from);
             QTest::mouseMove(window.get(), from + QPoint(way, 0));
-            QTest::qWait(20); // the window moves it in its own time
+            QTest::qWait(20); // the window moves it asynchronously
             QVERIFY2(window->parts().canvas->width() < before, "it is a separator");
             QVERIFY(window->parts().canvas->width() >= size.width() / 2 - 16);
             QTest::mouseRelease(window.get(), Qt::LeftButton, {}, from + QPoint(way, 0));
@@ -415,7 +415,7 @@ private slots:
         }
     }
 
-    /// But for what the panel needs at least.
+    /// Except for the room that the panel needs at least.
     void aPanelThatIsDroppedBesideTheCanvasLeavesItHalf_data() { addSizes(); }
     void aPanelThatIsDroppedBesideTheCanvasLeavesItHalf()
     {

@@ -8,22 +8,22 @@
 
 namespace pixelplumb {
 
-/// What a kernel computes with beside its numbers. Beside a number that counts its operations
-/// (core/lab/countednumber.h) these count as well.
+/// The types that a kernel computes with alongside Number. If Number counts its operations
+/// (core/lab/countednumber.h), these count theirs as well.
 template <class Number>
-struct NumbersBeside {
+struct CompanionTypes {
     using Narrow = std::int64_t;
     using Wide = Int128;
     using Real = double;
 };
 template <class Number>
-using NarrowBeside = typename NumbersBeside<Number>::Narrow;
+using NarrowBeside = typename CompanionTypes<Number>::Narrow;
 template <class Number>
-using WideBeside = typename NumbersBeside<Number>::Wide;
+using WideBeside = typename CompanionTypes<Number>::Wide;
 template <class Number>
-using RealBeside = typename NumbersBeside<Number>::Real;
+using RealBeside = typename CompanionTypes<Number>::Real;
 
-/// float and double, and what counts their operations.
+/// True for float, double and the types that count their operations.
 template <class Number>
 inline constexpr bool isFloatingNumber = std::floating_point<Number>;
 template <class Number>

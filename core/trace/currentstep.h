@@ -7,25 +7,25 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The state of a kernel at one step, in its own numbers, with what surrounds it: what the numbers
-/// and the words of the step are read from.
+/// The state of a kernel at one step, in its own numbers, with its context: what the step's numbers
+/// and words are read from.
 namespace pixelplumb {
 
 template <class SetUp>
-struct SetUpInHand {
+struct CurrentSetUp {
     std::size_t primitive = 0;
     const ScanSettings &settings;
     const SetUp &setUp;
 };
 
 template <class SetUp, class Span>
-struct SpanInHand : SetUpInHand<SetUp> {
+struct CurrentSpan : CurrentSetUp<SetUp> {
     const Span &span;
     const Span *previous = nullptr; ///< the primitive's span before this one
 };
 
 template <class SetUp, class Span, class Sample>
-struct SampleInHand : SpanInHand<SetUp, Span> {
+struct CurrentSample : CurrentSpan<SetUp, Span> {
     const Sample &sample;
     std::int64_t x = 0;
     std::int64_t y = 0;

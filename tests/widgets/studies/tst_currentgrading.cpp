@@ -12,22 +12,22 @@
 #include <QTest>
 #include <QToolButton>
 
-namespace tst_gradinginhand {
+namespace tst_currentgrading {
 
 using namespace pixelplumb;
 
-/// The row that is selected, what is told and said, and the picture on show are one student's.
-class TestGradingInHand : public QObject {
+/// The selected row, the words about it and the picture shown belong to the same student.
+class TestCurrentGrading : public QObject {
     Q_OBJECT
 
 private slots:
-    void whoIsFilteredAwayIsNotInHandAndNotOnShow_data()
+    void aRowThatIsFilteredAwayIsNeitherCurrentNorShown_data()
     {
         QTest::addColumn<bool>("isByCause");
         QTest::newRow("by words") << false;
         QTest::newRow("by cause") << true;
     }
-    void whoIsFilteredAwayIsNotInHandAndNotOnShow()
+    void aRowThatIsFilteredAwayIsNeitherCurrentNorShown()
     {
         QFETCH(bool, isByCause);
         const Classroom classroom;
@@ -51,7 +51,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "bob · small", longestWait);
     }
 
-    void whoStaysInTheFilteredTableStaysInHand()
+    void theCurrentRowStaysSoWhileTheFilterKeepsIt()
     {
         const Classroom classroom;
         const auto window = windowWithGrades(classroom);
@@ -75,7 +75,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "cyd · small", longestWait);
         QTest::keyClick(table(*window), Qt::Key_Home, Qt::ControlModifier);
         QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "ada · small", longestWait);
-        press(*window, Qt::Key_B); // the table looks for a name
+        press(*window, Qt::Key_B); // the table searches for a name
         QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "bob · small", longestWait);
     }
 
@@ -93,7 +93,7 @@ private slots:
         }
     }
 
-    void nobodyIsInHandWhileAnotherPictureIsOnShow()
+    void noSubmissionIsCurrentWhileAnotherPictureIsShown()
     {
         const Classroom classroom;
         const auto window = windowWithGrades(classroom);
@@ -113,8 +113,8 @@ private:
     IsolatedSettings m_settings;
 };
 
-PIXELPLUMB_TEST(TestGradingInHand)
+PIXELPLUMB_TEST(TestCurrentGrading)
 
-} // namespace tst_gradinginhand
+} // namespace tst_currentgrading
 
-#include "tst_gradinginhand.moc"
+#include "tst_currentgrading.moc"
