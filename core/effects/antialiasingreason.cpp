@@ -34,8 +34,8 @@ QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing)
         return antialiasing == Antialiasing::Area
             ? QStringLiteral("no edge parts a pixel of the frame: each is covered whole or not at "
                              "all")
-            : QStringLiteral("no edge of what is drawn meets a pixel of the frame: each is drawn "
-                             "once, at its centre");
+            : QStringLiteral("no edge of a triangle with an area meets a pixel of the frame: each "
+                             "is drawn once, at its centre");
     switch (antialiasing) {
     case Antialiasing::None:
         break;

@@ -21,7 +21,7 @@ QString primitiveWord(const Primitives &primitives)
 /// Limits a statement about all or none to what is drawn, where some primitives are not.
 QString amongDrawn(const NeedsTally &tally)
 {
-    return tally.outside == 0 ? QString() : QStringLiteral(" that is drawn in the frame");
+    return tally.isOfAll() ? QString() : QStringLiteral(" that is drawn in the frame");
 }
 
 QString has(std::size_t count, std::size_t all, const QString &noun)
@@ -46,8 +46,13 @@ QString smoothColourReason(const NeedsTally &tally, const Appearance &appearance
     const std::size_t smooth = tally.of[Effect::SmoothColour].primitives;
     const bool isFlatLit = appearance.shading == Shading::Flat && lightsVertices(appearance)
         && tally.of[Effect::Light].primitives > 0;
+    // Light and materials are applied to the vertices before they are asked.
+    const QString colours = lightsVertices(appearance) && tally.of[Effect::Light].primitives > 0
+        ? QStringLiteral("vertex colours, as lit,")
+        : QStringLiteral("vertex colours");
     if (smooth > 0)
-        return QStringLiteral("%1 vertex colours that differ").arg(has(smooth, tally.drawn, noun))
+        return QStringLiteral("%1 %2 that differ")
+                   .arg(has(smooth, tally.drawn, noun), QString(colours).remove(u','))
             + (isFlatLit ? QStringLiteral("; flat light gives each triangle that it falls on one "
                                           "colour")
                          : QString());
@@ -62,11 +67,10 @@ QString smoothColourReason(const NeedsTally &tally, const Appearance &appearance
         return QStringLiteral(
             "no triangle and no line goes from one vertex colour to another where "
             "it is drawn");
-    if (tally.outside > 0)
-        return QStringLiteral("the vertex colours are equal in each %1%2")
-                   .arg(noun, amongDrawn(tally))
+    if (!tally.isOfAll())
+        return QStringLiteral("the %1 are equal in each %2%3").arg(colours, noun, amongDrawn(tally))
             + ofEnds(tally);
-    const QString equal = QStringLiteral("the vertex colours are equal");
+    const QString equal = QStringLiteral("the %1 are equal").arg(colours);
     return (tally.drawn == 1
                 ? equal
                 : equal + QStringLiteral(" in each of %1 %2s").arg(tally.drawn).arg(noun))
@@ -216,9 +220,9 @@ QString blendingReason(const Primitives &primitives, const NeedsTally &tally,
 {
     const std::size_t blended = tally.of[Effect::Blending].primitives;
     if (blended == 0)
-        return (tally.outside == 0 ? QStringLiteral("every alpha is 255: opaque")
-                                   : QStringLiteral("every alpha of a triangle%1 is 255: opaque")
-                                         .arg(amongDrawn(tally)))
+        return (tally.isOfAll() ? QStringLiteral("every alpha is 255: opaque")
+                                : QStringLiteral("every alpha of a triangle%1 is 255: opaque")
+                                      .arg(amongDrawn(tally)))
             + ofEnds(tally);
     const QString reason = QStringLiteral("%1 an alpha below 255, the lowest is %2")
                                .arg(has(blended, tally.drawnTriangles, triangleWord()))

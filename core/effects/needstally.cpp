@@ -3,6 +3,7 @@
 
 #include "core/effects/bordercrossing.h"
 #include "core/effects/linecolours.h"
+#include "core/effects/requirements.h"
 #include "core/effects/strokestrip.h"
 
 #include <algorithm>
@@ -19,7 +20,9 @@ public:
         , m_cutAtNear(primitives.cutAtNear)
         , m_where(where)
         , m_asked{where.frame, where.rule, primitives.appearance.antialiasing, where.isExact}
+        , m_strokes{where.frame, where.rule, antialiasingOf(primitives.appearance), where.isExact}
     {
+        m_tally.isPart = primitives.isPart;
     }
 
     void add(std::size_t index, const Triangle &triangle, const TriangleAttributes *attributes)
@@ -68,7 +71,7 @@ public:
         if (callsForAntialiasing(shape, m_asked))
             m_tally.of[Effect::Antialiasing].add(mostPixelsOf(shape, m_where.frame));
         const BorderCrossing crossing
-            = borderCrossingOf(shape, isStroke(shape) ? m_asked : m_where);
+            = borderCrossingOf(shape, isStroke(shape) ? m_strokes : m_where);
         if (crossing == BorderCrossing::Outside) {
             ++m_tally.outside;
             return;
@@ -140,6 +143,7 @@ private:
     NeedsTally::Touched m_edges; ///< of the triangles
     bool m_isAnyDrawn = false; ///< any of the triangles
     SampledFrame m_asked; ///< with the antialiasing that the appearance asks for
+    SampledFrame m_strokes; ///< with the antialiasing that is forced, or asked for
     NeedsTally m_tally;
 };
 

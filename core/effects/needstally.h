@@ -27,6 +27,7 @@ struct NeedsTally {
     std::size_t drawnPoints = 0; ///< triangles whose vertices coincide
     std::size_t drawnStrokes = 0; ///< lines and curves that antialiasing can draw
     std::size_t outside = 0;
+    bool isPart = false; ///< the method leaves out primitives of the scene
     std::size_t crossing = 0; ///< crossing the frame's border
     std::size_t cutAtNear = 0; ///< pieces of faces cut by the near plane
     std::size_t mayCross = 0; ///< shapes that may cross the border; not known for certain
@@ -36,6 +37,9 @@ struct NeedsTally {
     std::vector<const Texture *> textures; ///< each once, at most three
     int lowestAlpha = 255;
     std::vector<const Triangle *> blended;
+
+    /// Whether what is counted is all that the scene has.
+    bool isOfAll() const { return outside == 0 && !isPart; }
 };
 
 /// Antialiasing is judged by what the appearance asks for, everything else by what is drawn.

@@ -66,6 +66,7 @@ struct Primitives {
     int wExponent = 0;
     /// Triangles that are pieces of a face cut by the near plane; ascending.
     std::vector<std::size_t> cutAtNear = {};
+    bool isPart = false; ///< a method draws only these of the scene's primitives
 
     /// Where a triangle comes from; null if the scene gives it directly in the frame.
     const TriangleSource *sourceOf(std::size_t triangle) const;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/edgepixels.h"
+#include "core/effects/requirements.h"
 #include "core/layers/cellnumber.h"
 #include "core/layers/layers.h"
 #include "core/scan/pointaddress.h"
@@ -31,7 +32,7 @@ void drawSamples(const LayerMoment &moment, LayerDrawing &drawing)
         return drawing.notes.append(
             QStringLiteral("Samples are shown in cells of %1 pixels and more: enlarge the picture")
                 .arg(leastSampleCell));
-    const auto pattern = samplePattern(moment.view.traced->scene.appearance.antialiasing);
+    const auto pattern = samplePattern(antialiasingOf(moment.view.traced->scene.appearance));
     forEachSeen(moment, [&](std::int64_t x, std::int64_t y) {
         const QPointF place{double(x), double(y)};
         drawing.samples.push_back({place, LayerInk::Mark});

@@ -49,6 +49,9 @@ EffectTruth truthOf(const Appearance &appearance)
         && (appearance.depth != DepthUse::Off || appearance.forced[Effect::Depth] == Forcing::On);
     if (isOn(Effect::Antialiasing))
         what.antialiasing = appearance.antialiasing;
+    const bool isForcedOn = appearance.forced[Effect::Antialiasing] == Forcing::On;
+    if (isForcedOn && what.antialiasing == Antialiasing::None)
+        what.antialiasing = Antialiasing::Samples4;
     return what;
 }
 

@@ -2,6 +2,7 @@
 #include "core/runs/tracemarks.h"
 
 #include "core/oracle/oracle.h"
+#include "core/polygons/contours.h"
 
 #include <algorithm>
 #include <set>
@@ -77,6 +78,39 @@ void appendVerticesWithinParts(std::vector<TraceMark> &marks, const ScanTrace &t
     }
 }
 
+/// Whether an edge has a sample of the frame on a row, which it crosses or lies in.
+bool hasSampleOn(const ContourEdge &edge, std::int64_t row, const FrameSpec &frame)
+{
+    const std::int64_t first = frame.firstColumn, last = first + frame.width - 1;
+    if (edge.from.y == edge.to.y) {
+        const auto [left, right] = std::minmax(edge.from.x, edge.to.x);
+        return std::max<std::int64_t>(ceilPixel(left), first)
+            <= std::min<std::int64_t>(floorPixel(right), last);
+    }
+    const Int128 rise = edge.to.y - edge.from.y;
+    const Int128 place = Int128(edge.from.x) * rise
+        + Int128(row * unitsPerPixel - edge.from.y) * (edge.to.x - edge.from.x);
+    const Int128 pixel = rise * unitsPerPixel;
+    return place % pixel == 0 && place / pixel >= first && place / pixel <= last;
+}
+
+/// The rows of the frame on which a sample lies on an edge of a polygon.
+std::set<std::int64_t> tieRowsOf(const Shape &polygon, const FrameSpec &frame)
+{
+    std::set<std::int64_t> rows;
+    for (const ContourEdge &edge : contoursOf(polygon).edges) {
+        const auto [low, high] = std::minmax(edge.from.y, edge.to.y);
+        const std::int64_t first = std::max<std::int64_t>(ceilPixel(low), frame.firstRow);
+        const std::int64_t last
+            = std::min<std::int64_t>(floorPixel(high), frame.firstRow + frame.height - 1);
+        for (std::int64_t row = first; row <= last; ++row) {
+            if (hasSampleOn(edge, row, frame))
+                rows.insert(row);
+        }
+    }
+    return rows;
+}
+
 /// The first and last span of each part, those at vertices, and the spans with a tie.
 void appendSpanMarks(std::vector<TraceMark> &marks, const TracedScene &traced,
                      std::size_t primitive)
@@ -88,6 +122,9 @@ void appendSpanMarks(std::vector<TraceMark> &marks, const TracedScene &traced,
         return;
     const bool isTriangle = traced.primitives.isTriangle(primitive);
     const bool isLine = traced.primitives.kindOf(primitive) == PrimitiveKind::Line;
+    const auto tieRows = traced.primitives.kindOf(primitive) == PrimitiveKind::Polygon
+        ? tieRowsOf(traced.primitives.shape(primitive), traced.scene.frame)
+        : std::set<std::int64_t>();
     const Triangle upright = isTriangle ? traced.primitives.triangles[primitive] : Triangle();
     const Triangle lying = mirrored(upright);
     std::vector<std::size_t> ends; // of parts, and at vertices
@@ -103,6 +140,8 @@ void appendSpanMarks(std::vector<TraceMark> &marks, const TracedScene &traced,
         const auto hasTie = [&] {
             if (isLine)
                 return trace.span(span).isTie;
+            if (place.axis == SpanAxis::Row && tieRows.contains(place.coordinate))
+                return true;
             return isTriangle && place.axis != SpanAxis::Free
                 && oracle::hasTie(place.axis == SpanAxis::Column ? upright : lying,
                                   place.coordinate);

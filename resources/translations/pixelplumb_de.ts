@@ -6011,8 +6011,8 @@
         <translation>liegt noch voraus, vorhersagen</translation>
     </message>
     <message>
-        <source>differs</source>
-        <translation>anders</translation>
+        <source>1st wrong</source>
+        <translation>1. falsch</translation>
     </message>
 </context>
 <context>

@@ -399,7 +399,8 @@ private slots:
                 p.appearance.antialiasing = Antialiasing::Samples4;
             },
             Effect::Antialiasing, no, 0,
-            "no edge of what is drawn meets a pixel of the frame: each is drawn once, at its "
+            "no edge of a triangle with an area meets a pixel of the frame: each is drawn once, at "
+            "its "
             "centre");
         add(
             "areas where no edge is",
