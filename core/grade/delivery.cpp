@@ -240,16 +240,14 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
     return delivery;
 }
 
-/// A program that waits in vain does so in each scene, and so does one that starts one process
-/// after another: the full limits apply only once.
+/// A program that waits or keeps starting processes does so in each scene: full limits apply once.
 ProgramLimits limitsAfter(const std::vector<Delivery> &deliveries)
 {
     ProgramLimits limits;
-    const bool exceededTotalCpuTime
-        = std::ranges::any_of(deliveries, &Delivery::exceededTotalCpuTime);
-    if (exceededTotalCpuTime)
-        limits.timesInAll = 1;
-    if (exceededTotalCpuTime || std::ranges::any_of(deliveries, &Delivery::hasWaited))
+    const auto isAny = [&](bool Delivery::*is) { return std::ranges::any_of(deliveries, is); };
+    if (isAny(&Delivery::exceededTotalCpuTime))
+        limits.timesInAll = limits.clockTimes = 1;
+    if (isAny(&Delivery::hasWaited))
         limits.clockTimes = 1;
     return limits;
 }

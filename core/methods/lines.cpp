@@ -45,7 +45,7 @@ PseudocodeLine coloursAlongLine()
 {
     return {1,
             QStringLiteral("R ← R₀ + (x − x₀)·(R₁ − R₀)/Δx if Δx > 0, else R₀; G and B likewise"),
-            {Moment::Begin, Moment::Stay, Moment::Cross}};
+            {Moment::First}};
 }
 
 } // namespace
@@ -177,7 +177,6 @@ Method lineBresenhamMethod()
          {},
          {{VariantSet().with(Variant::OneStepShort),
            QStringLiteral("for each x from x₀ to x₁ − 1 if Δx > 0, else x₁:")}}},
-        coloursAlongLine(),
         {1, QStringLiteral("the first: y, p ← y₀, 2Δy − Δx"), {Moment::Begin}},
         {1,
          QStringLiteral("else if p < 0: p ← p + 2Δy"),
@@ -185,6 +184,7 @@ Method lineBresenhamMethod()
          {},
          {{VariantSet().with(Variant::StayAtZero), QStringLiteral("else if p ≤ 0: p ← p + 2Δy")}}},
         {1, QStringLiteral("else: y ← y + s; p ← p + 2Δy − 2Δx"), {Moment::Cross}},
+        coloursAlongLine(),
         {1, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {Moment::First}}};
     method.summary
         = QStringLiteral("Steps from the end of smaller x (of a steep line, of smaller y) by the "
@@ -210,13 +210,13 @@ Method lineSymmetricMethod()
         {0, QStringLiteral("m ← s·Δy/Δx if Δx > 0, else 0"), {Moment::SetUp}},
         {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
         {0, QStringLiteral("for each x from ⌈x₀⌉ to ⌊x₁⌋:"), {Moment::Begin}},
-        coloursAlongLine(),
         {1,
          QStringLiteral("the first: y ← ⌊y₀ + (x − x₀)·m + ½⌋; p ← Δx·(2·s·(y₀ + (x + 1 − x₀)·m − "
                         "y) − 1)"),
          {Moment::Begin}},
         {1, QStringLiteral("else if p < 0, or p = 0 and s < 0: p ← p + 2Δy"), {Moment::Stay}},
         {1, QStringLiteral("else: y ← y + s; p ← p + 2Δy − 2Δx"), {Moment::Cross}},
+        coloursAlongLine(),
         {1, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {Moment::First}}};
     method.summary
         = QStringLiteral("Bresenham's decisions from any lattice point to any other, "

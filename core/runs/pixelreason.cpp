@@ -29,15 +29,6 @@ QString distanceText(const oracle::EdgeVerdict &edge, const ScanTrace &trace)
              QString::number(edge.distance, 'g', 6));
 }
 
-/// Whether a method that tests the samples of a box did not come to this one.
-bool isUntested(const PixelAttempt &attempt, const ScanTrace &trace)
-{
-    const auto isOfBox = [](const NumberDescription &number) {
-        return number.id == QStringLiteral("x_min") || number.id == QStringLiteral("y_min");
-    };
-    return !attempt.sample && !trace.isCut() && std::ranges::any_of(trace.numbers().span, isOfBox);
-}
-
 /// What the step in which the kernel passed over a sample says; empty if it says nothing, or if the
 /// sample was written or not visited.
 QString passingText(const PixelAttempt &attempt, const ScanTrace &trace)

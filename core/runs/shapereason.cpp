@@ -127,6 +127,14 @@ bool isDecidedByOutline(const PixelAttempt &attempt, const ScanTrace &trace)
         > 0;
 }
 
+bool isUntested(const PixelAttempt &attempt, const ScanTrace &trace)
+{
+    const auto isOfBox = [](const NumberDescription &number) {
+        return number.id == QStringLiteral("x_min") || number.id == QStringLiteral("y_min");
+    };
+    return !attempt.sample && !trace.isCut() && std::ranges::any_of(trace.numbers().span, isOfBox);
+}
+
 QString stepBesideText(const PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x,
                        std::int64_t y)
 {

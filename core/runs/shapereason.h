@@ -8,6 +8,9 @@ namespace pixelplumb {
 /// Whether a triangle's outline, in place of its edges, decides which samples are written.
 bool isDecidedByOutline(const PixelAttempt &attempt, const ScanTrace &trace);
 
+/// Whether a method that tests the samples of a box did not come to this one.
+bool isUntested(const PixelAttempt &attempt, const ScanTrace &trace);
+
 // Sentences about a pixel, each after a space; empty where there is nothing to say.
 
 /// " Column 3: p_k = 0, a tie: step diagonally to the pixel (3, 9); …" For a line or an outline

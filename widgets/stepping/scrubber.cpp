@@ -84,8 +84,7 @@ const TraceMark *Scrubber::markNear(double x) const
     return nearest;
 }
 
-/// Whether a mark may be shown. A part's beginning follows from the vertices; other marks reveal
-/// what a step will compute.
+/// Whether a mark may be shown: all but a part's beginning reveal what a step will compute.
 bool Scrubber::isTold(const TraceMark &mark) const
 {
     return !m_playhead->isAheadHidden() || mark.step < m_playhead->position()
