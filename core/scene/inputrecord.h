@@ -27,8 +27,8 @@ std::optional<InputError> noteInputFolder(const QString &path);
 /// Like noteInput(), for the file that standard input leads to.
 std::optional<InputError> noteStandardInput();
 
-/// An error where standard output or standard error leads to an open file that is read without being
-/// recorded: it would change meanwhile.
+/// An error where standard output or standard error leads to an open file that is read without
+/// being recorded: it would change meanwhile.
 std::optional<InputError> refusalToRead(int descriptor);
 
 /// Whether a path, or an open descriptor, leads to an input.
