@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/fileaccess.h"
 #include "tests/support/programrun.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 
@@ -24,6 +25,9 @@ struct Command {
     QStringList comment;
     QStringList lines;
 };
+
+const QStringList slowSanitized
+    = {"check", "compare", "counterexample", "diagnose", "diff", "effect-faults", "lab"};
 
 const QString begin = QStringLiteral("  $ ");
 const QString continued = QStringLiteral("  > ");
@@ -124,6 +128,8 @@ private slots:
     void saysWhatItSaid()
     {
         QFETCH(QString, file);
+        if (isSanitized && slowSanitized.contains(QFileInfo(file).baseName()))
+            QSKIP("It takes minutes with sanitizers; other tests run the same code with them.");
         QFile transcript(file);
         QVERIFY(transcript.open(QIODevice::ReadOnly));
         const QString recorded = QString::fromUtf8(transcript.readAll());
