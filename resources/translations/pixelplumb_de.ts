@@ -6011,8 +6011,8 @@
         <translation>liegt noch voraus, vorhersagen</translation>
     </message>
     <message>
-        <source>1st wrong</source>
-        <translation>1. falsch</translation>
+        <source>first</source>
+        <translation>erster</translation>
     </message>
 </context>
 <context>

@@ -106,7 +106,7 @@ void Scrubber::paintBackground()
     paintLane(painter, 0, MarkKind::PartBegins, tr("vertices"));
     paintLane(painter, 1, MarkKind::Tie, tr("ties"));
     paintLane(painter, 2, MarkKind::Clamp, tr("clamps"));
-    paintLane(painter, 3, MarkKind::FirstDifference, tr("1st wrong"));
+    paintLane(painter, 3, MarkKind::FirstDifference, tr("first"));
     paintTrack(painter);
 }
 
