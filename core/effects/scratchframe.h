@@ -40,15 +40,12 @@ class SampleMean {
 public:
     void add(QRgb pixel)
     {
-        m_samples[m_count++] = pixel;
+        ++m_count;
         m_alpha |= pixel & 0xff000000U;
         const Colour colour = unpacked(pixel);
         for (std::size_t i = 0; i < 3; ++i)
             m_sum[i] += colour.channels[i];
     }
-    /// In the order added.
-    std::span<const QRgb> samples() const { return {m_samples.data(), m_count}; }
-    const std::array<unsigned, 3> &sum() const { return m_sum; }
     QRgb pixel() const
     {
         Colour mean;
@@ -61,7 +58,19 @@ private:
     std::array<unsigned, 3> m_sum = {};
     unsigned m_count = 0;
     QRgb m_alpha = 0;
-    std::array<QRgb, 16> m_samples = {};
+};
+
+/// The current colours of a pixel's samples, in their order: for readers of numbers. The drawing
+/// keeps a SampleMean for each pixel of a frame, which has no room for them.
+class PixelSamples {
+public:
+    void add(QRgb sample) { m_colours[m_count++] = sample; }
+    /// Empty where the pixel has one sample.
+    std::span<const QRgb> colours() const { return {m_colours.data(), m_count}; }
+
+private:
+    std::array<QRgb, 16> m_colours = {};
+    std::size_t m_count = 0;
 };
 
 } // namespace pixelplumb

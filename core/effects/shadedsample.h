@@ -50,9 +50,9 @@ struct BoundedColumn : ShadedColumn<N> {
 /// The samples of a pixel with 4 or 16.
 struct SampleColours {
     std::uint16_t written; ///< by this primitive; bit k: sample k
-    SampleMean mean; ///< of their current colours; empty where the pixel has one sample
+    PixelSamples current;
 
-    int count() const { return int(mean.samples().size()); }
+    int count() const { return int(current.colours().size()); }
 };
 
 /// The depths compared for a sample.

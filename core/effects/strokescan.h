@@ -37,7 +37,7 @@ struct StrokeSample {
     QRgb before = 0, after = 0;
     int samples = 0; ///< 1, 4 or 16; 0: by area
     std::uint16_t covered = 0; ///< bit k: sample k
-    SampleMean mean; ///< of 4 or 16: the mean of their current colours
+    PixelSamples current; ///< of 4 or 16; for readers of numbers
     std::uint8_t alpha = 0; ///< by area
     Quantity area; ///< px²; for observers that read numbers
 };
@@ -81,6 +81,13 @@ public:
         for (const ScratchFrame &sample : m_samples)
             mean.add(*sample.view().at(x, y));
         return mean;
+    }
+    PixelSamples samples(std::int64_t x, std::int64_t y) const
+    {
+        PixelSamples samples;
+        for (const ScratchFrame &sample : m_samples)
+            samples.add(*sample.view().at(x, y));
+        return samples;
     }
     bool hasSampleFrames() const { return !m_samples.empty(); }
 
@@ -187,7 +194,7 @@ private:
         if (sample.covered == 0)
             return;
         if (m_canvas.hasSampleFrames())
-            takeMean(sample, m_canvas.mean(pixel.x, pixel.y));
+            takeMean(sample, pixel);
         else
             sample.after = packed(m_colour.colourAt(sample.place));
         write(pixel, sample);
@@ -201,11 +208,12 @@ private:
         sample.before = *m_canvas.frame().at(pixel.x, pixel.y);
         return sample;
     }
-    static void takeMean(StrokeSample &sample, const SampleMean &mean)
+    void takeMean(StrokeSample &sample, const StrokePixel &pixel)
     {
         sample.place = {};
-        sample.mean = mean;
-        sample.after = mean.pixel();
+        sample.after = m_canvas.mean(pixel.x, pixel.y).pixel();
+        if constexpr (readsNumbers<Observer>)
+            sample.current = m_canvas.samples(pixel.x, pixel.y);
         for (std::size_t i = 0; i < 3; ++i)
             sample.level[i] = unpacked(sample.after).channels[i];
     }

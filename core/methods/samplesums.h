@@ -8,41 +8,36 @@
 
 namespace pixelplumb {
 
-/// "sum_R = 85 + 170 + 0 + 170": the bytes of a channel in the pixel's samples, in their order.
-inline QString sumFormula(const QString &title, const SampleMean &mean, std::size_t channel)
-{
-    QStringList bytes;
-    for (const QRgb sample : mean.samples())
-        bytes.append(QString::number(unpacked(sample).channels[channel]));
-    return title + QStringLiteral(" = ") + bytes.join(QStringLiteral(" + "));
-}
-
-/// Appends sum_R, sum_G, sum_B of a pixel that is the mean of its samples; `meanIn` gives that
-/// mean, without samples if the pixel is not one.
+/// Appends sum_R, sum_G, sum_B of a pixel's samples: "sum_R = 85 + 170 + 0 + 170". `samplesIn`
+/// gives the samples of a state; none where its pixel has one.
 template <class State, class Read>
-void appendSampleSums(NumberTable<State> &table, const Read &meanIn)
+void appendSampleSums(NumberTable<State> &table, const Read &samplesIn)
 {
     for (std::size_t channel = 0; channel < 3; ++channel) {
-        const QString letter = QChar(channelLetters[channel]);
-        const QString title = QStringLiteral("sum_") + letter;
+        const QString title = QStringLiteral("sum_") + channelLetters[channel];
         table.push_back(
             {{.id = title,
               .title = title,
               .unit = {},
               .toolTip
               = QStringLiteral("The sum of %1 over the pixel's samples, as they stand now.")
-                    .arg(letter),
+                    .arg(channelLetters[channel]),
               .formula = {},
               .group = NumberGroup::FirstColour},
              [=](const State &state) {
-                 const SampleMean &mean = meanIn(state);
-                 return mean.samples().empty() ? Quantity()
-                                               : Quantity::integer(mean.sum()[channel]);
+                 const auto colours = samplesIn(state).colours();
+                 int sum = 0;
+                 for (const QRgb colour : colours)
+                     sum += unpacked(colour).channels[channel];
+                 return colours.empty() ? Quantity() : Quantity::integer(sum);
              },
              [=](NumberDescription &number, const State &state) {
-                 const SampleMean &mean = meanIn(state);
-                 number.formula
-                     = mean.samples().empty() ? QString() : sumFormula(title, mean, channel);
+                 QStringList bytes;
+                 for (const QRgb colour : samplesIn(state).colours())
+                     bytes.append(QString::number(unpacked(colour).channels[channel]));
+                 number.formula = bytes.empty()
+                     ? QString()
+                     : title + QStringLiteral(" = ") + bytes.join(QStringLiteral(" + "));
              }});
     }
 }

@@ -98,7 +98,8 @@ void appendSamples(Table &table, std::size_t samples)
                 : Quantity::integer(__builtin_popcount(state.samplesWritten));
         },
         Group::Span);
-    appendSampleSums(table, [](const State &state) -> const SampleMean & { return state.mean; });
+    appendSampleSums(table,
+                     [](const State &state) -> const PixelSamples & { return state.pixelSamples; });
     for (std::size_t i = 0; i < 3; ++i) {
         const QString letter = QString(QChar(channelLetters[i]));
         appendPlain(

@@ -139,9 +139,12 @@ private:
     {
         ShadedSample<N> sample = {};
         sample.samples.written = written;
-        SampleMean &mean = sample.samples.mean;
-        for (const std::unique_ptr<Sample> &each : m_samples)
-            mean.add(*each->frame.view().at(x, y));
+        SampleMean mean;
+        for (const std::unique_ptr<Sample> &each : m_samples) {
+            const QRgb colour = *each->frame.view().at(x, y);
+            mean.add(colour);
+            sample.samples.current.add(colour);
+        }
         sample.before = *m_frame.at(x, y);
         sample.after = mean.pixel();
         for (std::size_t i = 0; i < 3; ++i)

@@ -77,7 +77,7 @@ struct ShadedSampleState {
     bool isWritten = false;
     bool isBlended = false; ///< and has an alpha
     EffectSet effects; ///< of the triangle
-    SampleMean mean; ///< of the pixel's samples; with a mean, none of the rest is set
+    PixelSamples pixelSamples; ///< 4 or 16: then none of the rest is set
     std::uint16_t samplesWritten = 0;
     bool isBeyondHorizon = false; ///< 1/w is not positive there
     PerChannel<Quantity> linear; ///< divided by w where perspective is corrected
@@ -105,7 +105,7 @@ struct ShadedSampleState {
     Colour before, after;
 
     /// 4 or 16 where the pixel is the mean of that many, else 0.
-    int samples() const { return int(mean.samples().size()); }
+    int samples() const { return int(pixelSamples.colours().size()); }
     /// A channel as the effects read it: the quotient where there is one.
     const Quantity &interpolatedIn(std::size_t channel) const
     {

@@ -230,7 +230,7 @@ ShadedSampleState shadedStateOf(
     state.effects = setUp.effects;
     state.before = unpacked(sample.before);
     state.after = unpacked(sample.after);
-    state.mean = sample.samples.mean;
+    state.pixelSamples = sample.samples.current;
     if (state.samples() > 0) {
         state.samplesWritten = sample.samples.written;
         return state;

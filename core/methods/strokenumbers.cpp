@@ -253,8 +253,8 @@ NumberTable<StrokeSampleState> strokeSampleNumbers(Antialiasing antialiasing)
     }
     const std::size_t samples = samplePattern(antialiasing).size();
     if (samples > 0)
-        appendSampleSums(table, [](const StrokeSampleState &state) -> const SampleMean & {
-            return state.sample.mean;
+        appendSampleSums(table, [](const StrokeSampleState &state) -> const PixelSamples & {
+            return state.sample.current;
         });
     else
         appendStrokeSource(table);
