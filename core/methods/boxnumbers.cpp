@@ -63,18 +63,18 @@ NumberRow<EdgeTestSetUpState> cornerRow(const EdgeTestNames &names, QChar axis, 
 
 } // namespace
 
-QString firstInBoxFormula(QChar axis, BoxRounding rounding, std::optional<std::int64_t> clippedTo)
+QString firstInBoxFormula(QChar axis, const BoxExtent &extent)
 {
     const QString sample = rounded(QStringLiteral("⌈%1⌉"), axis + QStringLiteral("_least"),
-                                   rounding, QStringLiteral("+ ½"));
-    return axis + QStringLiteral("_min = ") + clipped(sample, "max", clippedTo);
+                                   extent.rounding, QStringLiteral("+ ½"));
+    return axis + QStringLiteral("_min = ") + clipped(sample, "max", extent.firstClip());
 }
 
-QString lastInBoxFormula(QChar axis, BoxRounding rounding, std::optional<std::int64_t> clippedTo)
+QString lastInBoxFormula(QChar axis, const BoxExtent &extent)
 {
     const QString sample = rounded(QStringLiteral("⌊%1⌋"), axis + QStringLiteral("_greatest"),
-                                   rounding, QStringLiteral("− ½"));
-    return axis + QStringLiteral("_max = ") + clipped(sample, "min", clippedTo);
+                                   extent.rounding, QStringLiteral("− ½"));
+    return axis + QStringLiteral("_max = ") + clipped(sample, "min", extent.lastClip());
 }
 
 void appendBox(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &names)
@@ -88,30 +88,8 @@ void appendBox(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &name
     }
     // The samples along the loops are numbers of each span.
     const bool isRow = form.order == LoopOrder::RowByRow;
-    const QChar across = isRow ? u'y' : u'x';
-    const QString line = isRow ? QStringLiteral("row") : QStringLiteral("column");
-    table.push_back(
-        {{.id = across + QStringLiteral("_min"),
-          .title = across + QStringLiteral("_min"),
-          .unit = unit::px(),
-          .toolTip = QStringLiteral("The first %1 that is tested.").arg(line),
-          .formula = {}},
-         [](const EdgeTestSetUpState &state) { return Quantity::integer(state.across.first); },
-         [across](NumberDescription &number, const EdgeTestSetUpState &state) {
-             number.formula
-                 = firstInBoxFormula(across, state.across.rounding, state.across.firstClip());
-         }});
-    table.push_back(
-        {{.id = across + QStringLiteral("_max"),
-          .title = across + QStringLiteral("_max"),
-          .unit = unit::px(),
-          .toolTip = QStringLiteral("The last %1 that is tested.").arg(line),
-          .formula = {}},
-         [](const EdgeTestSetUpState &state) { return Quantity::integer(state.across.end - 1); },
-         [across](NumberDescription &number, const EdgeTestSetUpState &state) {
-             number.formula
-                 = lastInBoxFormula(across, state.across.rounding, state.across.lastClip());
-         }});
+    appendExtent(table, form, isRow ? u'y' : u'x',
+                 isRow ? QStringLiteral("row") : QStringLiteral("column"), NumberGroup::Position);
 }
 
 } // namespace pixelplumb

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/methods/edgeteststeps.h"
+#include "core/methods/units.h"
 #include "core/trace/numberrow.h"
 
 namespace pixelplumb {
@@ -13,9 +14,42 @@ class EdgeTestNames;
 /// nothing where every sample of the frame is tested.
 void appendBox(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &names);
 
-/// "x_min = max(⌈x_least⌉, 0)": how the first or the last sample along an axis comes from the box
-/// of the vertices. `clippedTo` is the sample at the frame's border where the box is clipped there.
-QString firstInBoxFormula(QChar axis, BoxRounding rounding, std::optional<std::int64_t> clippedTo);
-QString lastInBoxFormula(QChar axis, BoxRounding rounding, std::optional<std::int64_t> clippedTo);
+/// "x_min = max(⌈x_least⌉, 0)": how the first or the last sample of an extent comes from the box of
+/// the vertices.
+QString firstInBoxFormula(QChar axis, const BoxExtent &extent);
+QString lastInBoxFormula(QChar axis, const BoxExtent &extent);
+
+/// Appends x_min and x_max, or those of y: the first and the last sample, row or column that is
+/// tested, with the formulas of the box where there is one.
+template <class State>
+void appendExtent(NumberTable<State> &table, const EdgeTestForm &form, QChar axis,
+                  const QString &noun, NumberGroup group)
+{
+    const auto extentOf = [axis](const State &state) -> const BoxExtent & {
+        return axis == u'x' ? state.columns : state.rows;
+    };
+    const auto row
+        = [&](const QString &end, const QString &toolTip, const auto &value, auto formula) {
+              table.push_back(
+                  {{.id = axis + end,
+                    .title = axis + end,
+                    .unit = unit::px(),
+                    .toolTip = toolTip.arg(noun),
+                    .formula = {},
+                    .group = group},
+                   [=](const State &state) { return Quantity::integer(value(extentOf(state))); },
+                   [=, isBox = form.visited == VisitedSamples::BoundingBox](
+                       NumberDescription &number, const State &state) {
+                       if (isBox)
+                           number.formula = formula(axis, extentOf(state));
+                   }});
+          };
+    row(
+        QStringLiteral("_min"), QStringLiteral("The first %1 that is tested."),
+        [](const BoxExtent &extent) { return extent.first; }, firstInBoxFormula);
+    row(
+        QStringLiteral("_max"), QStringLiteral("The last %1 that is tested."),
+        [](const BoxExtent &extent) { return extent.end - 1; }, lastInBoxFormula);
+}
 
 } // namespace pixelplumb

@@ -73,7 +73,6 @@ NumberTable<EdgeTestSpanState> edgeTestSpanNumbers(const EdgeTestForm &form)
     const bool isRow = form.order == LoopOrder::RowByRow;
     const QChar across = isRow ? u'y' : u'x';
     const QChar along = isRow ? u'x' : u'y';
-    const bool isBox = form.visited == VisitedSamples::BoundingBox;
     NumberTable<EdgeTestSpanState> table
         = {{triangleNumber(),
             [](const State &state) { return Quantity::integer(Int128(state.primitive)); }},
@@ -82,31 +81,8 @@ NumberTable<EdgeTestSpanState> edgeTestSpanNumbers(const EdgeTestForm &form)
              .unit = unit::px(),
              .toolTip = isRow ? QStringLiteral("The row.") : QStringLiteral("The column."),
              .formula = {}},
-            [](const State &state) { return Quantity::integer(state.coordinate); }},
-           {{.id = along + QStringLiteral("_min"),
-             .title = along + QStringLiteral("_min"),
-             .unit = unit::px(),
-             .toolTip = QStringLiteral("The first sample that is tested."),
-             .formula = {},
-             .group = Group::Span},
-            [](const State &state) { return Quantity::integer(state.firstTested); },
-            [=](NumberDescription &number, const State &state) {
-                const BoxExtent &box = isRow ? state.x : state.y;
-                if (isBox)
-                    number.formula = firstInBoxFormula(along, box.rounding, box.firstClip());
-            }},
-           {{.id = along + QStringLiteral("_max"),
-             .title = along + QStringLiteral("_max"),
-             .unit = unit::px(),
-             .toolTip = QStringLiteral("The last sample that is tested."),
-             .formula = {},
-             .group = Group::Span},
-            [](const State &state) { return Quantity::integer(state.endTested - 1); },
-            [=](NumberDescription &number, const State &state) {
-                const BoxExtent &box = isRow ? state.x : state.y;
-                if (isBox)
-                    number.formula = lastInBoxFormula(along, box.rounding, box.lastClip());
-            }}};
+            [](const State &state) { return Quantity::integer(state.coordinate); }}};
+    appendExtent(table, form, along, QStringLiteral("sample"), Group::Span);
     if (form.evaluation == Evaluation::EverySample)
         return table;
     if (!form.isBarycentric()) {

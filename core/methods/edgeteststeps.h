@@ -57,7 +57,7 @@ struct EdgeTestSetUpState {
     std::array<Vertex, 3> vertices;
     bool zeroArea = false;
     ThreeQuantities x, y; ///< of the vertices, px
-    BoxExtent across; ///< rows or columns
+    BoxExtent columns, rows; ///< of the box
     std::array<EdgeTestLineState, 3> lines;
     FillRule rule = FillRule::Closed;
     int down = -1; ///< the step of y that goes down on the screen
@@ -72,8 +72,7 @@ struct EdgeTestSetUpState {
 struct EdgeTestSpanState {
     std::size_t primitive = 0;
     std::int64_t coordinate = 0;
-    BoxExtent x, y; ///< of the whole box
-    std::int64_t firstTested = 0, endTested = 0;
+    BoxExtent columns, rows; ///< of the whole box
     ThreeQuantities value, weight, colour; ///< at the first tested sample, where incremental
 };
 
@@ -141,7 +140,8 @@ EdgeTestSetUpState edgeTestStateOf(const EdgeTestSetUp<A> &setUp)
     EdgeTestSetUpState state;
     state.vertices = setUp.vertices;
     state.zeroArea = setUp.zeroArea;
-    state.across = boxExtentOf(setUp, form.order == LoopOrder::RowByRow ? u'y' : u'x');
+    state.columns = boxExtentOf(setUp, u'x');
+    state.rows = boxExtentOf(setUp, u'y');
     for (std::size_t i = 0; i < 3; ++i) {
         state.x[i] = length(A::length(setUp.vertices[i].position.x));
         state.y[i] = length(A::length(setUp.vertices[i].position.y));
@@ -171,10 +171,8 @@ EdgeTestSpanState edgeTestStateOf(const CurrentSpan<EdgeTestSetUp<A>, EdgeTestSp
     EdgeTestSpanState state;
     state.primitive = step.primitive;
     state.coordinate = span.coordinate;
-    state.firstTested = span.firstTested;
-    state.endTested = span.endTested;
-    state.x = boxExtentOf(step.setUp, u'x');
-    state.y = boxExtentOf(step.setUp, u'y');
+    state.columns = boxExtentOf(step.setUp, u'x');
+    state.rows = boxExtentOf(step.setUp, u'y');
     if (step.setUp.zeroArea)
         return state; // no edge tests a segment
     for (std::size_t line = 0; line < 3; ++line)
