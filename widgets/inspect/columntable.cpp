@@ -50,7 +50,8 @@ ColumnTable::ColumnTable(Playhead *playhead, QWidget *parent)
 {
     setObjectName(QStringLiteral("columnTable"));
     setAccessibleName(tr("Columns of the scan"));
-    setAccessibleDescription(tr("A row for each column; the highlighted row is the current column."));
+    setAccessibleDescription(
+        tr("A row for each column; the highlighted row is the current column."));
     if (const QFont figures = tabularFont(font()); figures != font())
         setFont(figures);
     setFrameShape(QFrame::NoFrame);

@@ -193,7 +193,8 @@ private slots:
         row("line-dda", 1,
             "On the column 21 the walk is at y = 41 3/10, which rounds to the pixel (21, 41).");
         row("line-slope-intercept", 2,
-            "On the column 22 the line is at y = 41 3/5; (int)(y + ½) makes it the pixel (22, 42).");
+            "On the column 22 the line is at y = 41 3/5; (int)(y + ½) makes it the pixel (22, "
+            "42).");
     }
     void aStepIsExplainedByItsDecision()
     {
