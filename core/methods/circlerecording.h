@@ -3,6 +3,7 @@
 
 #include "core/methods/curvenumbers.h"
 #include "core/methods/flatrecording.h"
+#include "core/trace/spanpixels.h"
 
 namespace pixelplumb {
 
@@ -27,17 +28,12 @@ struct CircleFillRecording : CircleFillNumbers, FlatRecording {
         record.firstDrawn = row.firstDrawn;
         record.endDrawn = row.endDrawn;
     }
-    template <class Observer>
-    static void walk(const Round &, const Span &row, const ScanSettings &, Observer observer)
+    static void walk(const Round &, const Span &row, const ScanSettings &,
+                     ObserverOf<CircleFillNumbers> observer)
     {
-        const std::int64_t width = row.endDrawn - row.firstDrawn;
-        if (width <= 0)
-            return;
-        std::vector<QRgb> pixels(std::size_t(width), QRgb(0));
-        fillRow(row,
-                FrameView{pixels.data(), width, std::int32_t(row.firstDrawn), std::int32_t(row.y),
-                          std::int32_t(width), 1},
-                observer);
+        const SpanPixels pixels(placeOf(row), row.firstDrawn, row.endDrawn);
+        if (!pixels.isEmpty())
+            fillRow(row, pixels.view(), observer);
     }
 };
 

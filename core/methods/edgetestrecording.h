@@ -4,7 +4,8 @@
 #include "core/methods/barycentricwords.h"
 #include "core/methods/edgetestnumbers.h"
 #include "core/scan/edgetest.h"
-#include "core/trace/tracerecorder.h"
+#include "core/trace/spanpixels.h"
+#include "core/trace/statesof.h"
 
 namespace pixelplumb {
 
@@ -78,18 +79,12 @@ struct EdgeTestRecording : EdgeTestNumbers<A> {
         record.level = sample.level;
     }
 
-    /// Tests this one span again, in a frame of its own, with the same numbers.
-    template <class Observer>
     static void walk(const SetUp &setUp, const Span &span, const ScanSettings &settings,
-                     Observer observer)
+                     ObserverOf<EdgeTestNumbers<A>> observer)
     {
-        const auto length = std::int32_t(span.endTested - span.firstTested);
-        std::vector<QRgb> pixels(std::size_t(length), QRgb(0));
-        const auto across = std::int32_t(span.coordinate);
-        const auto first = std::int32_t(span.firstTested);
-        const FrameView frame = isRow ? FrameView{pixels.data(), length, first, across, length, 1}
-                                      : FrameView{pixels.data(), 1, across, first, 1, length};
-        testSpan<A, form>(setUp, span, settings.rounding, frame, observer);
+        const SpanPixels pixels(placeOf(span), span.firstTested, span.endTested);
+        if (!pixels.isEmpty())
+            testSpan<A, form>(setUp, span, settings.rounding, pixels.view(), observer);
     }
 };
 

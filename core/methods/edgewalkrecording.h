@@ -3,7 +3,8 @@
 
 #include "core/methods/edgewalknumbers.h"
 #include "core/methods/edgewalkwords.h"
-#include "core/trace/tracerecorder.h"
+#include "core/trace/spanpixels.h"
+#include "core/trace/statesof.h"
 
 namespace pixelplumb {
 
@@ -78,26 +79,17 @@ struct EdgeWalkRecording : EdgeWalkNumbers<A> {
         record.level = fragment.level;
     }
 
-    /// Fills this one span again, in a frame of its own, with the same numbers.
-    template <class Observer>
     static void walk(const SetUp &, const Span &column, const ScanSettings &settings,
-                     Observer observer)
+                     ObserverOf<EdgeWalkNumbers<A>> observer)
     {
-        const auto length = std::int32_t(column.endDrawnRow - column.firstDrawnRow);
-        if (length <= 0)
+        const SpanPixels pixels(placeOf(column), column.firstDrawnRow, column.endDrawnRow);
+        if (pixels.isEmpty())
             return;
-        std::vector<QRgb> pixels(std::size_t(length), QRgb(0));
-        const auto first = std::int32_t(column.firstDrawnRow);
-        const auto place = std::int32_t(across(column.x));
+        using View = std::conditional_t<isRow, TurnedView, FrameView>;
         const Triangle none;
-        const EdgeWalkListener<A, form.axis, Observer> listener(none, {}, first, observer);
-        if constexpr (isRow) {
-            const FrameView row{pixels.data(), length, first, place, length, 1};
-            fillColumn(column, settings.rounding, TurnedView(row), listener);
-        } else {
-            const FrameView rows{pixels.data(), 1, place, first, 1, length};
-            fillColumn(column, settings.rounding, rows, listener);
-        }
+        fillColumn(column, settings.rounding, View(pixels.view()),
+                   EdgeWalkListener<A, form.axis, decltype(observer)>(
+                       none, {}, column.firstDrawnRow, observer));
     }
 
 private:

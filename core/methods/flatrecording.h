@@ -3,7 +3,7 @@
 
 #include "core/methods/curvewords.h"
 #include "core/scan/flatpixel.h"
-#include "core/trace/tracerecorder.h"
+#include "core/trace/statesof.h"
 
 namespace pixelplumb {
 

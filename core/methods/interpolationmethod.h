@@ -25,7 +25,7 @@ std::unique_ptr<ScanTrace> traceCarried(const Primitives &primitives, const Scan
         return recordTrace<R>(
             primitives.size(), settings, options,
             [&](std::size_t index) { return primitives.isTriangle(index); },
-            [&](std::size_t index, const TraceRecorder<R> &recorder) {
+            [&](std::size_t index, const ObserverOf<R> &recorder) {
                 const auto listener = listenerFor<Form>(recorder);
                 const FormTriangle<Form> scanned(primitives.triangles[index],
                                                  primitives.attributesOf(index));

@@ -3,7 +3,8 @@
 
 #include "core/methods/interpolationnumbers.h"
 #include "core/methods/interpolationwords.h"
-#include "core/trace/tracerecorder.h"
+#include "core/trace/spanpixels.h"
+#include "core/trace/statesof.h"
 
 namespace pixelplumb {
 
@@ -78,22 +79,13 @@ struct InterpolationRecording : InterpolationNumbers<Number, channelsInAll> {
         record.level = sample.level;
     }
 
-    /// Fills this one column or row again, in a frame of its own, with the same numbers.
-    template <class Observer>
     static void walk(const SetUp &setUp, const Span &column, const ScanSettings &settings,
-                     Observer observer)
+                     ObserverOf<InterpolationNumbers<Number, channelsInAll>> observer)
     {
-        const auto length = std::int32_t(column.endDrawn - column.firstDrawn);
-        if (length <= 0)
-            return;
-        std::vector<QRgb> pixels(std::size_t(length), QRgb(0));
-        const auto place = std::int32_t(placeOf(column).coordinate);
-        const auto first = std::int32_t(column.firstDrawn);
-        const FrameView frame = axisOf(Form) == SpanAxis::Row
-            ? FrameView{pixels.data(), length, first, place, length, 1}
-            : FrameView{pixels.data(), 1, place, first, 1, length};
-        fillAgain<Form>(setUp, column, settings.rounding, ViewOfForm<Form>(frame),
-                        listenerFor<Form>(observer));
+        const SpanPixels pixels(placeOf(column), column.firstDrawn, column.endDrawn);
+        if (!pixels.isEmpty())
+            fillAgain<Form>(setUp, column, settings.rounding, ViewOfForm<Form>(pixels.view()),
+                            listenerFor<Form>(observer));
     }
 };
 

@@ -7,7 +7,7 @@
 #include "core/methods/onefunction.h"
 #include "core/scan/kernelnumbers.h"
 #include "core/scan/scanobserver.h"
-#include "core/trace/tracerecorder.h"
+#include "core/trace/statesof.h"
 
 #include <concepts>
 #include <memory>

@@ -3,7 +3,8 @@
 
 #include "core/methods/linenumbers.h"
 #include "core/methods/linewords.h"
-#include "core/trace/tracerecorder.h"
+#include "core/trace/spanpixels.h"
+#include "core/trace/statesof.h"
 
 #include <cmath>
 
@@ -54,17 +55,14 @@ struct LineStepRecording : Numbers {
         record.level = fragment.level;
     }
 
-    /// Plots the pixel into a frame of its own, with the same numbers.
-    template <class Observer>
     static void walk(const SetUp &, const Span &step, const ScanSettings &settings,
-                     Observer observer)
+                     ObserverOf<Numbers> observer)
     {
         const LinePlace &place = placeIn(step);
         if (!place.isInFrame)
             return;
-        QRgb pixel = 0;
-        const FrameView frame{&pixel, 1, std::int32_t(place.x()), std::int32_t(place.y()), 1, 1};
-        plot<A>(place, step.colour, settings.rounding, frame, observer);
+        const SpanPixels pixel(LineStepRecording::placeOf(step), place.across, place.across + 1);
+        plot<A>(place, step.colour, settings.rounding, pixel.view(), observer);
     }
 
     static void record(const SetUp &, SetUpRecord &) { }

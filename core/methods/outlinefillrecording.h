@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/methods/outlinefillnumbers.h"
-#include "core/trace/tracerecorder.h"
+#include "core/trace/spanpixels.h"
+#include "core/trace/statesof.h"
 
 namespace pixelplumb {
 
@@ -53,20 +54,12 @@ struct OutlineFillRecording : OutlineFillNumbers<A> {
         record.level = fragment.level;
     }
 
-    /// Fills this one column again, in a frame of its own, with the same numbers.
-    template <class Observer>
     static void walk(const SetUp &, const Span &span, const ScanSettings &settings,
-                     Observer observer)
+                     ObserverOf<OutlineFillNumbers<A>> observer)
     {
-        const ColumnState<A> &column = span.column;
-        const auto length = std::int32_t(column.endDrawnRow - column.firstDrawnRow);
-        if (length <= 0)
-            return;
-        std::vector<QRgb> pixels(std::size_t(length), QRgb(0));
-        const FrameView rows{
-            pixels.data(), 1, std::int32_t(column.x), std::int32_t(column.firstDrawnRow), 1,
-            length};
-        fillColumn(column, settings.rounding, rows, observer);
+        const SpanPixels pixels(placeOf(span), span.column.firstDrawnRow, span.column.endDrawnRow);
+        if (!pixels.isEmpty())
+            fillColumn(span.column, settings.rounding, pixels.view(), observer);
     }
 };
 

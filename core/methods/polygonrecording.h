@@ -3,7 +3,8 @@
 
 #include "core/methods/polygonnumbers.h"
 #include "core/methods/polygonwords.h"
-#include "core/trace/tracerecorder.h"
+#include "core/trace/spanpixels.h"
+#include "core/trace/statesof.h"
 
 namespace pixelplumb {
 
@@ -73,18 +74,12 @@ struct PolygonRecording : PolygonNumbers<A> {
         }
     }
 
-    /// Fills this one row again, in a frame of its own, with the same numbers.
-    template <class Observer>
-    static void walk(const SetUp &setUp, const Span &row, const ScanSettings &, Observer observer)
+    static void walk(const SetUp &setUp, const Span &row, const ScanSettings &,
+                     ObserverOf<PolygonNumbers<A>> observer)
     {
-        const std::int64_t width = row.endDrawn - row.firstDrawn;
-        if (width <= 0)
-            return;
-        std::vector<QRgb> pixels(std::size_t(width), QRgb(0));
-        const FrameView frame{
-            pixels.data(),       std::ptrdiff_t(width), std::int32_t(row.firstDrawn),
-            std::int32_t(row.y), std::int32_t(width),   1};
-        fillRow(row, setUp, frame, observer);
+        const SpanPixels pixels(placeOf(row), row.firstDrawn, row.endDrawn);
+        if (!pixels.isEmpty())
+            fillRow(row, setUp, pixels.view(), observer);
     }
 };
 

@@ -14,9 +14,11 @@ namespace pixelplumb {
 /// Draws triangle by triangle and announces each pixel once. Where pixels have several samples,
 /// those of every edge pixel are kept, so that after each triangle the frame shows the picture so
 /// far.
-template <class N, class A, class Recorder>
+template <class N, class A>
 class ShadedPictureRecorder {
 public:
+    using Recorder = ObserverOf<ShadedNumbers<N, A>>;
+
     ShadedPictureRecorder(InterpolationForm form, const Primitives &primitives,
                           const ScanSettings &settings, FrameView frame, const EffectPlan &plan,
                           Recorder recorder)

@@ -3,7 +3,7 @@
 
 #include "core/methods/shadednumbers.h"
 #include "core/methods/shadedsteps.h"
-#include "core/trace/tracerecorder.h"
+#include "core/trace/statesof.h"
 
 namespace pixelplumb {
 

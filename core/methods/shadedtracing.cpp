@@ -48,9 +48,9 @@ std::unique_ptr<ScanTrace> traceShaded(ShadedMethod method, const Primitives &pr
     const auto trace = [&]<class N, class A>() {
         using R = ShadedRecording<N, A>;
         TriangleEffects effects(plan);
-        using Picture = ShadedPictureRecorder<N, A, TraceRecorder<R>>;
+        using Picture = ShadedPictureRecorder<N, A>;
         std::unique_ptr<Picture> picture;
-        const auto draw = [&](std::size_t index, const TraceRecorder<R> &recorder) {
+        const auto draw = [&](std::size_t index, const ObserverOf<R> &recorder) {
             if (!picture)
                 picture
                     = std::make_unique<Picture>(form, primitives, settings, frame, plan, recorder);

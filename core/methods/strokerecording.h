@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/methods/strokenumbers.h"
-#include "core/trace/tracerecorder.h"
+#include "core/trace/statesof.h"
 
 namespace pixelplumb {
 

@@ -34,7 +34,7 @@ std::unique_ptr<ScanTrace> traceStrokes(const Primitives &primitives, const Scan
         return recordTrace<StrokeRecording>(
             drawn.size(), settings, options,
             [&](std::size_t index) { return drawsStroke(drawn, index); },
-            [&](std::size_t index, const TraceRecorder<StrokeRecording> &recorder) {
+            [&](std::size_t index, const ObserverOf<StrokeRecording> &recorder) {
                 StrokeScan(drawn.shape(index), settings, canvas, recorder).run();
             },
             TablesOf<StrokeRecording>::of(antialiasing));

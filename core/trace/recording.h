@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/trace/currentstep.h"
+#include "core/trace/listener.h"
 #include "core/trace/numberrow.h"
 #include "core/trace/stepwords.h"
 #include "core/trace/tracerecords.h"
@@ -20,8 +21,8 @@
 ///   isClamped(sample)      whether a level left 0 … 255.
 /// It may name more:
 ///   walk(setUp, span, settings, observer)
-///                          calls the kernel's own loop again for one span; where there is no such
-///                          function the samples themselves are kept;
+///                          calls the kernel's own loop again for one span, in SpanPixels; where
+///                          there is no such function the samples themselves are kept;
 ///   record(currentSample, sampleRecord)
 ///                          fills what a sample's record takes from its span and set-up;
 ///   stateOf(currentStep)   what the rows read instead of the step itself;
@@ -75,10 +76,14 @@ concept Recording = requires(const typename R::SetUp &setUp, const typename R::S
         } -> std::same_as<bool>;
 };
 
-/// True where a span's samples can be walked again with any observer.
-template <class R, class Observer>
-concept Rewalkable = requires(const typename R::SetUp &setUp, const typename R::Span &span,
-                              const ScanSettings &settings, Observer observer)
+template <class R>
+using ObserverOf = AnnouncingObserver<typename R::SetUp, typename R::Span, typename R::Sample>;
+
+/// Whether a span's samples can be walked again.
+template <class R>
+inline constexpr bool canWalkAgain
+    = requires(const typename R::SetUp &setUp, const typename R::Span &span,
+               const ScanSettings &settings, ObserverOf<R> observer)
 {
     R::walk(setUp, span, settings, observer);
 };

@@ -5,6 +5,13 @@
 
 namespace pixelplumb {
 
+ScanTrace::ScanTrace(const ScanSettings &settings, std::unique_ptr<KernelStates> states)
+    : m_settings(settings)
+    , m_states(std::move(states))
+    , m_numbers(m_states->numbers())
+{
+}
+
 TraceStep ScanTrace::stepAt(std::size_t index) const
 {
     Q_ASSERT(index < stepCount());

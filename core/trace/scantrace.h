@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/trace/kernelstates.h"
 #include "core/trace/pixelchanges.h"
-#include "core/trace/stepwords.h"
-#include "core/trace/tracerecords.h"
 
-#include <vector>
+#include <functional>
 
 namespace pixelplumb {
 
@@ -26,18 +25,11 @@ struct TraceStep {
     friend bool operator==(const TraceStep &, const TraceStep &) = default;
 };
 
-/// Descriptions of the cells in a trace's records. A run has the numbers that its plan calls for.
-struct TraceNumbers {
-    std::vector<NumberDescription> setUp; ///< describes SetUpRecord::cells
-    std::vector<NumberDescription> span; ///< describes SpanRecord::cells, the table's columns
-    std::vector<NumberDescription> sample; ///< describes SampleRecord::cells
-};
-
 /// The record of a whole run: what the kernel announced, in the numbers that it used. A position p
 /// in 0 … stepCount() means that the first p steps are done; step p − 1 is the current one.
-class ScanTrace {
+class ScanTrace final {
 public:
-    virtual ~ScanTrace() = default;
+    ScanTrace(const ScanSettings &settings, std::unique_ptr<KernelStates> states);
 
     const ScanSettings &settings() const { return m_settings; }
     const TraceNumbers &numbers() const { return m_numbers; }
@@ -89,8 +81,8 @@ public:
     /// The primitive's last visit that wrote the pixel, else the last that refused it.
     std::optional<std::size_t> visitOf(std::size_t primitive, std::int64_t x, std::int64_t y) const;
 
-    virtual SetUpRecord setUp(std::size_t primitive) const = 0;
-    virtual SpanRecord span(std::size_t span) const = 0;
+    SetUpRecord setUp(std::size_t primitive) const;
+    SpanRecord span(std::size_t span) const;
     /// The span's samples in order: the kernel's own loop run again from the span's recorded
     /// state.
     std::vector<SampleRecord> samples(std::size_t span) const
@@ -104,20 +96,20 @@ public:
     }
 
     /// How the numbers of these records are named at the step, and what is said about it.
-    virtual StepWords setUpWords(std::size_t primitive) const = 0;
-    virtual StepWords spanWords(std::size_t span) const = 0;
+    StepWords setUpWords(std::size_t primitive) const;
+    StepWords spanWords(std::size_t span) const;
     /// The words of the sample at this place in the span, from 0.
-    virtual StepWords sampleWords(std::size_t span, std::size_t place) const = 0;
+    StepWords sampleWords(std::size_t span, std::size_t place) const;
     /// How the numbers of each sample of the span are named, in order, as in sampleWords().
-    virtual std::vector<std::vector<NumberDescription>> sampleNumbers(std::size_t span) const = 0;
+    std::vector<std::vector<NumberDescription>> sampleNumbers(std::size_t span) const;
 
-protected:
-    enum class SampleCells { Filled, Empty };
-    virtual std::vector<SampleRecord> samplesWith(std::size_t span, SampleCells cells) const = 0;
+private:
+    friend class TraceRecorder;
 
     struct PrimitiveEntry {
         std::size_t step = 0;
         std::size_t firstSpan = 0;
+        std::optional<Rejection> rejection;
     };
     struct SpanEntry {
         std::size_t step = 0;
@@ -125,14 +117,16 @@ protected:
         std::size_t primitive = 0;
         SpanPlace place;
     };
+    enum class SampleCells { Filled, Empty };
+    using Visit = std::function<void(const SampleVisit &)>;
 
-    ScanTrace(const ScanSettings &settings, TraceNumbers numbers)
-        : m_settings(settings)
-        , m_numbers(std::move(numbers))
-    {
-    }
+    StatePlace stateOfSetUp(std::size_t primitive) const { return {m_settings, primitive}; }
+    StatePlace stateOfSpan(std::size_t span) const;
+    void visitSamples(std::size_t span, const Visit &visit) const;
+    std::vector<SampleRecord> samplesWith(std::size_t span, SampleCells cells) const;
 
     ScanSettings m_settings;
+    std::unique_ptr<KernelStates> m_states;
     TraceNumbers m_numbers;
     bool m_cut = false;
     std::vector<PrimitiveEntry> m_primitives;

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trace/listener.h"
+#include "core/trace/stepwords.h"
+#include "core/trace/tracenumbers.h"
+#include "core/trace/tracerecords.h"
+
+namespace pixelplumb {
+
+/// Which of the kept states a step has.
+struct StatePlace {
+    const ScanSettings &settings;
+    std::size_t primitive = 0;
+    std::size_t span = 0; ///< meaningful for spans and samples
+    std::size_t firstSpan = 0; ///< of the primitive
+};
+
+/// One visit of a sample. Its state lives no longer than the call that tells of it.
+struct SampleVisit {
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+    SampleFate fate = SampleFate::Written;
+    const void *state = nullptr;
+};
+
+/// The states of a run in the kernel's own numbers: what the recorder keeps of its events, and what
+/// a trace's records and words are read from.
+class KernelStates {
+public:
+    virtual ~KernelStates() = default;
+
+    virtual TraceNumbers numbers() const = 0;
+
+    /// Keeps a set-up, or an empty one for a primitive of which nothing was computed.
+    virtual void keepSetUp(const void *setUp) = 0;
+    /// Keeps a span and says where it lies.
+    virtual SpanPlace keepSpan(const void *span) = 0;
+    /// The crossings of a polygon's row, which take memory; 0 for other spans.
+    virtual std::size_t crossingsIn(const void *span) const = 0;
+    /// Whether a level left 0 … 255.
+    virtual bool isClamped(const void *sample) const = 0;
+
+    /// What a kept sample takes, bytes; 0 where none is kept, since spans can be walked again.
+    virtual std::size_t bytesOfSample() const = 0;
+    virtual void keepSample(const void *sample) = 0;
+    virtual const void *keptSample(std::size_t sample) const = 0;
+    /// Calls the kernel's own loop again for one span.
+    virtual void walkAgain(const StatePlace &place, Listener &listener) const = 0;
+
+    /// Read what a record holds besides its cells.
+    virtual void read(const StatePlace &place, SetUpRecord &record) const = 0;
+    virtual void read(const StatePlace &place, SpanRecord &record) const = 0;
+    virtual void read(const StatePlace &place, const SampleVisit &visit,
+                      SampleRecord &record) const = 0;
+
+    virtual std::vector<Quantity> setUpCells(const StatePlace &place) const = 0;
+    virtual std::vector<Quantity> spanCells(const StatePlace &place) const = 0;
+    virtual std::vector<Quantity> sampleCells(const StatePlace &place,
+                                              const SampleVisit &visit) const = 0;
+
+    virtual StepWords setUpWords(const StatePlace &place) const = 0;
+    virtual StepWords spanWords(const StatePlace &place) const = 0;
+    virtual StepWords sampleWords(const StatePlace &place, const SampleVisit &visit) const = 0;
+    virtual std::vector<NumberDescription> sampleNumbers(const StatePlace &place,
+                                                         const SampleVisit &visit) const = 0;
+};
+
+} // namespace pixelplumb
