@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/pixelfacts.h"
 #include "core/export/numbertext.h"
+#include "core/runs/edgerefusal.h"
 #include "core/scene/colourtext.h"
 
 #include <algorithm>
@@ -19,15 +20,16 @@ QString placeText(const oracle::EdgeVerdict &edge, Antialiasing antialiasing)
                         : QStringLiteral(", the centre outside");
 }
 
-QString edgeText(const QString &name, const oracle::EdgeVerdict &edge, Antialiasing antialiasing)
+QString edgeText(const QString &name, const oracle::EdgeVerdict &edge, const TracedScene &traced)
 {
     QStringList distances;
     if (!edge.distanceAlongColumn.isNone())
         distances.append(toText(edge.distanceAlongColumn) + QStringLiteral(" px along the column"));
     if (!edge.distanceAlongRow.isNone())
         distances.append(toText(edge.distanceAlongRow) + QStringLiteral(" px along the row"));
-    return QStringLiteral("    edge %1%2: %3")
-        .arg(name, placeText(edge, antialiasing),
+    return (mayDecideOtherwise(traced) ? QStringLiteral("    in truth, edge %1%2: %3")
+                                       : QStringLiteral("    edge %1%2: %3"))
+        .arg(name, placeText(edge, traced.antialiasing()),
              distances.isEmpty() ? QStringLiteral("a point")
                                  : distances.join(QStringLiteral(", ")));
 }
@@ -36,14 +38,20 @@ QString spanText(const PixelAttempt &attempt, Antialiasing antialiasing)
 {
     const SpanRecord &span = *attempt.span;
     const SpanWords words = wordsFor(span.place.axis);
+    const bool isByArea = antialiasing == Antialiasing::Area;
     QString text = QStringLiteral("    ") + spanPlaceText(attempt);
-    if (!span.lower.isNone())
-        text += QStringLiteral(": %1 = %2, %3 = %4, %5 %6 … %7")
-                    .arg(words.lower, toText(span.lower), words.upper, toText(span.upper),
-                         antialiasing == Antialiasing::Area
-                             ? QStringLiteral("areas on the ") + words.samples
-                             : words.samples,
-                         QString::number(span.firstSample), QString::number(span.endSample - 1));
+    if (span.lower.isNone())
+        return text;
+    const std::int64_t first = isByArea ? span.firstDrawn : span.firstSample;
+    const std::int64_t end = isByArea ? span.endDrawn : span.endSample;
+    text += QStringLiteral(": %1 = %2, %3 = %4, ")
+                .arg(words.lower, toText(span.lower), words.upper, toText(span.upper));
+    if (first >= end)
+        return text + QStringLiteral("no ") + words.samples;
+    text += QStringLiteral("%1%2 %3 … %4")
+                .arg(isByArea ? QStringLiteral("areas on the ") : QString(), words.samples)
+                .arg(first)
+                .arg(end - 1);
     return text;
 }
 
@@ -118,8 +126,7 @@ QStringList textOf(const PixelReport &report)
         if (!attempt.hasEdges())
             continue;
         for (std::size_t edge = 0; edge < attempt.edgeNames.size(); ++edge)
-            lines.append(edgeText(attempt.edgeNames[edge], attempt.verdict.edges[edge],
-                                  traced.antialiasing()));
+            lines.append(edgeText(attempt.edgeNames[edge], attempt.verdict.edges[edge], traced));
     }
     for (QString &line : lines)
         line = withMinus(line);

@@ -5,12 +5,12 @@ namespace pixelplumb {
 
 namespace {
 
-/// The kinds of drawn primitives that can be antialiased.
+/// The kinds of primitives that are antialiased where the scene is drawn as it asks.
 QString antialiasedWord(const NeedsTally &tally)
 {
-    if (tally.drawnStrokes == 0)
+    if (tally.askedStrokes == 0)
         return QStringLiteral("triangle");
-    return tally.drawnTriangles == 0 ? QStringLiteral("line or curve")
+    return tally.askedTriangles == 0 ? QStringLiteral("line or curve")
                                      : QStringLiteral("triangle, line or curve");
 }
 
@@ -19,7 +19,7 @@ QString antialiasedWord(const NeedsTally &tally)
 QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing)
 {
     const auto ofSamples = [&](int samples) {
-        const QString pixel = tally.drawnStrokes == 0
+        const QString pixel = tally.askedStrokes == 0
             ? QStringLiteral("that an edge passes through")
             : QStringLiteral("that the border of a %1 passes through").arg(antialiasedWord(tally));
         return QStringLiteral("the scene asks for %1 samples in each pixel %2")
@@ -28,7 +28,7 @@ QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing)
     if (antialiasing == Antialiasing::None)
         return QStringLiteral("the scene asks for one sample a pixel");
     const bool isCalledFor = tally.of[Effect::Antialiasing].primitives > 0;
-    if (!isCalledFor && tally.drawnTriangles + tally.drawnStrokes == 0)
+    if (!isCalledFor && tally.askedTriangles + tally.askedStrokes == 0)
         return QStringLiteral("no triangle is drawn, nor any line or curve one pixel wide");
     if (!isCalledFor)
         return antialiasing == Antialiasing::Area

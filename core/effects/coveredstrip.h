@@ -61,8 +61,9 @@ inline CoveredStrip coveredStrip(const std::array<LatticePoint, 3> &corners, std
             widen({corner.y, corner.y});
     }
     CoveredStrip strip;
-    strip.met = {std::int64_t(floorDivide<Int128>(outer.low - halfPixel, unitsPerPixel)),
-                 std::int64_t(ceilDivide<Int128>(outer.high + halfPixel, unitsPerPixel)) + 1};
+    // A square that the border only touches has nothing of the triangle.
+    strip.met = {std::int64_t(floorDivide<Int128>(outer.low - halfPixel, unitsPerPixel)) + 1,
+                 std::int64_t(ceilDivide<Int128>(outer.high + halfPixel, unitsPerPixel))};
     strip.whole = {strip.met.end, strip.met.end};
     if (left < p0.x || right > p2.x)
         return strip;

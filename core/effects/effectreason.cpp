@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/effectreason.h"
 
+#include "core/effects/requirements.h"
 #include "core/effects/sharededges.h"
 #include "core/space/vertexlight.h"
 
@@ -216,7 +217,7 @@ QString paintedTwiceWords(const Primitives &primitives, const NeedsTally &tally,
 }
 
 QString blendingReason(const Primitives &primitives, const NeedsTally &tally,
-                       const ScanSettings &settings, const FrameView &frame)
+                       const SampledFrame &where)
 {
     const std::size_t blended = tally.of[Effect::Blending].primitives;
     if (blended == 0)
@@ -228,7 +229,6 @@ QString blendingReason(const Primitives &primitives, const NeedsTally &tally,
                                .arg(has(blended, tally.drawnTriangles, triangleWord()))
                                .arg(tally.lowestAlpha)
         + ofEnds(tally);
-    const SampledFrame where{frame, settings.fillRule, primitives.appearance.antialiasing};
     const bool sharesEdges = where.rule == FillRule::Closed
         && where.antialiasing != Antialiasing::Area && tally.drawnTriangles > 1;
     return sharesEdges ? reason + paintedTwiceWords(primitives, tally, where) : reason;
@@ -251,7 +251,7 @@ QString countedWords(std::size_t count, std::size_t all, const QString &noun,
 }
 
 QString effectReason(Effect effect, const NeedsTally &tally, const Primitives &primitives,
-                     const ScanSettings &settings, const FrameView &frame)
+                     const SampledFrame &where)
 {
     if (tally.drawn == 0 && tally.of[effect].primitives == 0)
         return QStringLiteral("nothing is drawn in the frame");
@@ -259,7 +259,8 @@ QString effectReason(Effect effect, const NeedsTally &tally, const Primitives &p
     case Effect::SmoothColour:
         return smoothColourReason(tally, primitives.appearance, primitiveWord(primitives));
     case Effect::Clipping:
-        return clippingReason(tally, primitiveWord(primitives), primitives.appearance.antialiasing);
+        return clippingReason(tally, primitiveWord(primitives),
+                              antialiasingOf(primitives.appearance));
     case Effect::Perspective:
         return perspectiveReason(tally);
     case Effect::Texture:
@@ -267,7 +268,7 @@ QString effectReason(Effect effect, const NeedsTally &tally, const Primitives &p
     case Effect::Light:
         return lightReason(tally, primitives.appearance);
     case Effect::Blending:
-        return blendingReason(primitives, tally, settings, frame);
+        return blendingReason(primitives, tally, where);
     case Effect::Antialiasing:
         return antialiasingReason(tally, primitives.appearance.antialiasing);
     case Effect::Depth:

@@ -9,7 +9,7 @@ namespace pixelplumb {
 /// Why an effect is called for or not: one clause in a student's words, with numbers from the
 /// tally. For all effects but depth.
 QString effectReason(Effect effect, const NeedsTally &tally, const Primitives &primitives,
-                     const ScanSettings &settings, const FrameView &frame);
+                     const SampledFrame &where);
 
 /// Why antialiasing is called for or not.
 QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing);

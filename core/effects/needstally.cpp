@@ -29,7 +29,7 @@ public:
     {
         if (hasEdgePixels(triangle, m_asked))
             m_edges.add(mostEdgePixelsOf(triangle, m_asked));
-        m_isAnyDrawn = m_isAnyDrawn || isDrawnEitherWay(triangle, m_asked);
+        m_tally.askedTriangles += isDrawnEitherWay(triangle, m_asked) ? 1 : 0;
         const SampleBox reach = reachOf(triangle, m_where);
         if (reach.isEmpty()) {
             ++m_tally.outside;
@@ -62,7 +62,7 @@ public:
     /// the pixels of others, if there are any.
     void endTriangles()
     {
-        if (m_isAnyDrawn)
+        if (m_tally.askedTriangles > 0)
             m_tally.of[Effect::Antialiasing] = m_edges;
     }
 
@@ -72,6 +72,11 @@ public:
             m_tally.of[Effect::Antialiasing].add(mostPixelsOf(shape, m_where.frame));
         const BorderCrossing crossing
             = borderCrossingOf(shape, isStroke(shape) ? m_strokes : m_where);
+        if (isStroke(shape)) {
+            const bool isForced = m_strokes.antialiasing != m_asked.antialiasing;
+            const BorderCrossing asked = isForced ? borderCrossingOf(shape, m_asked) : crossing;
+            m_tally.askedStrokes += asked != BorderCrossing::Outside ? 1 : 0;
+        }
         if (crossing == BorderCrossing::Outside) {
             ++m_tally.outside;
             return;
@@ -84,7 +89,6 @@ public:
             m_tally.of[Effect::SmoothColour].add(mostPixelsOf(shape, m_where.frame));
         else if (std::ranges::any_of(shape.vertices, differs))
             ++m_tally.ownColours;
-        m_tally.drawnStrokes += isStroke(shape) ? 1 : 0;
     }
 
     const NeedsTally &tally() const { return m_tally; }
@@ -141,7 +145,6 @@ private:
     const std::vector<std::size_t> &m_cutAtNear;
     SampledFrame m_where;
     NeedsTally::Touched m_edges; ///< of the triangles
-    bool m_isAnyDrawn = false; ///< any of the triangles
     SampledFrame m_asked; ///< with the antialiasing that the appearance asks for
     SampledFrame m_strokes; ///< with the antialiasing that is forced, or asked for
     NeedsTally m_tally;

@@ -25,7 +25,10 @@ struct NeedsTally {
     std::size_t drawnTriangles = 0;
     std::size_t drawnSegments = 0; ///< triangles without area that are not points
     std::size_t drawnPoints = 0; ///< triangles whose vertices coincide
-    std::size_t drawnStrokes = 0; ///< lines and curves that antialiasing can draw
+    /// The triangles, and the lines and curves, that would be drawn with the antialiasing that the
+    /// appearance asks for.
+    std::size_t askedTriangles = 0;
+    std::size_t askedStrokes = 0;
     std::size_t outside = 0;
     bool isPart = false; ///< the method leaves out primitives of the scene
     std::size_t crossing = 0; ///< crossing the frame's border

@@ -125,7 +125,7 @@ EffectPlan planFor(const Primitives &primitives, const ScanSettings &settings,
     plan.strokeAntialiasing = strokeAntialiasing(primitives, frame);
     const SampledFrame where = sampledFrame(frame, settings, plan.antialiasing);
     const DepthAnswer depth = depthQuestion(primitives, settings, frame, plan.antialiasing);
-    plan.verdicts = requirementsWith(primitives, settings, where, depth);
+    plan.verdicts = requirementsWith(primitives, where, depth);
     plan.batches = batchesOf(primitives, where, depth);
     plan.smoothLines
         = runsOnLines(primitives, {frame, settings.fillRule, antialiasingOf(appearance)});

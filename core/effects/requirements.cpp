@@ -129,11 +129,9 @@ Antialiasing strokeAntialiasing(const Primitives &primitives, const FrameView &f
         });
 }
 
-PerEffect<EffectVerdict> requirementsWith(const Primitives &primitives,
-                                          const ScanSettings &settings, const SampledFrame &where,
+PerEffect<EffectVerdict> requirementsWith(const Primitives &primitives, const SampledFrame &where,
                                           const DepthAnswer &depth)
 {
-    const FrameView &frame = where.frame;
     const NeedsTally tally = tallyNeeds(primitives, where);
     PerEffect<EffectVerdict> verdicts;
     for (const Effect effect : allEffects) {
@@ -141,11 +139,10 @@ PerEffect<EffectVerdict> requirementsWith(const Primitives &primitives,
         if (effect == Effect::Depth) {
             verdict = depthVerdict(primitives, tally, where, depth);
         } else {
-            verdict = {verdictOf(effect, tally),
-                       effectReason(effect, tally, primitives, settings, frame),
+            verdict = {verdictOf(effect, tally), effectReason(effect, tally, primitives, where),
                        tally.of[effect].primitives, tally.of[effect].pixels};
         }
-        verdict.pixels = std::min(verdict.pixels, pixelsOf(frame));
+        verdict.pixels = std::min(verdict.pixels, pixelsOf(where.frame));
     }
     return verdicts;
 }
@@ -154,7 +151,7 @@ PerEffect<EffectVerdict> requirementsOf(const Primitives &primitives, const Scan
                                         const FrameView &frame)
 {
     const Antialiasing antialiasing = primitives.appearance.antialiasing;
-    return requirementsWith(primitives, settings, sampledFrame(frame, settings, antialiasing),
+    return requirementsWith(primitives, sampledFrame(frame, settings, antialiasing),
                             depthQuestion(primitives, settings, frame, antialiasing));
 }
 

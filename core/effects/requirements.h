@@ -15,8 +15,7 @@ Antialiasing triangleAntialiasing(const Primitives &primitives, const ScanSettin
 Antialiasing strokeAntialiasing(const Primitives &primitives, const FrameView &frame);
 
 /// requirementsOf() where the depth question is already answered.
-PerEffect<EffectVerdict> requirementsWith(const Primitives &primitives,
-                                          const ScanSettings &settings, const SampledFrame &where,
+PerEffect<EffectVerdict> requirementsWith(const Primitives &primitives, const SampledFrame &where,
                                           const DepthAnswer &depth);
 
 } // namespace pixelplumb

@@ -118,9 +118,36 @@ bool isInOneOf(const QStringList &folders, const QString &path)
     });
 }
 
+/// What of /proc only root may read. A program that runs as a user of its own keeps root's right to
+/// read, for its own files.
+QStringList rootsFilesOfProc()
+{
+    QStringList files;
+    for (const char *name : {"/proc", "/proc/sys/kernel", "/proc/sys/vm", "/proc/tty"}) {
+        const QDir folder(QString::fromLatin1(name));
+        for (const QFileInfo &file : folder.entryInfoList(QDir::AllEntries | QDir::Hidden
+                                                          | QDir::System | QDir::NoDotAndDotDot)) {
+            const bool isProcess = file.fileName().at(0).isDigit();
+            if (!isProcess && !file.isSymLink() && !file.permission(QFile::ReadOther))
+                files += file.filePath();
+        }
+    }
+    return files;
+}
+
+/// Puts nothing in place of a file, or of a folder's content.
+QStringList hidingWords(const QString &path)
+{
+    if (QFileInfo(path).isDir())
+        return {QStringLiteral("--size"),       QStringLiteral("4096"),
+                QStringLiteral("--tmpfs"),      path,
+                QStringLiteral("--remount-ro"), path};
+    return {QStringLiteral("--ro-bind"), QStringLiteral("/dev/null"), path};
+}
+
 /// What the sandbox shows: the system and the program's own files, read-only, and folders in memory
-/// with at most `bytes` each.
-QStringList viewWords(const QStringList &shown, std::int64_t bytes)
+/// with at most `bytes` each; nothing of what is hidden.
+QStringList viewWords(const QStringList &shown, const QStringList &hidden, std::int64_t bytes)
 {
     QStringList words;
     QStringList seen = systemFolders();
@@ -132,9 +159,9 @@ QStringList viewWords(const QStringList &shown, std::int64_t bytes)
         words += {QStringLiteral("--perms"), QStringLiteral("1777"),    QStringLiteral("--size"),
                   QString::number(bytes),    QStringLiteral("--tmpfs"), QLatin1String(folder)};
     // No terminals, which the machine has only a limited number of: /dev/ptmx leads nowhere.
-    words
-        += {QStringLiteral("--size"),   QStringLiteral("4096"),         QStringLiteral("--tmpfs"),
-            QStringLiteral("/dev/pts"), QStringLiteral("--remount-ro"), QStringLiteral("/dev/pts")};
+    words += hidingWords(QStringLiteral("/dev/pts"));
+    for (const QString &path : hidden)
+        words += hidingWords(path);
     for (const QString &path : shown) {
         if (!isInOneOf(seen, path))
             words += {QStringLiteral("--ro-bind"), path, path};
@@ -142,7 +169,7 @@ QStringList viewWords(const QStringList &shown, std::int64_t bytes)
     seen += shown;
     for (const QString &file : hiddenFiles()) {
         if (isInOneOf(seen, file))
-            words += {QStringLiteral("--ro-bind"), QStringLiteral("/dev/null"), file};
+            words += hidingWords(file);
     }
     return words + QStringList{QStringLiteral("--perms"),      QStringLiteral("0777"),
                                QStringLiteral("--dir"),        sandboxFolder(),
@@ -182,7 +209,7 @@ QStringList sandboxedCommand(const StudentProgram &student, const ProgramLimits 
 {
     // The program could trace the sandbox's first process and make it work for it.
     return limitWords(limits, std::nullopt) + QStringList{bubblewrapPath()} + separationWords(user)
-        + viewWords(student.shown, limits.files)
+        + viewWords(student.shown, user.isOwn ? rootsFilesOfProc() : QStringList(), limits.files)
         + QStringList{QStringLiteral("--seccomp"), QString::number(filter), QStringLiteral("--")}
     + firstProcessWords(limits, user) + limitWords(limits, rlim_t(limits.processes))
         + user.command() + wordsOf(student);

@@ -23,6 +23,7 @@ namespace pixelplumb {
 namespace {
 
 using Clock = ProgramClock::Clock;
+using namespace std::chrono_literals;
 
 constexpr qsizetype longestMessages = qsizetype(64) << 10;
 constexpr int stopLookedFor = 50; // ms
@@ -122,7 +123,11 @@ private:
             readReport();
             const bool isLate = Clock::now() >= m_deadline;
             if (isLate && m_isEnding) {
-                kill(m_supervisor, SIGKILL);
+                // Once all processes are gone, it goes on removing the folder by itself.
+                m_isRemoving = m_computed.has_value();
+                m_isGivenUp = !m_isRemoving;
+                if (m_isGivenUp)
+                    kill(m_supervisor, SIGKILL);
                 m_report.read.close();
             } else if (!m_isEnding && m_read > m_limits.output) {
                 endBecause(ProgramEnd::Flooded);
@@ -136,6 +141,11 @@ private:
             }
         }
         readAll(); // the last bytes in the pipes
+        if (m_isRemoving) {
+            if (m_folder)
+                m_folder->leaveToSupervisor();
+            return;
+        }
         int status = 0;
         while (waitpid(m_supervisor, &status, 0) < 0 && errno == EINTR) { }
         m_isUnwatched = WIFSIGNALED(status);
@@ -196,6 +206,7 @@ private:
                 return;
             if (record.news == SupervisorNews::Computed) {
                 m_computed = std::chrono::milliseconds(record.value);
+                expectEnd();
                 continue;
             }
             (record.news == SupervisorNews::NotStarted ? m_startError : m_status) = record.value;
@@ -218,7 +229,7 @@ private:
         m_run.code = m_status ? signalIn(*m_status) : SIGKILL;
         if (m_end)
             m_run.end = *m_end;
-        else if (m_status && hasComputedTooLong(*m_status, m_computed, m_limits))
+        else if (m_status && hasComputedTooLong(*m_status, m_computed.value_or(0ms), m_limits))
             m_run.end = ProgramEnd::TimedOut;
         else if (m_run.code != 0)
             m_run.end = ProgramEnd::Crashed;
@@ -232,12 +243,13 @@ private:
         m_run.isInAll = m_lateEnd && !m_lateEnd->isByClock;
         m_run.told = m_lateEnd ? m_lateEnd->told : sentenceOf(m_run, m_limits);
         if (m_isUnwatched)
-            m_run.told += QStringLiteral("; what watched over it was killed: processes that it "
-                                         "started were ended as far as they were found");
+            m_run.told += (m_isGivenUp ? QStringLiteral("; it could not be ended in 10 s: ")
+                                       : QStringLiteral("; what watched over it was killed: "))
+                + QStringLiteral("processes that it started were ended as far as they were found");
     }
 
     StudentRun m_run;
-    std::unique_ptr<const WorkingFolder> m_folder; ///< null in the sandbox
+    std::unique_ptr<WorkingFolder> m_folder; ///< null in the sandbox
     ProgramLimits m_limits;
     std::stop_token m_stop;
     Pipe m_output, m_messages, m_control, m_report;
@@ -248,8 +260,10 @@ private:
     std::int64_t m_read = 0; ///< bytes of stdout and stderr
     bool m_isEnding = false; ///< only the supervisor is awaited
     bool m_isUnwatched = false; ///< the supervisor was killed
+    bool m_isGivenUp = false; ///< by us: its processes did not end
+    bool m_isRemoving = false; ///< the supervisor, when nobody waits for it any more
     std::optional<ProgramEnd> m_end; ///< why we ended it; none: we did not
-    std::chrono::milliseconds m_computed{0};
+    std::optional<std::chrono::milliseconds> m_computed; ///< told when all processes are gone
     std::optional<int> m_status, m_startError;
 };
 

@@ -76,7 +76,9 @@ ProgramStart::ProgramStart(const StudentProgram &student, const QByteArray &inpu
         m_filter.len = static_cast<unsigned short>(filter.size() / qsizetype(sizeof(sock_filter)));
         m_plan.removal = m_removal.pointers();
         m_plan.filter = filter.isEmpty() ? nullptr : &m_filter;
-        m_isReady = m_input.isOpen() && folder->isReadyFor(user);
+        m_plan.makesFolder = true;
+        m_plan.folderOwner = user.id;
+        m_isReady = m_input.isOpen();
     } else {
         m_filterFile = fileOf(filter);
         m_folder = "/";

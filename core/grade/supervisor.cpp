@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <linux/seccomp.h>
 #include <poll.h>
+#include <sys/file.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -157,6 +158,16 @@ void watch(const SupervisedStart &start, pid_t program, Reaper &reaper)
         tell(start, SupervisorNews::Ended, reaper.status());
 }
 
+/// Locks the new folder and gives it to its owner. False if it cannot; errno says why.
+bool ownFolder(const SupervisedStart &start)
+{
+    // It stays open, and with it the lock, until the supervisor is gone.
+    const int folder = open(start.folder, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    return folder >= 0 && flock(folder, LOCK_EX | LOCK_NB) == 0
+        && (start.folderOwner == geteuid()
+            || fchown(folder, start.folderOwner, start.folderOwner) == 0);
+}
+
 /// Runs the removal even if the process that started everything is gone.
 void runRemoval(const SupervisedStart &start)
 {
@@ -180,7 +191,12 @@ void supervise(const SupervisedStart &start)
         {start.input, start.output, start.messages, start.passedOn, start.control, start.report});
     prctl(PR_SET_DUMPABLE, 0, 0, 0, 0); // the program must not read its supervisor's memory
     prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
-    const pid_t program = fork();
+    if (start.makesFolder && mkdir(start.folder, S_IRWXU) != 0) {
+        tell(start, SupervisorNews::NotStarted, errno);
+        _exit(0);
+    }
+    const bool isReady = !start.makesFolder || ownFolder(start);
+    const pid_t program = isReady ? fork() : -1;
     if (program == 0)
         startProgram(start);
     close(start.output);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <linux/filter.h>
+#include <sys/types.h>
 
 namespace pixelplumb {
 
@@ -26,6 +27,11 @@ struct SupervisedStart {
     ArgumentPointers command = nullptr; ///< its first word is an absolute path
     ArgumentPointers environment = nullptr;
     const char *folder = nullptr; ///< where it starts
+    /// Whether the supervisor makes the folder first, for this user, and holds a lock on it. It
+    /// does so, since what its own parent made would be left by a signal that ends the parent
+    /// before the fork.
+    bool makesFolder = false;
+    uid_t folderOwner = 0;
     ArgumentPointers removal = nullptr; ///< a command to run when all processes are gone
     const sock_fprog *filter = nullptr; ///< of system calls, for the program and all its
                                         ///< descendants

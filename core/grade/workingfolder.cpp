@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/workingfolder.h"
 
-#include "core/grade/programuser.h"
+#include "core/grade/descriptor.h"
 
 #include <QDir>
 #include <QFile>
 #include <QProcess>
+#include <QRandomGenerator>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -13,7 +14,6 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdlib>
 #include <ctime>
 
 namespace pixelplumb {
@@ -72,25 +72,14 @@ WorkingFolder::WorkingFolder()
 {
     static const bool isTidy = (removeLeftFolders(), true);
     Q_UNUSED(isTidy)
-    QByteArray name
-        = QFile::encodeName(QDir::tempPath() + u'/' + nameStart + QStringLiteral("XXXXXX"));
-    if (!mkdtemp(name.data()))
-        return;
-    m_path = QFile::decodeName(name);
-    m_lock = opened(m_path);
-    lock(m_lock);
+    m_path = QDir::tempPath() + u'/' + nameStart
+        + QString::number(QRandomGenerator::system()->generate64(), 36);
 }
 
 WorkingFolder::~WorkingFolder()
 {
     if (!m_path.isEmpty() && QFile::exists(m_path))
         remove(m_path);
-}
-
-bool WorkingFolder::isReadyFor(const ProgramUser &user) const
-{
-    return !m_path.isEmpty()
-        && (!user.isOwn || chown(QFile::encodeName(m_path).constData(), user.id, user.id) == 0);
 }
 
 QStringList WorkingFolder::removal() const { return removalOf(m_path); }

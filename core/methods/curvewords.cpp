@@ -179,6 +179,11 @@ void tellCurve(StepWords &words, const MidpointStep &step)
     const Quantity next = Quantity::rational(step.nextDecision, step.decisionUnit);
     if (!step.hasDecision) {
         words.moment = Moment::Begin;
+        if (isOnePixel(step)) {
+            words.sentence = QStringLiteral("Both radii round to 0: the centre's pixel alone is "
+                                            "written, and there is nothing to decide.");
+            return;
+        }
         const QString counted
             = step.arc == 0 ? QString() : QStringLiteral(", x_k in rows and y_k in columns");
         words.sentence

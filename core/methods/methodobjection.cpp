@@ -52,14 +52,35 @@ QString askerText(const EffectPlan &plan, const std::vector<Effect> &effects)
     }));
 }
 
-/// `able`: the methods that can, under the scene's fill rule.
-QString lackText(const std::vector<Effect> &missing, const QString &asker, const QStringList &able)
+/// "interpolate-plane can": which triangle methods do the effects under the settings, or under
+/// their fill rule in another arithmetic.
+QString ableText(const std::vector<Effect> &effects, const ScanSettings &settings)
 {
+    const auto keepsRule = [&settings](const Method &method) {
+        return method.draws(PrimitiveKind::Triangle) && method.supports(settings.fillRule);
+    };
+    const auto computes = [&settings](const Method &method) {
+        return method.supports(settings.arithmetic)
+            && (method.shadingArithmetics.empty()
+                || std::ranges::count(method.shadingArithmetics, settings.arithmetic) > 0);
+    };
     const QString separator = QStringLiteral(", ");
-    return QStringLiteral("cannot do %1, %2; %3 can")
-        .arg(namesOf(missing).join(separator), asker,
-             able.isEmpty() ? QStringLiteral("no method that keeps the fill rule")
-                            : able.join(separator));
+    const QStringList inAny = methodsThatDo(effects, keepsRule);
+    if (inAny.isEmpty())
+        return QStringLiteral("no method that keeps the fill rule %1 can")
+            .arg(quoted(nameOf(settings.fillRule)));
+    const QStringList able = methodsThatDo(
+        effects, [&](const Method &method) { return keepsRule(method) && computes(method); });
+    return able.isEmpty() ? QStringLiteral("%1 can, but not in %2")
+                                .arg(inAny.join(separator), quoted(nameOf(settings.arithmetic)))
+                          : QStringLiteral("%1 can").arg(able.join(separator));
+}
+
+/// `able`: which methods can.
+QString lackText(const std::vector<Effect> &missing, const QString &asker, const QString &able)
+{
+    return QStringLiteral("cannot do %1, %2; %3")
+        .arg(namesOf(missing).join(QStringLiteral(", ")), asker, able);
 }
 
 /// The ids of the methods that accept the variant.
@@ -90,17 +111,10 @@ QString smoothColourObjection(const Method &method, const EffectPlan &plan,
 {
     const bool isLeftOut = plan.verdicts[Effect::SmoothColour].verdict == Verdict::CalledFor
         && !plan.runs(Effect::SmoothColour);
-    const auto shades = [](const Method &each) { return each.supports(Effect::Blending); };
-    if (!isLeftOut || shades(method))
+    if (!isLeftOut || method.supports(Effect::Blending))
         return {};
-    QStringList able;
-    for (const Method &each : methods()) {
-        if (each.draws(PrimitiveKind::Triangle) && shades(each) && each.supports(settings.fillRule))
-            able.append(each.id);
-    }
-    return QStringLiteral("cannot leave out smooth colour, which is forced off; %1 can")
-        .arg(able.isEmpty() ? QStringLiteral("no method that keeps the fill rule")
-                            : able.join(QStringLiteral(", ")));
+    return QStringLiteral("cannot leave out smooth colour, which is forced off; %1")
+        .arg(ableText({Effect::Blending}, settings));
 }
 
 } // namespace
@@ -134,11 +148,7 @@ QString Method::objection(const EffectPlan &plan, const ScanSettings &settings) 
     std::vector<Effect> missing = run;
     std::erase_if(missing, [this](Effect effect) { return supports(effect); });
     if (!missing.empty())
-        return lackText(missing, askerText(plan, missing),
-                        methodsThatDo(missing, [&settings](const Method &method) {
-                            return method.draws(PrimitiveKind::Triangle)
-                                && method.supports(settings.fillRule);
-                        }));
+        return lackText(missing, askerText(plan, missing), ableText(missing, settings));
     const QString separator = QStringLiteral(", ");
     if (!settings.variants.isEmpty() && !run.empty())
         return QStringLiteral("cannot do %1, %2, with variants: they depart from its colours alone")
@@ -157,10 +167,11 @@ QString Method::objection(const Shape &shape, const Appearance &appearance) cons
     if (antialiasingOf(appearance) == Antialiasing::None || !isStroke(shape) || !draws(shape)
         || supports(Effect::Antialiasing))
         return {};
+    const QStringList able = methodsThatDo(
+        {Effect::Antialiasing}, [&shape](const Method &method) { return method.draws(shape); });
     return lackText({Effect::Antialiasing},
                     askerText(appearance.antialiasing != Antialiasing::None),
-                    methodsThatDo({Effect::Antialiasing},
-                                  [&shape](const Method &method) { return method.draws(shape); }));
+                    QStringLiteral("%1 can").arg(able.join(QStringLiteral(", "))));
 }
 
 QString Method::refusal(const ScanSettings &settings) const

@@ -76,7 +76,7 @@ const NumberTable<MidpointSetUp> &midpointSetUpNumbers()
                  QStringLiteral("p₀ = r_y² − r_x²·r_y + r_x²/4"), Group::Decision),
              [](const MidpointSetUp &setUp) {
                  const MidpointStep first = midpointStepAt(setUp.arc(0), 0, 0);
-                 return decisionIn(first, first.nextDecision);
+                 return isOnePixel(first) ? Quantity() : decisionIn(first, first.nextDecision);
              },
              [=](NumberDescription &description, const MidpointSetUp &setUp) {
                  const bool hasEqualRadii = setUp.isCircle() && setUp.radiusX != 0;
@@ -124,7 +124,10 @@ const NumberTable<MidpointStep> &circleMidpointNumbers()
                                      : Quantity();
          },
          specifyMidpointIncrement},
-        {next, [](const MidpointStep &step) { return decisionIn(step, step.nextDecision); },
+        {next,
+         [](const MidpointStep &step) {
+             return isOnePixel(step) ? Quantity() : decisionIn(step, step.nextDecision);
+         },
          specifyNextMidpoint}};
     return numbers;
 }

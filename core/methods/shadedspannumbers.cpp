@@ -112,7 +112,7 @@ NumberTable<ShadedSpanState> shadedSpanNumbers(const ShadedScope &scope)
              .title = QStringLiteral("y_first"),
              .unit = unit::px(),
              .toolTip = QStringLiteral("The first row whose centre is covered; with exact "
-                                       "areas, the first on which they are worked out."),
+                                       "areas, the first of whose square the triangle has a part."),
              .formula = {},
              .group = Group::Span},
             [](const ShadedSpanState &state) { return state.firstRow; });
@@ -120,7 +120,7 @@ NumberTable<ShadedSpanState> shadedSpanNumbers(const ShadedScope &scope)
              .title = QStringLiteral("y_last"),
              .unit = unit::px(),
              .toolTip = QStringLiteral("The last row whose centre is covered; with exact "
-                                       "areas, the last on which they are worked out."),
+                                       "areas, the last of whose square the triangle has a part."),
              .formula = {},
              .group = Group::Span},
             [](const ShadedSpanState &state) { return state.endRow - 1; });

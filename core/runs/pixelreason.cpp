@@ -5,6 +5,7 @@
 #include "core/methods/formulatext.h"
 #include "core/methods/rejectiontext.h"
 #include "core/oracle/effecttruth.h"
+#include "core/runs/edgerefusal.h"
 #include "core/runs/refusaltext.h"
 #include "core/runs/rejectedprimitives.h"
 #include "core/runs/segmenttext.h"
@@ -18,17 +19,6 @@ namespace pixelplumb {
 
 namespace {
 
-QString distanceText(const oracle::EdgeVerdict &edge, const ScanTrace &trace)
-{
-    const auto [exact, axis] = scanDistance(edge, trace);
-    if (exact.isNone())
-        return QStringLiteral("at no distance: the edge is a point");
-    return QStringLiteral("%1 px measured along the %2 (%3 px perpendicular to the edge)")
-        .arg(toText(exact),
-             axis == SpanAxis::Column ? QStringLiteral("column") : QStringLiteral("row"),
-             QString::number(edge.distance, 'g', 6));
-}
-
 /// What the step in which the kernel passed over a sample says; empty if it says nothing, or if the
 /// sample was written or not visited.
 QString passingText(const PixelAttempt &attempt, const ScanTrace &trace)
@@ -39,77 +29,18 @@ QString passingText(const PixelAttempt &attempt, const ScanTrace &trace)
     return trace.sampleWords(step.span, step.sample - trace.firstSampleOf(step.span)).sentence;
 }
 
-/// "exactly on P₀P₁, and the rule …; it lies exactly on …": the requested edges on which the sample
-/// lies; empty if it lies on none.
-template <class IsAskedFor>
-QString tiesText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
-                 std::int64_t y, const IsAskedFor &isAskedFor)
-{
-    QStringList ties;
-    for (std::size_t i = 0; i < attempt.verdict.edges.size(); ++i) {
-        const oracle::EdgeVerdict &edge = attempt.verdict.edges[i];
-        if (edge.edgeFunction == 0 && isAskedFor(edge))
-            ties.append(
-                QStringLiteral("exactly on %1, and %2")
-                    .arg(attempt.edgeNames[i], tieText(traced, attempt.primitive, edge, x, y)));
-    }
-    return ties.join(QStringLiteral("; it lies "));
-}
-
-/// Which edge keeps the sample out, by how much, under which rule; for shapes, what the kernel
-/// found.
+/// What keeps a sample out: an edge of a triangle, or what the kernel found of a shape.
 QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
                     std::int64_t y)
 {
-    const FillRule rule = traced.scene.settings.fillRule;
-    if (attempt.kind != PrimitiveKind::Triangle) {
-        const QString found = passingText(attempt, *traced.trace);
-        const QString uncovered
-            = QStringLiteral("The %1 does not cover it.").arg(nameOf(attempt.kind));
-        return (found.isEmpty() && !attempt.written ? uncovered : found)
-            + (attempt.written ? stepOfPixelText(attempt, *traced.trace)
-                               : stepBesideText(attempt, *traced.trace, x, y))
-            + tieOfShapeText(attempt, traced, x, y);
-    }
-    if (attempt.verdict.zeroArea) {
-        return rule == FillRule::Closed
-            ? QStringLiteral("The triangle has no area, and %1.")
-                  .arg(segmentText(traced.primitives.triangles[attempt.primitive], x, y))
-            : QStringLiteral("The triangle has no area: only the closed rule paints a segment.");
-    }
-    const QString noPart = noPartText(traced);
-    if (!noPart.isEmpty() && !attempt.isCentreRefused())
-        return noPart;
-    const auto refusing = std::ranges::min_element(
-        attempt.verdict.edges, [](const oracle::EdgeVerdict &a, const oracle::EdgeVerdict &b) {
-            return std::pair(a.accepts, a.distance) < std::pair(b.accepts, b.distance);
-        });
-    const QString &edge = attempt.edgeNames[std::size_t(refusing - attempt.verdict.edges.begin())];
-    const QString sample
-        = noPart.isEmpty() ? QStringLiteral("the sample") : QStringLiteral("the pixel's centre");
-    const QString start = noPart.isEmpty() ? noPart : noPart + u' ';
-    if (refusing->edgeFunction == 0) {
-        return start
-            + QStringLiteral("T%1 lies %2.")
-                  .arg(sample.sliced(1), tiesText(attempt, traced, x, y, [](const auto &each) {
-                           return !each.accepts;
-                       }));
-    }
-    // Its samples, or its area, have decided; the centre's place is given for orientation.
-    if (!noPart.isEmpty())
-        return start
-            + QStringLiteral("T%1 lies beyond %2, at %3.")
-                  .arg(sample.sliced(1), edge, distanceText(*refusing, *traced.trace));
-    const bool isBesideBox = isUntested(attempt, *traced.trace);
-    const bool isOfTruthAlone
-        = attempt.written || isBesideBox || isDecidedByOutline(attempt, *traced.trace);
-    return (isBesideBox ? QStringLiteral("Not tested: it lies outside of the box of the vertices. ")
-                        : QString())
-        + QStringLiteral("%1 %2: %3 is at %4, under the rule %5.")
-              .arg(isOfTruthAlone ? QStringLiteral("The truth refuses it by")
-                                  : QStringLiteral("Refused by"),
-                   edge, sample, distanceText(*refusing, *traced.trace), nameText(nameOf(rule)))
-        + stepBesideText(attempt, *traced.trace, x, y);
+    if (attempt.kind == PrimitiveKind::Triangle)
+        return triangleRefusalText(attempt, traced, x, y);
+    const QString found = passingText(attempt, *traced.trace);
+    const QString uncovered = QStringLiteral("The %1 does not cover it.").arg(nameOf(attempt.kind));
+    return (found.isEmpty() && !attempt.written ? uncovered : found)
+        + (attempt.written ? stepOfPixelText(attempt, *traced.trace)
+                           : stepBesideText(attempt, *traced.trace, x, y))
+        + tieOfShapeText(attempt, traced, x, y);
 }
 
 QString channelText(const PixelAttempt &attempt, std::size_t channel, QChar name)
@@ -141,18 +72,8 @@ QString keptTiesText(const PixelAttempt &attempt, const TracedScene &traced, std
             .arg(segmentText(traced.primitives.triangles[attempt.primitive], x, y));
     if (rule == FillRule::Closed || rule == FillRule::Open)
         return {};
-    const QString ties
-        = tiesText(attempt, traced, x, y, [](const auto &each) { return each.accepts; });
+    const QString ties = tiesText(attempt, traced, x, y, TieSide::This);
     return ties.isEmpty() ? ties : QStringLiteral(" The sample lies %1.").arg(ties);
-}
-
-/// The numbers by which the kernel refused a sample of a triangle.
-QString deciderText(const PixelAttempt &attempt, const TracedScene &traced)
-{
-    if (attempt.kind != PrimitiveKind::Triangle)
-        return {};
-    const auto decisions = decisionsOf(traced.trace->numbers().sample, *attempt.sample);
-    return u' ' + refusalSentence(traced, attempt.primitive, *attempt.sample, decisions);
 }
 
 /// The numbers by which the kernel took a sample of a triangle that the truth refuses; empty if it
@@ -181,7 +102,7 @@ QString missedText(const PixelAttempt &attempt, const TracedScene &traced, std::
         return QStringLiteral("Not recorded: the recording ended at its limit before this pixel.");
     if (attempt.sample)
         return QStringLiteral("Missing: the truth covers it, but the kernel refused the sample.")
-            + deciderText(attempt, traced);
+            + (attempt.kind == PrimitiveKind::Triangle ? deciderText(attempt, traced) : QString());
     if (trace.isCut())
         return QStringLiteral("Not recorded: the recording ended at its limit before this pixel.");
     if (!attempt.span)
@@ -201,12 +122,7 @@ QString missedText(const PixelAttempt &attempt, const TracedScene &traced, std::
             .arg(span.endSample - 1);
     if (span.lower.isNone())
         return QStringLiteral("Missing: the truth covers it, the kernel did not write it.");
-    return QStringLiteral("Missing: the truth covers it, but the %1's bounds %2 and %3 give the "
-                          "samples %4 … %5.")
-        .arg(span.place.axis == SpanAxis::Column ? QStringLiteral("column") : QStringLiteral("row"),
-             toText(span.lower), toText(span.upper))
-        .arg(span.firstSample)
-        .arg(span.endSample - 1);
+    return QStringLiteral("Missing: the truth covers it, but %1.").arg(boundsText(span));
 }
 
 /// What became of a sample that more than coverage and colour decided.
@@ -229,19 +145,6 @@ QString shadedText(const PixelAttempt &attempt, const TracedScene &traced)
         text += QStringLiteral(" A level went outside 0 … 255 and was clamped.");
     return text;
 }
-
-} // namespace
-
-ScanDistance scanDistance(const oracle::EdgeVerdict &edge, const ScanTrace &trace)
-{
-    const ScanDistance alongColumn{edge.distanceAlongColumn, SpanAxis::Column};
-    const ScanDistance alongRow{edge.distanceAlongRow, SpanAxis::Row};
-    const bool isByRows = trace.spanCount() > 0 && trace.placeOf(0).axis == SpanAxis::Row;
-    const ScanDistance &scanned = isByRows ? alongRow : alongColumn;
-    return scanned.exact.isNone() ? (isByRows ? alongColumn : alongRow) : scanned;
-}
-
-namespace {
 
 /// The sentences for any attempt.
 QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,

@@ -199,8 +199,20 @@ QString refusalSentence(const TracedScene &traced, std::size_t triangle, const S
     if (!ties.isEmpty())
         return QStringLiteral("Refused: the sample lies %1.")
             .arg(ties.join(QStringLiteral("; it lies ")));
-    return QStringLiteral("Refused by rounding: no test is negative, and in exact arithmetic no "
-                          "edge refuses the sample.");
+    if (verdict.covered)
+        return QStringLiteral("Refused by rounding: no test is negative, and in exact arithmetic "
+                              "no edge refuses the sample.");
+    QStringList zero;
+    for (const SampleDecision &decision : decisions) {
+        if (!decision.value.isNone() && decision.value.toDouble() == 0)
+            zero.append(decision.title);
+    }
+    return zero.isEmpty()
+        ? QStringLiteral("Refused by rounding: no test is negative.")
+        : QStringLiteral("Refused: by the run's numbers the sample lies on an edge, %1 = 0, and "
+                         "the rule %2 gives it to the other side.")
+              .arg(zero.join(QStringLiteral(" = ")),
+                   nameText(nameOf(traced.scene.settings.fillRule)));
 }
 
 QString noPartText(const TracedScene &traced)

@@ -88,6 +88,13 @@ struct MidpointStepOf {
 };
 using MidpointStep = MidpointStepOf<Int128>;
 
+/// Whether it is the only step, that of two radii of 0: nothing decides.
+template <class Integer>
+bool isOnePixel(const MidpointStepOf<Integer> &step)
+{
+    return !step.hasDecision && step.x == 0 && step.y == 0 && step.nextDecision == 0;
+}
+
 template <class Integer>
 struct MidpointNumbersOf {
     using SetUp = MidpointSetUp;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/pixelreason.h"
+#include "core/runs/edgerefusal.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/model/pixelhistorymodel.h"
@@ -136,7 +136,8 @@ QString PixelHistoryModel::edgeText(const PixelAttempt &attempt, std::size_t ind
     const oracle::EdgeVerdict &edge = attempt.verdict.edges[index];
     switch (column) {
     case WhatColumn:
-        return tr("edge %1").arg(attempt.edgeNames[index]);
+        return (mayDecideOtherwise(*m_traced) ? tr("in truth, edge %1") : tr("edge %1"))
+            .arg(attempt.edgeNames[index]);
     case UsedColumn:
         if (const ScanDistance distance = scanDistance(edge, *m_traced->trace);
             !distance.exact.isNone())

@@ -7,6 +7,7 @@
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/menuaction.h"
 #include "widgets/look/paletteswitch.h"
+#include "widgets/model/scenedocument.h"
 #include "widgets/window/windowdocks.h"
 #include "widgets/window/workspaces.h"
 
@@ -75,10 +76,21 @@ void ViewMenu::addOptions(const WindowParts &parts)
                                  "picture: ? missing, ! extra, c colour (D)"),
                               Qt::Key_D, &DisplayOptions::areDifferencesShown,
                               &DisplayOptions::setDifferencesShown);
-    addOption("showClipping", tr("&Clipped polygon"), tr("clipped"),
-              tr("The current triangle's face as clipped by the near plane, and the triangles that "
-                 "it is drawn as (N)"),
-              Qt::Key_N, &DisplayOptions::isClippingShown, &DisplayOptions::setClippingShown);
+    const QString clippingTip = tr("The current triangle's face as clipped by the near plane, and "
+                                   "the triangles that it is drawn as (N)");
+    QAction *clipping
+        = addOption("showClipping", tr("&Clipped polygon"), tr("clipped"), clippingTip, Qt::Key_N,
+                    &DisplayOptions::isClippingShown, &DisplayOptions::setClippingShown);
+    const auto tell = [document = parts.document, clipping, clippingTip] {
+        const bool hasSolids = !document->scene().solids.empty();
+        clipping->setEnabled(hasSolids);
+        clipping->setToolTip(hasSolids
+                                 ? clippingTip
+                                 : tr("Nothing to show: the scene has no solid, so the near plane "
+                                      "clips nothing."));
+    };
+    connect(parts.document, &SceneDocument::sceneChanged, clipping, tell);
+    tell();
     addOption(
         "showHexadecimal", tr("Values in &hexadecimal"), tr("hexadecimal"),
         tr("The bytes in large cells and in the pixel grid as 00 … ff instead of 0 … 255 (X)"),

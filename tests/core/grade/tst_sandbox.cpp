@@ -294,6 +294,26 @@ private slots:
         QCOMPARE(run.output, QByteArray("\n\n"));
     }
 
+    /// Reading is root's right, which a user of its own keeps for the program's files.
+    void whatTheKernelTellsRootAloneIsNotTold()
+    {
+        const QString script = QStringLiteral(
+            "import os, stat\n"
+            "told = []\n"
+            "for name in ['vmallocinfo', 'slabinfo', 'timer_list', 'kpagecount', 'kmsg']:\n"
+            "    name = '/proc/' + name\n"
+            "    try:\n"
+            "        if stat.S_ISREG(os.stat(name).st_mode) and os.open(name, os.O_RDONLY) >= 0:\n"
+            "            told.append(name)\n"
+            "    except OSError: pass\n"
+            "print(*told, os.listdir('/proc/tty/driver') if os.access('/proc/tty/driver', os.R_OK)"
+            " else [])\n");
+
+        const StudentRun run = runPython(script, Confinement::Sandbox);
+
+        QCOMPARE(run.output, QByteArray("[]\n"));
+    }
+
     void aProgramSeesItsFolderAndNoOther()
     {
         const auto folder = openFolderIn(QDir::tempPath());

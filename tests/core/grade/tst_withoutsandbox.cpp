@@ -252,6 +252,41 @@ private slots:
                                   QStringList(), 30'000);
     }
 
+    /// The folder is made by who removes it: nobody can be ended in between.
+    void aSignalAsTheFolderIsMadeLeavesNothing()
+    {
+        const QDir temporary(m_folder->path());
+        const auto inIt
+            = [&temporary] { return temporary.entryList(QDir::AllEntries | QDir::NoDotAndDotDot); };
+        chmod(QFile::encodeName(m_folder->path()).constData(), 01777);
+        for (int run = 0; run < 12; ++run) {
+            QProcess process;
+            process.setProcessEnvironment(environment(m_folder->path(), Tools::None));
+            process.start(program(), {"try", "--scene", defaultScene(), "/bin/sleep", "1"});
+            QVERIFY(process.waitForStarted());
+            while (process.state() == QProcess::Running && inIt().isEmpty())
+                process.waitForFinished(0);
+            kill(pid_t(process.processId()), SIGTERM);
+            QVERIFY(process.waitForFinished(60'000));
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(inIt(), QStringList(), 30'000);
+    }
+
+    /// Removing a folder may take long. Nobody waits for it, and nobody is said to have been
+    /// killed.
+    void aFolderThatTakesLongToRemoveIsRemovedByItself()
+    {
+        const QString script = QStringLiteral("import os\n"
+                                              "for i in range(NAME):\n"
+                                              "    os.mkdir('d'); os.chdir('d')\n")
+                                   .replace(QStringLiteral("NAME"), QStringLiteral("3000"));
+        const ProgramRun tried
+            = runWithout({"try", "--scene", defaultScene(), "--", "python3", "-c", script});
+
+        QVERIFY2(!tried.output.contains("was killed"), tried.output.constData());
+        QVERIFY2(!tried.output.contains("could not be ended"), tried.output.constData());
+    }
+
     void whatWasLeftIsRemovedByTheNext()
     {
         const QString left = path("pixelplumb-program-AAAAAA");
