@@ -44,6 +44,8 @@ QString usageOf(const Positional &positional)
         return positional.name;
     case Positional::Presence::Optional:
         return u'[' + positional.name + u']';
+    case Positional::Presence::AnyNumber:
+        return u'[' + positional.name + QStringLiteral("...]");
     case Positional::Presence::Several:
     case Positional::Presence::Command:
         break;
@@ -56,9 +58,11 @@ QString usageOf(const Positional &positional)
 CommandLine::CommandLine(const Command &command, std::vector<Positional> positionals)
     : m_name(command.name)
     , m_summary(command.summary)
+    , m_positionals(std::move(positionals))
 {
     m_parser.setApplicationDescription(m_summary);
-    setPositionals(std::move(positionals));
+    for (const Positional &positional : m_positionals)
+        m_parser.addPositionalArgument(positional.name, positional.meaning);
     addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Show this help.")});
 }
 
@@ -75,27 +79,10 @@ void CommandLine::addRepeatedOption(const QCommandLineOption &option)
     m_parser.addOption(option);
 }
 
-void CommandLine::setPositionals(std::vector<Positional> positionals)
-{
-    m_positionals = std::move(positionals);
-    m_parser.clearPositionalArguments();
-    for (const Positional &positional : m_positionals)
-        m_parser.addPositionalArgument(positional.name, positional.meaning);
-}
-
-void CommandLine::replacePositionals(const QString &option, std::vector<Positional> positionals)
-{
-    m_replacements.insert_or_assign(option, std::move(positionals));
-}
-
 std::optional<ExitCode> CommandLine::parse(const QStringList &arguments)
 {
     const bool parsed = m_parser.parse(QStringList{QCoreApplication::applicationName()}
                                        + withProtectedNumbers(arguments));
-    for (const auto &[option, positionals] : m_replacements) {
-        if (m_parser.isSet(option))
-            setPositionals(positionals);
-    }
     if (m_parser.isSet(QStringLiteral("help"))) {
         printHelp();
         return ExitCode::Done;
@@ -112,17 +99,19 @@ std::optional<ExitCode> CommandLine::parse(const QStringList &arguments)
     const auto expected = qsizetype(m_positionals.size());
     const auto presence
         = [this](qsizetype place) { return m_positionals[std::size_t(place)].presence; };
-    if (positionals.size() < expected
-        && presence(positionals.size()) != Positional::Presence::Optional) {
+    const auto mayBeLeftOut = [&](qsizetype place) {
+        return presence(place) == Positional::Presence::Optional
+            || presence(place) == Positional::Presence::AnyNumber;
+    };
+    if (positionals.size() < expected && !mayBeLeftOut(positionals.size())) {
         const Positional &missing = m_positionals[std::size_t(positionals.size())];
         return refuse(QStringLiteral("%1 is missing: %2").arg(missing.name, missing.meaning));
     }
     const auto last = expected > 0 ? presence(expected - 1) : Positional::Presence::Required;
-    const bool takesMore
-        = last == Positional::Presence::Several || last == Positional::Presence::Command;
-    const qsizetype filled = last == Positional::Presence::Several
-        ? positionals.size()
-        : std::min(positionals.size(), expected);
+    const bool isList
+        = last == Positional::Presence::Several || last == Positional::Presence::AnyNumber;
+    const bool takesMore = isList || last == Positional::Presence::Command;
+    const qsizetype filled = isList ? positionals.size() : std::min(positionals.size(), expected);
     for (qsizetype place = 0; place < filled; ++place) {
         const Positional &positional = m_positionals[std::size_t(std::min(place, expected - 1))];
         if (positionals[place].isEmpty())

@@ -6,7 +6,6 @@
 
 #include <QCommandLineParser>
 
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -24,7 +23,8 @@ struct Positional {
     enum class Presence {
         Required,
         Optional,
-        Several,
+        Several, ///< at least one
+        AnyNumber, ///< or none
         Command, ///< a program and its arguments, which may be empty
     };
 
@@ -42,8 +42,6 @@ public:
 
     void addOption(const QCommandLineOption &option); ///< may be given once
     void addRepeatedOption(const QCommandLineOption &option); ///< may be repeated
-    /// Where the option is set, these positionals replace the command's own.
-    void replacePositionals(const QString &option, std::vector<Positional> positionals);
     /// An exit code when there is nothing left to do: help was asked for, or the words are wrong.
     std::optional<ExitCode> parse(const QStringList &arguments);
 
@@ -62,7 +60,6 @@ public:
     ExitCode refuse(const InputError &error) const { return refuse(error.message()); }
 
 private:
-    void setPositionals(std::vector<Positional> positionals);
     QString unknownOption() const;
     /// The error where an option that may be given once is repeated; empty where there is none.
     QString repeatedOption() const;
@@ -73,7 +70,6 @@ private:
     QString m_name;
     QString m_summary;
     std::vector<Positional> m_positionals;
-    std::map<QString, std::vector<Positional>> m_replacements; ///< by the option that asks for them
     QStringList m_optionNames;
     QList<QCommandLineOption> m_options;
     std::vector<QStringList> m_onceOnly; ///< the names of each option that may stand once

@@ -22,9 +22,6 @@ namespace {
 const QString assignmentOption = QStringLiteral("assignment");
 const QString outputOption = QStringLiteral("output");
 const QString jobsOption = QStringLiteral("jobs");
-const QString shardOption = QStringLiteral("shard");
-const QString mergeOption = QStringLiteral("merge");
-const QString partialOption = QStringLiteral("partial");
 const QString jsonOption = QStringLiteral("json");
 
 void addOptions(CommandLine &line)
@@ -33,40 +30,14 @@ void addOptions(CommandLine &line)
                     QStringLiteral("file")});
     line.addOption({{QStringLiteral("o"), outputOption},
                     QStringLiteral("Write the results to this folder; those that are there already "
-                                   "and still hold are kept."),
+                                   "and still hold are kept. Several runs may share it."),
                     QStringLiteral("folder")});
     line.addOption(
         {jobsOption,
          QStringLiteral(
              "Grade this many submissions at once; as many as there are processors if left out."),
          QStringLiteral("number")});
-    line.addOption({shardOption,
-                    QStringLiteral("The i-th of n parts alone: 3/8; which submissions it has "
-                                   "depends on their names alone."),
-                    QStringLiteral("i/n")});
-    line.addOption({mergeOption,
-                    QStringLiteral("Grade nothing: join folders of results, which stand in "
-                                   "SUBMISSIONS' place.")});
-    line.addOption(
-        {partialOption, QStringLiteral("With --merge: parts may be missing; the results say so.")});
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
-}
-
-Result<GradeShard> chosenShard(const CommandLine &line)
-{
-    if (!line.isSet(shardOption))
-        return GradeShard();
-    const QString word = line.value(shardOption);
-    const QStringList numbers = word.split(u'/');
-    bool isFirst = false;
-    bool isSecond = false;
-    const GradeShard shard{numbers.value(0).toInt(&isFirst), numbers.value(1).toInt(&isSecond)};
-    const bool isShard = numbers.size() == 2 && isFirst && isSecond && shard.number >= 1
-        && shard.number <= shard.of && shard.of <= mostParts;
-    if (isShard)
-        return shard;
-    return InputError{QStringLiteral("--shard"), QStringLiteral("“%1” is no part").arg(word),
-                      QStringLiteral("i/n with 1 ≤ i ≤ n ≤ %1, such as 3/8").arg(mostParts)};
 }
 
 /// Reads the assignment of a file, or of standard input for "-".
@@ -84,7 +55,7 @@ QStringList clusterLines(const GradeReport &report)
 {
     QStringList lines = {submissionsText(report.submissions.size())};
     if (!report.missing.isEmpty())
-        lines += QStringLiteral("partial: %1 more have no grade").arg(report.missing.size());
+        lines += QStringLiteral("partial: %1 more without a grade").arg(report.missing.size());
     if (const QString text = unsandboxedText(report); !text.isEmpty())
         lines += text;
     for (const GradeCluster &cluster : clustersOf(report)) {
@@ -140,32 +111,17 @@ void sayHidden(const QString &folder)
                     .arg(folder, QString::number(names.size()), fewNames(names)));
 }
 
-ExitCode merge(const CommandLine &line)
-{
-    for (const QString &option : {assignmentOption, jobsOption, shardOption}) {
-        if (line.isSet(option))
-            return line.refuse(
-                QStringLiteral("--merge grades nothing; expected it without --%1").arg(option));
-    }
-    const Result<GradeReport> report
-        = mergeGrades(line.arguments(), line.value(outputOption),
-                      line.isSet(partialOption) ? MergeExtent::Partial : MergeExtent::Whole);
-    return report ? print(line, *report) : line.refuse(report.error());
-}
-
 } // namespace
 
 ExitCode grade(const Command &command, const QStringList &arguments)
 {
     CommandLine line(command,
                      {{QStringLiteral("SUBMISSIONS"),
-                       QStringLiteral("a folder with a file or folder for each submission")}});
+                       QStringLiteral("a folder with a file or folder for each submission")},
+                      {QStringLiteral("NAME"),
+                       QStringLiteral("a submission in it, to be graded without those not named"),
+                       Positional::Presence::AnyNumber}});
     addOptions(line);
-    line.replacePositionals(mergeOption,
-                            {{QStringLiteral("PART"),
-                              QStringLiteral("a folder with the results of a part, of which there "
-                                             "may be several"),
-                              Positional::Presence::Several}});
     if (const auto ended = line.parse(arguments))
         return *ended;
     if (line.value(outputOption).isEmpty())
@@ -173,32 +129,24 @@ ExitCode grade(const Command &command, const QStringList &arguments)
     if (const auto refusal = refusalOfStandardOutput(line.value(outputOption),
                                                      QStringLiteral("a folder for the results")))
         return line.refuse(*refusal);
-    if (line.arguments().contains(QStringLiteral("-")))
+    if (line.argument(0) == u'-')
         return line.refuse({QStringLiteral("-"), QStringLiteral("standard input is no folder"),
                             QStringLiteral("a folder; one of that name is ./-")});
-    if (line.isSet(mergeOption))
-        return merge(line);
     if (!line.isSet(assignmentOption))
         return line.refuse(
             QStringLiteral("--assignment is missing: the file that says what was to be drawn"));
     const Result<Assignment> assignment = readAssignmentAt(line.value(assignmentOption));
     if (!assignment)
         return line.refuse(assignment.error());
-    if (line.isSet(partialOption))
-        return line.refuse(
-            QStringLiteral("--partial is of --merge; expected it with --merge alone"));
     if (assignment->points() == 0)
         sayLine(QStringLiteral("%1: all checks have 0 points: nothing is asked and everybody has 0")
                     .arg(line.value(assignmentOption)));
     const auto jobs = wholeNumberOf(line, jobsOption, {1, 256});
     if (!jobs)
         return line.refuse(jobs.error());
-    const Result<GradeShard> shard = chosenShard(line);
-    if (!shard)
-        return line.refuse(shard.error());
     const GradingOrder order{line.argument(0), line.value(outputOption),
                              QCoreApplication::applicationVersion(),
-                             int(jobs->value_or(threadsOfMachine())), *shard};
+                             int(jobs->value_or(threadsOfMachine())), line.arguments().mid(1)};
     sayHidden(line.argument(0));
     const Interruption interruption;
     const auto report = withProgress([&](const ProgressListener &listener) {
@@ -210,8 +158,13 @@ ExitCode grade(const Command &command, const QStringList &arguments)
         return line.refuse(report.error());
     if (*report)
         return print(line, **report);
-    sayLine(QStringLiteral("interrupted; the same command goes on where it stopped"));
-    return ExitCode::FallsShort;
+    if (Interruption::isAsked()) {
+        sayLine(QStringLiteral("interrupted; the same command goes on where it stopped"));
+        return ExitCode::FallsShort;
+    }
+    sayLine(QStringLiteral("%1: other runs are still grading; the last one writes the reports")
+                .arg(order.results));
+    return ExitCode::Done;
 }
 
 } // namespace pixelplumb::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/gradefile.h"
+#include "core/grade/gradereport.h"
 #include "core/scene/jsonfields.h"
 
 namespace pixelplumb {
@@ -53,11 +53,13 @@ void eachField(Self &self, const Visit &visit)
     visit("explanations", self.explanations);
 }
 
-template <PartOf<GradedPart> Self, class Visit>
+/// The names of all submissions, graded or not.
+struct SubmissionList {
+    QStringList submissions;
+};
+template <PartOf<SubmissionList> Self, class Visit>
 void eachField(Self &self, const Visit &visit)
 {
-    visit("part", self.number);
-    visit("of", self.of);
     visit("submissions", self.submissions);
 }
 

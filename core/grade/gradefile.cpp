@@ -79,7 +79,7 @@ Result<Value> readAt(const ResultsFolder &results, const QString &file, const Re
 QStringList resultFiles()
 {
     return {assignmentFile,
-            partFile,
+            submissionListFile,
             reviewsFile,
             QStringLiteral("results.json"),
             QStringLiteral("junit.xml"),
@@ -143,20 +143,6 @@ Result<GradedSubmission> readGradedSubmission(const QByteArray &text, const QByt
     return readSealed<GradedSubmission>(text, assignment);
 }
 
-QByteArray writeGradedPart(const GradedPart &part) { return writeSealed(part, {}); }
-
-Result<GradedPart> readGradedPart(const QString &results)
-{
-    auto part = readAt<GradedPart>(ResultsFolder(results), partFile, [](const QByteArray &text) {
-        return readSealed<GradedPart>(text, {});
-    });
-    if (part && (part->of < 1 || part->of > mostParts))
-        return InputError{ResultsFolder(results).pathOf(partFile),
-                          QStringLiteral("is one of %1 parts").arg(part->of),
-                          QStringLiteral("1 to %1 parts").arg(mostParts)};
-    return part;
-}
-
 QString pictureDigestOf(const QByteArray &picture)
 {
     return QString::fromLatin1(
@@ -190,39 +176,35 @@ QString submissionFileOf(const QString &results, const QString &id)
     return ResultsFolder(results).pathOf(submissionFile(id));
 }
 
-Result<Descriptor> beginResults(const QString &results, const GradedPart &part)
+QByteArray writeSubmissionList(const QStringList &names)
 {
-    const ResultsFolder folder(results);
+    return writeSealed(SubmissionList{names}, {});
+}
+
+std::optional<InputError> refusalOfResults(const ResultsFolder &folder)
+{
     for (const QString &name : resultFiles()) {
         if (auto refusal = refusalToWrite(folder.pathOf(name)))
-            return *refusal;
+            return refusal;
     }
-    auto taken = folder.take();
-    if (!taken)
-        return taken;
-    // An edited file is replaced as a whole.
-    if (const auto known = readAt<GradedPart>(folder, partFile, readOurs<GradedPart>); !known) {
-        if (folder.has(partFile))
-            return InputError{known.error().place,
-                              QStringLiteral("is not of results of grading: ")
-                                  + known.error().found,
-                              known.error().expected};
-        const auto isForeign = [&](const QString &name) {
-            const bool isFolder = ResultsFolder::folders().contains(name);
-            return isFolder ? !folder.filesIn(name).isEmpty() : folder.has(name);
-        };
-        for (const QString &name : resultFiles() + ResultsFolder::folders()) {
-            if (isForeign(name))
-                return InputError{folder.pathOf(name),
-                                  QStringLiteral("is not of results of grading"),
-                                  QStringLiteral("an empty folder, or one that grading wrote")};
-        }
-    }
-    if (auto error = folder.makeFolders())
-        return *error;
-    if (auto error = folder.write(partFile, writeGradedPart(part)))
-        return *error;
-    return taken;
+    const QStringList names = resultFiles() + ResultsFolder::folders();
+    // A run that begins at the same time writes the list of submissions before all others.
+    const auto found = std::ranges::find_if(names, [&](const QString &name) {
+        const bool isFolder = ResultsFolder::folders().contains(name);
+        return isFolder ? !folder.filesIn(name).isEmpty() : folder.has(name);
+    });
+    if (found == names.end())
+        return std::nullopt;
+    if (!folder.has(submissionListFile))
+        return InputError{folder.pathOf(*found), QStringLiteral("is not of results of grading"),
+                          QStringLiteral("an empty folder, or one that grading wrote")};
+    // An edited list is replaced as a whole.
+    const auto known = readAt<SubmissionList>(folder, submissionListFile, readOurs<SubmissionList>);
+    if (known)
+        return std::nullopt;
+    return InputError{known.error().place,
+                      QStringLiteral("is not of results of grading: ") + known.error().found,
+                      known.error().expected};
 }
 
 Result<GradeReport> readGrades(const QString &results)
@@ -253,13 +235,13 @@ Result<GradeReport> readGrades(const QString &results)
             return *changed;
         report.submissions.push_back(std::move(*submission));
     }
-    if (folder.has(partFile)) {
-        const auto part = readGradedPart(results);
-        if (!part)
-            return part.error();
-        // One of several parts lacks the others' submissions; merging checks them.
-        if (part->of == 1)
-            report.missing = missingIn(report, part->submissions);
+    if (folder.has(submissionListFile)) {
+        const auto list = readAt<SubmissionList>(folder, submissionListFile, [](const auto &text) {
+            return readSealed<SubmissionList>(text, {});
+        });
+        if (!list)
+            return list.error();
+        report.missing = missingIn(report, list->submissions);
     }
     if (folder.has(reviewsFile)) {
         const auto reviews = readAt<Reviews>(folder, reviewsFile, readReviews);

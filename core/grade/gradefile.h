@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/descriptor.h"
 #include "core/grade/gradereport.h"
 
 namespace pixelplumb {
@@ -17,20 +16,6 @@ inline constexpr int gradesFormat = 1;
 QByteArray writeGradedSubmission(const GradedSubmission &submission, const QByteArray &assignment);
 Result<GradedSubmission> readGradedSubmission(const QByteArray &text, const QByteArray &assignment);
 
-/// Which submissions a folder of results covers: all that existed when they were graded, and this
-/// run's share of them.
-inline constexpr int mostParts = 10'000;
-struct GradedPart {
-    int number = 1; ///< 1 … of
-    int of = 1;
-    QStringList submissions; ///< all names, including those of other parts
-
-    friend bool operator==(const GradedPart &, const GradedPart &) = default;
-};
-QByteArray writeGradedPart(const GradedPart &part); ///< with its seal
-/// Reads the part of a folder of results; an error where there is none, or an edited one.
-Result<GradedPart> readGradedPart(const QString &results);
-
 /// The digest of a picture's bytes, for GradedScene.
 QString pictureDigestOf(const QByteArray &picture);
 /// The first of a submission's pictures that is missing or differs from what grading wrote.
@@ -41,10 +26,12 @@ std::optional<InputError> changedPictureOf(const GradedSubmission &submission,
 QString assignmentFileOf(const QString &results);
 QString submissionFileOf(const QString &results, const QString &id);
 
-/// Makes a folder of results, or resumes an existing one, and records which part it is. An error
-/// where grading did not write the files that have the names of results. Other runs are refused
-/// while the descriptor is open.
-Result<Descriptor> beginResults(const QString &results, const GradedPart &part);
+/// The names of all submissions, sealed; those without a grade are missing in the report.
+QByteArray writeSubmissionList(const QStringList &names);
+
+/// Why results must not be written to the folder: a file that has the name of one is an input, or
+/// was not written by grading. None where they may be.
+std::optional<InputError> refusalOfResults(const ResultsFolder &folder);
 
 /// Reads a folder of results, complete or as far as its grading came, with the reviews.
 Result<GradeReport> readGrades(const QString &results);

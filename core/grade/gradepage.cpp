@@ -111,7 +111,7 @@ private:
     {
         m_page += QStringLiteral("<p>%1.</p>\n").arg(submissionsText(m_report.submissions.size()));
         if (!m_report.missing.isEmpty())
-            m_page += QStringLiteral("<p><strong>Partial: %1 more have no grade.</strong> %2</p>\n")
+            m_page += QStringLiteral("<p><strong>Partial: %1 more without a grade.</strong> %2</p>\n")
                           .arg(m_report.missing.size())
                           .arg(html(m_report.missing.join(QStringLiteral(", "))));
         if (const QString text = unsandboxedText(m_report); !text.isEmpty())

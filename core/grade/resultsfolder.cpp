@@ -5,13 +5,11 @@
 #include "core/grade/picture.h"
 #include "core/scene/fileaccess.h"
 #include "core/scene/inputrecord.h"
-#include "core/scene/outputfolder.h"
 
 #include <QDir>
 #include <QFile>
 #include <QUuid>
 
-#include <sys/file.h>
 #include <sys/stat.h>
 
 #include <cerrno>
@@ -51,7 +49,10 @@ struct ResultsFolder::Place {
 namespace {
 
 constexpr int folderFlags = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
-constexpr mode_t everybody = 0777; // reduced by the user's umask
+// Reduced by the user's umask.
+constexpr mode_t everybody = 0777;
+constexpr mode_t readAndWrite = 0666;
+const QString cannotBeWritten = QStringLiteral("cannot be written: ");
 
 /// Writes all content and flushes it to the disk.
 bool fill(int descriptor, const QByteArray &content)
@@ -94,20 +95,18 @@ Result<ResultsFolder::Place> ResultsFolder::placeOf(const QString &file) const
     return place;
 }
 
-Result<Descriptor> ResultsFolder::take() const
+Result<Descriptor> ResultsFolder::openLockFile() const
 {
-    if (auto refusal = refusalOfFolder(m_path))
-        return *refusal;
-    Descriptor folder(::open(QFile::encodeName(m_path).constData(), folderFlags));
-    if (flock(folder.number(), LOCK_EX | LOCK_NB) == 0)
-        return folder;
-    if (errno == EWOULDBLOCK)
-        return InputError{m_path, QStringLiteral("another run is writing results to it"),
-                          QStringLiteral("its end, or another folder")};
-    if (errno == EOPNOTSUPP || errno == ENOLCK)
-        return folder; // on such a disk there is no locking
-    return InputError{m_path, QStringLiteral("cannot be read: ") + qt_error_string(errno),
-                      QStringLiteral("a folder")};
+    const auto place = placeOf(lockFile);
+    if (!place)
+        return place.error();
+    if (auto objection = place->objection())
+        return *objection;
+    Descriptor file(openat(place->folder.number(), place->name.constData(),
+                           O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, readAndWrite));
+    if (!file.isOpen())
+        return place->error(cannotBeWritten);
+    return file;
 }
 
 std::optional<InputError> ResultsFolder::makeFolders() const
@@ -166,14 +165,13 @@ std::optional<InputError> ResultsFolder::write(const QString &file, const QByteA
     const int folder = place->folder.number();
     const QByteArray whole
         = place->name + '.' + QUuid::createUuid().toByteArray(QUuid::Id128).left(8);
-    constexpr mode_t readAndWrite = 0666;
     const Descriptor made(
         openat(folder, whole.constData(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, readAndWrite));
     const bool isWritten = made.isOpen() && fill(made.number(), content)
         && renameat(folder, whole.constData(), folder, place->name.constData()) == 0;
     if (isWritten)
         return std::nullopt;
-    const InputError error = place->error(QStringLiteral("cannot be written: "));
+    const InputError error = place->error(cannotBeWritten);
     if (made.isOpen())
         unlinkat(folder, whole.constData(), 0);
     return error;

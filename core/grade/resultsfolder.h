@@ -12,17 +12,18 @@ namespace pixelplumb {
 
 /// The files in a folder of results.
 inline const QString assignmentFile = QStringLiteral("assignment.json");
-inline const QString partFile = QStringLiteral("part.json");
+inline const QString lockFile = QStringLiteral("grading.lock"); ///< empty; see ResultsLock
 inline const QString reviewsFile = QStringLiteral("reviews.json");
+inline const QString submissionListFile = QStringLiteral("submissions.json");
 /// "grades/ID.json"
 inline QString submissionFile(const QString &id)
 {
     return QStringLiteral("grades/%1.json").arg(id);
 }
 
-/// A folder of results, whose files are named "part.json" or "grades/ID.json". Links in it are not
-/// followed, and only regular files are read or replaced. What is read from it does not count as
-/// input: grading resumes from its own results.
+/// A folder of results, whose files are named "assignment.json" or "grades/ID.json". Links in it
+/// are not followed, and only regular files are read or replaced. What is read from it does not
+/// count as input: grading resumes from its own results.
 class ResultsFolder {
 public:
     explicit ResultsFolder(QString path)
@@ -32,9 +33,8 @@ public:
 
     QString pathOf(const QString &file) const; ///< for messages
 
-    /// Makes the folder, if need be, and locks it for one run: others are refused while the
-    /// descriptor is open.
-    Result<Descriptor> take() const;
+    /// Opens the lock file, which is made if need be.
+    Result<Descriptor> openLockFile() const;
     /// Makes the folders inside it, if need be.
     std::optional<InputError> makeFolders() const;
     /// Whether anything of any kind has the name.

@@ -2475,6 +2475,10 @@
         <source>Your review is not saved: %1</source>
         <translation>Was gesagt wurde, ist nicht gespeichert: %1</translation>
     </message>
+    <message>
+        <source>Other runs are still grading into %1; the last one writes the reports.</source>
+        <translation>In %1 bewerten noch andere Läufe; der letzte schreibt die Berichte.</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::GradingPanel</name>

@@ -68,6 +68,10 @@ void Gradebook::grade(const QString &submissions, const QString &assignmentFile,
                 emit complaint(tr("Nothing is graded: %1").arg(grading->error().message()));
             else if (**grading)
                 take(results, ***grading);
+            else
+                emit notice(tr("Other runs are still grading into %1; the last one writes the "
+                               "reports.")
+                                .arg(results));
         });
 }
 

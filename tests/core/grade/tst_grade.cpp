@@ -190,6 +190,10 @@ private slots:
         QVERIFY(!ended->has_value());
         const QDir grades(m_few.filePath(QStringLiteral("ended/grades")));
         QCOMPARE(grades.entryList(QDir::Files).size(), 5);
+        const auto sofar = readGrades(m_few.filePath(QStringLiteral("ended")));
+        QVERIFY(sofar.isOk());
+        QCOMPARE(sofar->submissions.size(), 5U);
+        QVERIFY(!sofar->missing.isEmpty());
         // An existing grade is reused as it is; the submission is not examined again.
         const QString kept = grades.filePath(grades.entryList(QDir::Files).front());
         const QByteArray grade = contentOf(kept);
@@ -209,112 +213,48 @@ private slots:
                 == filesIn(m_few.filePath(QStringLiteral("first"))));
     }
 
-    void shardsMergedAreTheWhole()
-    {
-        graded(orderOf(m_few, "first"));
-        QStringList parts;
-        std::size_t together = 0;
-        for (int number = 1; number <= 3; ++number) {
-            GradingOrder order = orderOf(m_few, "part");
-            order.results += QString::number(number);
-            order.shard = {number, 3};
-            parts += order.results;
-            const std::size_t share = graded(order).submissions.size();
-            QVERIFY(share > 0);
-            together += share;
-        }
-        QCOMPARE(together, graded(orderOf(m_few, "first")).submissions.size());
-        const auto merged = mergeGrades(parts, m_few.filePath(QStringLiteral("merged")));
-        QVERIFY2(merged.isOk(), merged ? "" : qPrintable(merged.error().message()));
-        QVERIFY(filesIn(m_few.filePath(QStringLiteral("merged")))
-                == filesIn(m_few.filePath(QStringLiteral("first"))));
-        const auto twice = mergeGrades({parts[0], parts[0]}, m_few.filePath(QStringLiteral("x")));
-        QVERIFY(!twice);
-        QVERIFY(twice.error().message().contains(QStringLiteral("is in two of the parts")));
-
-        // A part is only read: nothing is written into it or around it.
-        const auto before = filesIn(parts[0]);
-        for (const char *where : {"", "/grades", "/sub", "/../part1/pictures", "/.."}) {
-            const auto inside = mergeGrades(parts, parts[0] + QLatin1String(where));
-            QVERIFY2(!inside, where);
-            QVERIFY2(inside.error().message().contains(QStringLiteral("lie in each other")),
-                     qPrintable(inside.error().message()));
-            QVERIFY(filesIn(parts[0]) == before);
-        }
-    }
-
-    void whatIsMissingOfAMergeIsTold()
+    void whoIsNotNamedHasNoGrade()
     {
         const QTemporaryDir folder;
-        QStringList parts;
-        for (const char *name : {"ann", "bob", "cem", "dea", "eva", "fay"})
-            QVERIFY(deliver(folder.filePath(QStringLiteral("subs/") + QLatin1String(name)),
-                            m_assignment));
-        for (int number = 1; number <= 3; ++number) {
-            GradingOrder order = orderOf(folder, "part");
-            order.results += QString::number(number);
-            order.shard = {number, 3};
-            parts += order.results;
-            graded(order);
+        const Defect defect = defectsOf(m_assignment).back();
+        for (const QString &name : {QStringLiteral("ann"), QStringLiteral("böb\u202e"),
+                                    QStringLiteral("cem"), QStringLiteral("dea")})
+            QVERIFY(
+                deliver(folder.filePath(QStringLiteral("subs/") + name), m_assignment, {defect}));
+        const auto words = [&](const QStringList &names) {
+            return QStringList{QStringLiteral("grade"), folder.filePath(QStringLiteral("subs"))}
+            + names
+                + QStringList{QStringLiteral("--assignment"),
+                              resource(QStringLiteral("/assignments/column-scan.json")),
+                              QStringLiteral("-o"), folder.filePath(QStringLiteral("results"))};
+        };
+
+        const ProgramRun nobody = run(words({QStringLiteral("ann"), QStringLiteral("zoe")}));
+        QCOMPARE(nobody.exitCode, 2);
+        QVERIFY2(nobody.messages.contains("zoe: is no submission in "),
+                 nobody.messages.constData());
+        QVERIFY(!QFile::exists(folder.filePath(QStringLiteral("results"))));
+
+        // A name is taken as it is, or as results show it.
+        const ProgramRun named
+            = run(words({QStringLiteral("cem"), QStringLiteral("böb\\xe2\\x80\\xae")}));
+        QCOMPARE(named.exitCode, 0);
+        QVERIFY2(named.output.startsWith("2 submissions\npartial: 2 more without a grade\n"),
+                 named.output.constData());
+        for (const char *file : {"results.json", "index.html", "junit.xml", "grades.csv"}) {
+            const QString path = folder.filePath(QStringLiteral("results/") + QLatin1String(file));
+            QVERIFY2(contentOf(path).contains("ann") && contentOf(path).contains("dea"), file);
         }
-        const auto first = readGrades(parts.front());
-        QVERIFY(first.isOk() && !first->submissions.empty() && first->submissions.size() < 6);
-        QVERIFY(first->missing.isEmpty()); // other parts' submissions do not count
-        const QStringList words
-            = QStringList{QStringLiteral("grade"), QStringLiteral("--merge"), QStringLiteral("-o"),
-                          folder.filePath(QStringLiteral("all"))}
-            + parts.mid(1);
-
-        const ProgramRun empty = run(words.first(4));
-        QCOMPARE(empty.exitCode, 2);
-        QVERIFY2(empty.messages.contains("PART is missing: a folder with the results of a part"),
-                 empty.messages.constData());
-
-        const ProgramRun refused = run(words);
-        QCOMPARE(refused.exitCode, 2);
-        QVERIFY2(refused.messages.contains("of 3 parts there is no 1"),
-                 refused.messages.constData());
-        const QString ungraded = first->submissions.front().name;
-        QVERIFY2(refused.messages.contains(ungraded.toUtf8()), refused.messages.constData());
-        QVERIFY(!QFile::exists(folder.filePath(QStringLiteral("all"))));
-
-        const ProgramRun partial = run(words + QStringList{QStringLiteral("--partial")});
-        QCOMPARE(partial.exitCode, 0);
-        QVERIFY2(partial.output.contains("\npartial: "), partial.output.constData());
-        for (const char *file : {"all/results.json", "all/index.html"})
-            QVERIFY2(contentOf(folder.filePath(QLatin1String(file))).contains(ungraded.toUtf8()),
-                     file);
-        const auto read = readGrades(folder.filePath(QStringLiteral("all")));
-        QVERIFY(read.isOk() && read->missing.contains(ungraded));
-        const QByteArray junit = contentOf(folder.filePath(QStringLiteral("all/junit.xml")));
-        const QByteArray suite = "<testsuite name=\"" + ungraded.toUtf8() + "\" tests=\"1\"";
-        QVERIFY2(junit.contains(suite), junit.constData());
+        const QByteArray junit = contentOf(folder.filePath(QStringLiteral("results/junit.xml")));
+        QVERIFY2(junit.contains("<testsuite name=\"ann\" tests=\"1\""), junit.constData());
         QVERIFY(junit.contains("<skipped message=\"no grade\"/>"));
+        const auto read = readGrades(folder.filePath(QStringLiteral("results")));
+        QVERIFY(read.isOk());
+        QCOMPARE(read->missing, QStringList({QStringLiteral("ann"), QStringLiteral("dea")}));
 
-        // A part of another list of submissions exists, and is not called missing.
-        QVERIFY(deliver(folder.filePath(QStringLiteral("subs/zoe")), m_assignment));
-        GradingOrder again = orderOf(folder, "again");
-        again.shard = {1, 3};
-        graded(again);
-        const auto other = mergeGrades(QStringList{again.results} + parts.mid(1),
-                                       folder.filePath(QStringLiteral("whole")));
-        QVERIFY(!other);
-        QVERIFY2(other.error().message().contains(QStringLiteral("is of another list of "
-                                                                 "submissions than")),
-                 qPrintable(other.error().message()));
-
-        // A part that ended early lacks a grade; without its part file, it does not say which part
-        // it is.
-        QVERIFY(QFile::remove(submissionFileOf(parts[0], first->submissions.front().id)));
-        const auto ended = mergeGrades(parts, folder.filePath(QStringLiteral("whole")));
-        QVERIFY(!ended);
-        QVERIFY2(ended.error().message().contains(QStringLiteral("a part was ended early")),
-                 qPrintable(ended.error().message()));
-        QVERIFY(QFile::remove(QDir(parts[0]).filePath(partFile)));
-        const auto silent = mergeGrades(parts, folder.filePath(QStringLiteral("whole")));
-        QVERIFY(!silent);
-        QVERIFY2(silent.error().message().contains(QStringLiteral("which part it is")),
-                 qPrintable(silent.error().message()));
+        const ProgramRun rest = run(words({QStringLiteral("ann"), QStringLiteral("dea")}));
+        QCOMPARE(rest.exitCode, 0);
+        QVERIFY2(rest.output.startsWith("4 submissions\n    4  "), rest.output.constData());
     }
 
     void aShareOfThePixelsGivesAShareOfThePoints()
@@ -579,12 +519,6 @@ private slots:
         const ProgramRun within = run(words + QStringList{subs + QStringLiteral("/results")});
         QCOMPARE(within.exitCode, 2);
         QVERIFY(!QFile::exists(subs + QStringLiteral("/results")));
-        const ProgramRun shard
-            = run(words
-                  + QStringList{folder.filePath(QStringLiteral("s")), QStringLiteral("--shard"),
-                                QStringLiteral("3/2")});
-        QCOMPARE(shard.exitCode, 2);
-        QVERIFY(shard.messages.contains("“3/2” is no part"));
     }
 };
 
