@@ -8,7 +8,7 @@ namespace pixelplumb {
 
 /// Lets several runs grade into one folder of results at the same time. Its locks lie on bytes of
 /// one file, and the kernel releases those of a process that has ended, however it ended. On a disk
-/// without locks every run gets all of them, and grades everything.
+/// without locks every run gets all of them: there, only one may be at work.
 class ResultsLock {
 public:
     /// An error where the folder's lock file cannot be made.
