@@ -199,7 +199,7 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
     }
     // Next to a submission that is a single file lie other submissions.
     const auto student = studentProgramOf(
-        isScript(file) ? QStringList{QStringLiteral("python3"), *path} : QStringList{*path},
+        isScript(file) ? QStringList{scriptInterpreter(), *path} : QStringList{*path},
         entry.isFolder() ? ShownFiles::WithFolders : ShownFiles::Alone);
     if (!student) {
         refuse(delivery, PictureLack::NotDrawn, student.error().found);

@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace pixelplumb {
 
@@ -74,6 +75,14 @@ void show(const QString &path, ShownFiles shown, QStringList &files)
 }
 
 } // namespace
+
+QString scriptInterpreter()
+{
+    const QString found = QStandardPaths::findExecutable(QStringLiteral("python3"));
+    if (found.isEmpty())
+        throw std::runtime_error("there is no python3 to run its program");
+    return found;
+}
 
 Result<StudentProgram> studentProgramOf(const QStringList &words, ShownFiles shown)
 {

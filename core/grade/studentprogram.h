@@ -21,6 +21,10 @@ enum class ShownFiles {
     Alone,
 };
 
+/// The interpreter of scripts that are not executable. Throws where there is none, which is not the
+/// student's fault: the submission is not graded.
+QString scriptInterpreter();
+
 /// The program named by the first word (a file, or found in PATH), with the other words as
 /// arguments. In the user's own folder, or one shared with others' files, only the file itself is
 /// shown. What is shown becomes an input.

@@ -122,11 +122,12 @@ private:
         const EffectPlan on = planFor(m_on, m_settings, m_onFrame.view());
         const EffectPlan off = planFor(m_off, m_settings, m_offFrame.view());
         const bool isSame = on.runsAs(off);
-        const bool canDraw = m_method.objection(on, m_settings).isEmpty()
+        const bool canDraw
+            = m_method.objection(on, m_settings).isEmpty()
             && m_method.objection(off, m_settings).isEmpty()
             && std::ranges::all_of(m_on.shapes, [this](const Shape &shape) {
-                                 return m_method.objection(shape, m_on.appearance).isEmpty();
-                             });
+                   return m_method.objection(shape, m_on.appearance, m_settings).isEmpty();
+               });
         if (isSame || !canDraw)
             m_done += m_options.rounds;
         return !isSame && canDraw;

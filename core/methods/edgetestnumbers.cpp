@@ -50,6 +50,19 @@ NumberRow<EdgeTestSampleState> segmentNumber()
             }};
 }
 
+/// What Cramer's rule asks in place of w.
+NumberRow<EdgeTestSampleState> sumNumber()
+{
+    return {{.id = QStringLiteral("s"),
+             .title = QStringLiteral("s"),
+             .unit = {},
+             .toolTip = QStringLiteral("u + v: above 1 beyond the edge AB."),
+             .formula = QStringLiteral("s = u + v"),
+             .group = Group::Decision,
+             .comparison = Comparison::WithExact},
+            [](const EdgeTestSampleState &state) { return state.sum; }};
+}
+
 /// Along the segment of a triangle without an area, whose tests are all 0/0.
 QString segmentFormula(const EdgeTestNames &names, const EdgeTestSampleState &sample)
 {
@@ -156,7 +169,10 @@ NumberTable<EdgeTestSampleState> edgeTestSampleNumbers(const EdgeTestForm &form)
               .comparison = Comparison::WithExact},
              [line](const State &state) { return state.value[line]; }});
     }
-    for (std::size_t line = 0; line < 3 && form.isBarycentric(); ++line)
+    const bool isCramer = form.inside == InsideTest::Cramer;
+    for (std::size_t line = 0; line < 3 && form.isBarycentric(); ++line) {
+        if (isCramer && line == 2)
+            table.push_back(sumNumber());
         table.push_back(
             {{.id = names.filledId(QStringLiteral("{w}"), line),
               .title = names.filled(QStringLiteral("{w}"), line),
@@ -166,9 +182,11 @@ NumberTable<EdgeTestSampleState> edgeTestSampleNumbers(const EdgeTestForm &form)
               .formula = names.weightFormula(line),
               .startFormula
               = hasIncrements ? names.filled(QStringLiteral("{w} ← {w}_s"), line) : QString(),
-              .group = Group::Decision,
+              // Of w only the colours depend.
+              .group = isCramer && line == 2 ? Group::FirstColour : Group::Decision,
               .comparison = Comparison::WithExact},
              [line](const State &state) { return state.weight[line]; }});
+    }
     table.push_back(segmentNumber());
     const bool stepsColours = hasIncrements && form.isBarycentric();
     appendChannels(

@@ -79,6 +79,7 @@ struct EdgeTestSpanState {
 /// The numbers of a sample; where a segment decided, none but the colour.
 struct EdgeTestSampleState {
     ThreeQuantities value, weight;
+    Quantity sum; ///< u + v of Cramer's rule
     ThreeQuantities colour; ///< levels, before rounding
     bool ofSegment = false;
     bool isCovered = false;
@@ -207,6 +208,8 @@ EdgeTestSampleState edgeTestStateOf(
     for (std::size_t line = 0; line < 3; ++line)
         state.value[line] = A::quantityOf(sample.value[line], step.setUp.lines[line].unit);
     state.weight = quantitiesIn<A>(sample.weight);
+    if constexpr (form.inside == InsideTest::Cramer)
+        state.sum = A::quantityOf(sample.weight[0] + sample.weight[1]);
     return state;
 }
 

@@ -191,7 +191,7 @@ const Method &firstMethodFor(const Shape &shape)
 const Method &firstMethodFor(const Shape &shape, const Appearance &appearance)
 {
     const auto found = std::ranges::find_if(methods(), [&](const Method &method) {
-        return method.draws(shape) && method.objection(shape, appearance).isEmpty();
+        return method.draws(shape) && method.objection(shape, appearance, {}).isEmpty();
     });
     return found != methods().end() ? *found : firstMethodFor(shape);
 }

@@ -93,8 +93,10 @@ struct Method {
     /// colour says so.
     QString objection(const EffectPlan &plan, const ScanSettings &settings) const;
     /// Why it cannot draw a line or curve with the antialiasing that the appearance asks for, and
-    /// which methods can, to be read after its name. Empty for shapes that it never draws.
-    QString objection(const Shape &shape, const Appearance &appearance) const;
+    /// which methods can under the settings, to be read after its name. Empty for shapes that it
+    /// never draws.
+    QString objection(const Shape &shape, const Appearance &appearance,
+                      const ScanSettings &settings) const;
     /// The objection to settings, after the method's id; empty when it can draw.
     QString refusal(const ScanSettings &settings) const;
     /// The settings, with each choice that the method refuses replaced by its first one.

@@ -52,29 +52,40 @@ QString askerText(const EffectPlan &plan, const std::vector<Effect> &effects)
     }));
 }
 
-/// "interpolate-plane can": which triangle methods do the effects under the settings, or under
-/// their fill rule in another arithmetic.
-QString ableText(const std::vector<Effect> &effects, const ScanSettings &settings)
+/// "interpolate-plane can": which methods of the kind do the effects under the settings; where none
+/// does, those that do under the fill rule alone, and what else is in the way.
+template <class IsOfKind>
+QString ableText(const std::vector<Effect> &effects, const ScanSettings &settings,
+                 const IsOfKind &isOfKind)
 {
-    const auto keepsRule = [&settings](const Method &method) {
-        return method.draws(PrimitiveKind::Triangle) && method.supports(settings.fillRule);
+    const auto keepsRule = [&](const Method &method) {
+        return isOfKind(method) && method.supports(settings.fillRule);
     };
     const auto computes = [&settings](const Method &method) {
         return method.supports(settings.arithmetic)
             && (method.shadingArithmetics.empty()
                 || std::ranges::count(method.shadingArithmetics, settings.arithmetic) > 0);
     };
-    const QString separator = QStringLiteral(", ");
-    const QStringList inAny = methodsThatDo(effects, keepsRule);
-    if (inAny.isEmpty())
+    QStringList able = methodsThatDo(
+        effects, [&](const Method &method) { return keepsRule(method) && computes(method); });
+    QStringList hindrances;
+    if (able.isEmpty()) {
+        able = methodsThatDo(effects, keepsRule);
+        hindrances += QStringLiteral("in ") + quoted(nameOf(settings.arithmetic));
+    }
+    if (able.isEmpty())
         return QStringLiteral("no method that keeps the fill rule %1 can")
             .arg(quoted(nameOf(settings.fillRule)));
-    const QStringList able = methodsThatDo(
-        effects, [&](const Method &method) { return keepsRule(method) && computes(method); });
-    return able.isEmpty() ? QStringLiteral("%1 can, but not in %2")
-                                .arg(inAny.join(separator), quoted(nameOf(settings.arithmetic)))
-                          : QStringLiteral("%1 can").arg(able.join(separator));
+    // Effects are never run with variants.
+    if (!settings.variants.isEmpty())
+        hindrances += QStringLiteral("with variants");
+    const QString text = QStringLiteral("%1 can").arg(able.join(QStringLiteral(", ")));
+    return hindrances.isEmpty()
+        ? text
+        : text + QStringLiteral(", but not ") + hindrances.join(QStringLiteral(" and not "));
 }
+
+bool drawsTriangles(const Method &method) { return method.draws(PrimitiveKind::Triangle); }
 
 /// `able`: which methods can.
 QString lackText(const std::vector<Effect> &missing, const QString &asker, const QString &able)
@@ -114,7 +125,7 @@ QString smoothColourObjection(const Method &method, const EffectPlan &plan,
     if (!isLeftOut || method.supports(Effect::Blending))
         return {};
     return QStringLiteral("cannot leave out smooth colour, which is forced off; %1")
-        .arg(ableText({Effect::Blending}, settings));
+        .arg(ableText({Effect::Blending}, settings, drawsTriangles));
 }
 
 } // namespace
@@ -148,7 +159,8 @@ QString Method::objection(const EffectPlan &plan, const ScanSettings &settings) 
     std::vector<Effect> missing = run;
     std::erase_if(missing, [this](Effect effect) { return supports(effect); });
     if (!missing.empty())
-        return lackText(missing, askerText(plan, missing), ableText(missing, settings));
+        return lackText(missing, askerText(plan, missing),
+                        ableText(missing, settings, drawsTriangles));
     const QString separator = QStringLiteral(", ");
     if (!settings.variants.isEmpty() && !run.empty())
         return QStringLiteral("cannot do %1, %2, with variants: they depart from its colours alone")
@@ -162,16 +174,16 @@ QString Method::objection(const EffectPlan &plan, const ScanSettings &settings) 
     return {};
 }
 
-QString Method::objection(const Shape &shape, const Appearance &appearance) const
+QString Method::objection(const Shape &shape, const Appearance &appearance,
+                          const ScanSettings &settings) const
 {
     if (antialiasingOf(appearance) == Antialiasing::None || !isStroke(shape) || !draws(shape)
         || supports(Effect::Antialiasing))
         return {};
-    const QStringList able = methodsThatDo(
-        {Effect::Antialiasing}, [&shape](const Method &method) { return method.draws(shape); });
     return lackText({Effect::Antialiasing},
                     askerText(appearance.antialiasing != Antialiasing::None),
-                    QStringLiteral("%1 can").arg(able.join(QStringLiteral(", "))));
+                    ableText({Effect::Antialiasing}, settings,
+                             [&shape](const Method &method) { return method.draws(shape); }));
 }
 
 QString Method::refusal(const ScanSettings &settings) const

@@ -14,7 +14,7 @@ const NumberTable<OutlineFillSetUp> &outlineSetUpNumbers()
     static const auto numbers = [] {
         NumberTable<State> table;
         for (int corner = 0; corner < 3; ++corner) {
-            const QString toolTip = QStringLiteral("of P%1, on a whole pixel.")
+            const QString toolTip = QStringLiteral("of P%1, rounded to a whole pixel: ⌊v + ½⌋.")
                                         .arg(vertexDigits[std::size_t(corner)]);
             table.push_back(endNumber<State>(u'x', corner, toolTip, [corner](const State &setUp) {
                 return pixels(setUp.corners[std::size_t(corner)].position.x);

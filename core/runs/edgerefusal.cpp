@@ -66,11 +66,9 @@ QString untestedText(const PixelAttempt &attempt, const TracedScene &traced)
 QString ownReasonText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
                       std::int64_t y)
 {
-    if (attempt.written)
-        return {};
     if (isDecidedByOutline(attempt, *traced.trace))
         return stepBesideText(attempt, *traced.trace, x, y);
-    if (!mayDecideOtherwise(traced))
+    if (attempt.written || !mayDecideOtherwise(traced))
         return {};
     if (attempt.sample)
         return deciderText(attempt, traced);

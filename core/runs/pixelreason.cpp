@@ -113,13 +113,17 @@ QString missedText(const PixelAttempt &attempt, const TracedScene &traced, std::
             + stepBesideText(attempt, trace, x, y) + tieOfShapeText(attempt, traced, x, y);
     const SpanRecord &span = *attempt.span;
     const std::int64_t place = span.place.axis == SpanAxis::Column ? y : x;
-    if (span.lower.isNone() && (place < span.firstSample || place >= span.endSample))
-        return QStringLiteral("Missing: the truth covers it, but in this %1 the kernel tests only "
-                              "the samples %2 … %3.")
-            .arg(span.place.axis == SpanAxis::Column ? QStringLiteral("column")
-                                                     : QStringLiteral("row"))
-            .arg(span.firstSample)
-            .arg(span.endSample - 1);
+    if (span.lower.isNone() && (place < span.firstSample || place >= span.endSample)) {
+        const QString decided = stepBesideText(attempt, trace, x, y);
+        return QStringLiteral("Missing: the truth covers it, but in this %1 the kernel %2 only the "
+                              "samples %3 … %4.")
+                   .arg(span.place.axis == SpanAxis::Column ? QStringLiteral("column")
+                                                            : QStringLiteral("row"),
+                        decided.isEmpty() ? QStringLiteral("tests") : QStringLiteral("fills"))
+                   .arg(span.firstSample)
+                   .arg(span.endSample - 1)
+            + decided;
+    }
     if (span.lower.isNone())
         return QStringLiteral("Missing: the truth covers it, the kernel did not write it.");
     return QStringLiteral("Missing: the truth covers it, but %1.").arg(boundsText(span));
@@ -179,6 +183,8 @@ QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced, std:
     if (attempt.kind != PrimitiveKind::Triangle)
         return text + stepOfPixelText(attempt, *traced.trace) + variantText(attempt, traced, x, y);
     text += keptTiesText(attempt, traced, x, y);
+    if (isDecidedByOutline(attempt, *traced.trace))
+        text += stepBesideText(attempt, *traced.trace, x, y);
     const Colour exact
         = oracle::byteColourAt(traced.primitives.triangles[attempt.primitive], attempt.change.x,
                                attempt.change.y, traced.scene.settings.rounding);

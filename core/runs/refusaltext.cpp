@@ -49,6 +49,17 @@ bool hasForEachEdge(const TracedScene &traced, const char *id)
         > 0;
 }
 
+/// A number of the set-up without rounding.
+Quantity exactSetUpNumber(const TracedScene &traced, std::size_t primitive, const QString &id)
+{
+    const ScanTrace &exact = traced.exactTrace ? *traced.exactTrace : *traced.trace;
+    const auto &numbers = exact.numbers().setUp;
+    const auto found = std::ranges::find(numbers, id, &NumberDescription::id);
+    return found == numbers.end()
+        ? Quantity()
+        : exact.setUp(primitive).cells[std::size_t(found - numbers.begin())];
+}
+
 /// On which sides of an edge the off-screen point and the triangle lie, in the method's numbers:
 /// whether f_bc(a)·f_bc(r) > 0.
 QString sidesText(const TracedScene &traced, std::size_t index, const oracle::EdgeVerdict &edge)
@@ -63,22 +74,25 @@ QString sidesText(const TracedScene &traced, std::size_t index, const oracle::Ed
     };
     const Quantity product = productOf(functionAt(facing), functionAt(offScreenPoint));
     const bool isOnSameSide = product.numerator() > 0;
+    const auto text = [&](const Quantity &there, const Quantity &here, const Quantity &both) {
+        return QStringLiteral("the edge's function is %1 at the off-screen point %2 and %3 at the "
+                              "vertex that faces it; their product, %4, is %5 0")
+            .arg(term(there), pointText(offScreenPoint), term(here), term(both),
+                 isOnSameSide ? QStringLiteral("above") : QStringLiteral("not above"));
+    };
     // A solved system's equations are scaled differently, each edge on its own.
-    if (hasForEachEdge(traced, "q"))
-        return (isOnSameSide
-                    ? QStringLiteral("the off-screen point %1 lies on the side of the vertex that "
-                                     "faces it")
-                    : QStringLiteral("the off-screen point %1 does not lie on the side of the "
-                                     "vertex that faces it"))
-            .arg(pointText(offScreenPoint));
+    if (hasForEachEdge(traced, "q")) {
+        const int line = (edge.from + 1) % 3 == edge.to ? edge.from : edge.to;
+        const auto number
+            = [&](const QString &id) { return exactSetUpNumber(traced, index, id.arg(line)); };
+        return text(number(QStringLiteral("E_%1_r")), number(QStringLiteral("F_%1")),
+                    number(QStringLiteral("tie_product_%1")));
+    }
     // Swapped sides make a function positive inside.
     const bool isExchanged = hasForEachEdge(traced, "s") && functionAt(facing).numerator() < 0;
     const Quantity sign = Quantity::integer(isExchanged ? -1 : 1);
-    return QStringLiteral("the edge's function is %1 at the off-screen point %2 and %3 at the "
-                          "vertex that faces it; their product, %4, is %5 0")
-        .arg(term(productOf(sign, functionAt(offScreenPoint))), pointText(offScreenPoint),
-             term(productOf(sign, functionAt(facing))), term(product),
-             isOnSameSide ? QStringLiteral("above") : QStringLiteral("not above"));
+    return text(productOf(sign, functionAt(offScreenPoint)), productOf(sign, functionAt(facing)),
+                product);
 }
 
 /// On which side of an edge its triangle lies, as top-left and half-open-column need it.
@@ -139,6 +153,26 @@ QString tieText(const TracedScene &traced, std::size_t triangle, const oracle::E
 
 namespace {
 
+/// Whether it is u + v of Cramer's rule, which decides by 1 in place of 0.
+bool isSum(const SampleDecision &decision) { return decision.title == QStringLiteral("s"); }
+
+QString nameOf(const SampleDecision &decision)
+{
+    return isSum(decision) ? QStringLiteral("s = u + v") : decision.title;
+}
+
+/// "γ = 0": the numbers by which the run has the sample on an edge.
+QStringList tiesOf(std::span<const SampleDecision> decisions)
+{
+    QStringList ties;
+    for (const SampleDecision &decision : decisions) {
+        const double onEdge = isSum(decision) ? 1 : 0;
+        if (!decision.value.isNone() && decision.value.toDouble() == onEdge)
+            ties.append(QStringLiteral("%1 = %2").arg(nameOf(decision), term(decision.value)));
+    }
+    return ties;
+}
+
 /// Which weight is too large for a listing that requires weights of at most 1: "0 ≤ α ≤ 1".
 QString aboveOneText(const TracedScene &traced, std::span<const SampleDecision> decisions)
 {
@@ -147,9 +181,10 @@ QString aboveOneText(const TracedScene &traced, std::span<const SampleDecision> 
               return line.text.contains(QStringLiteral("α ≤ 1"));
           });
     for (const SampleDecision &decision : decisions) {
-        if (isBounded && !decision.value.isNone() && decision.value.toDouble() > 1)
+        const bool isAbove = !decision.value.isNone() && decision.value.toDouble() > 1;
+        if (isAbove && (isBounded || isSum(decision)))
             return QStringLiteral("Refused: %1 = %2 is above 1.")
-                .arg(decision.title, term(decision.value));
+                .arg(nameOf(decision), term(decision.value));
     }
     return {};
 }
@@ -199,20 +234,11 @@ QString refusalSentence(const TracedScene &traced, std::size_t triangle, const S
     if (!ties.isEmpty())
         return QStringLiteral("Refused: the sample lies %1.")
             .arg(ties.join(QStringLiteral("; it lies ")));
-    if (verdict.covered)
-        return QStringLiteral("Refused by rounding: no test is negative, and in exact arithmetic "
-                              "no edge refuses the sample.");
-    QStringList zero;
-    for (const SampleDecision &decision : decisions) {
-        if (!decision.value.isNone() && decision.value.toDouble() == 0)
-            zero.append(decision.title);
-    }
-    return zero.isEmpty()
-        ? QStringLiteral("Refused by rounding: no test is negative.")
-        : QStringLiteral("Refused: by the run's numbers the sample lies on an edge, %1 = 0, and "
-                         "the rule %2 gives it to the other side.")
-              .arg(zero.join(QStringLiteral(" = ")),
-                   nameText(nameOf(traced.scene.settings.fillRule)));
+    if (const QStringList met = tiesOf(decisions); !met.isEmpty())
+        return QStringLiteral("Refused: by the run's numbers the sample lies on an edge, %1, and "
+                              "the rule %2 gives it to the other side.")
+            .arg(met.join(QStringLiteral(", ")), nameText(nameOf(traced.scene.settings.fillRule)));
+    return QStringLiteral("Refused by rounding: no test of the run says why.");
 }
 
 QString noPartText(const TracedScene &traced)

@@ -30,7 +30,7 @@ QString objectionToShapes(const Method &method, const Scene &scene)
     for (const Shape &shape : primitivesOnSamples(scene).shapes) {
         if (borderCrossingOf(shape, where) == BorderCrossing::Outside)
             continue;
-        QString objection = method.objection(shape, scene.appearance);
+        QString objection = method.objection(shape, scene.appearance, scene.settings);
         if (!objection.isEmpty())
             return objection;
     }

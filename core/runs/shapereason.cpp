@@ -156,7 +156,12 @@ QString stepOfPixelText(const PixelAttempt &attempt, const ScanTrace &trace)
     const TraceStep step = trace.stepAt(attempt.step);
     const QString told
         = trace.sampleWords(step.span, step.sample - trace.firstSampleOf(step.span)).sentence;
-    return told.isEmpty() ? stepText(trace, step.span) : u' ' + told;
+    // What decides samples of a row is how its edges cross it.
+    const bool hasCrossings = attempt.kind == PrimitiveKind::Polygon && !attempt.verdict.covered
+        && trace.placeOf(step.span).axis == SpanAxis::Row;
+    if (told.isEmpty() || hasCrossings)
+        return (told.isEmpty() ? told : u' ' + told) + stepText(trace, step.span);
+    return u' ' + told;
 }
 
 QString tieOfShapeText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,

@@ -16,16 +16,45 @@ bool drawsFirst(const Method &method, const Scene &scene)
     return method.draws(scene.shapes.front());
 }
 
+/// The scene's appearance, but what is forced off counts as called for, so that switching an effect
+/// off changes no method.
+Appearance withNothingOff(Appearance appearance)
+{
+    for (const Effect effect : allEffects) {
+        if (appearance.forced[effect] == Forcing::Off)
+            appearance.forced[effect] = Forcing::AsCalledFor;
+    }
+    return appearance;
+}
+
+/// Whether a plan of the scene's triangles may run more than the method does plainly.
+bool mayRunMore(const Method &method, const Scene &scene)
+{
+    Scene unforced = scene;
+    unforced.appearance.forced = {};
+    const EffectForcing &forced = scene.appearance.forced;
+    // Texture and light run only where triangles carry something for them.
+    constexpr std::array forceable
+        = {Effect::Depth, Effect::Perspective, Effect::Blending, Effect::Antialiasing};
+    const auto isForcedOn = [&forced](Effect effect) { return forced[effect] == Forcing::On; };
+    // Only methods that shade by a plan can leave colours out.
+    return mayCallForEffects(unforced) || forced[Effect::SmoothColour] == Forcing::Off
+        || std::ranges::any_of(forceable, isForcedOn)
+        || (isForcedOn(Effect::SmoothColour) && !method.supports(Effect::SmoothColour));
+}
+
 /// Whether the method supports what the scene may need for its first primitive.
-bool canEffects(const Method &method, const Scene &scene, Arithmetic arithmetic)
+bool canEffects(const Method &method, const Scene &scene, const ScanSettings &settings)
 {
     if (!scene.hasTriangles())
         return scene.isEmpty()
-            || method.objection(scene.shapes.front(), scene.appearance).isEmpty();
+            || method.objection(scene.shapes.front(), withNothingOff(scene.appearance), settings)
+                   .isEmpty();
     const std::vector<Arithmetic> &shading = method.shadingArithmetics;
-    return !mayCallForEffects(scene)
+    return !mayRunMore(method, scene)
         || (method.drawEffects
-            && (shading.empty() || std::ranges::find(shading, arithmetic) != shading.end()));
+            && (shading.empty()
+                || std::ranges::find(shading, settings.arithmetic) != shading.end()));
 }
 
 } // namespace
@@ -54,7 +83,7 @@ const Method &methodFor(const Scene &scene, const OpenSettings &open)
             continue;
         const ScanSettings settings = settledFor(method, scene.settings, open);
         const bool keeps = method.objection(settings).isEmpty();
-        const bool shades = canEffects(method, scene, settings.arithmetic);
+        const bool shades = canEffects(method, scene, settings);
         if (keeps && shades)
             return method;
         if (keeps && !keeping)
