@@ -14,7 +14,6 @@ ExitCode plan(const Command &command, const QStringList &arguments);
 ExitCode check(const Command &command, const QStringList &arguments);
 ExitCode diagnose(const Command &command, const QStringList &arguments);
 ExitCode grade(const Command &command, const QStringList &arguments);
-ExitCode probes(const Command &command, const QStringList &arguments);
 ExitCode invariants(const Command &command, const QStringList &arguments);
 ExitCode counterExample(const Command &command, const QStringList &arguments);
 ExitCode diff(const Command &command, const QStringList &arguments);

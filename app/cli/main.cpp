@@ -35,8 +35,6 @@ const std::vector<Command> &commands()
         {QStringLiteral("try"),
          QStringLiteral("Run a student's program, and tell where it goes wrong."), tryProgram},
         {QStringLiteral("grade"), QStringLiteral("Grade a folder of submissions."), grade},
-        {QStringLiteral("probes"),
-         QStringLiteral("Find the few scenes that tell the known defects apart."), probes},
         {QStringLiteral("counterexample"),
          QStringLiteral("Find a small scene that two drawers draw differently."), counterExample},
         {QStringLiteral("invariants"),

@@ -2,6 +2,7 @@
 #include "app/cli/methodreport.h"
 
 #include "app/cli/console.h"
+#include "core/grade/defect.h"
 #include "core/lab/operationtable.h"
 #include "core/lab/standardexamples.h"
 #include "core/scan/choicenames.h"
@@ -201,6 +202,32 @@ void printPseudocode(const QString &title, const Pseudocode &code)
         printLine(QString(4 + 4 * line.depth, u' ') + line.text + conditionText(line));
 }
 
+/// Under the conventions that a scene has if it names none.
+std::vector<Defect> defectsOf(const Method &method)
+{
+    Scene conventions;
+    conventions.method = method.id.toStdString();
+    conventions.settings = method.adapted(conventions.settings);
+    return defectsUnder(conventions);
+}
+
+void printDefects(const Method &method)
+{
+    printLine(QStringLiteral("  known defects"));
+    for (const Defect &defect : defectsOf(method))
+        printLine(QStringLiteral("    %1  %2").arg(defect.id, -28).arg(defect.forAssistant));
+}
+
+QJsonArray defectsJson(const Method &method)
+{
+    QJsonArray array;
+    for (const Defect &defect : defectsOf(method))
+        array.append(QJsonObject{{QStringLiteral("id"), defect.id},
+                                 {QStringLiteral("student"), defect.forStudent},
+                                 {QStringLiteral("assistant"), defect.forAssistant}});
+    return array;
+}
+
 } // namespace
 
 QStringList kindsOf(const Method &method)
@@ -237,6 +264,7 @@ void printWholeMethod(const Method &method)
     printNumbers(QStringLiteral("a span"), method.numbers.span);
     printNumbers(QStringLiteral("a sample"), method.numbers.sample);
     printOperations(method);
+    printDefects(method);
 }
 
 QJsonObject jsonOfWhole(const Method &method)
@@ -249,6 +277,7 @@ QJsonObject jsonOfWhole(const Method &method)
     object.insert(QStringLiteral("spanNumbers"), jsonOf(method.numbers.span));
     object.insert(QStringLiteral("sampleNumbers"), jsonOf(method.numbers.sample));
     object.insert(QStringLiteral("operations"), operationsJson(method));
+    object.insert(QStringLiteral("defects"), defectsJson(method));
     return object;
 }
 

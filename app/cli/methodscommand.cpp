@@ -40,7 +40,8 @@ ExitCode listMethods(const Command &command, const QStringList &arguments)
     CommandLine line(
         command,
         {{QStringLiteral("NAME"),
-          QStringLiteral("the method to describe: source, rules, effects, numbers, operations"),
+          QStringLiteral("the method to describe: source, rules, effects, numbers, operations, "
+                         "known defects"),
           Positional::Presence::Optional}});
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
     if (const auto ended = line.parse(arguments))

@@ -5,7 +5,6 @@
 #include "app/cli/programoptions.h"
 #include "app/cli/sceneoptions.h"
 #include "app/cli/suggestion.h"
-#include "core/grade/probesheet.h"
 #include "core/scene/colourtext.h"
 #include "core/scene/scenefile.h"
 
@@ -67,10 +66,7 @@ QString placeText(const LatticePoint &place)
     return withMinus(QStringLiteral("(%1, %2)").arg(number(place.x), number(place.y)));
 }
 
-} // namespace
-
-bool Sides::hasProgram() const { return std::ranges::any_of(sources, &PictureSource::isProgram); }
-
+/// Why there are no random scenes for a method; none where there are.
 std::optional<InputError> refusalToSearch(const Method &method, const QString &place)
 {
     if (method.draws(PrimitiveKind::Triangle) || method.draws(PrimitiveKind::Line))
@@ -80,6 +76,10 @@ std::optional<InputError> refusalToSearch(const Method &method, const QString &p
                           .arg(method.id, drawnText(method)),
                       QStringLiteral("a method that draws triangles or lines")};
 }
+
+} // namespace
+
+bool Sides::hasProgram() const { return std::ranges::any_of(sources, &PictureSource::isProgram); }
 
 QStringList primitiveLines(const Scene &scene)
 {
@@ -109,20 +109,6 @@ QJsonObject undrawnJson(const UndrawnScene &undrawn)
     return {{QStringLiteral("scene"), QJsonDocument::fromJson(writeScene(undrawn.scene)).object()},
             {QStringLiteral("source"), undrawn.source},
             {QStringLiteral("why"), undrawn.why.message()}};
-}
-
-std::vector<Defect> defectsOfMethod(const Scene &conventions)
-{
-    std::vector<Defect> defects;
-    constexpr std::int64_t candidates = 24;
-    const auto scenes = searchProbes(conventions, 1, candidates);
-    for (const Scene &scene : *scenes) {
-        for (Defect &defect : defectsFor(scene)) {
-            if (std::ranges::find(defects, defect.id, &Defect::id) == defects.end())
-                defects.push_back(std::move(defect));
-        }
-    }
-    return defects;
 }
 
 QString sideMeaning()
@@ -198,13 +184,13 @@ Result<Sides> sidesOf(const CommandLine &line, const QStringList &places)
             continue;
         }
         QStringList ids;
-        for (const Defect &defect : defectsOfMethod(sides.conventions))
+        for (const Defect &defect : defectsUnder(sides.conventions))
             ids += defect.id;
         if (!ids.contains(word))
             return unknownAmongMany(places[i], QStringLiteral("method, truth or defect"), word,
                                     ids + methodIds(),
                                     QStringLiteral("a method, truth, program:COMMAND or a defect "
-                                                   "that “probes --list --method %1” names")
+                                                   "that “methods %1” names")
                                         .arg(method.method->id));
         sides.sources.push_back(sourceOf(word, method));
     }

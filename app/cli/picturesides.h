@@ -16,17 +16,11 @@ struct Sides {
     bool hasProgram() const; ///< whether a source is somebody else's program
 };
 
-/// The known defects that scenes of the conventions' method can have.
-std::vector<Defect> defectsOfMethod(const Scene &conventions);
-
 /// The kinds, corners and colours of a scene's primitives, a line each.
 QStringList primitiveLines(const Scene &scene);
 /// What could not be drawn, by which source and why.
 QString undrawnText(const UndrawnScene &undrawn);
 QJsonObject undrawnJson(const UndrawnScene &undrawn);
-
-/// Why there are no random scenes for a method; none where there are.
-std::optional<InputError> refusalToSearch(const Method &method, const QString &place);
 
 /// Help text: what a word that names a side may be.
 QString sideMeaning();

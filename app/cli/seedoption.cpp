@@ -27,6 +27,4 @@ Result<std::uint64_t> chosenSeed(const CommandLine &line)
     return std::uint64_t(seed);
 }
 
-bool isSeedSet(const CommandLine &line) { return line.isSet(seedOption); }
-
 } // namespace pixelplumb::cli

@@ -8,6 +8,5 @@ namespace pixelplumb::cli {
 /// Adds --seed, 1 by default; `what` is drawn at random: "scenes".
 void addSeedOption(CommandLine &line, const QString &what);
 Result<std::uint64_t> chosenSeed(const CommandLine &line);
-bool isSeedSet(const CommandLine &line);
 
 } // namespace pixelplumb::cli

@@ -97,7 +97,7 @@ private slots:
               };
         row("commands", {""},
             {"render", "trace", "pixel", "methods", "plan", "check", "compare", "diff", "diagnose",
-             "try", "grade", "probes", "counterexample", "invariants", "motion", "lab", "help"});
+             "try", "grade", "counterexample", "invariants", "motion", "lab", "help"});
         row("the beginning of a command", {"pl"}, {"plan"});
         row("commands to be helped with", {"help", "ren"}, {"render"});
         row("options", {"render", "scene.json", "--a"},
@@ -145,7 +145,7 @@ private slots:
         QTest::addColumn<QString>("command");
         for (const char *command :
              {"render", "trace", "pixel", "methods", "plan", "check", "compare", "diff", "diagnose",
-              "try", "grade", "probes", "counterexample", "invariants", "motion", "lab"})
+              "try", "grade", "counterexample", "invariants", "motion", "lab"})
             QTest::newRow(command) << QString::fromLatin1(command);
     }
     void theManualTellsEveryOption()
