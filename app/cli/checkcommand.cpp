@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/input.h"
-#include "app/cli/progress.h"
+#include "app/cli/console.h"
+#include "app/cli/files.h"
 #include "app/cli/sceneoptions.h"
-#include "app/cli/suggestion.h"
 #include "core/check/casecheck.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/fileaccess.h"

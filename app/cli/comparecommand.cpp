@@ -1,17 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/comparecontenders.h"
-#include "app/cli/comparepicture.h"
-#include "app/cli/comparereport.h"
-#include "app/cli/picturefile.h"
-#include "app/cli/progress.h"
-#include "app/cli/rejectionreport.h"
+#include "app/cli/console.h"
+#include "app/cli/drawers.h"
+#include "app/cli/files.h"
+#include "app/cli/options.h"
+#include "app/cli/reports.h"
 #include "app/cli/sceneoptions.h"
-#include "app/cli/wholenumber.h"
+#include "core/compare/contest.h"
+
+#include <QImage>
 
 #include <algorithm>
 
 namespace pixelplumb::cli {
+
+namespace {
+
+QRgb colourOf(Disagreement reason)
+{
+    switch (reason) {
+    case Disagreement::TieRule:
+        return qRgb(230, 159, 0);
+    case Disagreement::Undrawn:
+        return qRgb(128, 128, 128);
+    case Disagreement::Rounding:
+        return qRgb(240, 228, 66);
+    case Disagreement::Drift:
+        return qRgb(86, 180, 233);
+    case Disagreement::Precision:
+        return qRgb(213, 94, 0);
+    case Disagreement::Method:
+        return qRgb(204, 121, 167);
+    case Disagreement::NotRecorded:
+    case Disagreement::None:
+        break;
+    }
+    return qRgb(0, 0, 0);
+}
+
+/// The first contender's picture, faint and grey. Pixels on which not all agree have the colour of
+/// the reason (Okabe and Ito's palette): orange a tie rule, grey an undrawn kind, yellow rounding,
+/// sky blue drift, vermilion precision, purple the method, black not recorded.
+QImage pictureOf(const Contest &contest)
+{
+    const AgreementMap &agreement = contest.agreement;
+    const FrameSpec &frame = agreement.spec();
+    const WrittenFrame &first = contest.runs.front().picture;
+    QImage picture(frame.width, frame.height, QImage::Format_RGB32);
+    for (int line = 0; line < picture.height(); ++line) {
+        auto *pixels = reinterpret_cast<QRgb *>(picture.scanLine(line));
+        const std::int64_t y = rowOfPictureLine(frame, line);
+        for (int column = 0; column < picture.width(); ++column) {
+            const std::int64_t x = frame.firstColumn + column;
+            const bool agree = agreement.agreeingAt(x, y) == agreement.contenderCount();
+            const Colour shown = first.isWritten(x, y) ? first.colourAt(x, y) : frame.background;
+            pixels[column] = agree ? faint(shown) : colourOf(agreement.reasonAt(x, y));
+        }
+    }
+    return picture;
+}
+
+} // namespace
 
 ExitCode compare(const Command &command, const QStringList &arguments)
 {
@@ -77,9 +126,9 @@ ExitCode compare(const Command &command, const QStringList &arguments)
 
     const CompareReport report{*contest, std::size_t(limit->value())};
     if (line.isSet(jsonOption))
-        printJson(QJsonDocument(jsonOf(report)));
+        printJson(QJsonDocument(compareJson(report)));
     else
-        printLines(textOf(report));
+        printLines(compareLines(report));
     if (line.isSet(drawingOption)) {
         Output output(line.value(drawingOption));
         if (const auto error = writePicture(pictureOf(*contest), output, *format))

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/number/jobprogress.h"
 #include "core/scene/result.h"
 
+#include <QElapsedTimer>
 #include <QJsonDocument>
+#include <QString>
 #include <QStringList>
 
+#include <functional>
 #include <optional>
+#include <vector>
 
 namespace pixelplumb::cli {
 
@@ -30,5 +35,69 @@ void printJson(const QJsonDocument &document);
 std::optional<InputError> finishPrinting();
 /// A message: a line on stderr, shortened where it is very long.
 void sayLine(const QString &line);
+
+/// The candidate that `word` most likely stands for: a few letters left out, added, changed or
+/// swapped with a neighbour. Empty when none is near.
+QString closestTo(const QString &word, const QStringList &candidates);
+
+/// "; did you mean render?", or nothing.
+QString suggestion(const QString &word, const QStringList &candidates);
+
+/// The error for a word that is none of the names; `what` it should have named: "arithmetic".
+InputError unknownName(const QString &place, const QString &what, const QString &word,
+                       const QStringList &names);
+
+/// Like unknownName(), but with so many names that only the nearest are listed; `expected` says
+/// what else there is.
+InputError unknownAmongMany(const QString &place, const QString &what, const QString &word,
+                            const QStringList &names, const QString &expected);
+
+/// Formats a table as lines with aligned columns, two blanks apart: words to the left, numbers to
+/// the right. All rows have equally many cells. No line ends in blanks.
+QStringList alignedRows(const std::vector<QStringList> &rows,
+                        const std::function<bool(qsizetype column)> &holdsWords);
+
+/// Shows on stderr how far a long job is: only on a terminal, only after a second; erased once the
+/// job is done.
+class Progress {
+public:
+    Progress();
+    ~Progress();
+    Q_DISABLE_COPY_MOVE(Progress)
+
+    void show(const QString &state);
+    /// Erases what is shown: to be called before anything is printed.
+    void clear();
+    /// Shows what it is told; it must not outlive this object.
+    ProgressListener listener();
+
+private:
+    bool isDue() const;
+
+    bool m_onTerminal = false;
+    bool m_shown = false;
+    QElapsedTimer m_sinceStart;
+    qint64 m_nextShow = 1000; ///< ms since the start
+};
+
+/// Runs a job with a progress listener and returns its result; what was shown is erased at the end.
+template <class Job>
+auto withProgress(const Job &job)
+{
+    Progress progress;
+    return job(progress.listener());
+}
+
+/// While an instance is alive, the first Ctrl-C asks the command to end with what it has so far; a
+/// second one ends the program.
+class Interruption {
+public:
+    Interruption();
+    ~Interruption();
+    Interruption(const Interruption &) = delete;
+    Interruption &operator=(const Interruption &) = delete;
+
+    static bool isAsked();
+};
 
 } // namespace pixelplumb::cli

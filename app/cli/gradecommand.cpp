@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/input.h"
-#include "app/cli/interruption.h"
-#include "app/cli/output.h"
-#include "app/cli/progress.h"
-#include "app/cli/wholenumber.h"
+#include "app/cli/console.h"
+#include "app/cli/files.h"
+#include "app/cli/options.h"
 #include "core/fast/machinethreads.h"
 #include "core/grade/gradefile.h"
 #include "core/grade/gradefolder.h"
@@ -27,7 +25,7 @@ const QString mergeOption = QStringLiteral("merge");
 const QString partialOption = QStringLiteral("partial");
 const QString jsonOption = QStringLiteral("json");
 
-void addOptions(CommandLine &line)
+void addGradeOptions(CommandLine &line)
 {
     line.addOption({assignmentOption, QStringLiteral("What was to be drawn, and for what points."),
                     QStringLiteral("file")});
@@ -160,7 +158,7 @@ ExitCode grade(const Command &command, const QStringList &arguments)
     CommandLine line(command,
                      {{QStringLiteral("SUBMISSIONS"),
                        QStringLiteral("a folder with a file or folder for each submission")}});
-    addOptions(line);
+    addGradeOptions(line);
     line.replacePositionals(mergeOption,
                             {{QStringLiteral("PART"),
                               QStringLiteral("a folder with the results of a part, of which there "

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/picturesides.h"
-#include "app/cli/programoptions.h"
+#include "app/cli/drawers.h"
+#include "app/cli/options.h"
 #include "app/cli/sceneoptions.h"
-#include "app/cli/seedoption.h"
-#include "app/cli/toleranceoption.h"
 #include "core/grade/allowance.h"
 #include "core/grade/invariants.h"
 #include "core/methods/method.h"

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/input.h"
-#include "app/cli/interruption.h"
-#include "app/cli/labreport.h"
-#include "app/cli/output.h"
-#include "app/cli/progress.h"
+#include "app/cli/console.h"
+#include "app/cli/files.h"
+#include "app/cli/options.h"
+#include "app/cli/reports.h"
 #include "app/cli/sceneoptions.h"
-#include "app/cli/seedoption.h"
-#include "app/cli/suggestion.h"
 #include "core/grade/showntext.h"
 #include "core/lab/budget.h"
 #include "core/lab/labfile.h"
@@ -28,7 +25,7 @@ const QString contenderOption = QStringLiteral("contender");
 const QString accuracyOnlyOption = QStringLiteral("accuracy-only");
 const QString budgetOption = QStringLiteral("budget");
 const QString formatOption = QStringLiteral("format");
-const QString outputOption = QStringLiteral("output");
+const QString studyOption = QStringLiteral("output");
 const QString ownSceneFamily = QStringLiteral("own-scene");
 
 enum class LabFormat { Text, Csv, Json };
@@ -159,7 +156,7 @@ QByteArray bytesOf(const Study &study, LabFormat format)
 {
     switch (format) {
     case LabFormat::Text:
-        return shownLines(textOf(study));
+        return shownLines(studyLines(study));
     case LabFormat::Csv:
         return csvOf(study);
     case LabFormat::Json:
@@ -168,7 +165,7 @@ QByteArray bytesOf(const Study &study, LabFormat format)
     return {};
 }
 
-void addOptions(CommandLine &line)
+void addStudyOptions(CommandLine &line)
 {
     line.addOption({quickOption,
                     QStringLiteral("Fifteen contenders within 20 seconds; this if "
@@ -191,7 +188,7 @@ void addOptions(CommandLine &line)
                     QStringLiteral("budget")});
     line.addOption({formatOption, QStringLiteral("text, csv or json; text if left out."),
                     QStringLiteral("format"), QStringLiteral("text")});
-    line.addOption({{QStringLiteral("o"), outputOption},
+    line.addOption({{QStringLiteral("o"), studyOption},
                     QStringLiteral("Write to a file; - is standard output."),
                     QStringLiteral("file"),
                     QStringLiteral("-")});
@@ -218,7 +215,7 @@ ExitCode lab(const Command &command, const QStringList &arguments)
     Positional scene = scenePositional();
     scene.presence = Positional::Presence::Optional;
     CommandLine line(command, {scene});
-    addOptions(line);
+    addStudyOptions(line);
     if (const auto ended = line.parse(arguments))
         return *ended;
     const Result<LabFormat> format = chosenFormat(line);
@@ -230,7 +227,7 @@ ExitCode lab(const Command &command, const QStringList &arguments)
     const Result<StudySettings> settings = settingsFrom(line);
     if (!settings)
         return line.refuse(settings.error());
-    Output output(line.value(outputOption));
+    Output output(line.value(studyOption));
     if (const auto error = output.open())
         return line.refuse(*error);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/suggestion.h"
+#include "app/cli/console.h"
 #include "core/scene/inputrecord.h"
 #include "version.h"
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/sceneoptions.h"
 
-#include "app/cli/forceoption.h"
-#include "app/cli/input.h"
-#include "app/cli/suggestion.h"
-#include "app/cli/wholenumber.h"
+#include "app/cli/console.h"
+#include "app/cli/files.h"
 #include "core/grade/defect.h"
 #include "core/runs/clampeddepths.h"
 #include "core/runs/sceneplan.h"
@@ -285,6 +283,23 @@ std::optional<InputError> refusalToJudge(const Scene &scene, const QString &path
         return std::nullopt;
     return InputError{path, drawsNoneText(scene),
                       QStringLiteral("a method that draws one, in the scene or as --method")};
+}
+
+WholeRange primitivesOf(const ScanTrace &trace)
+{
+    return {0, std::int64_t(trace.primitiveCount()) - 1,
+            QStringLiteral("no primitive of the scene")};
+}
+
+void reportRejections(const QString &drawnBy, const std::vector<RejectedPrimitive> &rejected)
+{
+    constexpr std::size_t mostReported = 5;
+    const std::size_t reported = std::min(rejected.size(), mostReported);
+    for (std::size_t i = 0; i < reported; ++i)
+        sayLine(drawnBy + QStringLiteral(": ") + rejected[i].message());
+    if (rejected.size() > reported)
+        sayLine(QStringLiteral("%1: %2 more primitives are not drawn")
+                    .arg(drawnBy, QString::number(rejected.size() - reported)));
 }
 
 } // namespace pixelplumb::cli

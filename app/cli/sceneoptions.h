@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/cli/commandline.h"
+#include "app/cli/options.h"
 #include "core/methods/method.h"
+#include "core/runs/rejectedprimitives.h"
 #include "core/scene/scenefile.h"
+#include "core/trace/scantrace.h"
 
 namespace pixelplumb::cli {
 
@@ -54,5 +56,13 @@ std::optional<InputError> refusalToJudge(const Scene &scene, const QString &path
 Result<const Method *> chosenMethod(const CommandLine &line, const QString &unset);
 Result<Arithmetic> chosenArithmetic(const CommandLine &line, Arithmetic unset);
 Result<FillRule> chosenFillRule(const CommandLine &line, FillRule unset);
+
+/// What --triangle can name: a run's primitives, counted from 0.
+WholeRange primitivesOf(const ScanTrace &trace);
+
+/// Reports on stderr what a method does not draw, so that an empty picture is explained: the first
+/// five a line each, the rest as a count. `drawnBy` says which scene and method are meant:
+/// "scene.json, polygon-fan".
+void reportRejections(const QString &drawnBy, const std::vector<RejectedPrimitive> &rejected);
 
 } // namespace pixelplumb::cli

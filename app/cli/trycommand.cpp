@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/diagnosisreport.h"
-#include "app/cli/diffreport.h"
-#include "app/cli/programoptions.h"
-#include "app/cli/progress.h"
+#include "app/cli/console.h"
+#include "app/cli/options.h"
+#include "app/cli/reports.h"
 #include "app/cli/sceneoptions.h"
-#include "app/cli/toleranceoption.h"
 #include "core/grade/showntext.h"
 #include "core/grade/trial.h"
 
@@ -45,7 +43,7 @@ QStringList linesOf(const SceneTrial &tried)
     if (trial.picture) {
         if (trial.output.picture->isTransparent)
             lines += QStringLiteral("    its picture ") + transparencyText();
-        for (const QString &line : textOf(*trial.picture))
+        for (const QString &line : diffLines(*trial.picture))
             lines += QStringLiteral("    ") + line;
     }
     if (const auto beyond = beyondFrameText(trial.output))
@@ -82,7 +80,7 @@ QJsonObject objectOf(const SceneTrial &tried)
     if (trial.output.trace)
         object.insert(QStringLiteral("beyondFrame"), qint64(trial.output.trace->beyondFrame));
     if (trial.picture)
-        object.insert(QStringLiteral("picture"), jsonOf(*trial.picture));
+        object.insert(QStringLiteral("picture"), diffJson(*trial.picture));
     object.insert(QStringLiteral("transparencyIgnored"),
                   trial.output.picture && trial.output.picture->isTransparent);
     if (trial.trace)
@@ -185,14 +183,14 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
             trials.append(objectOf(each));
         QJsonObject report{{QStringLiteral("right"), areRight}, {QStringLiteral("trials"), trials}};
         if (diagnosis)
-            report.insert(QStringLiteral("diagnosis"), jsonOf(*diagnosis, submissions));
+            report.insert(QStringLiteral("diagnosis"), diagnosisJson(*diagnosis, submissions));
         addConfinement(report);
         printJson(QJsonDocument(report));
     } else {
         for (const SceneTrial &each : tried)
             printLines(linesOf(each));
         if (diagnosis)
-            printLines(textOf(*diagnosis, submissions));
+            printLines(diagnosisLines(*diagnosis, submissions));
         else if (areRight)
             printLine(verdictOf(tried));
         printLines(confinementLines());

@@ -3,10 +3,21 @@
 
 #include "app/cli/commandline.h"
 #include "core/grade/counterexample.h"
+#include "core/runs/contender.h"
+#include "core/scene/result.h"
 
 #include <QJsonObject>
 
 namespace pixelplumb::cli {
+
+/// Reads "method[:arithmetic[:fill-rule[:variant…]]]" or "truth[:fill-rule]". What is left out
+/// comes from the scene, or is the method's first choice where it lacks the scene's. The error
+/// names the place ("--methods") and the wrong word.
+Result<Contender> contenderNamed(const QString &place, const QString &entry,
+                                 const ScanSettings &ofScene);
+
+/// Reads two to four contenders, separated by commas, from the option --methods.
+Result<std::vector<Contender>> contendersNamed(const QString &list, const ScanSettings &ofScene);
 
 /// The command-line words that name the picture sources, and the sources they name.
 struct Sides {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/layeroptions.h"
+#include "app/cli/renderlayers.h"
 
-#include "app/cli/enlargedpicture.h"
-#include "app/cli/progress.h"
-#include "app/cli/rowoptions.h"
-#include "app/cli/suggestion.h"
-#include "app/cli/wholenumber.h"
+#include "app/cli/console.h"
+#include "app/cli/files.h"
+#include "app/cli/sceneoptions.h"
 #include "core/layers/layer.h"
 #include "core/layers/layerpainter.h"
 #include "core/scene/coordinatetext.h"
