@@ -88,7 +88,7 @@ void CommandLine::replacePositionals(const QString &option, std::vector<Position
     m_replacements.insert_or_assign(option, std::move(positionals));
 }
 
-std::optional<ExitCode> CommandLine::parse(const QStringList &arguments)
+void CommandLine::parse(const QStringList &arguments)
 {
     const bool parsed = m_parser.parse(QStringList{QCoreApplication::applicationName()}
                                        + withProtectedNumbers(arguments));
@@ -98,16 +98,14 @@ std::optional<ExitCode> CommandLine::parse(const QStringList &arguments)
     }
     if (m_parser.isSet(QStringLiteral("help"))) {
         printHelp();
-        return ExitCode::Done;
+        throw Ended{ExitCode::Done};
     }
-    if (!parsed) {
-        return refuse(m_parser.unknownOptionNames().isEmpty() ? m_parser.errorText()
-                                                              : unknownOption());
-    }
+    if (!parsed)
+        refuse(m_parser.unknownOptionNames().isEmpty() ? m_parser.errorText() : unknownOption());
     if (const QString repeated = repeatedOption(); !repeated.isEmpty())
-        return refuse(repeated);
+        refuse(repeated);
     if (const QString empty = emptyOption(); !empty.isEmpty())
-        return refuse(empty);
+        refuse(empty);
     const QStringList positionals = m_parser.positionalArguments();
     const auto expected = qsizetype(m_positionals.size());
     const auto presence
@@ -115,7 +113,7 @@ std::optional<ExitCode> CommandLine::parse(const QStringList &arguments)
     if (positionals.size() < expected
         && presence(positionals.size()) != Positional::Presence::Optional) {
         const Positional &missing = m_positionals[std::size_t(positionals.size())];
-        return refuse(QStringLiteral("%1 is missing: %2").arg(missing.name, missing.meaning));
+        refuse(QStringLiteral("%1 is missing: %2").arg(missing.name, missing.meaning));
     }
     const auto last = expected > 0 ? presence(expected - 1) : Positional::Presence::Required;
     const bool takesMore
@@ -126,12 +124,10 @@ std::optional<ExitCode> CommandLine::parse(const QStringList &arguments)
     for (qsizetype place = 0; place < filled; ++place) {
         const Positional &positional = m_positionals[std::size_t(std::min(place, expected - 1))];
         if (positionals[place].isEmpty())
-            return refuse(
-                QStringLiteral("%1 is empty: %2").arg(positional.name, positional.meaning));
+            refuse(QStringLiteral("%1 is empty: %2").arg(positional.name, positional.meaning));
     }
     if (positionals.size() > expected && !takesMore)
-        return refuse(QStringLiteral("unexpected argument “%1”").arg(argument(expected)));
-    return std::nullopt;
+        refuse(QStringLiteral("unexpected argument “%1”").arg(argument(expected)));
 }
 
 QString CommandLine::value(const QString &option) const
@@ -190,13 +186,6 @@ QString CommandLine::unknownOption() const
     const QString text = QStringLiteral("unknown option %1").arg(dashed(name));
     return closest.isEmpty() ? text
                              : text + QStringLiteral("; did you mean %1?").arg(dashed(closest));
-}
-
-ExitCode CommandLine::refuse(const QString &what) const
-{
-    const QString program = QCoreApplication::applicationName() + u' ' + m_name;
-    sayLine(QStringLiteral("%1: %2").arg(program, what));
-    return ExitCode::Usage;
 }
 
 void CommandLine::printHelp() const

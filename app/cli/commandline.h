@@ -34,8 +34,8 @@ struct Positional {
     Presence presence = Presence::Required;
 };
 
-/// The words after a command: options, and the positional arguments that the command names. Every
-/// error is reported on stderr with the word in question.
+/// The words after a command: options, and the positional arguments that the command names. What
+/// is wrong with them is told with the word in question.
 class CommandLine {
 public:
     CommandLine(const Command &command, std::vector<Positional> positionals);
@@ -44,8 +44,8 @@ public:
     void addRepeatedOption(const QCommandLineOption &option); ///< may be repeated
     /// Where the option is set, these positionals replace the command's own.
     void replacePositionals(const QString &option, std::vector<Positional> positionals);
-    /// An exit code when there is nothing left to do: help was asked for, or the words are wrong.
-    std::optional<ExitCode> parse(const QStringList &arguments);
+    /// Ends the command where help was asked for, or the words are wrong.
+    void parse(const QStringList &arguments);
 
     bool isSet(const QString &option) const { return m_parser.isSet(option); }
     /// Negative numbers are values, not options.
@@ -57,9 +57,7 @@ public:
     QString argument(qsizetype index) const;
     QStringList arguments() const;
 
-    /// Reports on stderr what is wrong with the command line or its input.
-    ExitCode refuse(const QString &what) const;
-    ExitCode refuse(const InputError &error) const { return refuse(error.message()); }
+    const QString &command() const { return m_name; }
 
 private:
     void setPositionals(std::vector<Positional> positionals);

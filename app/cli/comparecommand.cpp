@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
-#include "app/cli/drawers.h"
 #include "app/cli/files.h"
 #include "app/cli/options.h"
-#include "app/cli/reports.h"
-#include "app/cli/sceneoptions.h"
 #include "core/compare/contest.h"
 
 #include <QImage>
@@ -84,55 +81,41 @@ ExitCode compare(const Command &command, const QStringList &arguments)
          QStringLiteral("file")});
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
     addSettingOptions(line);
-    if (const auto ended = line.parse(arguments))
-        return *ended;
+    line.parse(arguments);
     if (!line.isSet(methodsOption))
-        return line.refuse(QStringLiteral("--methods is missing; expected a list such as "
-                                          "column-scan:exact,column-scan:float32,truth"));
+        refuse(QStringLiteral("--methods is missing; expected a list such as "
+                              "column-scan:exact,column-scan:float32,truth"));
     const auto limit = wholeNumberOf(line, limitOption, {});
-    if (!limit)
-        return line.refuse(limit.error());
     const auto format = pictureFormatOf(line, drawingOption);
-    if (!format)
-        return line.refuse(format.error());
-    if (const auto refusal
-        = refusalOfStandardOutput(line.value(drawingOption), QStringLiteral("a file")))
-        return line.refuse(*refusal);
-    const Result<Scene> scene = readScene(line, line.argument(0));
-    if (!scene)
-        return line.refuse(scene.error());
-    const Result<std::vector<Contender>> contenders
-        = contendersNamed(line.value(methodsOption), scene->settings);
-    if (!contenders)
-        return line.refuse(contenders.error());
-    for (const Contender &contender : *contenders) {
+    refuseStandardOutput(line.value(drawingOption), QStringLiteral("a file"));
+    const Scene scene = readScene(line, line.argument(0));
+    const std::vector<Contender> contenders
+        = contendersNamed(line.value(methodsOption), scene.settings);
+    for (const Contender &contender : contenders) {
         if (contender.isTruth())
             continue;
-        if (const auto refusal
-            = refusalOf(sceneFor(*scene, contender), QStringLiteral("--methods")))
-            return line.refuse(*refusal);
+        refuseIf(refusalOf(sceneFor(scene, contender), QStringLiteral("--methods")));
     }
 
     const auto contest = withProgress([&](const ProgressListener &listener) {
         ContestOptions options;
         options.progress = listener;
-        return compareContenders(*scene, *contenders, options);
+        return compareContenders(scene, contenders, options);
     });
-    for (const Contender &contender : *contenders) {
+    for (const Contender &contender : contenders) {
         if (!contender.isTruth())
             reportRejections(line.argument(0) + QStringLiteral(", ") + contender.name(),
-                             rejectedPrimitives(sceneFor(*scene, contender)));
+                             rejectedPrimitives(sceneFor(scene, contender)));
     }
 
-    const CompareReport report{*contest, std::size_t(limit->value())};
+    const CompareReport report{*contest, std::size_t(limit.value())};
     if (line.isSet(jsonOption))
         printJson(QJsonDocument(compareJson(report)));
     else
         printLines(compareLines(report));
     if (line.isSet(drawingOption)) {
         Output output(line.value(drawingOption));
-        if (const auto error = writePicture(pictureOf(*contest), output, *format))
-            return line.refuse(*error);
+        writePicture(pictureOf(*contest), output, format);
     }
     const bool agree = contest->agreement.differing() == 0
         && std::ranges::none_of(contest->carried,

@@ -5,6 +5,8 @@
 #include "core/scene/inputrecord.h"
 #include "core/scene/shortened.h"
 
+#include <QCoreApplication>
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -31,6 +33,28 @@ void writeBytes(std::FILE *stream, const QByteArray &bytes)
 }
 
 } // namespace
+
+void refuse(const InputError &why) { throw Ended{ExitCode::Usage, why}; }
+
+void refuse(const QString &what) { refuse(InputError{{}, what, {}}); }
+
+void refuseIf(const std::optional<InputError> &why)
+{
+    if (why)
+        refuse(*why);
+}
+
+ExitCode endOf(const QString &command, const std::function<ExitCode()> &work)
+{
+    try {
+        return work();
+    } catch (const Ended &end) {
+        if (const QString why = end.why.message(); !why.isEmpty())
+            sayLine(
+                QStringLiteral("%1 %2: %3").arg(QCoreApplication::applicationName(), command, why));
+        return end.code;
+    }
+}
 
 QByteArray shownLines(const QStringList &lines)
 {
@@ -132,14 +156,14 @@ QString suggestion(const QString &word, const QStringList &candidates)
     return closest.isEmpty() ? QString() : QStringLiteral("; did you mean %1?").arg(closest);
 }
 
-InputError unknownName(const QString &place, const QString &what, const QString &word,
-                       const QStringList &names)
+void refuseUnknown(const QString &place, const QString &what, const QString &word,
+                   const QStringList &names)
 {
-    return {place, QStringLiteral("unknown %1 “%2”").arg(what, word) + suggestion(word, names),
-            QStringLiteral("one of ") + names.join(QStringLiteral(", "))};
+    refuse({place, QStringLiteral("unknown %1 “%2”").arg(what, word) + suggestion(word, names),
+            QStringLiteral("one of ") + names.join(QStringLiteral(", "))});
 }
 
-InputError unknownAmongMany(const QString &place, const QString &what, const QString &word,
+void refuseUnknownAmongMany(const QString &place, const QString &what, const QString &word,
                             const QStringList &names, const QString &expected)
 {
     constexpr qsizetype mostNamed = 3;
@@ -147,7 +171,7 @@ InputError unknownAmongMany(const QString &place, const QString &what, const QSt
     const QString meant = nearest.isEmpty()
         ? QString()
         : QStringLiteral("; did you mean %1?").arg(nearest.join(QStringLiteral(" or ")));
-    return {place, QStringLiteral("unknown %1 “%2”").arg(what, word) + meant, expected};
+    refuse({place, QStringLiteral("unknown %1 “%2”").arg(what, word) + meant, expected});
 }
 
 QStringList alignedRows(const std::vector<QStringList> &rows,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/number/jobprogress.h"
-#include "core/scene/result.h"
+#include "core/scene/fileaccess.h"
 
 #include <QElapsedTimer>
 #include <QJsonDocument>
@@ -24,6 +24,34 @@ enum class ExitCode {
     Internal = 70,
 };
 
+/// Thrown to end a command: what is wrong, if anything, is reported with the command's name.
+struct Ended {
+    ExitCode code = ExitCode::Usage;
+    InputError why = {};
+};
+[[noreturn]] void refuse(const InputError &why);
+[[noreturn]] void refuse(const QString &what);
+void refuseIf(const std::optional<InputError> &why);
+/// The value, or refuses.
+template <class Value>
+Value required(Result<Value> result)
+{
+    if (!result)
+        refuse(result.error());
+    return std::move(*result);
+}
+/// The same of what a file says; the refusal names the file.
+template <class Value>
+Value requiredIn(const QString &path, Result<Value> result)
+{
+    if (!result)
+        refuse(errorIn(path, result.error()));
+    return std::move(*result);
+}
+
+/// Does a command's work, reports what ends it, and returns the exit code.
+ExitCode endOf(const QString &command, const std::function<ExitCode()> &work);
+
 /// The lines as they are printed: UTF-8 whatever the locale, unprintable characters as their codes.
 QByteArray shownLines(const QStringList &lines);
 /// A result: a line on stdout.
@@ -43,14 +71,15 @@ QString closestTo(const QString &word, const QStringList &candidates);
 /// "; did you mean render?", or nothing.
 QString suggestion(const QString &word, const QStringList &candidates);
 
-/// The error for a word that is none of the names; `what` it should have named: "arithmetic".
-InputError unknownName(const QString &place, const QString &what, const QString &word,
-                       const QStringList &names);
+/// Refuses a word that is none of the names; `what` it should have named: "arithmetic".
+[[noreturn]] void refuseUnknown(const QString &place, const QString &what, const QString &word,
+                                const QStringList &names);
 
-/// Like unknownName(), but with so many names that only the nearest are listed; `expected` says
+/// Like refuseUnknown(), but with so many names that only the nearest are listed; `expected` says
 /// what else there is.
-InputError unknownAmongMany(const QString &place, const QString &what, const QString &word,
-                            const QStringList &names, const QString &expected);
+[[noreturn]] void refuseUnknownAmongMany(const QString &place, const QString &what,
+                                         const QString &word, const QStringList &names,
+                                         const QString &expected);
 
 /// Formats a table as lines with aligned columns, two blanks apart: words to the left, numbers to
 /// the right. All rows have equally many cells. No line ends in blanks.

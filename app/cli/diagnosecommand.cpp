@@ -3,8 +3,6 @@
 #include "app/cli/console.h"
 #include "app/cli/files.h"
 #include "app/cli/options.h"
-#include "app/cli/reports.h"
-#include "app/cli/sceneoptions.h"
 #include "core/number/failure.h"
 #include "core/scan/choicenames.h"
 
@@ -127,20 +125,15 @@ QJsonObject diagnosisJson(const Diagnosis &diagnosis, std::span<const Submission
 namespace {
 
 /// The picture of a file.
-Result<Submission> readSubmission(const CommandLine &line, const QString &scenePath,
-                                  const QString &picturePath)
+Submission readSubmission(const CommandLine &line, const QString &scenePath,
+                          const QString &picturePath)
 {
-    Result<Scene> scene = readScene(line, scenePath);
-    if (!scene)
-        return scene.error();
-    if (const auto refusal = refusalToJudge(*scene, scenePath))
-        return *refusal;
-    Result<Picture> picture = readPicture(picturePath);
-    if (!picture)
-        return picture.error();
-    if (picture->hasColours)
-        coverAllBut(scene->frame.background, *picture);
-    return Submission{std::move(*scene), std::move(*picture)};
+    Scene scene = readScene(line, scenePath);
+    refuseToJudgeBy(scene, scenePath);
+    Picture picture = readPicture(picturePath);
+    if (picture.hasColours)
+        coverAllBut(scene.frame.background, picture);
+    return Submission{std::move(scene), std::move(picture)};
 }
 
 } // namespace
@@ -160,34 +153,28 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
     addToleranceOption(line);
     addSettingOptions(line);
-    if (const auto ended = line.parse(arguments))
-        return *ended;
-    const Result<Arithmetic> tolerance = chosenTolerance(line);
-    if (!tolerance)
-        return line.refuse(tolerance.error());
+    line.parse(arguments);
+    const Arithmetic tolerance = chosenTolerance(line);
     const QStringList scenes = line.values(sceneOption);
     const QStringList pictures = line.arguments();
     if (scenes.size() != pictures.size())
-        return line.refuse(QStringLiteral("--scene is given %1 times, PICTURE %2 times; expected "
-                                          "--scene FILE once for each picture, in their order")
-                               .arg(scenes.size())
-                               .arg(pictures.size()));
+        refuse(QStringLiteral("--scene is given %1 times, PICTURE %2 times; expected "
+                              "--scene FILE once for each picture, in their order")
+                   .arg(scenes.size())
+                   .arg(pictures.size()));
     std::vector<Submission> submissions;
     for (qsizetype i = 0; i < scenes.size(); ++i) {
-        Result<Submission> submission = readSubmission(line, scenes[i], pictures[i]);
-        if (!submission)
-            return line.refuse(submission.error());
-        const FrameSpec &frame = submission->scene.frame;
-        const Picture &picture = submission->picture;
-        if (const auto refusal = refusalOfSizes({pictures[i], QSize(picture.width, picture.height)},
-                                                {scenes[i], QSize(frame.width, frame.height)}))
-            return *refusal;
+        Submission submission = readSubmission(line, scenes[i], pictures[i]);
+        const FrameSpec &frame = submission.scene.frame;
+        const Picture &picture = submission.picture;
+        refuseOtherSizes({pictures[i], QSize(picture.width, picture.height)},
+                         {scenes[i], QSize(frame.width, frame.height)});
         if (picture.isTransparent)
             sayLine(pictures[i] + QStringLiteral(": ") + transparencyText());
-        submissions.push_back(std::move(*submission));
+        submissions.push_back(std::move(submission));
     }
     const auto diagnosis = withProgress([&](const ProgressListener &listener) {
-        return pixelplumb::diagnose(submissions, listener, *tolerance);
+        return pixelplumb::diagnose(submissions, listener, tolerance);
     });
     if (line.isSet(jsonOption))
         printJson(QJsonDocument(diagnosisJson(*diagnosis, submissions)));

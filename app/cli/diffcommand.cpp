@@ -2,8 +2,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
 #include "app/cli/options.h"
-#include "app/cli/reports.h"
-#include "app/cli/sceneoptions.h"
 #include "core/grade/diagnosis.h"
 #include "core/grade/drawntwice.h"
 #include "core/grade/undecidable.h"
@@ -98,29 +96,19 @@ struct Side {
 };
 
 /// Reads a side; an input that is a JSON object is a scene.
-Result<Side> readSide(const QString &path)
+Side readSide(const QString &path)
 {
-    const Result<QByteArray> content = readInput(path, largestPictureFile);
-    if (!content)
-        return content.error();
+    const QByteArray content = readInput(path, largestPictureFile);
     const QString formats
         = pictureFormatsText() + QStringLiteral(", or a scene as a JSON object: {…}");
-    const QByteArray text = content->trimmed();
+    const QByteArray text = content.trimmed();
     if (text.startsWith('['))
-        return InputError{path, QStringLiteral("a list in JSON is no scene"), formats};
-    if (!text.startsWith('{')) {
-        Result<Picture> picture = parsePicture(*content, path, formats);
-        if (!picture)
-            return picture.error();
-        return Side{std::move(*picture), std::nullopt};
-    }
-    const Result<SceneReading> reading = sceneIn(*content, path);
-    if (!reading)
-        return reading.error();
-    const Scene &scene = reading->scene;
-    if (const auto refusal = refusalOf(scene, path))
-        return *refusal;
-    return Side{pictureOf(scene), scene};
+        refuse({path, QStringLiteral("a list in JSON is no scene"), formats});
+    if (!text.startsWith('{'))
+        return {required(parsePicture(content, path, formats)), std::nullopt};
+    const Scene scene = sceneIn(content, path).scene;
+    refuseIf(refusalOf(scene, path));
+    return {pictureOf(scene), scene};
 }
 
 /// What the scene on either side leaves open at the other side's pixels.
@@ -143,15 +131,15 @@ std::int64_t drawnTwiceIn(const Side &expected, const Side &found)
 }
 
 /// The background: the option's, else the scene's; a raster needs none.
-Result<Colour> backgroundFor(const CommandLine &line, const Side &expected, const Side &found)
+Colour backgroundFor(const CommandLine &line, const Side &expected, const Side &found)
 {
     const QString option = QStringLiteral("background");
     if (line.isSet(option)) {
         if (const auto colour = parseColour(line.value(option)))
             return colour->colour;
-        return InputError{QStringLiteral("--background"),
-                          QStringLiteral("“%1” is no colour").arg(line.value(option)),
-                          QStringLiteral("#rrggbb")};
+        refuse({QStringLiteral("--background"),
+                QStringLiteral("“%1” is no colour").arg(line.value(option)),
+                QStringLiteral("#rrggbb")});
     }
     for (const Side *side : {&expected, &found}) {
         if (side->scene)
@@ -184,52 +172,38 @@ ExitCode diff(const Command &command, const QStringList &arguments)
                     QStringLiteral("#rrggbb")});
     addToleranceOption(line);
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
-    if (const auto ended = line.parse(arguments))
-        return *ended;
+    line.parse(arguments);
     const auto format = pictureFormatOf(line, markedOption);
-    if (!format)
-        return line.refuse(format.error());
-    if (const auto refusal
-        = refusalOfStandardOutput(line.value(markedOption), QStringLiteral("a file")))
-        return line.refuse(*refusal);
+    refuseStandardOutput(line.value(markedOption), QStringLiteral("a file"));
     if (line.isSet(asciiOption) && line.isSet(jsonOption))
-        return line.refuse(QStringLiteral("--ascii and --json: a raster is no JSON; expected one "
-                                          "of them"));
-    const Result<Arithmetic> tolerance = chosenTolerance(line);
-    if (!tolerance)
-        return line.refuse(tolerance.error());
+        refuse(QStringLiteral("--ascii and --json: a raster is no JSON; expected one "
+                              "of them"));
+    const Arithmetic tolerance = chosenTolerance(line);
     if (line.argument(0) == QStringLiteral("-") && line.argument(1) == QStringLiteral("-"))
-        return line.refuse(QStringLiteral("standard input can be only one of the two"));
-    Result<Side> expected = readSide(line.argument(0));
-    if (!expected)
-        return line.refuse(expected.error());
-    Result<Side> found = readSide(line.argument(1));
-    if (!found)
-        return line.refuse(found.error());
+        refuse(QStringLiteral("standard input can be only one of the two"));
+    Side expected = readSide(line.argument(0));
+    Side found = readSide(line.argument(1));
     const auto sizeOf = [](const Picture &picture) { return QSize(picture.width, picture.height); };
-    if (const auto refusal = refusalOfSizes({line.argument(0), sizeOf(expected->picture)},
-                                            {line.argument(1), sizeOf(found->picture)}))
-        return *refusal;
-    const Result<Colour> background = backgroundFor(line, *expected, *found);
-    if (!background)
-        return line.refuse(background.error());
-    for (Side *side : {&*expected, &*found}) {
+    refuseOtherSizes({line.argument(0), sizeOf(expected.picture)},
+                     {line.argument(1), sizeOf(found.picture)});
+    const Colour background = backgroundFor(line, expected, found);
+    for (Side *side : {&expected, &found}) {
         if (!side->scene && side->picture.hasColours)
-            coverAllBut(*background, side->picture);
+            coverAllBut(background, side->picture);
     }
     for (const auto &[path, side] :
-         {std::pair(line.argument(0), &*expected), std::pair(line.argument(1), &*found)}) {
+         {std::pair(line.argument(0), &expected), std::pair(line.argument(1), &found)}) {
         if (side->picture.isTransparent)
             sayLine(path + QStringLiteral(": ") + transparencyText());
     }
-    const PictureDiff difference = differenceOf(expected->picture, found->picture,
-                                                undecidableOf(*expected, *found, *tolerance));
-    const std::int64_t twice = drawnTwiceIn(*expected, *found);
+    const PictureDiff difference
+        = differenceOf(expected.picture, found.picture, undecidableOf(expected, found, tolerance));
+    const std::int64_t twice = drawnTwiceIn(expected, found);
     if (line.isSet(jsonOption)) {
         QJsonObject object = diffJson(difference);
         object.insert(QStringLiteral("drawnTwice"), qint64(twice));
         object.insert(QStringLiteral("transparencyIgnored"),
-                      expected->picture.isTransparent || found->picture.isTransparent);
+                      expected.picture.isTransparent || found.picture.isTransparent);
         printJson(QJsonDocument(object));
     } else {
         printLines(diffLines(difference));
@@ -238,13 +212,11 @@ ExitCode diff(const Command &command, const QStringList &arguments)
                                      "rule says, as on edges that two triangles share")
                           .arg(twice));
         if (line.isSet(asciiOption))
-            printLines(rasterOf(difference, expected->picture).chopped(1).split(u'\n'));
+            printLines(rasterOf(difference, expected.picture).chopped(1).split(u'\n'));
     }
     if (line.isSet(markedOption)) {
         Output output(line.value(markedOption));
-        if (const auto error
-            = writePicture(markedPicture(difference, expected->picture), output, *format))
-            return line.refuse(*error);
+        writePicture(markedPicture(difference, expected.picture), output, format);
     }
     return difference.differing() > 0 ? ExitCode::FallsShort : ExitCode::Done;
 }

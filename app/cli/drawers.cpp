@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/drawers.h"
-
 #include "app/cli/console.h"
 #include "app/cli/options.h"
-#include "app/cli/sceneoptions.h"
 #include "core/compare/contest.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/colourtext.h"
@@ -31,71 +28,63 @@ QStringList contenderNames()
 }
 
 /// Applies one word after the method's name to the settings.
-std::optional<InputError> apply(const QString &place, const QString &word, Contender &contender)
+void apply(const QString &place, const QString &word, Contender &contender)
 {
     const std::string name = word.toStdString();
     if (const auto rule = fillRuleNamed(name)) {
         contender.settings.fillRule = *rule;
-        return std::nullopt;
+        return;
     }
     if (contender.isTruth())
-        return unknownName(place, QStringLiteral("fill rule of the truth"), word,
-                           namesOf(allFillRules));
+        refuseUnknown(place, QStringLiteral("fill rule of the truth"), word, namesOf(allFillRules));
     if (const auto arithmetic = arithmeticNamed(name)) {
         contender.settings.arithmetic = *arithmetic;
-        return std::nullopt;
+        return;
     }
     if (const auto variant = variantNamed(name)) {
         contender.settings.variants = contender.settings.variants.with(*variant);
-        return std::nullopt;
+        return;
     }
-    return unknownName(place, QStringLiteral("arithmetic, fill rule or variant"), word,
-                       namesOf(allArithmetics) + namesOf(allFillRules) + namesOf(allVariants));
+    refuseUnknown(place, QStringLiteral("arithmetic, fill rule or variant"), word,
+                  namesOf(allArithmetics) + namesOf(allFillRules) + namesOf(allVariants));
 }
 
 } // namespace
 
-Result<Contender> contenderNamed(const QString &place, const QString &entry,
-                                 const ScanSettings &ofScene)
+Contender contenderNamed(const QString &place, const QString &entry, const ScanSettings &ofScene)
 {
     const QStringList words = entry.trimmed().split(u':');
     Contender contender{nullptr, ofScene};
     if (words.front() != truthWord) {
         const Method *method = methodNamed(words.front());
         if (!method)
-            return unknownName(place, QStringLiteral("method"), words.front(), contenderNames());
+            refuseUnknown(place, QStringLiteral("method"), words.front(), contenderNames());
         contender = contenderFor(*method, ofScene);
     }
-    for (const QString &word : words.sliced(1)) {
-        if (const auto error = apply(place, word, contender))
-            return *error;
-    }
+    for (const QString &word : words.sliced(1))
+        apply(place, word, contender);
     if (!contender.isTruth()) {
         const QString refusal = contender.method->refusal(contender.settings);
         if (!refusal.isEmpty())
-            return InputError{place, refusal, {}};
+            refuse({place, refusal, {}});
     }
     return contender;
 }
 
-Result<std::vector<Contender>> contendersNamed(const QString &list, const ScanSettings &ofScene)
+std::vector<Contender> contendersNamed(const QString &list, const ScanSettings &ofScene)
 {
     const QStringList entries = list.split(u',');
     const auto count = std::size_t(entries.size());
     if (count < fewestContenders || count > mostContenders)
-        return InputError{methodsOption,
-                          count == 1 ? QStringLiteral("1 contender")
-                                     : QStringLiteral("%1 contenders").arg(count),
-                          QStringLiteral("%1 to %2, separated by commas")
-                              .arg(fewestContenders)
-                              .arg(mostContenders)};
+        refuse({methodsOption,
+                count == 1 ? QStringLiteral("1 contender")
+                           : QStringLiteral("%1 contenders").arg(count),
+                QStringLiteral("%1 to %2, separated by commas")
+                    .arg(fewestContenders)
+                    .arg(mostContenders)});
     std::vector<Contender> contenders;
-    for (const QString &entry : entries) {
-        const Result<Contender> contender = contenderNamed(methodsOption, entry, ofScene);
-        if (!contender)
-            return contender.error();
-        contenders.push_back(*contender);
-    }
+    for (const QString &entry : entries)
+        contenders.push_back(contenderNamed(methodsOption, entry, ofScene));
     return contenders;
 }
 
@@ -118,14 +107,14 @@ QStringList methodIds()
 }
 
 /// The program in a word of the command line; `place` is for errors.
-Result<StudentProgram> programNamed(const QString &place, const QString &word)
+StudentProgram programNamed(const QString &place, const QString &word)
 {
     const QStringList command = QProcess::splitCommand(word.sliced(programPrefix.size()));
     if (command.isEmpty())
-        return InputError{place, QStringLiteral("“%1” names no program").arg(word),
-                          QStringLiteral("“program:COMMAND”: the program and its arguments, such "
-                                         "as “program:python3 scan.py”")};
-    return studentProgramOf(command);
+        refuse({place, QStringLiteral("“%1” names no program").arg(word),
+                QStringLiteral("“program:COMMAND”: the program and its arguments, such "
+                               "as “program:python3 scan.py”")});
+    return required(studentProgramOf(command));
 }
 
 /// The kinds a method draws: "circles and ellipses".
@@ -150,15 +139,15 @@ QString placeText(const LatticePoint &place)
     return withMinus(QStringLiteral("(%1, %2)").arg(number(place.x), number(place.y)));
 }
 
-/// Why there are no random scenes for a method; none where there are.
-std::optional<InputError> refusalToSearch(const Method &method, const QString &place)
+/// Refuses a method of whose primitives there are no random scenes.
+void refuseToSearch(const Method &method, const QString &place)
 {
     if (method.draws(PrimitiveKind::Triangle) || method.draws(PrimitiveKind::Line))
-        return std::nullopt;
-    return InputError{place,
-                      QStringLiteral("method “%1” draws %2, of which there are no random scenes")
-                          .arg(method.id, drawnText(method)),
-                      QStringLiteral("a method that draws triangles or lines")};
+        return;
+    refuse({place,
+            QStringLiteral("method “%1” draws %2, of which there are no random scenes")
+                .arg(method.id, drawnText(method)),
+            QStringLiteral("a method that draws triangles or lines")});
 }
 
 } // namespace
@@ -202,34 +191,25 @@ QString sideMeaning()
                           "runs it");
 }
 
-Result<Sides> sidesOf(const CommandLine &line, const QStringList &places)
+Sides sidesOf(const CommandLine &line, const QStringList &places)
 {
     const qsizetype count = places.size();
-    const Result<TrialTerms> terms = chosenTerms(line);
-    if (!terms)
-        return terms.error();
+    const TrialTerms terms = chosenTerms(line);
     const bool hasProgram = std::ranges::any_of(
         line.arguments(), [](const QString &word) { return word.startsWith(programPrefix); });
-    if (!hasProgram) {
-        if (const auto refusal = refusalWithoutProgram(line))
-            return *refusal;
-    }
-    Result<Scene> conventions = underOptions(line, {}, QStringLiteral("--method"));
-    if (!conventions)
-        return conventions.error();
+    if (!hasProgram)
+        refuseProgramOptions(line);
+    Scene conventions = underOptions(line, {}, QStringLiteral("--method"));
     std::vector<std::optional<Contender>> contenders{std::size_t(count)};
     for (qsizetype i = 0; i < count; ++i) {
         const QString word = line.argument(i);
         if (!namesContender(word))
             continue;
-        const auto contender = contenderNamed(places[i], word, conventions->settings);
-        if (!contender)
-            return contender.error();
-        contenders[std::size_t(i)] = *contender;
+        contenders[std::size_t(i)] = contenderNamed(places[i], word, conventions.settings);
     }
     // A named method also stands for the other side's, and must draw the kinds in question.
-    Contender method = contenderFor(*methodNamed(QString::fromStdString(conventions->method)),
-                                    conventions->settings);
+    Contender method = contenderFor(*methodNamed(QString::fromStdString(conventions.method)),
+                                    conventions.settings);
     for (const auto &contender : contenders) {
         if (contender && !contender->isTruth()) {
             method = *contender;
@@ -237,21 +217,20 @@ Result<Sides> sidesOf(const CommandLine &line, const QStringList &places)
         }
     }
     Sides sides;
-    sides.conventions = sceneFor(*conventions, method);
+    sides.conventions = sceneFor(conventions, method);
     sides.conventions.settings.variants = {};
     if (count == 1 && contenders[0]) // the truth has its own rule
         sides.conventions.settings.fillRule = contenders[0]->settings.fillRule;
-    if (const auto refusal = refusalToSearch(*method.method, places[0]))
-        return *refusal;
+    refuseToSearch(*method.method, places[0]);
     for (qsizetype i = 0; i < count; ++i) {
         const auto &contender = contenders[std::size_t(i)];
         if (contender && !contender->isTruth()
             && !contender->method->draws(searchedKind(*method.method)))
-            return InputError{places[i],
-                              QStringLiteral("“%1” draws %2, “%3” draws %4")
-                                  .arg(contender->method->id, drawnText(*contender->method),
-                                       method.method->id, drawnText(*method.method)),
-                              QStringLiteral("methods that draw the same primitives")};
+            refuse({places[i],
+                    QStringLiteral("“%1” draws %2, “%3” draws %4")
+                        .arg(contender->method->id, drawnText(*contender->method),
+                             method.method->id, drawnText(*method.method)),
+                    QStringLiteral("methods that draw the same primitives")});
     }
     for (qsizetype i = 0; i < count; ++i) {
         if (contenders[std::size_t(i)]) {
@@ -260,10 +239,7 @@ Result<Sides> sidesOf(const CommandLine &line, const QStringList &places)
         }
         const QString word = line.argument(i);
         if (word.startsWith(programPrefix)) {
-            const auto student = programNamed(places[i], word);
-            if (!student)
-                return student.error();
-            sides.sources.push_back(sourceOf(*student, *terms));
+            sides.sources.push_back(sourceOf(programNamed(places[i], word), terms));
             sides.sources.back().name = word.sliced(programPrefix.size());
             continue;
         }
@@ -271,11 +247,11 @@ Result<Sides> sidesOf(const CommandLine &line, const QStringList &places)
         for (const Defect &defect : defectsUnder(sides.conventions))
             ids += defect.id;
         if (!ids.contains(word))
-            return unknownAmongMany(places[i], QStringLiteral("method, truth or defect"), word,
-                                    ids + methodIds(),
-                                    QStringLiteral("a method, truth, program:COMMAND or a defect "
-                                                   "that “methods %1” names")
-                                        .arg(method.method->id));
+            refuseUnknownAmongMany(places[i], QStringLiteral("method, truth or defect"), word,
+                                   ids + methodIds(),
+                                   QStringLiteral("a method, truth, program:COMMAND or a defect "
+                                                  "that “methods %1” names")
+                                       .arg(method.method->id));
         sides.sources.push_back(sourceOf(word, method));
     }
     return sides;

@@ -15,20 +15,19 @@
 
 namespace pixelplumb::cli {
 
-Result<QByteArray> readInput(const QString &path, qint64 most)
+QByteArray readInput(const QString &path, qint64 most)
 {
     if (path.isEmpty())
-        return InputError{QStringLiteral("“”"), QStringLiteral("names no file"),
-                          QStringLiteral("the name of one, or - for standard input")};
+        refuse({QStringLiteral("“”"), QStringLiteral("names no file"),
+                QStringLiteral("the name of one, or - for standard input")});
     if (path != QStringLiteral("-"))
-        return readFile(path, most);
+        return required(readFile(path, most));
     const QString place = QStringLiteral("standard input");
-    if (auto refusal = noteStandardInput())
-        return *refusal;
+    refuseIf(noteStandardInput());
     QFile input;
     if (!input.open(stdin, QIODevice::ReadOnly))
-        return InputError{place, input.errorString(), {}};
-    return readDevice(place, input, most);
+        refuse({place, input.errorString(), {}});
+    return required(readDevice(place, input, most));
 }
 
 QString folderOf(const QString &path)
@@ -42,14 +41,11 @@ Output::Output(const QString &path)
         m_file.emplace(path);
 }
 
-std::optional<InputError> Output::open()
+void Output::open()
 {
-    if (m_file)
-        return m_file->open();
-    if (auto refusal = refusalToPrint())
-        return refusal;
-    return m_standardOutput.open(fileno(stdout), QIODevice::WriteOnly) ? std::nullopt
-                                                                       : std::optional(error());
+    refuseIf(m_file ? m_file->open() : refusalToPrint());
+    if (!m_file && !m_standardOutput.open(fileno(stdout), QIODevice::WriteOnly))
+        refuse(error());
 }
 
 QIODevice &Output::device()
@@ -59,13 +55,12 @@ QIODevice &Output::device()
     return m_standardOutput;
 }
 
-std::optional<InputError> Output::finish()
+void Output::finish()
 {
     if (m_file)
-        return m_file->finish();
-    const bool isWritten
-        = m_standardOutput.error() == QFileDevice::NoError && m_standardOutput.flush();
-    return isWritten ? std::nullopt : std::optional(error());
+        return refuseIf(m_file->finish());
+    if (m_standardOutput.error() != QFileDevice::NoError || !m_standardOutput.flush())
+        refuse(error());
 }
 
 InputError Output::error(const QString &otherwise) const
@@ -75,70 +70,63 @@ InputError Output::error(const QString &otherwise) const
     return writingError(QStringLiteral("standard output"), m_standardOutput, otherwise);
 }
 
-std::optional<InputError> refusalOfStandardOutput(const QString &path, const QString &expected)
+void refuseStandardOutput(const QString &path, const QString &expected)
 {
-    if (path != QStringLiteral("-"))
-        return std::nullopt;
-    return InputError{QStringLiteral("-o -"), QStringLiteral("standard output has the report"),
-                      expected};
+    if (path == QStringLiteral("-"))
+        refuse(
+            {QStringLiteral("-o -"), QStringLiteral("standard output has the report"), expected});
 }
 
-Result<QStringList> outputPaths(const QString &output, const QStringList &inputs,
-                                const QString &suffix)
+QStringList outputPaths(const QString &output, const QStringList &inputs, const QString &suffix)
 {
     const bool isStandardOutput = output == QStringLiteral("-");
     const bool isFolder = !isStandardOutput && (output.endsWith(u'/') || QFileInfo(output).isDir());
     if (!isFolder && inputs.size() == 1)
         return QStringList(output);
     if (isStandardOutput)
-        return InputError{QStringLiteral("%1 scenes").arg(inputs.size()),
-                          QStringLiteral("standard output is one"),
-                          QStringLiteral("a folder to write to, -o DIR/")};
+        refuse({QStringLiteral("%1 scenes").arg(inputs.size()),
+                QStringLiteral("standard output is one"),
+                QStringLiteral("a folder to write to, -o DIR/")});
     if (!isFolder)
-        return InputError{
-            QStringLiteral("-o ") + output,
-            QStringLiteral("is one file for %1 scenes").arg(inputs.size()),
-            QStringLiteral("a folder, such as %1/").arg(QFileInfo(output).baseName())};
+        refuse({QStringLiteral("-o ") + output,
+                QStringLiteral("is one file for %1 scenes").arg(inputs.size()),
+                QStringLiteral("a folder, such as %1/").arg(QFileInfo(output).baseName())});
     QStringList paths;
     for (const QString &input : inputs) {
         if (input == QStringLiteral("-"))
-            return InputError{QStringLiteral("-o ") + output,
-                              QStringLiteral("standard input has no name in a folder"),
-                              QStringLiteral("a scene file, or a file to write to")};
+            refuse({QStringLiteral("-o ") + output,
+                    QStringLiteral("standard input has no name in a folder"),
+                    QStringLiteral("a scene file, or a file to write to")});
         const QString path
             = QDir(output).filePath(QFileInfo(input).completeBaseName() + u'.') + suffix;
         if (const qsizetype other = paths.indexOf(path); other >= 0)
-            return InputError{input,
-                              QStringLiteral("its picture would be %2, and so would that of %1")
-                                  .arg(inputs[other], path),
-                              QStringLiteral("scenes of different names")};
+            refuse({input,
+                    QStringLiteral("its picture would be %2, and so would that of %1")
+                        .arg(inputs[other], path),
+                    QStringLiteral("scenes of different names")});
         paths.append(path);
     }
     // Checked last: no folder is made for a refused path.
-    if (const auto refusal = refusalOfFolder(output))
-        return *refusal;
+    refuseIf(refusalOfFolder(output));
     return paths;
 }
 
-Result<Picture> readPicture(const QString &path)
+Picture readPicture(const QString &path)
 {
-    const Result<QByteArray> content = readInput(path, largestPictureFile);
-    if (!content)
-        return content.error();
-    return parsePicture(*content, path);
+    return required(parsePicture(readInput(path, largestPictureFile), path));
 }
 
-std::optional<ExitCode> refusalOfSizes(const SizedInput &one, const SizedInput &other)
+void refuseOtherSizes(const SizedInput &one, const SizedInput &other)
 {
     if (one.size == other.size)
-        return std::nullopt;
+        return;
     sayLine(
         QStringLiteral("%1 has %2 × %3 pixels%7, %4 has %5 × %6%8")
             .arg(one.path, QString::number(one.size.width()), QString::number(one.size.height()),
                  other.path, QString::number(other.size.width()),
                  QString::number(other.size.height()), sizeHint(one.size, other.size),
                  one.size == other.size.transposed() ? QString() : sizeHint(other.size, one.size)));
-    return ExitCode::SizesDiffer;
+    throw Ended{ExitCode::SizesDiffer};
 }
 
 const QStringList &pictureFormats()
@@ -148,7 +136,7 @@ const QStringList &pictureFormats()
     return formats;
 }
 
-Result<QString> pictureFormatOf(const QString &option, const QString &path)
+QString pictureFormatOf(const QString &option, const QString &path)
 {
     const QFileInfo file(path);
     const bool isStream = path == QStringLiteral("-") || path.startsWith(QStringLiteral("/dev/"))
@@ -158,43 +146,42 @@ Result<QString> pictureFormatOf(const QString &option, const QString &path)
         return format;
     if (isStream)
         return pictureFormats().front();
-    return InputError{
-        option + u' ' + path,
-        format.isEmpty() ? QStringLiteral("the name does not say which kind of picture")
-                         : QStringLiteral("unknown kind of picture"),
-        QStringLiteral("a name that ends in .") + pictureFormats().join(QStringLiteral(", ."))};
+    refuse(
+        {option + u' ' + path,
+         format.isEmpty() ? QStringLiteral("the name does not say which kind of picture")
+                          : QStringLiteral("unknown kind of picture"),
+         QStringLiteral("a name that ends in .") + pictureFormats().join(QStringLiteral(", ."))});
 }
 
-Result<QString> pictureFormatOf(const CommandLine &line, const QString &option)
+QString pictureFormatOf(const CommandLine &line, const QString &option)
 {
     return line.isSet(option) ? pictureFormatOf(QStringLiteral("-o"), line.value(option))
                               : pictureFormats().front();
 }
 
-std::optional<InputError> writePicture(const QImage &picture, Output &output, const QString &format)
+void writePicture(const QImage &picture, Output &output, const QString &format)
 {
-    if (auto error = output.open())
-        return error;
+    output.open();
     // libpng would print its own error if it wrote to the file directly.
     QBuffer encoded;
     QImageWriter writer(&encoded, format.toLatin1());
     if (!writer.write(picture))
-        return output.error(writer.errorString());
+        refuse(output.error(writer.errorString()));
     if (output.device().write(encoded.data()) != encoded.size())
-        return output.error();
-    return output.finish();
+        refuse(output.error());
+    output.finish();
 }
 
-Result<QImage> enlarged(const QImage &picture, std::int64_t scale)
+QImage enlarged(const QImage &picture, std::int64_t scale)
 {
     const std::int64_t pixels = picture.width() * scale * picture.height() * scale;
     if (pixels > largestFrameArea)
-        return InputError{QStringLiteral("--scale"),
-                          QStringLiteral("%1 × %2 pixels, %3 times as many each way")
-                              .arg(picture.width())
-                              .arg(picture.height())
-                              .arg(scale),
-                          QStringLiteral("at most %1 pixels").arg(largestFrameArea)};
+        refuse({QStringLiteral("--scale"),
+                QStringLiteral("%1 × %2 pixels, %3 times as many each way")
+                    .arg(picture.width())
+                    .arg(picture.height())
+                    .arg(scale),
+                QStringLiteral("at most %1 pixels").arg(largestFrameArea)});
     return scale == 1 ? picture : picture.scaled(picture.size() * int(scale));
 }
 

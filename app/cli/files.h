@@ -18,7 +18,7 @@ namespace pixelplumb::cli {
 /// Reads a file, or stdin for "-", up to `most` bytes. Commands read all their input files with it.
 /// It refuses a file to which standard output is appended (`trace s.json >> s.json`), since every
 /// command may write there; nothing is written before that.
-Result<QByteArray> readInput(const QString &path, qint64 most = largestFile);
+QByteArray readInput(const QString &path, qint64 most = largestFile);
 
 /// The folder in which an input's relative references are looked up: its own; empty, the current
 /// one, for "-".
@@ -30,11 +30,10 @@ class Output {
 public:
     explicit Output(const QString &path);
 
-    /// An error when the place cannot be written.
-    std::optional<InputError> open();
+    void open();
     QIODevice &device();
     /// Makes the file permanent; without this call an existing file stays as it was.
-    std::optional<InputError> finish();
+    void finish();
 
     /// Why it cannot be written: what the device says, else `otherwise`.
     InputError error(const QString &otherwise = {}) const;
@@ -44,47 +43,43 @@ private:
     std::optional<OutputFile> m_file; ///< none: standard output
 };
 
-/// Why "-" cannot take what a command writes in addition to its printed report; none where the path
-/// is not "-".
-std::optional<InputError> refusalOfStandardOutput(const QString &path, const QString &expected);
+/// Refuses "-" for what a command writes in addition to its printed report.
+void refuseStandardOutput(const QString &path, const QString &expected);
 
 /// Where the results of several inputs are written, in their order. A single result goes to
 /// `output` itself. Where `output` is a folder ("out/", or an existing one), which is made if need
 /// be, each result gets its input's name in it with the ending `suffix` ("png"). An error where
 /// there are several inputs and no folder, where two would get the same name, and for standard
 /// input, which has no name.
-Result<QStringList> outputPaths(const QString &output, const QStringList &inputs,
-                                const QString &suffix);
+QStringList outputPaths(const QString &output, const QStringList &inputs, const QString &suffix);
 
 /// Reads the picture of an input: a file, or stdin for "-". In a picture with colours no pixel is
 /// covered yet.
-Result<Picture> readPicture(const QString &path);
+Picture readPicture(const QString &path);
 
 /// An input by its name on the command line.
 struct SizedInput {
     QString path;
     QSize size; ///< px
 };
-/// Reports two inputs whose sizes differ though they are to be compared, and returns the exit code;
-/// none where they match.
-std::optional<ExitCode> refusalOfSizes(const SizedInput &one, const SizedInput &other);
+/// Reports two inputs whose sizes differ though they are to be compared, and ends the command.
+void refuseOtherSizes(const SizedInput &one, const SizedInput &other);
 
 /// The lossless formats, from which each pixel can be read back, by their file endings: "png", …
 const QStringList &pictureFormats();
 
 /// The format that a path's ending asks for. Standard output, devices and pipes have no ending and
 /// get the first format. `option` is what the error names: "-o".
-Result<QString> pictureFormatOf(const QString &option, const QString &path);
+QString pictureFormatOf(const QString &option, const QString &path);
 /// The format for the path in a command-line option ("output"); the first format where it is not
 /// set.
-Result<QString> pictureFormatOf(const CommandLine &line, const QString &option);
+QString pictureFormatOf(const CommandLine &line, const QString &option);
 
-std::optional<InputError> writePicture(const QImage &picture, Output &output,
-                                       const QString &format);
+void writePicture(const QImage &picture, Output &output, const QString &format);
 
 /// Makes every pixel a square of `scale` pixels a side, as --scale asks; an error where the result
 /// exceeds the largest frame.
-Result<QImage> enlarged(const QImage &picture, std::int64_t scale);
+QImage enlarged(const QImage &picture, std::int64_t scale);
 
 /// A grey between three quarters white and white, against which every mark stands out.
 inline QRgb faint(const Colour &colour)

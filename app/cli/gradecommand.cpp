@@ -50,7 +50,7 @@ void addGradeOptions(CommandLine &line)
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
 }
 
-Result<GradeShard> chosenShard(const CommandLine &line)
+GradeShard chosenShard(const CommandLine &line)
 {
     if (!line.isSet(shardOption))
         return GradeShard();
@@ -63,18 +63,14 @@ Result<GradeShard> chosenShard(const CommandLine &line)
         && shard.number <= shard.of && shard.of <= mostParts;
     if (isShard)
         return shard;
-    return InputError{QStringLiteral("--shard"), QStringLiteral("“%1” is no part").arg(word),
-                      QStringLiteral("i/n with 1 ≤ i ≤ n ≤ %1, such as 3/8").arg(mostParts)};
+    refuse({QStringLiteral("--shard"), QStringLiteral("“%1” is no part").arg(word),
+            QStringLiteral("i/n with 1 ≤ i ≤ n ≤ %1, such as 3/8").arg(mostParts)});
 }
 
 /// Reads the assignment of a file, or of standard input for "-".
-Result<Assignment> readAssignmentAt(const QString &path)
+Assignment readAssignmentAt(const QString &path)
 {
-    const Result<QByteArray> text = readInput(path);
-    if (!text)
-        return text.error();
-    Result<Assignment> assignment = readAssignment(*text, folderOf(path));
-    return assignment ? assignment : Result<Assignment>(errorIn(path, assignment.error()));
+    return requiredIn(path, readAssignment(readInput(path), folderOf(path)));
 }
 
 /// A line per cluster, "12  unsorted-colours", and a summary.
@@ -142,13 +138,11 @@ ExitCode merge(const CommandLine &line)
 {
     for (const QString &option : {assignmentOption, jobsOption, shardOption}) {
         if (line.isSet(option))
-            return line.refuse(
-                QStringLiteral("--merge grades nothing; expected it without --%1").arg(option));
+            refuse(QStringLiteral("--merge grades nothing; expected it without --%1").arg(option));
     }
-    const Result<GradeReport> report
-        = mergeGrades(line.arguments(), line.value(outputOption),
-                      line.isSet(partialOption) ? MergeExtent::Partial : MergeExtent::Whole);
-    return report ? print(line, *report) : line.refuse(report.error());
+    const MergeExtent extent
+        = line.isSet(partialOption) ? MergeExtent::Partial : MergeExtent::Whole;
+    return print(line, required(mergeGrades(line.arguments(), line.value(outputOption), extent)));
 }
 
 } // namespace
@@ -164,50 +158,37 @@ ExitCode grade(const Command &command, const QStringList &arguments)
                               QStringLiteral("a folder with the results of a part, of which there "
                                              "may be several"),
                               Positional::Presence::Several}});
-    if (const auto ended = line.parse(arguments))
-        return *ended;
+    line.parse(arguments);
     if (line.value(outputOption).isEmpty())
-        return line.refuse(QStringLiteral("-o is missing: the folder for the results"));
-    if (const auto refusal = refusalOfStandardOutput(line.value(outputOption),
-                                                     QStringLiteral("a folder for the results")))
-        return line.refuse(*refusal);
+        refuse(QStringLiteral("-o is missing: the folder for the results"));
+    refuseStandardOutput(line.value(outputOption), QStringLiteral("a folder for the results"));
     if (line.arguments().contains(QStringLiteral("-")))
-        return line.refuse({QStringLiteral("-"), QStringLiteral("standard input is no folder"),
-                            QStringLiteral("a folder; one of that name is ./-")});
+        refuse({QStringLiteral("-"), QStringLiteral("standard input is no folder"),
+                QStringLiteral("a folder; one of that name is ./-")});
     if (line.isSet(mergeOption))
         return merge(line);
     if (!line.isSet(assignmentOption))
-        return line.refuse(
-            QStringLiteral("--assignment is missing: the file that says what was to be drawn"));
-    const Result<Assignment> assignment = readAssignmentAt(line.value(assignmentOption));
-    if (!assignment)
-        return line.refuse(assignment.error());
+        refuse(QStringLiteral("--assignment is missing: the file that says what was to be drawn"));
+    const Assignment assignment = readAssignmentAt(line.value(assignmentOption));
     if (line.isSet(partialOption))
-        return line.refuse(
-            QStringLiteral("--partial is of --merge; expected it with --merge alone"));
-    if (assignment->points() == 0)
+        refuse(QStringLiteral("--partial is of --merge; expected it with --merge alone"));
+    if (assignment.points() == 0)
         sayLine(QStringLiteral("%1: all checks have 0 points: nothing is asked and everybody has 0")
                     .arg(line.value(assignmentOption)));
     const auto jobs = wholeNumberOf(line, jobsOption, {1, 256});
-    if (!jobs)
-        return line.refuse(jobs.error());
-    const Result<GradeShard> shard = chosenShard(line);
-    if (!shard)
-        return line.refuse(shard.error());
+    const GradeShard shard = chosenShard(line);
     const GradingOrder order{line.argument(0), line.value(outputOption),
                              QCoreApplication::applicationVersion(),
-                             int(jobs->value_or(threadsOfMachine())), *shard};
+                             int(jobs.value_or(threadsOfMachine())), shard};
     sayHidden(line.argument(0));
     const Interruption interruption;
-    const auto report = withProgress([&](const ProgressListener &listener) {
-        return gradeFolder(order, *assignment, [&listener](const JobProgress &told) {
+    const auto report = required(withProgress([&](const ProgressListener &listener) {
+        return gradeFolder(order, assignment, [&listener](const JobProgress &told) {
             return listener(told) && !Interruption::isAsked();
         });
-    });
-    if (!report)
-        return line.refuse(report.error());
-    if (*report)
-        return print(line, **report);
+    }));
+    if (report)
+        return print(line, *report);
     sayLine(QStringLiteral("interrupted; the same command goes on where it stopped"));
     return ExitCode::FallsShort;
 }

@@ -3,8 +3,6 @@
 #include "app/cli/console.h"
 #include "app/cli/files.h"
 #include "app/cli/options.h"
-#include "app/cli/reports.h"
-#include "app/cli/sceneoptions.h"
 #include "core/grade/showntext.h"
 #include "core/lab/budget.h"
 #include "core/lab/labfile.h"
@@ -30,22 +28,21 @@ const QString ownSceneFamily = QStringLiteral("own-scene");
 
 enum class LabFormat { Text, Csv, Json };
 
-Result<LabFormat> chosenFormat(const CommandLine &line)
+LabFormat chosenFormat(const CommandLine &line)
 {
     const QString word = line.value(formatOption);
     const QStringList names
         = {QStringLiteral("text"), QStringLiteral("csv"), QStringLiteral("json")};
     const qsizetype index = names.indexOf(word);
     if (index < 0)
-        return unknownName(QStringLiteral("--format"), QStringLiteral("format"), word, names);
+        refuseUnknown(QStringLiteral("--format"), QStringLiteral("format"), word, names);
     if (line.isSet(accuracyOnlyOption) && LabFormat(index) == LabFormat::Text)
-        return InputError{QStringLiteral("--accuracy-only"),
-                          QStringLiteral("text tells of this machine"),
-                          QStringLiteral("--format json or csv")};
+        refuse({QStringLiteral("--accuracy-only"), QStringLiteral("text tells of this machine"),
+                QStringLiteral("--format json or csv")});
     return LabFormat(index);
 }
 
-Result<QStringList> chosenFamilies(const CommandLine &line)
+QStringList chosenFamilies(const CommandLine &line)
 {
     QStringList known;
     for (const LabFamilyInfo &info : labFamilies())
@@ -53,12 +50,12 @@ Result<QStringList> chosenFamilies(const CommandLine &line)
     const QStringList families = line.value(familyOption).split(u',', Qt::SkipEmptyParts);
     for (const QString &family : families) {
         if (!known.contains(family))
-            return unknownName(QStringLiteral("--family"), QStringLiteral("family"), family, known);
+            refuseUnknown(QStringLiteral("--family"), QStringLiteral("family"), family, known);
     }
     return families;
 }
 
-Result<std::vector<LabContender>> chosenContenders(const CommandLine &line)
+std::vector<LabContender> chosenContenders(const CommandLine &line)
 {
     std::vector<LabContender> contenders;
     for (const QString &id : line.value(contenderOption).split(u',', Qt::SkipEmptyParts)) {
@@ -67,71 +64,57 @@ Result<std::vector<LabContender>> chosenContenders(const CommandLine &line)
             QStringList known;
             for (const LabContender &each : fullContenders())
                 known << each.id;
-            return unknownName(QStringLiteral("--contender"), QStringLiteral("contender"), id,
-                               known);
+            refuseUnknown(QStringLiteral("--contender"), QStringLiteral("contender"), id, known);
         }
         if (std::ranges::find(contenders, id, &LabContender::id) != contenders.end())
-            return InputError{QStringLiteral("--contender"),
-                              QStringLiteral("“%1” is named twice").arg(id),
-                              QStringLiteral("each once")};
+            refuse({QStringLiteral("--contender"), QStringLiteral("“%1” is named twice").arg(id),
+                    QStringLiteral("each once")});
         contenders.push_back(*contender);
     }
     return contenders;
 }
 
-Result<std::optional<Budget>> chosenBudget(const CommandLine &line)
+std::optional<Budget> chosenBudget(const CommandLine &line)
 {
     if (!line.isSet(budgetOption))
         return std::optional<Budget>();
     const QString word = line.value(budgetOption);
     const auto budget = budgetNamed(word.toStdString());
     if (!budget)
-        return unknownName(QStringLiteral("--budget"), QStringLiteral("budget"), word,
-                           namesOf(allBudgets));
+        refuseUnknown(QStringLiteral("--budget"), QStringLiteral("budget"), word,
+                      namesOf(allBudgets));
     return budget;
 }
 
-Result<StudySettings> settingsFrom(const CommandLine &line)
+StudySettings settingsFrom(const CommandLine &line)
 {
     StudySettings settings;
     if (line.isSet(quickOption) && line.isSet(fullOption))
-        return InputError{{}, QStringLiteral("--quick and --full"), QStringLiteral("one of them")};
+        refuse({{}, QStringLiteral("--quick and --full"), QStringLiteral("one of them")});
     settings.extent = line.isSet(fullOption) ? StudyExtent::Full : StudyExtent::Quick;
     if (line.isSet(accuracyOnlyOption)) {
         if (line.isSet(budgetOption))
-            return InputError{
-                {}, QStringLiteral("--accuracy-only and --budget"), QStringLiteral("one of them")};
+            refuse({{},
+                    QStringLiteral("--accuracy-only and --budget"),
+                    QStringLiteral("one of them")});
         settings.rounds = 0;
     }
     const auto families = chosenFamilies(line);
-    if (!families)
-        return families.error();
-    settings.families = *families;
-    const auto contenders = chosenContenders(line);
-    if (!contenders)
-        return contenders.error();
-    settings.contenders = *contenders;
-    const auto seed = chosenSeed(line);
-    if (!seed)
-        return seed.error();
-    settings.seed = *seed;
-    const auto cases = builtInHardCases();
-    if (!cases)
-        return cases.error();
-    settings.hardCases = *cases;
+    settings.families = families;
+    settings.contenders = chosenContenders(line);
+    settings.seed = chosenSeed(line);
+    settings.hardCases = required(builtInHardCases());
     settings.ownSceneName = line.argument(0);
     if (settings.ownSceneName.isEmpty() && settings.families.contains(ownSceneFamily))
-        return InputError{QStringLiteral("SCENE"), QStringLiteral("is missing"),
-                          QStringLiteral("the scene that --family own-scene measures")};
+        refuse({QStringLiteral("SCENE"), QStringLiteral("is missing"),
+                QStringLiteral("the scene that --family own-scene measures")});
     if (!settings.ownSceneName.isEmpty()) {
         const auto reading = readSceneAt(settings.ownSceneName);
-        if (!reading)
-            return reading.error();
-        if (!reading->scene.hasTriangles())
-            return InputError{settings.ownSceneName,
-                              QStringLiteral("has no triangles, which alone are measured"),
-                              QStringLiteral("a scene with triangles")};
-        settings.ownScene = std::make_shared<const Scene>(reading->scene);
+        if (!reading.scene.hasTriangles())
+            refuse({settings.ownSceneName,
+                    QStringLiteral("has no triangles, which alone are measured"),
+                    QStringLiteral("a scene with triangles")});
+        settings.ownScene = std::make_shared<const Scene>(reading.scene);
     }
     return settings;
 }
@@ -216,35 +199,26 @@ ExitCode lab(const Command &command, const QStringList &arguments)
     scene.presence = Positional::Presence::Optional;
     CommandLine line(command, {scene});
     addStudyOptions(line);
-    if (const auto ended = line.parse(arguments))
-        return *ended;
-    const Result<LabFormat> format = chosenFormat(line);
-    if (!format)
-        return line.refuse(format.error());
+    line.parse(arguments);
+    const LabFormat format = chosenFormat(line);
     const auto budget = chosenBudget(line);
-    if (!budget)
-        return line.refuse(budget.error());
-    const Result<StudySettings> settings = settingsFrom(line);
-    if (!settings)
-        return line.refuse(settings.error());
+    const StudySettings settings = settingsFrom(line);
     Output output(line.value(studyOption));
-    if (const auto error = output.open())
-        return line.refuse(*error);
+    output.open();
 
-    const Study study = runShowingTime(*settings);
-    output.device().write(line.isSet(accuracyOnlyOption) ? accuracyBytesOf(study, *format)
-                                                         : bytesOf(study, *format));
-    if (const auto error = output.finish())
-        return line.refuse(*error);
+    const Study study = runShowingTime(settings);
+    output.device().write(line.isSet(accuracyOnlyOption) ? accuracyBytesOf(study, format)
+                                                         : bytesOf(study, format));
+    output.finish();
     if (!study.isComplete) {
         sayLine(QStringLiteral("interrupted; what was measured until then is written"));
         return ExitCode::FallsShort;
     }
-    if (!*budget)
+    if (!budget)
         return ExitCode::Done;
     const QString family = familyOfBudget(study);
-    const BudgetAnswer answer = cheapestFor(**budget, study, family);
-    sayLine(QStringLiteral("%1 on %2: %3").arg(textOf(**budget), family, answer.reason));
+    const BudgetAnswer answer = cheapestFor(*budget, study, family);
+    sayLine(QStringLiteral("%1 on %2: %3").arg(textOf(*budget), family, answer.reason));
     return answer.ground == BudgetGround::Nobody ? ExitCode::FallsShort : ExitCode::Done;
 }
 

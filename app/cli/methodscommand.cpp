@@ -319,13 +319,11 @@ ExitCode listMethods(const Command &command, const QStringList &arguments)
                          "known defects"),
           Positional::Presence::Optional}});
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
-    if (const auto ended = line.parse(arguments))
-        return *ended;
+    line.parse(arguments);
     if (const QString name = line.argument(0); !name.isEmpty()) {
         const Method *method = methodNamed(name);
         if (!method)
-            return line.refuse(
-                unknownName(QStringLiteral("NAME"), QStringLiteral("method"), name, methodNames()));
+            refuseUnknown(QStringLiteral("NAME"), QStringLiteral("method"), name, methodNames());
         if (line.isSet(jsonOption))
             printJson(QJsonDocument(jsonOfWhole(*method)));
         else

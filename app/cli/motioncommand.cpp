@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
-#include "app/cli/sceneoptions.h"
+#include "app/cli/options.h"
 #include "core/compare/motionstudy.h"
 
 #include <QJsonArray>
@@ -49,22 +49,19 @@ ExitCode motion(const Command &command, const QStringList &arguments)
     CommandLine line(command, {scenePositional()});
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
     addSettingOptions(line);
-    if (const auto ended = line.parse(arguments))
-        return *ended;
+    line.parse(arguments);
     if (line.isSet(QStringLiteral("frame")))
-        return line.refuse(InputError{QStringLiteral("--frame"),
-                                      QStringLiteral("motion counts in all frames of the scene"),
-                                      QStringLiteral("it without --frame; one frame is drawn by "
-                                                     "“render --frame”")});
-    const Result<Scene> scene = readScene(line, line.argument(0));
-    if (!scene)
-        return line.refuse(scene.error());
-    if (!scene->motion)
-        return line.refuse(InputError{
+        refuse(InputError{QStringLiteral("--frame"),
+                          QStringLiteral("motion counts in all frames of the scene"),
+                          QStringLiteral("it without --frame; one frame is drawn by "
+                                         "“render --frame”")});
+    const Scene scene = readScene(line, line.argument(0));
+    if (!scene.motion)
+        refuse(InputError{
             line.argument(0), QStringLiteral("the scene does not move"),
             QStringLiteral("a scene with \"motion\": { \"by\": [x, y], \"frames\": n }")});
     const auto study = withProgress(
-        [&](const ProgressListener &listener) { return studyMotion(*scene, listener); });
+        [&](const ProgressListener &listener) { return studyMotion(scene, listener); });
     if (line.isSet(jsonOption))
         printJson(QJsonDocument(jsonOf(*study)));
     else

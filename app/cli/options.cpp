@@ -11,7 +11,7 @@
 
 namespace pixelplumb::cli {
 
-Result<std::int64_t> wholeNumber(const QString &place, const QString &word, const WholeRange &range)
+std::int64_t wholeNumber(const QString &place, const QString &word, const WholeRange &range)
 {
     const bool isOpen = range.last == std::numeric_limits<std::int64_t>::max();
     const QString expected = isOpen ? QStringLiteral("%1 or more").arg(range.first)
@@ -19,23 +19,20 @@ Result<std::int64_t> wholeNumber(const QString &place, const QString &word, cons
     bool isNumber = false;
     const qint64 value = word.toLongLong(&isNumber);
     if (!isNumber)
-        return InputError{place, QStringLiteral("“%1” is no whole number").arg(word), expected};
+        refuse({place, QStringLiteral("“%1” is no whole number").arg(word), expected});
     if (value < range.first || value > range.last)
-        return InputError{
-            place, QStringLiteral("%1 is %2").arg(QString::number(value), range.outside), expected};
+        refuse({place, QStringLiteral("%1 is %2").arg(QString::number(value), range.outside),
+                expected});
     return std::int64_t(value);
 }
 
-Result<std::optional<std::int64_t>> wholeNumberOf(const CommandLine &line, const QString &option,
-                                                  const WholeRange &range)
+std::optional<std::int64_t> wholeNumberOf(const CommandLine &line, const QString &option,
+                                          const WholeRange &range)
 {
     const QString word = line.value(option);
     if (word.isEmpty() && !line.isSet(option))
-        return std::optional<std::int64_t>();
-    const Result<std::int64_t> number = wholeNumber(QStringLiteral("--") + option, word, range);
-    if (!number)
-        return number.error();
-    return std::optional(*number);
+        return std::nullopt;
+    return wholeNumber(QStringLiteral("--") + option, word, range);
 }
 
 namespace {
@@ -50,15 +47,15 @@ void addSeedOption(CommandLine &line, const QString &what)
                     QStringLiteral("number"), QStringLiteral("1")});
 }
 
-Result<std::uint64_t> chosenSeed(const CommandLine &line)
+std::uint64_t chosenSeed(const CommandLine &line)
 {
     const QString word = line.value(seedOption);
     bool isNumber = false;
     const qulonglong seed = word.toULongLong(&isNumber);
     if (!isNumber)
-        return InputError{QStringLiteral("--seed"),
-                          QStringLiteral("“%1” is no whole number of 64 bits").arg(word),
-                          QStringLiteral("0 … 18446744073709551615")};
+        refuse({QStringLiteral("--seed"),
+                QStringLiteral("“%1” is no whole number of 64 bits").arg(word),
+                QStringLiteral("0 … 18446744073709551615")});
     return std::uint64_t(seed);
 }
 
@@ -78,14 +75,14 @@ void addToleranceOption(CommandLine &line)
          QStringLiteral("name"), QStringLiteral("float32")});
 }
 
-Result<Arithmetic> chosenTolerance(const CommandLine &line)
+Arithmetic chosenTolerance(const CommandLine &line)
 {
     const QString word = line.value(toleranceOption);
     const auto arithmetic = arithmeticNamed(word.toStdString());
     if (arithmetic && std::ranges::find(tolerances, *arithmetic) != tolerances.end())
         return *arithmetic;
-    return unknownName(QStringLiteral("--") + toleranceOption, QStringLiteral("name"), word,
-                       namesOf(tolerances));
+    refuseUnknown(QStringLiteral("--") + toleranceOption, QStringLiteral("name"), word,
+                  namesOf(tolerances));
 }
 
 namespace {
@@ -118,7 +115,7 @@ void addForceOption(CommandLine &line)
          QStringLiteral("effect=on|off")});
 }
 
-Result<EffectForcing> chosenForcing(const CommandLine &line)
+EffectForcing chosenForcing(const CommandLine &line)
 {
     const QString place = QStringLiteral("--") + forceOption;
     EffectForcing forced;
@@ -126,20 +123,20 @@ Result<EffectForcing> chosenForcing(const CommandLine &line)
         const QString name = entry.section(u'=', 0, 0);
         const QString state = entry.section(u'=', 1);
         if (name == wordOf(Effect::Clipping))
-            return InputError{place,
-                              QStringLiteral("clipping has no switch: the frame's border bounds "
-                                             "every loop, at no cost"),
-                              {}};
+            refuse({place,
+                    QStringLiteral("clipping has no switch: the frame's border bounds "
+                                   "every loop, at no cost"),
+                    {}});
         const auto found = std::ranges::find(allEffects, name, wordOf);
         if (found == allEffects.end())
-            return unknownName(place, QStringLiteral("effect"), name, effectWords());
+            refuseUnknown(place, QStringLiteral("effect"), name, effectWords());
         if (state != QStringLiteral("on") && state != QStringLiteral("off"))
-            return InputError{place, QStringLiteral("“%1”").arg(entry),
-                              QStringLiteral("%1=on or %1=off").arg(name)};
+            refuse({place, QStringLiteral("“%1”").arg(entry),
+                    QStringLiteral("%1=on or %1=off").arg(name)});
         const Forcing forcing = state == QStringLiteral("on") ? Forcing::On : Forcing::Off;
         if (forced[*found] != Forcing::AsCalledFor && forced[*found] != forcing)
-            return InputError{place, QStringLiteral("%1=on and %1=off").arg(name),
-                              QStringLiteral("one of them")};
+            refuse({place, QStringLiteral("%1=on and %1=off").arg(name),
+                    QStringLiteral("one of them")});
         forced[*found] = forcing;
     }
     return forced;
@@ -151,7 +148,7 @@ const QString inputOption = QStringLiteral("input");
 const QString timeOption = QStringLiteral("time");
 const QString memoryOption = QStringLiteral("memory");
 
-Result<ProgramInput> chosenInput(const CommandLine &line)
+ProgramInput chosenInput(const CommandLine &line)
 {
     QStringList names;
     for (const ProgramInput input : allProgramInputs) {
@@ -159,22 +156,19 @@ Result<ProgramInput> chosenInput(const CommandLine &line)
         if (line.value(inputOption) == names.back())
             return input;
     }
-    return unknownName(QStringLiteral("--") + inputOption, QStringLiteral("name"),
-                       line.value(inputOption), names);
+    refuseUnknown(QStringLiteral("--") + inputOption, QStringLiteral("name"),
+                  line.value(inputOption), names);
 }
 
 /// The memory limit; 0: none.
-Result<std::int64_t> chosenMegabytes(const CommandLine &line)
+std::int64_t chosenMegabytes(const CommandLine &line)
 {
     const auto megabytes = wholeNumberOf(line, memoryOption, {0, mostMegabytes});
-    if (!megabytes)
-        return megabytes.error();
-    if (**megabytes == 0 || **megabytes >= leastMegabytes)
-        return **megabytes;
-    return InputError{
-        QStringLiteral("--") + memoryOption,
-        QStringLiteral("no program starts in %1 MiB").arg(**megabytes),
-        QStringLiteral("%1 … %2, or 0 for no limit").arg(leastMegabytes).arg(mostMegabytes)};
+    if (*megabytes == 0 || *megabytes >= leastMegabytes)
+        return *megabytes;
+    refuse({QStringLiteral("--") + memoryOption,
+            QStringLiteral("no program starts in %1 MiB").arg(*megabytes),
+            QStringLiteral("%1 … %2, or 0 for no limit").arg(leastMegabytes).arg(mostMegabytes)});
 }
 
 } // namespace
@@ -197,33 +191,23 @@ void addProgramOptions(CommandLine &line)
                     QStringLiteral("number"), QStringLiteral("1024")});
 }
 
-std::optional<InputError> refusalWithoutProgram(const CommandLine &line)
+void refuseProgramOptions(const CommandLine &line)
 {
     for (const QString &option : {inputOption, timeOption, memoryOption}) {
         if (line.isSet(option))
-            return InputError{QStringLiteral("--") + option,
-                              QStringLiteral("says how a program is run, and none is named"),
-                              QStringLiteral("“program:COMMAND” among %1")
-                                  .arg(line.arguments().join(QStringLiteral(", ")))};
+            refuse({QStringLiteral("--") + option,
+                    QStringLiteral("says how a program is run, and none is named"),
+                    QStringLiteral("“program:COMMAND” among %1")
+                        .arg(line.arguments().join(QStringLiteral(", ")))});
     }
-    return std::nullopt;
 }
 
-Result<TrialTerms> chosenTerms(const CommandLine &line)
+TrialTerms chosenTerms(const CommandLine &line)
 {
     TrialTerms terms;
-    const Result<ProgramInput> input = chosenInput(line);
-    if (!input)
-        return input.error();
-    terms.input = *input;
-    const auto seconds = wholeNumberOf(line, timeOption, {1, 3600});
-    if (!seconds)
-        return seconds.error();
-    terms.limits.time = std::chrono::seconds(**seconds);
-    const Result<std::int64_t> megabytes = chosenMegabytes(line);
-    if (!megabytes)
-        return megabytes.error();
-    terms.limits.memory = *megabytes << 20;
+    terms.input = chosenInput(line);
+    terms.limits.time = std::chrono::seconds(*wholeNumberOf(line, timeOption, {1, 3600}));
+    terms.limits.memory = chosenMegabytes(line) << 20;
     return terms;
 }
 

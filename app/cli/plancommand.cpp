@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
-#include "app/cli/sceneoptions.h"
+#include "app/cli/options.h"
 #include "core/effects/effectplan.h"
 #include "core/measure/effecttiming.h"
 #include "core/runs/sceneplan.h"
@@ -214,19 +214,16 @@ ExitCode plan(const Command &command, const QStringList &arguments)
                                    "in turn.")});
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
     addSettingOptions(line);
-    if (const auto ended = line.parse(arguments))
-        return *ended;
-    const Result<Scene> scene = readSceneForAnyMethod(line, line.argument(0));
-    if (!scene)
-        return line.refuse(scene.error());
-    const auto refusal = refusalOf(*scene, line.argument(0));
-    PlanReport report{planOf(*scene), scene->appearance.forced, std::nullopt,
+    line.parse(arguments);
+    const Scene scene = readSceneForAnyMethod(line, line.argument(0));
+    const auto refusal = refusalOf(scene, line.argument(0));
+    PlanReport report{planOf(scene), scene.appearance.forced, std::nullopt,
                       refusal ? refusal->message() : QString()};
     if (line.isSet(measureOption) && !refusal)
         report.timing = withProgress([&scene](const ProgressListener &listener) {
             TimingOptions options;
             options.progress = listener;
-            return timeEffects(*scene, options);
+            return timeEffects(scene, options);
         });
     if (line.isSet(jsonOption))
         printJson(QJsonDocument(jsonOf(report)));

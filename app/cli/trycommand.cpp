@@ -2,8 +2,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/options.h"
-#include "app/cli/reports.h"
-#include "app/cli/sceneoptions.h"
 #include "core/grade/showntext.h"
 #include "core/grade/trial.h"
 
@@ -92,14 +90,10 @@ QJsonObject objectOf(const SceneTrial &tried)
     return object;
 }
 
-Result<TrialTerms> termsOf(const CommandLine &line)
+TrialTerms termsOf(const CommandLine &line)
 {
-    Result<TrialTerms> terms = chosenTerms(line);
-    const Result<Arithmetic> tolerance = chosenTolerance(line);
-    if (terms && !tolerance)
-        return tolerance.error();
-    if (terms)
-        terms->tolerance = *tolerance;
+    TrialTerms terms = chosenTerms(line);
+    terms.tolerance = chosenTolerance(line);
     return terms;
 }
 
@@ -148,35 +142,27 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
                        Positional::Presence::Command}});
     addTrialOptions(line);
     addSettingOptions(line);
-    if (const auto ended = line.parse(arguments))
-        return *ended;
-    const Result<TrialTerms> terms = termsOf(line);
-    if (!terms)
-        return line.refuse(terms.error());
+    line.parse(arguments);
+    const TrialTerms terms = termsOf(line);
     const QStringList scenes = line.values(QStringLiteral("scene"));
     if (scenes.isEmpty())
-        return line.refuse(QStringLiteral("--scene FILE is missing: what the program is to draw"));
-    const Result<StudentProgram> student = studentProgramOf(line.arguments());
-    if (!student)
-        return line.refuse(student.error());
+        refuse(QStringLiteral("--scene FILE is missing: what the program is to draw"));
+    const StudentProgram student = required(studentProgramOf(line.arguments()));
     std::vector<SceneTrial> tried;
     std::vector<Submission> submissions;
     for (const QString &path : scenes) {
-        Result<Scene> scene = readScene(line, path);
-        if (!scene)
-            return line.refuse(scene.error());
-        if (const auto refusal = refusalToJudge(*scene, path))
-            return line.refuse(*refusal);
-        Result<Trial> trial = pixelplumb::tryProgram(*student, *scene, *terms);
+        Scene scene = readScene(line, path);
+        refuseToJudgeBy(scene, path);
+        Result<Trial> trial = pixelplumb::tryProgram(student, scene, terms);
         if (!trial)
-            return line.refuse(InputError{path, trial.error().message(), {}});
+            refuse({path, trial.error().message(), {}});
         if (trial->output.picture)
-            submissions.push_back({*scene, *trial->output.picture});
-        tried.push_back({path, std::move(*scene), std::move(*trial)});
+            submissions.push_back({scene, *trial->output.picture});
+        tried.push_back({path, std::move(scene), std::move(*trial)});
     }
     const auto isRight = [](const SceneTrial &each) { return each.trial.isRight(); };
     const bool areRight = std::ranges::all_of(tried, isRight);
-    const auto diagnosis = diagnosisOf(submissions, areRight, terms->tolerance);
+    const auto diagnosis = diagnosisOf(submissions, areRight, terms.tolerance);
     if (line.isSet(QStringLiteral("json"))) {
         QJsonArray trials;
         for (const SceneTrial &each : tried)
