@@ -7,6 +7,8 @@
 #include "core/grade/picturediff.h"
 #include "core/lab/study.h"
 #include "core/layers/affineimage.h"
+#include "core/methods/method.h"
+#include "core/runs/pixelhistory.h"
 #include "core/scene/scene.h"
 
 #include <QImage>
@@ -34,6 +36,8 @@ ExitCode motion(const Command &command, const QStringList &arguments);
 ExitCode compare(const Command &command, const QStringList &arguments);
 ExitCode lab(const Command &command, const QStringList &arguments);
 ExitCode help(const Command &command, const QStringList &arguments);
+
+// Reports that two commands print, and parts of commands in files of their own.
 
 /// How many pixels have which verdict, and what would explain them.
 QStringList diffLines(const PictureDiff &diff);
@@ -74,5 +78,29 @@ LayerRequest layerRequestFrom(const CommandLine &line);
 /// The picture at the position, each pixel a square of `scale` pixels a side, with the layers over
 /// it. Texts that belong to the layers, and why one shows nothing, go to stderr.
 QImage pictureWithLayers(const Scene &scene, const LayerRequest &request, std::int64_t scale);
+
+/// The kinds of primitive the method draws: "triangle", …
+QStringList kindsOf(const Method &method);
+/// The entry for a method in the list of methods.
+QJsonObject methodJson(const Method &method);
+/// Prints all about a method, with its numbers and, for each arithmetic, the summary of its
+/// operations on the standard example (core/lab/standardexamples.h).
+void printWholeMethod(const Method &method);
+QJsonObject wholeMethodJson(const Method &method);
+
+/// The history of one pixel, to report as text or as JSON.
+struct PixelReport {
+    const TracedScene &traced;
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+    std::vector<PixelAttempt> attempts;
+    Colour colour; ///< in the finished picture
+    Colour truth; ///< from the primitives that the method draws
+    Colour truthOfAll; ///< from all primitives of the scene
+    QStringList undrawn; ///< the primitives at the pixel that the method does not draw
+};
+
+QStringList pixelLines(const PixelReport &report);
+QJsonObject pixelJson(const PixelReport &report);
 
 } // namespace pixelplumb::cli

@@ -19,13 +19,7 @@ namespace {
 const QString methodsOption = QStringLiteral("--methods");
 const QString truthWord = QStringLiteral("truth");
 
-QStringList contenderNames()
-{
-    QStringList names = {truthWord};
-    for (const Method &method : methods())
-        names.append(method.id);
-    return names;
-}
+QStringList contenderNames() { return QStringList{truthWord} + methodIds(); }
 
 /// Applies one word after the method's name to the settings.
 void apply(const QString &place, const QString &word, Contender &contender)
@@ -96,14 +90,6 @@ bool namesContender(const QString &word)
 {
     const QString first = word.section(u':', 0, 0);
     return first == QStringLiteral("truth") || methodNamed(first) != nullptr;
-}
-
-QStringList methodIds()
-{
-    QStringList ids;
-    for (const Method &method : methods())
-        ids += method.id;
-    return ids;
 }
 
 /// The program in a word of the command line; `place` is for errors.

@@ -103,6 +103,8 @@ std::vector<NamedScene> readScenes(const CommandLine &line, SceneReader read);
 /// Refuses a scene that nobody's work can be judged by: its method draws nothing of it.
 void refuseToJudgeBy(const Scene &scene, const QString &path);
 
+QStringList methodIds();
+
 /// The option's choice, or an error that lists the choices; `unset` is the default.
 const Method *chosenMethod(const CommandLine &line, const QString &unset);
 Arithmetic chosenArithmetic(const CommandLine &line, Arithmetic unset);

@@ -1,316 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
+#include "app/cli/console.h"
 #include "app/cli/options.h"
 #include "core/check/casepicture.h"
-#include "core/export/numbertext.h"
-#include "core/runs/differencename.h"
-#include "core/runs/pixelhistory.h"
 #include "core/runs/undrawn.h"
-#include "core/scene/colourtext.h"
-
-#include <QJsonArray>
-#include <QJsonObject>
-#include <QStringList>
-
-#include <algorithm>
-#include <cmath>
 
 namespace pixelplumb::cli {
 
 namespace {
 
-/// The history of one pixel, to report as text or as JSON.
-struct PixelReport {
-    const TracedScene &traced;
-    std::int64_t x = 0;
-    std::int64_t y = 0;
-    std::vector<PixelAttempt> attempts;
-};
-
-/// What a method calls the bounds of its spans, and the samples along them.
-struct SpanWords {
-    QString place, lower, upper, samples;
-};
-
-/// The pixel's colour in the finished picture.
-Colour finalColour(const PixelReport &report)
+Colour finalColour(const FrameSpec &frame, const std::vector<PixelAttempt> &attempts)
 {
-    Colour colour = report.traced.scene.frame.background;
-    for (const PixelAttempt &attempt : report.attempts) {
+    Colour colour = frame.background;
+    for (const PixelAttempt &attempt : attempts) {
         if (attempt.written)
             colour = unpacked(attempt.change.after);
     }
     return colour;
 }
 
-/// The true colour from the primitives that the method draws.
-Colour trueColour(const PixelReport &report)
+Colour trueColourOfAll(const TracedScene &traced, std::int64_t x, std::int64_t y)
 {
-    return unpacked(*report.traced.truth.view().at(report.x, report.y));
-}
-
-/// The true colour from all primitives of the scene.
-Colour trueColourOfAll(const PixelReport &report)
-{
-    const TracedScene &traced = report.traced;
     FrameSpec pixel = traced.scene.frame;
     pixel.width = pixel.height = 1;
-    pixel.firstColumn = int(report.x);
-    pixel.firstRow = int(report.y);
+    pixel.firstColumn = int(x);
+    pixel.firstRow = int(y);
     const FrameBuffer frame(pixel);
     FrameView view = frame.view();
     // The default off-screen point is that of the whole frame.
     view.offScreenPoint = traced.truth.view().offScreenPoint;
     drawTruly(traced.primitives, traced.scene.settings, view);
-    return unpacked(*view.at(report.x, report.y));
+    return unpacked(*view.at(x, y));
 }
 
-/// The primitives at the pixel that the method does not draw.
-QStringList undrawnAt(const PixelReport &report)
+PixelReport reportOf(const TracedScene &traced, std::int64_t x, std::int64_t y)
 {
-    const TracedScene &traced = report.traced;
-    return undrawnAt(traced.primitives, *traced.method, boundaryRuleOf(traced.scene), report.x,
-                     report.y);
-}
-
-SpanWords wordsFor(SpanAxis axis)
-{
-    switch (axis) {
-    case SpanAxis::Column:
-        return {QStringLiteral("column"), QStringLiteral("y_B"), QStringLiteral("y_T"),
-                QStringLiteral("rows")};
-    case SpanAxis::Row:
-        return {QStringLiteral("row"), QStringLiteral("x_L"), QStringLiteral("x_R"),
-                QStringLiteral("columns")};
-    case SpanAxis::Free:
-        break;
-    }
-    return {QStringLiteral("step"), {}, {}, QStringLiteral("samples")};
-}
-
-/// The place in the window's words: "column 27, second half".
-QString spanPlaceText(const PixelAttempt &attempt)
-{
-    return attempt.spanHeading.left(1).toLower() + attempt.spanHeading.sliced(1);
-}
-
-/// The edge's verdict on the sample. With several samples per pixel or area coverage, the centre
-/// decides nothing and only its place is given.
-QString placeText(const oracle::EdgeVerdict &edge, Antialiasing antialiasing)
-{
-    if (antialiasing == Antialiasing::None)
-        return edge.accepts ? QStringLiteral(" accepts") : QStringLiteral(" refuses");
-    return edge.accepts ? QStringLiteral(", the centre inside")
-                        : QStringLiteral(", the centre outside");
-}
-
-QString edgeText(const QString &name, const oracle::EdgeVerdict &edge, Antialiasing antialiasing)
-{
-    QStringList distances;
-    if (!edge.distanceAlongColumn.isNone())
-        distances.append(toText(edge.distanceAlongColumn) + QStringLiteral(" px along the column"));
-    if (!edge.distanceAlongRow.isNone())
-        distances.append(toText(edge.distanceAlongRow) + QStringLiteral(" px along the row"));
-    return QStringLiteral("    edge %1%2: %3")
-        .arg(name, placeText(edge, antialiasing),
-             distances.isEmpty() ? QStringLiteral("a point")
-                                 : distances.join(QStringLiteral(", ")));
-}
-
-QString spanText(const PixelAttempt &attempt, Antialiasing antialiasing)
-{
-    const SpanRecord &span = *attempt.span;
-    const SpanWords words = wordsFor(span.place.axis);
-    QString text = QStringLiteral("    ") + spanPlaceText(attempt);
-    if (!span.lower.isNone())
-        text += QStringLiteral(": %1 = %2, %3 = %4, %5 %6 … %7")
-                    .arg(words.lower, toText(span.lower), words.upper, toText(span.upper),
-                         antialiasing == Antialiasing::Area
-                             ? QStringLiteral("areas on the ") + words.samples
-                             : words.samples,
-                         QString::number(span.firstSample), QString::number(span.endSample - 1));
-    return text;
-}
-
-/// The level and the byte written. The exact level is a triangle's; for a shape only the pixels are
-/// true. A mean of samples has no level.
-QString channelText(const PixelAttempt &attempt, std::size_t channel)
-{
-    const Quantity &used = attempt.sample->colour[channel];
-    const Quantity &exact = attempt.exactColour[channel];
-    const std::int64_t level = std::clamp<std::int64_t>(attempt.sample->level[channel], 0, 255);
-    const int byte = unpacked(attempt.change.after).channels[channel];
-    QString text = QStringLiteral("    ") + channelLetters[channel];
-    if (!used.isNone())
-        text += QStringLiteral(" = %1 → %2").arg(toText(used), QString::number(level));
-    if (used.isNone() || level != byte)
-        text += QStringLiteral(" → %1").arg(byte);
-    if (exact.isNone())
-        return text;
-    return text
-        + QStringLiteral("; exact %1, error %2").arg(toText(exact), realText(errorOf(used, exact)));
-}
-
-QString carriedText(const PixelAttempt::Carried &number)
-{
-    QString text = QStringLiteral("    %1 = %2").arg(number.title, toText(number.used));
-    if (number.exact.isNone())
-        return text;
-    return text
-        + QStringLiteral("; exact %1, error %2")
-              .arg(toText(number.exact), realText(errorOf(number.used, number.exact)));
-}
-
-QStringList textOf(const PixelReport &report)
-{
-    const TracedScene &traced = report.traced;
-    const Difference difference = traced.differences.at(report.x, report.y);
-    const QStringList undrawn = undrawnAt(report);
-    const QString truth = undrawn.isEmpty()
-        ? QStringLiteral("the truth")
-        : QStringLiteral("the truth of what %1 draws").arg(traced.method->id);
-    QString heading = QStringLiteral("pixel (%1, %2) ").arg(report.x).arg(report.y);
-    heading += colourText(finalColour(report));
-    if (traced.trace->isCut())
-        heading += QStringLiteral(", as recorded; the truth is ") + colourText(trueColour(report));
-    else
-        heading += difference == Difference::None
-            ? QStringLiteral(", the same as %1").arg(truth)
-            : QStringLiteral(", differs from %1, %2: %3")
-                  .arg(truth, colourText(trueColour(report)), nameOf(difference));
-    if (!undrawn.isEmpty())
-        heading
-            += QStringLiteral("; the truth of the scene, with %1, is %2")
-                   .arg(undrawn.join(QStringLiteral(", ")), colourText(trueColourOfAll(report)));
-    QStringList lines = {heading};
-    if (report.attempts.empty())
-        lines += QStringLiteral("the scene has nothing that the method draws");
-    for (const PixelAttempt &attempt : report.attempts) {
-        QString line
-            = QStringLiteral("%1 %2: %3")
-                  .arg(nameOf(attempt.kind), QString::number(attempt.primitive), attempt.reason);
-        if (attempt.written)
-            line.insert(line.indexOf(u':'), QStringLiteral(", step %1").arg(attempt.step + 1));
-        lines.append(line);
-        if (attempt.span)
-            lines.append(spanText(attempt, traced.antialiasing()));
-        for (std::size_t channel = 0; attempt.written && channel < 3; ++channel)
-            lines.append(channelText(attempt, channel));
-        for (const PixelAttempt::Carried &number : attempt.carried)
-            lines.append(carriedText(number));
-        if (!attempt.hasEdges())
-            continue;
-        for (std::size_t edge = 0; edge < attempt.edgeNames.size(); ++edge)
-            lines.append(edgeText(attempt.edgeNames[edge], attempt.verdict.edges[edge],
-                                  traced.antialiasing()));
-    }
-    for (QString &line : lines)
-        line = withMinus(line);
-    return lines;
-}
-
-/// A double that JSON can hold, or its name.
-QJsonValue jsonOf(double value)
-{
-    return std::isfinite(value) ? QJsonValue(value) : QJsonValue(realText(value));
-}
-
-/// A quantity as a number and exactly: {"decimal": 5.129…, "fraction": "277/54"}.
-QJsonValue jsonOf(const Quantity &quantity)
-{
-    if (quantity.isNone())
-        return {};
-    return QJsonObject{{QStringLiteral("decimal"), jsonOf(quantity.toDouble())},
-                       {QStringLiteral("fraction"), fractionText(quantity)}};
-}
-
-QJsonObject spanJson(const PixelAttempt &attempt)
-{
-    const SpanRecord &span = *attempt.span;
-    const SpanWords words = wordsFor(span.place.axis);
-    QJsonObject json{{QStringLiteral("along"), words.place},
-                     {QStringLiteral("at"), qint64(span.place.coordinate)},
-                     {QStringLiteral("part"), span.place.part + 1},
-                     {QStringLiteral("place"), spanPlaceText(attempt)}};
-    if (span.lower.isNone())
-        return json;
-    json[words.lower] = jsonOf(span.lower);
-    json[words.upper] = jsonOf(span.upper);
-    json[QStringLiteral("first")] = qint64(span.firstSample);
-    json[QStringLiteral("last")] = qint64(span.endSample - 1);
-    return json;
-}
-
-QJsonObject jsonOf(const QString &name, const oracle::EdgeVerdict &edge)
-{
-    return {{QStringLiteral("edge"), name},
-            {QStringLiteral("from"), edge.from},
-            {QStringLiteral("to"), edge.to},
-            {QStringLiteral("accepts"), edge.accepts},
-            {QStringLiteral("edgeFunction"), toText(edge.edgeFunction)},
-            {QStringLiteral("alongColumn"), jsonOf(edge.distanceAlongColumn)},
-            {QStringLiteral("alongRow"), jsonOf(edge.distanceAlongRow)},
-            {QStringLiteral("distance"), jsonOf(edge.distance)}};
-}
-
-QJsonObject jsonOf(const PixelAttempt &attempt)
-{
-    QJsonObject json{{QStringLiteral("kind"), nameOf(attempt.kind)},
-                     {QStringLiteral("primitive"), qint64(attempt.primitive)},
-                     {QStringLiteral("written"), attempt.written},
-                     {QStringLiteral("covered"), attempt.verdict.covered},
-                     {QStringLiteral("reason"), attempt.reason}};
-    if (attempt.span)
-        json[QStringLiteral("span")] = spanJson(attempt);
-    if (attempt.hasEdges()) {
-        QJsonArray edges;
-        for (std::size_t edge = 0; edge < attempt.edgeNames.size(); ++edge)
-            edges.append(jsonOf(attempt.edgeNames[edge], attempt.verdict.edges[edge]));
-        json[QStringLiteral("edges")] = edges;
-    }
-    QJsonArray carried;
-    for (const PixelAttempt::Carried &number : attempt.carried)
-        carried.append(QJsonObject{
-            {QStringLiteral("number"), number.title},
-            {QStringLiteral("used"), jsonOf(number.used)},
-            {QStringLiteral("exact"), jsonOf(number.exact)},
-            {QStringLiteral("error"),
-             number.exact.isNone() ? QJsonValue() : jsonOf(errorOf(number.used, number.exact))}});
-    if (!carried.isEmpty())
-        json[QStringLiteral("carried")] = carried;
-    if (!attempt.written)
-        return json;
-    json[QStringLiteral("step")] = qint64(attempt.step + 1);
-    json[QStringLiteral("before")] = colourText(unpacked(attempt.change.before));
-    json[QStringLiteral("after")] = colourText(unpacked(attempt.change.after));
-    json[QStringLiteral("clamped")] = attempt.sample->clamped;
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-        const Quantity &used = attempt.sample->colour[channel];
-        const Quantity &exact = attempt.exactColour[channel];
-        json[QString(channelLetters[channel])] = QJsonObject{
-            {QStringLiteral("used"), jsonOf(used)},
-            {QStringLiteral("exact"), jsonOf(exact)},
-            {QStringLiteral("error"), exact.isNone() ? QJsonValue() : jsonOf(errorOf(used, exact))},
-            {QStringLiteral("level"), qint64(attempt.sample->level[channel])},
-            {QStringLiteral("byte"), int(unpacked(attempt.change.after).channels[channel])}};
-    }
-    return json;
-}
-
-QJsonObject jsonOf(const PixelReport &report)
-{
-    QJsonArray attempts;
-    for (const PixelAttempt &attempt : report.attempts)
-        attempts.append(jsonOf(attempt));
-    return {
-        {QStringLiteral("x"), qint64(report.x)},
-        {QStringLiteral("y"), qint64(report.y)},
-        {QStringLiteral("colour"), colourText(finalColour(report))},
-        {QStringLiteral("truth"), colourText(trueColourOfAll(report))},
-        {QStringLiteral("truthOfWhatIsDrawn"), colourText(trueColour(report))},
-        {QStringLiteral("difference"), nameOf(report.traced.differences.at(report.x, report.y))},
-        {QStringLiteral("notDrawn"), QJsonArray::fromStringList(undrawnAt(report))},
-        {QStringLiteral("attempts"), attempts}};
+    PixelReport report{traced, x, y, pixelHistory(traced, x, y), {}, {}, {}, {}};
+    report.colour = finalColour(traced.scene.frame, report.attempts);
+    report.truth = unpacked(*traced.truth.view().at(x, y));
+    report.truthOfAll = trueColourOfAll(traced, x, y);
+    report.undrawn
+        = undrawnAt(traced.primitives, *traced.method, boundaryRuleOf(traced.scene), x, y);
+    return report;
 }
 
 } // namespace
@@ -339,11 +70,11 @@ ExitCode pixel(const Command &command, const QStringList &arguments)
     const auto traced = traceScene(scene);
     reportRejections(line.argument(0) + QStringLiteral(", ") + traced->method->id,
                      rejectedPrimitives(*traced));
-    const PixelReport report{*traced, x, y, pixelHistory(*traced, x, y)};
+    const PixelReport report = reportOf(*traced, x, y);
     if (line.isSet(jsonOption))
-        printJson(QJsonDocument(jsonOf(report)));
+        printJson(QJsonDocument(pixelJson(report)));
     else
-        printLines(textOf(report));
+        printLines(pixelLines(report));
     return ExitCode::Done;
 }
 

@@ -130,15 +130,21 @@ void addSettingOptions(CommandLine &line)
     addForceOption(line);
 }
 
+QStringList methodIds()
+{
+    QStringList ids;
+    for (const Method &method : methods())
+        ids.append(method.id);
+    return ids;
+}
+
 const Method *chosenMethod(const CommandLine &line, const QString &unset)
 {
     const QString id = line.isSet(methodOption) ? line.value(methodOption) : unset;
     if (const Method *method = methodNamed(id))
         return method;
-    QStringList ids;
-    for (const Method &method : methods())
-        ids.append(method.id);
-    refuseUnknownAmongMany(QStringLiteral("--") + methodOption, QStringLiteral("name"), id, ids,
+    refuseUnknownAmongMany(QStringLiteral("--") + methodOption, QStringLiteral("name"), id,
+                           methodIds(),
                            QStringLiteral("a method that “pixelplumb-cli methods” lists"));
 }
 
