@@ -104,12 +104,11 @@ struct Tally {
 
 ExitCode check(const Command &command, const QStringList &arguments)
 {
-    const QString jsonOption = QStringLiteral("json");
     const QString name = QStringLiteral("name");
     CommandLine line(command,
                      {{QStringLiteral("CASES"),
                        QStringLiteral("a file of hard cases (JSON), or - for standard input")}});
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addJsonOption();
     line.addOption({QStringLiteral("method"), QStringLiteral("Check this method alone."), name});
     line.addOption({QStringLiteral("arithmetic"),
                     QStringLiteral("Check in this arithmetic, or in all; exact if left out."),
@@ -133,17 +132,17 @@ ExitCode check(const Command &command, const QStringList &arguments)
         const CaseReport report = checkCase(hardCase, contenders);
         tally.add(report.summary());
         progress.clear();
-        if (line.isSet(jsonOption))
+        if (line.asksForJson())
             reports.append(jsonOf(report));
         else
             printReport(report);
     }
-    if (line.isSet(jsonOption)) {
+    if (line.asksForJson()) {
         const QJsonObject all{{QStringLiteral("cases"), reports},
                               {QStringLiteral("passed"), tally.passed},
                               {QStringLiteral("fellShort"), tally.fellShort},
                               {QStringLiteral("skipped"), tally.skipped}};
-        printJson(QJsonDocument(all));
+        printJson(all);
     } else {
         printLine(QStringLiteral("%1: %2 passed, %3 fell short, %4 skipped")
                       .arg(tally.total() == 1 ? QStringLiteral("1 case")

@@ -75,6 +75,11 @@ void CommandLine::addRepeatedOption(const QCommandLineOption &option)
     m_parser.addOption(option);
 }
 
+void CommandLine::addJsonOption()
+{
+    addOption({QStringLiteral("json"), QStringLiteral("Print JSON.")});
+}
+
 void CommandLine::setPositionals(std::vector<Positional> positionals)
 {
     m_positionals = std::move(positionals);
@@ -102,10 +107,8 @@ void CommandLine::parse(const QStringList &arguments)
     }
     if (!parsed)
         refuse(m_parser.unknownOptionNames().isEmpty() ? m_parser.errorText() : unknownOption());
-    if (const QString repeated = repeatedOption(); !repeated.isEmpty())
-        refuse(repeated);
-    if (const QString empty = emptyOption(); !empty.isEmpty())
-        refuse(empty);
+    refuseRepeatedOption();
+    refuseEmptyOption();
     const QStringList positionals = m_parser.positionalArguments();
     const auto expected = qsizetype(m_positionals.size());
     const auto presence
@@ -145,7 +148,7 @@ QStringList CommandLine::arguments() const
     return words;
 }
 
-QString CommandLine::repeatedOption() const
+void CommandLine::refuseRepeatedOption() const
 {
     const QStringList found = m_parser.optionNames();
     for (const QStringList &names : m_onceOnly) {
@@ -160,23 +163,21 @@ QString CommandLine::repeatedOption() const
         const QStringList values = m_parser.values(names.front());
         for (qsizetype i = 0; i < values.size(); ++i)
             written[i] += u' ' + asWritten(values[i]);
-        return QStringLiteral("%1; expected %2 once")
-            .arg(written.join(QStringLiteral(" and ")), dashedAmong(names, names.back()));
+        refuse(QStringLiteral("%1; expected %2 once")
+                   .arg(written.join(QStringLiteral(" and ")), dashedAmong(names, names.back())));
     }
-    return {};
 }
 
-QString CommandLine::emptyOption() const
+void CommandLine::refuseEmptyOption() const
 {
     const QStringList found = m_parser.optionNames();
     for (const QCommandLineOption &option : m_options) {
         for (const QString &name : option.names()) {
             if (found.contains(name) && m_parser.values(name).contains(QString()))
-                return QStringLiteral("%1 is empty; expected its %2")
-                    .arg(dashedAmong(option.names(), name), option.valueName());
+                refuse(QStringLiteral("%1 is empty; expected its %2")
+                           .arg(dashedAmong(option.names(), name), option.valueName()));
         }
     }
-    return {};
 }
 
 QString CommandLine::unknownOption() const

@@ -42,11 +42,13 @@ public:
 
     void addOption(const QCommandLineOption &option); ///< may be given once
     void addRepeatedOption(const QCommandLineOption &option); ///< may be repeated
+    void addJsonOption();
     /// Where the option is set, these positionals replace the command's own.
     void replacePositionals(const QString &option, std::vector<Positional> positionals);
     /// Ends the command where help was asked for, or the words are wrong.
     void parse(const QStringList &arguments);
 
+    bool asksForJson() const { return isSet(QStringLiteral("json")); }
     bool isSet(const QString &option) const { return m_parser.isSet(option); }
     /// Negative numbers are values, not options.
     QString value(const QString &option) const;
@@ -62,10 +64,8 @@ public:
 private:
     void setPositionals(std::vector<Positional> positionals);
     QString unknownOption() const;
-    /// The error where an option that may be given once is repeated; empty where there is none.
-    QString repeatedOption() const;
-    /// The error where an option's value is empty; empty where there is none.
-    QString emptyOption() const;
+    void refuseRepeatedOption() const; ///< of those that may be given once
+    void refuseEmptyOption() const; ///< an option whose value is empty
     void printHelp() const;
 
     QString m_name;

@@ -64,7 +64,6 @@ ExitCode compare(const Command &command, const QStringList &arguments)
     const QString methodsOption = QStringLiteral("methods");
     const QString limitOption = QStringLiteral("limit");
     const QString drawingOption = QStringLiteral("output");
-    const QString jsonOption = QStringLiteral("json");
     CommandLine line(command, {scenePositional()});
     line.addOption(
         {methodsOption,
@@ -79,7 +78,7 @@ ExitCode compare(const Command &command, const QStringList &arguments)
              "Write a picture, too: PNG, BMP or PPM by the name's extension. It is the first "
              "method's, faint, with differing pixels in the colours that the manual lists."),
          QStringLiteral("file")});
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addJsonOption();
     addSettingOptions(line);
     line.parse(arguments);
     if (!line.isSet(methodsOption))
@@ -109,10 +108,7 @@ ExitCode compare(const Command &command, const QStringList &arguments)
     }
 
     const CompareReport report{*contest, std::size_t(limit.value())};
-    if (line.isSet(jsonOption))
-        printJson(QJsonDocument(compareJson(report)));
-    else
-        printLines(compareLines(report));
+    line.asksForJson() ? printJson(compareJson(report)) : printLines(compareLines(report));
     if (line.isSet(drawingOption)) {
         Output output(line.value(drawingOption));
         writePicture(pictureOf(*contest), output, format);

@@ -6,6 +6,7 @@
 #include "core/scene/shortened.h"
 
 #include <QCoreApplication>
+#include <QJsonDocument>
 
 #include <unistd.h>
 
@@ -68,9 +69,14 @@ void printLine(const QString &line) { printLines({line}); }
 
 void printLines(const QStringList &lines) { writeBytes(stdout, shownLines(lines)); }
 
-void printJson(const QJsonDocument &document)
+void printJson(const QJsonObject &object)
 {
-    writeBytes(stdout, escapedJson(document.toJson()));
+    writeBytes(stdout, escapedJson(QJsonDocument(object).toJson()));
+}
+
+void printJson(const QJsonArray &array)
+{
+    writeBytes(stdout, escapedJson(QJsonDocument(array).toJson()));
 }
 
 std::optional<InputError> finishPrinting()

@@ -5,7 +5,8 @@
 #include "core/scene/fileaccess.h"
 
 #include <QElapsedTimer>
-#include <QJsonDocument>
+#include <QJsonArray>
+#include <QJsonObject>
 #include <QString>
 #include <QStringList>
 
@@ -57,7 +58,8 @@ QByteArray shownLines(const QStringList &lines);
 /// A result: a line on stdout.
 void printLine(const QString &line);
 void printLines(const QStringList &lines);
-void printJson(const QJsonDocument &document);
+void printJson(const QJsonObject &object);
+void printJson(const QJsonArray &array);
 /// Flushes what is still buffered. An error where that, or anything before, could not be written: a
 /// full disk shows only now.
 std::optional<InputError> finishPrinting();

@@ -154,7 +154,6 @@ QString pathIn(const QString &output)
 ExitCode counterExample(const Command &command, const QStringList &arguments)
 {
     const QString outputOption = QStringLiteral("output");
-    const QString jsonOption = QStringLiteral("json");
     const QString what = sideMeaning();
     CommandLine line(command, {{QStringLiteral("ONE"), what}, {QStringLiteral("OTHER"), what}});
     addSeedOption(line, QStringLiteral("scenes"));
@@ -162,7 +161,7 @@ ExitCode counterExample(const Command &command, const QStringList &arguments)
                     QStringLiteral("Write the scene, too: JSON. A folder, DIR/, gets it as "
                                    "counterexample.json."),
                     QStringLiteral("file")});
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addJsonOption();
     addProgramOptions(line);
     addSettingOptions(line);
     line.parse(arguments);
@@ -185,10 +184,8 @@ ExitCode counterExample(const Command &command, const QStringList &arguments)
             sayLine(each);
         return ExitCode::FallsShort;
     }
-    if (line.isSet(jsonOption))
-        printJson(QJsonDocument(jsonOf(sides, search)));
-    else
-        printLines(linesOf(sides, search) + confinement);
+    line.asksForJson() ? printJson(jsonOf(sides, search))
+                       : printLines(linesOf(sides, search) + confinement);
     if (search.found && line.isSet(outputOption))
         refuseIf(writeSceneFile(path, search.found->scene));
     return search.found || search.undrawn > 0 ? ExitCode::FallsShort : ExitCode::Done;

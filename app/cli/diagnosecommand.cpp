@@ -141,7 +141,6 @@ Submission readSubmission(const CommandLine &line, const QString &scenePath,
 ExitCode diagnose(const Command &command, const QStringList &arguments)
 {
     const QString sceneOption = QStringLiteral("scene");
-    const QString jsonOption = QStringLiteral("json");
     CommandLine line(command,
                      {{QStringLiteral("PICTURE"),
                        QStringLiteral("what a program drew of each scene, in their order: PNG, "
@@ -150,7 +149,7 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
     line.addRepeatedOption(
         {sceneOption, QStringLiteral("A scene that was to be drawn; give one for each picture."),
          QStringLiteral("file")});
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addJsonOption();
     addToleranceOption(line);
     addSettingOptions(line);
     line.parse(arguments);
@@ -176,10 +175,8 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
     const auto diagnosis = withProgress([&](const ProgressListener &listener) {
         return pixelplumb::diagnose(submissions, listener, tolerance);
     });
-    if (line.isSet(jsonOption))
-        printJson(QJsonDocument(diagnosisJson(*diagnosis, submissions)));
-    else
-        printLines(diagnosisLines(*diagnosis, submissions));
+    line.asksForJson() ? printJson(diagnosisJson(*diagnosis, submissions))
+                       : printLines(diagnosisLines(*diagnosis, submissions));
     return diagnosis->verdict == DiagnosisVerdict::Right ? ExitCode::Done : ExitCode::FallsShort;
 }
 

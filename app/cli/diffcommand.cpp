@@ -154,7 +154,6 @@ ExitCode diff(const Command &command, const QStringList &arguments)
 {
     const QString markedOption = QStringLiteral("output");
     const QString asciiOption = QStringLiteral("ascii");
-    const QString jsonOption = QStringLiteral("json");
     const QString what
         = QStringLiteral("a picture (PNG, PPM, BMP), a raster of # and ., or a scene");
     CommandLine line(command,
@@ -171,11 +170,11 @@ ExitCode diff(const Command &command, const QStringList &arguments)
                                    "else that of most corners of the picture."),
                     QStringLiteral("#rrggbb")});
     addToleranceOption(line);
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addJsonOption();
     line.parse(arguments);
     const auto format = pictureFormatOf(line, markedOption);
     refuseStandardOutput(line.value(markedOption), QStringLiteral("a file"));
-    if (line.isSet(asciiOption) && line.isSet(jsonOption))
+    if (line.isSet(asciiOption) && line.asksForJson())
         refuse(QStringLiteral("--ascii and --json: a raster is no JSON; expected one "
                               "of them"));
     const Arithmetic tolerance = chosenTolerance(line);
@@ -199,12 +198,12 @@ ExitCode diff(const Command &command, const QStringList &arguments)
     const PictureDiff difference
         = differenceOf(expected.picture, found.picture, undecidableOf(expected, found, tolerance));
     const std::int64_t twice = drawnTwiceIn(expected, found);
-    if (line.isSet(jsonOption)) {
+    if (line.asksForJson()) {
         QJsonObject object = diffJson(difference);
         object.insert(QStringLiteral("drawnTwice"), qint64(twice));
         object.insert(QStringLiteral("transparencyIgnored"),
                       expected.picture.isTransparent || found.picture.isTransparent);
-        printJson(QJsonDocument(object));
+        printJson(object);
     } else {
         printLines(diffLines(difference));
         if (twice > 0)

@@ -48,9 +48,9 @@ void refuseStandardOutput(const QString &path, const QString &expected);
 
 /// Where the results of several inputs are written, in their order. A single result goes to
 /// `output` itself. Where `output` is a folder ("out/", or an existing one), which is made if need
-/// be, each result gets its input's name in it with the ending `suffix` ("png"). An error where
-/// there are several inputs and no folder, where two would get the same name, and for standard
-/// input, which has no name.
+/// be, each result gets its input's name in it with the ending `suffix` ("png"). Refused are
+/// several inputs without a folder, two that would get the same name, and standard input, which has
+/// no name.
 QStringList outputPaths(const QString &output, const QStringList &inputs, const QString &suffix);
 
 /// Reads the picture of an input: a file, or stdin for "-". In a picture with colours no pixel is
@@ -69,7 +69,7 @@ void refuseOtherSizes(const SizedInput &one, const SizedInput &other);
 const QStringList &pictureFormats();
 
 /// The format that a path's ending asks for. Standard output, devices and pipes have no ending and
-/// get the first format. `option` is what the error names: "-o".
+/// get the first format. `option` is what a refusal names: "-o".
 QString pictureFormatOf(const QString &option, const QString &path);
 /// The format for the path in a command-line option ("output"); the first format where it is not
 /// set.
@@ -77,7 +77,7 @@ QString pictureFormatOf(const CommandLine &line, const QString &option);
 
 void writePicture(const QImage &picture, Output &output, const QString &format);
 
-/// Makes every pixel a square of `scale` pixels a side, as --scale asks; an error where the result
+/// Makes every pixel a square of `scale` pixels a side, as --scale asks; refuses a result that
 /// exceeds the largest frame.
 QImage enlarged(const QImage &picture, std::int64_t scale);
 

@@ -23,7 +23,6 @@ const QString jobsOption = QStringLiteral("jobs");
 const QString shardOption = QStringLiteral("shard");
 const QString mergeOption = QStringLiteral("merge");
 const QString partialOption = QStringLiteral("partial");
-const QString jsonOption = QStringLiteral("json");
 
 void addGradeOptions(CommandLine &line)
 {
@@ -47,7 +46,7 @@ void addGradeOptions(CommandLine &line)
                                    "SUBMISSIONS' place.")});
     line.addOption(
         {partialOption, QStringLiteral("With --merge: parts may be missing; the results say so.")});
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addJsonOption();
 }
 
 GradeShard chosenShard(const CommandLine &line)
@@ -113,10 +112,7 @@ QJsonObject clusterJson(const GradeReport &report)
 
 ExitCode print(const CommandLine &line, const GradeReport &report)
 {
-    if (line.isSet(jsonOption))
-        printJson(QJsonDocument(clusterJson(report)));
-    else
-        printLines(clusterLines(report));
+    line.asksForJson() ? printJson(clusterJson(report)) : printLines(clusterLines(report));
     const QStringList ungraded = ungradedLines(report);
     for (const QString &each : ungraded)
         sayLine(each);

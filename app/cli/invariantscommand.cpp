@@ -72,11 +72,10 @@ QJsonObject invariantsJson(const Findings &findings)
 
 ExitCode invariants(const Command &command, const QStringList &arguments)
 {
-    const QString jsonOption = QStringLiteral("json");
     const QString place = QStringLiteral("DRAWER");
     CommandLine line(command, {{place, sideMeaning()}});
     addSeedOption(line, QStringLiteral("triangles"));
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addJsonOption();
     addToleranceOption(line);
     addProgramOptions(line);
     addSettingOptions(line);
@@ -108,11 +107,11 @@ ExitCode invariants(const Command &command, const QStringList &arguments)
         findings.brokenBeyondRounding
             = checkInvariants(allowingFor(tolerance, source), sides.conventions, seed, pairs)
                   .broken;
-    if (line.isSet(jsonOption)) {
+    if (line.asksForJson()) {
         QJsonObject object = invariantsJson(findings);
         if (sides.hasProgram())
             addConfinement(object);
-        printJson(QJsonDocument(object));
+        printJson(object);
     } else {
         printLines(invariantLines(findings) + confinement);
     }

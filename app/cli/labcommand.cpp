@@ -77,13 +77,8 @@ std::vector<LabContender> chosenContenders(const CommandLine &line)
 std::optional<Budget> chosenBudget(const CommandLine &line)
 {
     if (!line.isSet(budgetOption))
-        return std::optional<Budget>();
-    const QString word = line.value(budgetOption);
-    const auto budget = budgetNamed(word.toStdString());
-    if (!budget)
-        refuseUnknown(QStringLiteral("--budget"), QStringLiteral("budget"), word,
-                      namesOf(allBudgets));
-    return budget;
+        return std::nullopt;
+    return chosen(line, budgetOption, allBudgets, allBudgets.front(), QStringLiteral("budget"));
 }
 
 StudySettings settingsFrom(const CommandLine &line)

@@ -24,28 +24,24 @@ void printMethods()
 
 ExitCode listMethods(const Command &command, const QStringList &arguments)
 {
-    const QString jsonOption = QStringLiteral("json");
     CommandLine line(
         command,
         {{QStringLiteral("NAME"),
           QStringLiteral("the method to describe: source, rules, effects, numbers, operations, "
                          "known defects"),
           Positional::Presence::Optional}});
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addJsonOption();
     line.parse(arguments);
     if (const QString name = line.argument(0); !name.isEmpty()) {
         const Method *method = methodNamed(name);
         if (!method)
             refuseUnknown(QStringLiteral("NAME"), QStringLiteral("method"), name, methodIds());
-        if (line.isSet(jsonOption))
-            printJson(QJsonDocument(wholeMethodJson(*method)));
-        else
-            printWholeMethod(*method);
-    } else if (line.isSet(jsonOption)) {
+        line.asksForJson() ? printJson(wholeMethodJson(*method)) : printWholeMethod(*method);
+    } else if (line.asksForJson()) {
         QJsonArray list;
         for (const Method &each : methods())
             list.append(methodJson(each));
-        printJson(QJsonDocument(list));
+        printJson(list);
     } else {
         printMethods();
     }

@@ -45,9 +45,8 @@ QJsonObject jsonOf(const MotionStudy &study)
 
 ExitCode motion(const Command &command, const QStringList &arguments)
 {
-    const QString jsonOption = QStringLiteral("json");
     CommandLine line(command, {scenePositional()});
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addJsonOption();
     addSettingOptions(line);
     line.parse(arguments);
     if (line.isSet(QStringLiteral("frame")))
@@ -62,10 +61,7 @@ ExitCode motion(const Command &command, const QStringList &arguments)
             QStringLiteral("a scene with \"motion\": { \"by\": [x, y], \"frames\": n }")});
     const auto study = withProgress(
         [&](const ProgressListener &listener) { return studyMotion(scene, listener); });
-    if (line.isSet(jsonOption))
-        printJson(QJsonDocument(jsonOf(*study)));
-    else
-        printLines(motionLines(*study));
+    line.asksForJson() ? printJson(jsonOf(*study)) : printLines(motionLines(*study));
     return study->toggled() != study->truthToggled() ? ExitCode::FallsShort : ExitCode::Done;
 }
 

@@ -77,12 +77,7 @@ void addToleranceOption(CommandLine &line)
 
 Arithmetic chosenTolerance(const CommandLine &line)
 {
-    const QString word = line.value(toleranceOption);
-    const auto arithmetic = arithmeticNamed(word.toStdString());
-    if (arithmetic && std::ranges::find(tolerances, *arithmetic) != tolerances.end())
-        return *arithmetic;
-    refuseUnknown(QStringLiteral("--") + toleranceOption, QStringLiteral("name"), word,
-                  namesOf(tolerances));
+    return chosen(line, toleranceOption, tolerances, Arithmetic::Float32);
 }
 
 namespace {

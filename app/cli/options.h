@@ -8,13 +8,15 @@
 #include "core/methods/method.h"
 #include "core/runs/contender.h"
 #include "core/runs/rejectedprimitives.h"
+#include "core/runs/tracedscene.h"
+#include "core/scan/choicenames.h"
 #include "core/scan/scansettings.h"
 #include "core/scene/result.h"
 #include "core/scene/scenefile.h"
-#include "core/trace/scantrace.h"
 
 #include <QJsonObject>
 
+#include <array>
 #include <limits>
 
 namespace pixelplumb::cli {
@@ -25,13 +27,29 @@ struct WholeRange {
     QString outside = QStringLiteral("out of range"); ///< "5 is out of range"
 };
 
-/// Reads the word as a whole number in the range; the error names the place ("--limit", "X"), the
+/// Reads the word as a whole number in the range; a refusal names the place ("--limit", "X"), the
 /// word and the range.
 std::int64_t wholeNumber(const QString &place, const QString &word, const WholeRange &range);
 
 /// Reads an option's number; none where it is not set and has no default.
 std::optional<std::int64_t> wholeNumberOf(const CommandLine &line, const QString &option,
                                           const WholeRange &range);
+
+/// The choice that an option names by its nameOf(), `unset` where the option is not set. Another
+/// word is refused with the names; `what` it should have named: "budget".
+template <class Choice, std::size_t Count>
+Choice chosen(const CommandLine &line, const QString &option,
+              const std::array<Choice, Count> &choices, Choice unset,
+              const QString &what = QStringLiteral("name"))
+{
+    if (!line.isSet(option))
+        return unset;
+    const QStringList names = namesOf(choices);
+    const qsizetype index = names.indexOf(line.value(option));
+    if (index < 0)
+        refuseUnknown(QStringLiteral("--") + option, what, line.value(option), names);
+    return choices[std::size_t(index)];
+}
 
 /// Adds --seed, 1 by default; `what` is drawn at random: "scenes".
 void addSeedOption(CommandLine &line, const QString &what);
@@ -45,7 +63,7 @@ Arithmetic chosenTolerance(const CommandLine &line);
 /// Adds --force EFFECT=on|off, which may be repeated.
 void addForceOption(CommandLine &line);
 
-/// What the options switch by hand, or the error in one of them.
+/// What the options switch by hand.
 EffectForcing chosenForcing(const CommandLine &line);
 
 /// --input, --time and --memory: how a student's program is run.
@@ -109,6 +127,9 @@ QStringList methodIds();
 const Method *chosenMethod(const CommandLine &line, const QString &unset);
 Arithmetic chosenArithmetic(const CommandLine &line, Arithmetic unset);
 FillRule chosenFillRule(const CommandLine &line, FillRule unset);
+
+/// Traces a scene, and shows how far it is.
+std::shared_ptr<const TracedScene> tracedWithProgress(const Scene &scene);
 
 /// What --triangle can name: a run's primitives, counted from 0.
 WholeRange primitivesOf(const ScanTrace &trace);

@@ -48,13 +48,12 @@ PixelReport reportOf(const TracedScene &traced, std::int64_t x, std::int64_t y)
 
 ExitCode pixel(const Command &command, const QStringList &arguments)
 {
-    const QString jsonOption = QStringLiteral("json");
     CommandLine line(
         command,
         {scenePositional(),
          {QStringLiteral("X"), QStringLiteral("the pixel's column")},
          {QStringLiteral("Y"), QStringLiteral("the pixel's row, counted as the scene does")}});
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addJsonOption();
     addSettingOptions(line);
     line.parse(arguments);
     const Scene scene = readScene(line, line.argument(0));
@@ -71,10 +70,7 @@ ExitCode pixel(const Command &command, const QStringList &arguments)
     reportRejections(line.argument(0) + QStringLiteral(", ") + traced->method->id,
                      rejectedPrimitives(*traced));
     const PixelReport report = reportOf(*traced, x, y);
-    if (line.isSet(jsonOption))
-        printJson(QJsonDocument(pixelJson(report)));
-    else
-        printLines(pixelLines(report));
+    line.asksForJson() ? printJson(pixelJson(report)) : printLines(pixelLines(report));
     return ExitCode::Done;
 }
 

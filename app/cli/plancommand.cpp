@@ -207,12 +207,11 @@ QJsonObject jsonOf(const PlanReport &report)
 ExitCode plan(const Command &command, const QStringList &arguments)
 {
     const QString measureOption = QStringLiteral("measure");
-    const QString jsonOption = QStringLiteral("json");
     CommandLine line(command, {scenePositional()});
     line.addOption({measureOption,
                     QStringLiteral("Measure, too, what each effect costs: it is drawn on and off "
                                    "in turn.")});
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addJsonOption();
     addSettingOptions(line);
     line.parse(arguments);
     const Scene scene = readSceneForAnyMethod(line, line.argument(0));
@@ -225,10 +224,7 @@ ExitCode plan(const Command &command, const QStringList &arguments)
             options.progress = listener;
             return timeEffects(scene, options);
         });
-    if (line.isSet(jsonOption))
-        printJson(QJsonDocument(jsonOf(report)));
-    else
-        printLines(textOf(report));
+    line.asksForJson() ? printJson(jsonOf(report)) : printLines(textOf(report));
     if (refusal)
         sayLine(refusal->message());
     return ExitCode::Done;

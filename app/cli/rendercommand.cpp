@@ -114,10 +114,8 @@ RenderRequest requestFrom(const CommandLine &line)
         refuse({{},
                 QStringLiteral("--accuracy chooses method and arithmetic itself"),
                 QStringLiteral("it alone")});
-    const auto scale = wholeNumberOf(line, scaleOption, {1, 64});
-    request.scale = scale.value();
-    const auto run = layerRequestFrom(line);
-    request.run = run;
+    request.scale = wholeNumberOf(line, scaleOption, {1, 64}).value();
+    request.run = layerRequestFrom(line);
     if (request.run.asksForRun() && !request.wantsPicture)
         refuse({{},
                 QStringLiteral("--layers and --position need a picture"),

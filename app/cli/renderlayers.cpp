@@ -139,11 +139,7 @@ LayerRequest layerRequestFrom(const CommandLine &line)
 
 QImage pictureWithLayers(const Scene &scene, const LayerRequest &request, std::int64_t scale)
 {
-    const auto traced = withProgress([&scene](const ProgressListener &listener) {
-        TraceOptions recording;
-        recording.progress = listener;
-        return traceScene(scene, recording);
-    });
+    const auto traced = tracedWithProgress(scene);
     const ScanTrace &trace = *traced->trace;
     if (request.position && std::size_t(*request.position) > trace.stepCount())
         refuse({QStringLiteral("--") + positionOption, QString::number(*request.position),

@@ -24,20 +24,6 @@ constexpr QLatin1String frameOption("frame");
 constexpr QLatin1String variantOption("variant");
 constexpr QLatin1String noVariant("none");
 
-template <class Choice, std::size_t Count>
-Choice chosen(const CommandLine &line, const QString &option,
-              const std::array<Choice, Count> &choices, Choice unset)
-{
-    if (!line.isSet(option))
-        return unset;
-    const QStringList names = namesOf(choices);
-    const qsizetype index = names.indexOf(line.value(option));
-    if (index < 0)
-        refuseUnknown(QStringLiteral("--") + option, QStringLiteral("name"), line.value(option),
-                      names);
-    return choices[std::size_t(index)];
-}
-
 /// The variants chosen, separated by commas; together they replace the scene's.
 VariantSet chosenVariants(const CommandLine &line, VariantSet unset)
 {
@@ -254,6 +240,15 @@ void refuseToJudgeBy(const Scene &scene, const QString &path)
     if (!drawsAnyOf(scene))
         refuse({path, drawsNoneText(scene),
                 QStringLiteral("a method that draws one, in the scene or as --method")});
+}
+
+std::shared_ptr<const TracedScene> tracedWithProgress(const Scene &scene)
+{
+    return withProgress([&scene](const ProgressListener &listener) {
+        TraceOptions recording;
+        recording.progress = listener;
+        return traceScene(scene, recording);
+    });
 }
 
 WholeRange primitivesOf(const ScanTrace &trace)

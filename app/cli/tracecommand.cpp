@@ -68,7 +68,7 @@ void addRowOptions(CommandLine &line)
         {yOption, QStringLiteral("Print the rows of this row of the frame alone."), number});
 }
 
-/// The chosen rows, or an error where an option names what the run or the table lacks.
+/// The chosen rows; refuses an option that names what the run or the table lacks.
 RowChoice chosenRows(const CommandLine &line, const TracedScene &traced, TraceLevel level)
 {
     const auto primitive = wholeNumberOf(line, primitiveOption, primitivesOf(*traced.trace));
@@ -165,11 +165,7 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const Nam
 {
     const std::optional<Scene> &scene = named.scene;
     const QString &path = named.path;
-    const auto traced = withProgress([&scene](const ProgressListener &listener) {
-        TraceOptions recording;
-        recording.progress = listener;
-        return traceScene(*scene, recording);
-    });
+    const auto traced = tracedWithProgress(*scene);
     // The columns depend on the effects that the scene calls for, known only now.
     const QStringList columns = chosenColumns(line, traced->trace->numbers(), request.level);
     const RowChoice rows = chosenRows(line, *traced, request.level);

@@ -104,7 +104,7 @@ void addTrialOptions(CommandLine &line)
                             QStringLiteral("file")});
     addProgramOptions(line);
     addToleranceOption(line);
-    line.addOption({QStringLiteral("json"), QStringLiteral("Print JSON.")});
+    line.addJsonOption();
 }
 
 /// The verdict on trials without errors, in diagnose's words.
@@ -163,7 +163,7 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
     const auto isRight = [](const SceneTrial &each) { return each.trial.isRight(); };
     const bool areRight = std::ranges::all_of(tried, isRight);
     const auto diagnosis = diagnosisOf(submissions, areRight, terms.tolerance);
-    if (line.isSet(QStringLiteral("json"))) {
+    if (line.asksForJson()) {
         QJsonArray trials;
         for (const SceneTrial &each : tried)
             trials.append(objectOf(each));
@@ -171,7 +171,7 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
         if (diagnosis)
             report.insert(QStringLiteral("diagnosis"), diagnosisJson(*diagnosis, submissions));
         addConfinement(report);
-        printJson(QJsonDocument(report));
+        printJson(report);
     } else {
         for (const SceneTrial &each : tried)
             printLines(linesOf(each));
