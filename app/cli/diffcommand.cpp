@@ -153,7 +153,7 @@ Colour backgroundFor(const CommandLine &line, const Side &expected, const Side &
 ExitCode diff(const Command &command, const QStringList &arguments)
 {
     const QString markedOption = QStringLiteral("output");
-    const QString asciiOption = QStringLiteral("ascii");
+    const QString rasterOption = QStringLiteral("ascii");
     const QString what
         = QStringLiteral("a picture (PNG, PPM, BMP), a raster of # and ., or a scene");
     CommandLine line(command,
@@ -162,7 +162,7 @@ ExitCode diff(const Command &command, const QStringList &arguments)
                     QStringLiteral("Write a picture, too: what was expected, faint, with the "
                                    "pixels that differ in the colours of the manual."),
                     QStringLiteral("file")});
-    line.addOption({asciiOption,
+    line.addOption({rasterOption,
                     QStringLiteral("Print a raster, too: # the same, ? missing, ! extra, c another "
                                    "colour, = undecidable.")});
     line.addOption({QStringLiteral("background"),
@@ -174,7 +174,7 @@ ExitCode diff(const Command &command, const QStringList &arguments)
     line.parse(arguments);
     const auto format = pictureFormatOf(line, markedOption);
     refuseStandardOutput(line.value(markedOption), QStringLiteral("a file"));
-    if (line.isSet(asciiOption) && line.asksForJson())
+    if (line.isSet(rasterOption) && line.asksForJson())
         refuse(QStringLiteral("--ascii and --json: a raster is no JSON; expected one "
                               "of them"));
     const Arithmetic tolerance = chosenTolerance(line);
@@ -210,7 +210,7 @@ ExitCode diff(const Command &command, const QStringList &arguments)
             printLine(QStringLiteral("drawn twice: %1 pixels are blended once more than the fill "
                                      "rule says, as on edges that two triangles share")
                           .arg(twice));
-        if (line.isSet(asciiOption))
+        if (line.isSet(rasterOption))
             printLines(rasterOf(difference, expected.picture).chopped(1).split(u'\n'));
     }
     if (line.isSet(markedOption)) {

@@ -16,7 +16,7 @@ namespace pixelplumb::cli {
 
 namespace {
 
-const QString methodsOption = QStringLiteral("--methods");
+const QString methodsPlace = QStringLiteral("--methods");
 const QString truthWord = QStringLiteral("truth");
 
 QStringList contenderNames() { return QStringList{truthWord} + methodIds(); }
@@ -70,7 +70,7 @@ std::vector<Contender> contendersNamed(const QString &list, const ScanSettings &
     const QStringList entries = list.split(u',');
     const auto count = std::size_t(entries.size());
     if (count < fewestContenders || count > mostContenders)
-        refuse({methodsOption,
+        refuse({methodsPlace,
                 count == 1 ? QStringLiteral("1 contender")
                            : QStringLiteral("%1 contenders").arg(count),
                 QStringLiteral("%1 to %2, separated by commas")
@@ -78,7 +78,7 @@ std::vector<Contender> contendersNamed(const QString &list, const ScanSettings &
                     .arg(mostContenders)});
     std::vector<Contender> contenders;
     for (const QString &entry : entries)
-        contenders.push_back(contenderNamed(methodsOption, entry, ofScene));
+        contenders.push_back(contenderNamed(methodsPlace, entry, ofScene));
     return contenders;
 }
 

@@ -141,7 +141,7 @@ QString pictureFormatOf(const QString &option, const QString &path)
     const QFileInfo file(path);
     const bool isStream = path == QStringLiteral("-") || path.startsWith(QStringLiteral("/dev/"))
         || (file.exists() && !file.isFile() && !file.isDir());
-    const QString format = file.suffix().toLower();
+    QString format = file.suffix().toLower();
     if (pictureFormats().contains(format))
         return format;
     if (isStream)

@@ -18,7 +18,7 @@ namespace pixelplumb::cli {
 namespace {
 
 const QString assignmentOption = QStringLiteral("assignment");
-const QString outputOption = QStringLiteral("output");
+const QString resultsOption = QStringLiteral("output");
 const QString jobsOption = QStringLiteral("jobs");
 const QString shardOption = QStringLiteral("shard");
 const QString mergeOption = QStringLiteral("merge");
@@ -28,7 +28,7 @@ void addGradeOptions(CommandLine &line)
 {
     line.addOption({assignmentOption, QStringLiteral("What was to be drawn, and for what points."),
                     QStringLiteral("file")});
-    line.addOption({{QStringLiteral("o"), outputOption},
+    line.addOption({{QStringLiteral("o"), resultsOption},
                     QStringLiteral("Write the results to this folder; those that are there already "
                                    "and still hold are kept."),
                     QStringLiteral("folder")});
@@ -138,7 +138,7 @@ ExitCode merge(const CommandLine &line)
     }
     const MergeExtent extent
         = line.isSet(partialOption) ? MergeExtent::Partial : MergeExtent::Whole;
-    return print(line, required(mergeGrades(line.arguments(), line.value(outputOption), extent)));
+    return print(line, required(mergeGrades(line.arguments(), line.value(resultsOption), extent)));
 }
 
 } // namespace
@@ -155,9 +155,9 @@ ExitCode grade(const Command &command, const QStringList &arguments)
                                              "may be several"),
                               Positional::Presence::Several}});
     line.parse(arguments);
-    if (line.value(outputOption).isEmpty())
+    if (line.value(resultsOption).isEmpty())
         refuse(QStringLiteral("-o is missing: the folder for the results"));
-    refuseStandardOutput(line.value(outputOption), QStringLiteral("a folder for the results"));
+    refuseStandardOutput(line.value(resultsOption), QStringLiteral("a folder for the results"));
     if (line.arguments().contains(QStringLiteral("-")))
         refuse({QStringLiteral("-"), QStringLiteral("standard input is no folder"),
                 QStringLiteral("a folder; one of that name is ./-")});
@@ -173,7 +173,7 @@ ExitCode grade(const Command &command, const QStringList &arguments)
                     .arg(line.value(assignmentOption)));
     const auto jobs = wholeNumberOf(line, jobsOption, {1, 256});
     const GradeShard shard = chosenShard(line);
-    const GradingOrder order{line.argument(0), line.value(outputOption),
+    const GradingOrder order{line.argument(0), line.value(resultsOption),
                              QCoreApplication::applicationVersion(),
                              int(jobs.value_or(threadsOfMachine())), shard};
     sayHidden(line.argument(0));

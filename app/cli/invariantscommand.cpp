@@ -8,6 +8,7 @@
 #include "core/scene/scenefile.h"
 
 #include <QJsonArray>
+#include <QJsonDocument>
 #include <QJsonObject>
 
 #include <algorithm>

@@ -22,7 +22,7 @@ const QString familyOption = QStringLiteral("family");
 const QString contenderOption = QStringLiteral("contender");
 const QString accuracyOnlyOption = QStringLiteral("accuracy-only");
 const QString budgetOption = QStringLiteral("budget");
-const QString formatOption = QStringLiteral("format");
+const QString studyFormatOption = QStringLiteral("format");
 const QString studyOption = QStringLiteral("output");
 const QString ownSceneFamily = QStringLiteral("own-scene");
 
@@ -30,7 +30,7 @@ enum class LabFormat { Text, Csv, Json };
 
 LabFormat chosenFormat(const CommandLine &line)
 {
-    const QString word = line.value(formatOption);
+    const QString word = line.value(studyFormatOption);
     const QStringList names
         = {QStringLiteral("text"), QStringLiteral("csv"), QStringLiteral("json")};
     const qsizetype index = names.indexOf(word);
@@ -47,7 +47,7 @@ QStringList chosenFamilies(const CommandLine &line)
     QStringList known;
     for (const LabFamilyInfo &info : labFamilies())
         known << QString::fromLatin1(info.id);
-    const QStringList families = line.value(familyOption).split(u',', Qt::SkipEmptyParts);
+    QStringList families = line.value(familyOption).split(u',', Qt::SkipEmptyParts);
     for (const QString &family : families) {
         if (!known.contains(family))
             refuseUnknown(QStringLiteral("--family"), QStringLiteral("family"), family, known);
@@ -164,7 +164,7 @@ void addStudyOptions(CommandLine &line)
                     QStringLiteral("Name the cheapest that meets it on the scene, or on random "
                                    "triangles: exact, 1-level, 10-ppm, 16-ms."),
                     QStringLiteral("budget")});
-    line.addOption({formatOption, QStringLiteral("text, csv or json; text if left out."),
+    line.addOption({studyFormatOption, QStringLiteral("text, csv or json; text if left out."),
                     QStringLiteral("format"), QStringLiteral("text")});
     line.addOption({{QStringLiteral("o"), studyOption},
                     QStringLiteral("Write to a file; - is standard output."),
