@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/console.h"
-#include "app/cli/suggestion.h"
 #include "core/methods/method.h"
 #include "core/scan/choicenames.h"
 #include "version.h"

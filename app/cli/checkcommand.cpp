@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/input.h"
-#include "app/cli/progress.h"
-#include "app/cli/sceneoptions.h"
-#include "app/cli/suggestion.h"
+#include "app/cli/console.h"
+#include "app/cli/files.h"
+#include "app/cli/options.h"
 #include "core/check/casecheck.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/fileaccess.h"
@@ -20,40 +19,32 @@ const QString allArithmeticsWord = QStringLiteral("all");
 /// Every method, arithmetic and rule that the options allow. Without --method, all methods; without
 /// a rule, all of the method's rules; without an arithmetic, the method's stable ones, or exact
 /// arithmetic for a single method.
-Result<std::vector<Contender>> contendersFor(const CommandLine &line)
+std::vector<Contender> contendersFor(const CommandLine &line)
 {
-    const Result<const Method *> method = chosenMethod(line, methods().front().id);
-    if (!method)
-        return method.error();
+    const Method *method = chosenMethod(line, methods().front().id);
     const bool everyArithmetic = line.value(QStringLiteral("arithmetic")) == allArithmeticsWord;
-    const Result<Arithmetic> arithmetic = everyArithmetic
-        ? Result<Arithmetic>(Arithmetic::Exact)
-        : chosenArithmetic(line, Arithmetic::Exact);
-    if (!arithmetic)
-        return arithmetic.error();
-    const Result<FillRule> fillRule = chosenFillRule(line, FillRule::Closed);
-    if (!fillRule)
-        return fillRule.error();
+    const Arithmetic arithmetic
+        = everyArithmetic ? Arithmetic::Exact : chosenArithmetic(line, Arithmetic::Exact);
+    const FillRule fillRule = chosenFillRule(line, FillRule::Closed);
 
     const bool chooses
         = line.isSet(QStringLiteral("method")) || line.isSet(QStringLiteral("arithmetic"));
     std::vector<Contender> contenders;
     for (const Method &each : methods()) {
-        if (line.isSet(QStringLiteral("method")) && &each != *method)
+        if (line.isSet(QStringLiteral("method")) && &each != method)
             continue;
         for (const Arithmetic number : each.arithmetics) {
-            const bool isMeant = chooses ? number == *arithmetic : each.isStableIn(number);
+            const bool isMeant = chooses ? number == arithmetic : each.isStableIn(number);
             if (!everyArithmetic && !isMeant)
                 continue;
             for (const FillRule rule : each.fillRules) {
-                if (!line.isSet(QStringLiteral("fill-rule")) || rule == *fillRule)
+                if (!line.isSet(QStringLiteral("fill-rule")) || rule == fillRule)
                     contenders.push_back({&each, {number, rule, ByteRounding::Nearest}});
             }
         }
     }
     if (contenders.empty())
-        return InputError{
-            {}, QStringLiteral("no method draws in this arithmetic under this rule"), {}};
+        refuse(QStringLiteral("no method draws in this arithmetic under this rule"));
     return contenders;
 }
 
@@ -113,53 +104,45 @@ struct Tally {
 
 ExitCode check(const Command &command, const QStringList &arguments)
 {
-    const QString jsonOption = QStringLiteral("json");
     const QString name = QStringLiteral("name");
     CommandLine line(command,
                      {{QStringLiteral("CASES"),
                        QStringLiteral("a file of hard cases (JSON), or - for standard input")}});
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addJsonOption();
     line.addOption({QStringLiteral("method"), QStringLiteral("Check this method alone."), name});
     line.addOption({QStringLiteral("arithmetic"),
                     QStringLiteral("Check in this arithmetic, or in all; exact if left out."),
                     name});
     line.addOption(
         {QStringLiteral("fill-rule"), QStringLiteral("Check under this rule alone."), name});
-    if (const auto ended = line.parse(arguments))
-        return *ended;
+    line.parse(arguments);
 
-    const Result<std::vector<Contender>> contenders = contendersFor(line);
-    if (!contenders)
-        return line.refuse(contenders.error());
-    const Result<QByteArray> text = readInput(line.argument(0));
-    if (!text)
-        return line.refuse(text.error());
-    const Result<std::vector<HardCase>> cases = readHardCases(*text);
-    if (!cases)
-        return line.refuse(errorIn(line.argument(0), cases.error()));
+    const std::vector<Contender> contenders = contendersFor(line);
+    const std::vector<HardCase> cases
+        = requiredIn(line.argument(0), readHardCases(readInput(line.argument(0))));
 
     Progress progress;
     Tally tally;
     QJsonArray reports;
-    for (const HardCase &hardCase : *cases) {
+    for (const HardCase &hardCase : cases) {
         progress.show(QStringLiteral("case %1 of %2: %3")
                           .arg(tally.total() + 1)
-                          .arg(cases->size())
+                          .arg(cases.size())
                           .arg(hardCase.id));
-        const CaseReport report = checkCase(hardCase, *contenders);
+        const CaseReport report = checkCase(hardCase, contenders);
         tally.add(report.summary());
         progress.clear();
-        if (line.isSet(jsonOption))
+        if (line.asksForJson())
             reports.append(jsonOf(report));
         else
             printReport(report);
     }
-    if (line.isSet(jsonOption)) {
+    if (line.asksForJson()) {
         const QJsonObject all{{QStringLiteral("cases"), reports},
                               {QStringLiteral("passed"), tally.passed},
                               {QStringLiteral("fellShort"), tally.fellShort},
                               {QStringLiteral("skipped"), tally.skipped}};
-        printJson(QJsonDocument(all));
+        printJson(all);
     } else {
         printLine(QStringLiteral("%1: %2 passed, %3 fell short, %4 skipped")
                       .arg(tally.total() == 1 ? QStringLiteral("1 case")

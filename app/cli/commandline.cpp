@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commandline.h"
 
-#include "app/cli/suggestion.h"
+#include "app/cli/console.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
@@ -79,22 +79,23 @@ void CommandLine::addRepeatedOption(const QCommandLineOption &option)
     m_parser.addOption(option);
 }
 
-std::optional<ExitCode> CommandLine::parse(const QStringList &arguments)
+void CommandLine::addJsonOption()
+{
+    addOption({QStringLiteral("json"), QStringLiteral("Print JSON.")});
+}
+
+void CommandLine::parse(const QStringList &arguments)
 {
     const bool parsed = m_parser.parse(QStringList{QCoreApplication::applicationName()}
                                        + withProtectedNumbers(arguments));
     if (m_parser.isSet(QStringLiteral("help"))) {
         printHelp();
-        return ExitCode::Done;
+        throw Ended{ExitCode::Done};
     }
-    if (!parsed) {
-        return refuse(m_parser.unknownOptionNames().isEmpty() ? m_parser.errorText()
-                                                              : unknownOption());
-    }
-    if (const QString repeated = repeatedOption(); !repeated.isEmpty())
-        return refuse(repeated);
-    if (const QString empty = emptyOption(); !empty.isEmpty())
-        return refuse(empty);
+    if (!parsed)
+        refuse(m_parser.unknownOptionNames().isEmpty() ? m_parser.errorText() : unknownOption());
+    refuseRepeatedOption();
+    refuseEmptyOption();
     const QStringList positionals = m_parser.positionalArguments();
     const auto expected = qsizetype(m_positionals.size());
     const auto presence
@@ -105,7 +106,7 @@ std::optional<ExitCode> CommandLine::parse(const QStringList &arguments)
     };
     if (positionals.size() < expected && !mayBeLeftOut(positionals.size())) {
         const Positional &missing = m_positionals[std::size_t(positionals.size())];
-        return refuse(QStringLiteral("%1 is missing: %2").arg(missing.name, missing.meaning));
+        refuse(QStringLiteral("%1 is missing: %2").arg(missing.name, missing.meaning));
     }
     const auto last = expected > 0 ? presence(expected - 1) : Positional::Presence::Required;
     const bool isList
@@ -115,12 +116,10 @@ std::optional<ExitCode> CommandLine::parse(const QStringList &arguments)
     for (qsizetype place = 0; place < filled; ++place) {
         const Positional &positional = m_positionals[std::size_t(std::min(place, expected - 1))];
         if (positionals[place].isEmpty())
-            return refuse(
-                QStringLiteral("%1 is empty: %2").arg(positional.name, positional.meaning));
+            refuse(QStringLiteral("%1 is empty: %2").arg(positional.name, positional.meaning));
     }
     if (positionals.size() > expected && !takesMore)
-        return refuse(QStringLiteral("unexpected argument “%1”").arg(argument(expected)));
-    return std::nullopt;
+        refuse(QStringLiteral("unexpected argument “%1”").arg(argument(expected)));
 }
 
 QString CommandLine::value(const QString &option) const
@@ -138,7 +137,7 @@ QStringList CommandLine::arguments() const
     return words;
 }
 
-QString CommandLine::repeatedOption() const
+void CommandLine::refuseRepeatedOption() const
 {
     const QStringList found = m_parser.optionNames();
     for (const QStringList &names : m_onceOnly) {
@@ -153,23 +152,21 @@ QString CommandLine::repeatedOption() const
         const QStringList values = m_parser.values(names.front());
         for (qsizetype i = 0; i < values.size(); ++i)
             written[i] += u' ' + asWritten(values[i]);
-        return QStringLiteral("%1; expected %2 once")
-            .arg(written.join(QStringLiteral(" and ")), dashedAmong(names, names.back()));
+        refuse(QStringLiteral("%1; expected %2 once")
+                   .arg(written.join(QStringLiteral(" and ")), dashedAmong(names, names.back())));
     }
-    return {};
 }
 
-QString CommandLine::emptyOption() const
+void CommandLine::refuseEmptyOption() const
 {
     const QStringList found = m_parser.optionNames();
     for (const QCommandLineOption &option : m_options) {
         for (const QString &name : option.names()) {
             if (found.contains(name) && m_parser.values(name).contains(QString()))
-                return QStringLiteral("%1 is empty; expected its %2")
-                    .arg(dashedAmong(option.names(), name), option.valueName());
+                refuse(QStringLiteral("%1 is empty; expected its %2")
+                           .arg(dashedAmong(option.names(), name), option.valueName()));
         }
     }
-    return {};
 }
 
 QString CommandLine::unknownOption() const
@@ -179,13 +176,6 @@ QString CommandLine::unknownOption() const
     const QString text = QStringLiteral("unknown option %1").arg(dashed(name));
     return closest.isEmpty() ? text
                              : text + QStringLiteral("; did you mean %1?").arg(dashed(closest));
-}
-
-ExitCode CommandLine::refuse(const QString &what) const
-{
-    const QString program = QCoreApplication::applicationName() + u' ' + m_name;
-    sayLine(QStringLiteral("%1: %2").arg(program, what));
-    return ExitCode::Usage;
 }
 
 void CommandLine::printHelp() const

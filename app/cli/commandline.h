@@ -34,17 +34,19 @@ struct Positional {
     Presence presence = Presence::Required;
 };
 
-/// The words after a command: options, and the positional arguments that the command names. Every
-/// error is reported on stderr with the word in question.
+/// The words after a command: options, and the positional arguments that the command names. What
+/// is wrong with them is told with the word in question.
 class CommandLine {
 public:
     CommandLine(const Command &command, std::vector<Positional> positionals);
 
     void addOption(const QCommandLineOption &option); ///< may be given once
     void addRepeatedOption(const QCommandLineOption &option); ///< may be repeated
-    /// An exit code when there is nothing left to do: help was asked for, or the words are wrong.
-    std::optional<ExitCode> parse(const QStringList &arguments);
+    void addJsonOption();
+    /// Ends the command where help was asked for, or the words are wrong.
+    void parse(const QStringList &arguments);
 
+    bool asksForJson() const { return isSet(QStringLiteral("json")); }
     bool isSet(const QString &option) const { return m_parser.isSet(option); }
     /// Negative numbers are values, not options.
     QString value(const QString &option) const;
@@ -55,16 +57,12 @@ public:
     QString argument(qsizetype index) const;
     QStringList arguments() const;
 
-    /// Reports on stderr what is wrong with the command line or its input.
-    ExitCode refuse(const QString &what) const;
-    ExitCode refuse(const InputError &error) const { return refuse(error.message()); }
+    const QString &command() const { return m_name; }
 
 private:
     QString unknownOption() const;
-    /// The error where an option that may be given once is repeated; empty where there is none.
-    QString repeatedOption() const;
-    /// The error where an option's value is empty; empty where there is none.
-    QString emptyOption() const;
+    void refuseRepeatedOption() const; ///< of those that may be given once
+    void refuseEmptyOption() const; ///< an option whose value is empty
     void printHelp() const;
 
     QString m_name;

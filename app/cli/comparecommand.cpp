@@ -1,24 +1,69 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/comparecontenders.h"
-#include "app/cli/comparepicture.h"
-#include "app/cli/comparereport.h"
-#include "app/cli/picturefile.h"
-#include "app/cli/progress.h"
-#include "app/cli/rejectionreport.h"
-#include "app/cli/sceneoptions.h"
-#include "app/cli/wholenumber.h"
+#include "app/cli/console.h"
+#include "app/cli/files.h"
+#include "app/cli/options.h"
+#include "core/compare/contest.h"
+
+#include <QImage>
 
 #include <algorithm>
 
 namespace pixelplumb::cli {
+
+namespace {
+
+QRgb colourOf(Disagreement reason)
+{
+    switch (reason) {
+    case Disagreement::TieRule:
+        return qRgb(230, 159, 0);
+    case Disagreement::Undrawn:
+        return qRgb(128, 128, 128);
+    case Disagreement::Rounding:
+        return qRgb(240, 228, 66);
+    case Disagreement::Drift:
+        return qRgb(86, 180, 233);
+    case Disagreement::Precision:
+        return qRgb(213, 94, 0);
+    case Disagreement::Method:
+        return qRgb(204, 121, 167);
+    case Disagreement::NotRecorded:
+    case Disagreement::None:
+        break;
+    }
+    return qRgb(0, 0, 0);
+}
+
+/// The first contender's picture, faint and grey. Pixels on which not all agree have the colour of
+/// the reason (Okabe and Ito's palette): orange a tie rule, grey an undrawn kind, yellow rounding,
+/// sky blue drift, vermilion precision, purple the method, black not recorded.
+QImage pictureOf(const Contest &contest)
+{
+    const AgreementMap &agreement = contest.agreement;
+    const FrameSpec &frame = agreement.spec();
+    const WrittenFrame &first = contest.runs.front().picture;
+    QImage picture(frame.width, frame.height, QImage::Format_RGB32);
+    for (int line = 0; line < picture.height(); ++line) {
+        auto *pixels = reinterpret_cast<QRgb *>(picture.scanLine(line));
+        const std::int64_t y = rowOfPictureLine(frame, line);
+        for (int column = 0; column < picture.width(); ++column) {
+            const std::int64_t x = frame.firstColumn + column;
+            const bool agree = agreement.agreeingAt(x, y) == agreement.contenderCount();
+            const Colour shown = first.isWritten(x, y) ? first.colourAt(x, y) : frame.background;
+            pixels[column] = agree ? faint(shown) : colourOf(agreement.reasonAt(x, y));
+        }
+    }
+    return picture;
+}
+
+} // namespace
 
 ExitCode compare(const Command &command, const QStringList &arguments)
 {
     const QString methodsOption = QStringLiteral("methods");
     const QString limitOption = QStringLiteral("limit");
     const QString drawingOption = QStringLiteral("output");
-    const QString jsonOption = QStringLiteral("json");
     CommandLine line(command, {scenePositional()});
     line.addOption(
         {methodsOption,
@@ -33,57 +78,40 @@ ExitCode compare(const Command &command, const QStringList &arguments)
              "Write a picture, too: PNG, BMP or PPM by the name's extension. It is the first "
              "method's, faint, with differing pixels in the colours that the manual lists."),
          QStringLiteral("file")});
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addJsonOption();
     addSettingOptions(line);
-    if (const auto ended = line.parse(arguments))
-        return *ended;
+    line.parse(arguments);
     if (!line.isSet(methodsOption))
-        return line.refuse(QStringLiteral("--methods is missing; expected a list such as "
-                                          "column-scan:exact,column-scan:float32,truth"));
+        refuse(QStringLiteral("--methods is missing; expected a list such as "
+                              "column-scan:exact,column-scan:float32,truth"));
     const auto limit = wholeNumberOf(line, limitOption, {});
-    if (!limit)
-        return line.refuse(limit.error());
     const auto format = pictureFormatOf(line, drawingOption);
-    if (!format)
-        return line.refuse(format.error());
-    if (const auto refusal
-        = refusalOfStandardOutput(line.value(drawingOption), QStringLiteral("a file")))
-        return line.refuse(*refusal);
-    const Result<Scene> scene = readScene(line, line.argument(0));
-    if (!scene)
-        return line.refuse(scene.error());
-    const Result<std::vector<Contender>> contenders
-        = contendersNamed(line.value(methodsOption), scene->settings);
-    if (!contenders)
-        return line.refuse(contenders.error());
-    for (const Contender &contender : *contenders) {
+    refuseStandardOutput(line.value(drawingOption), QStringLiteral("a file"));
+    const Scene scene = readScene(line, line.argument(0));
+    const std::vector<Contender> contenders
+        = contendersNamed(line.value(methodsOption), scene.settings);
+    for (const Contender &contender : contenders) {
         if (contender.isTruth())
             continue;
-        if (const auto refusal
-            = refusalOf(sceneFor(*scene, contender), QStringLiteral("--methods")))
-            return line.refuse(*refusal);
+        refuseIf(refusalOf(sceneFor(scene, contender), QStringLiteral("--methods")));
     }
 
     const auto contest = withProgress([&](const ProgressListener &listener) {
         ContestOptions options;
         options.progress = listener;
-        return compareContenders(*scene, *contenders, options);
+        return compareContenders(scene, contenders, options);
     });
-    for (const Contender &contender : *contenders) {
+    for (const Contender &contender : contenders) {
         if (!contender.isTruth())
             reportRejections(line.argument(0) + QStringLiteral(", ") + contender.name(),
-                             rejectedPrimitives(sceneFor(*scene, contender)));
+                             rejectedPrimitives(sceneFor(scene, contender)));
     }
 
-    const CompareReport report{*contest, std::size_t(limit->value())};
-    if (line.isSet(jsonOption))
-        printJson(QJsonDocument(jsonOf(report)));
-    else
-        printLines(textOf(report));
+    const CompareReport report{*contest, std::size_t(limit.value())};
+    line.asksForJson() ? printJson(compareJson(report)) : printLines(compareLines(report));
     if (line.isSet(drawingOption)) {
         Output output(line.value(drawingOption));
-        if (const auto error = writePicture(pictureOf(*contest), output, *format))
-            return line.refuse(*error);
+        writePicture(pictureOf(*contest), output, format);
     }
     const bool agree = contest->agreement.differing() == 0
         && std::ranges::none_of(contest->carried,

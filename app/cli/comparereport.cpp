@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/comparereport.h"
-
-#include "app/cli/alignedrows.h"
+#include "app/cli/commands.h"
+#include "app/cli/console.h"
 #include "core/runs/undrawn.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/colourtext.h"
@@ -198,7 +197,7 @@ QJsonObject jsonOf(const ContenderRun &run, const Contest &contest)
 
 } // namespace
 
-QStringList textOf(const CompareReport &report)
+QStringList compareLines(const CompareReport &report)
 {
     const AgreementMap &agreement = report.contest.agreement;
     QStringList lines = contenderTable(report.contest);
@@ -217,7 +216,7 @@ QStringList textOf(const CompareReport &report)
     return lines;
 }
 
-QJsonObject jsonOf(const CompareReport &report)
+QJsonObject compareJson(const CompareReport &report)
 {
     const AgreementMap &agreement = report.contest.agreement;
     QJsonArray contenders;

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/output.h"
-#include "app/cli/outputpaths.h"
-#include "app/cli/picturesides.h"
-#include "app/cli/programoptions.h"
-#include "app/cli/progress.h"
-#include "app/cli/sceneoptions.h"
-#include "app/cli/seedoption.h"
+#include "app/cli/console.h"
+#include "app/cli/files.h"
+#include "app/cli/options.h"
 #include "core/frame/framebuffer.h"
 #include "core/grade/counterexample.h"
 #include "core/grade/diagnosis.h"
@@ -16,6 +12,7 @@
 
 #include <QFileInfo>
 #include <QJsonArray>
+#include <QJsonDocument>
 #include <QJsonObject>
 
 namespace pixelplumb::cli {
@@ -138,23 +135,19 @@ QJsonObject jsonOf(const Sides &sides, const CounterSearch &search)
 }
 
 /// Where the scene is to be written; checked before the search, which takes long.
-Result<QString> pathIn(const QString &output)
+QString pathIn(const QString &output)
 {
-    if (const auto refusal = refusalOfStandardOutput(output, QStringLiteral("a file")))
-        return *refusal;
+    refuseStandardOutput(output, QStringLiteral("a file"));
     const auto paths
         = outputPaths(output, {QStringLiteral("counterexample")}, QStringLiteral("json"));
-    if (!paths)
-        return paths.error();
-    if (const auto refusal = refusalToWrite(paths->front()))
-        return *refusal;
-    const QFileInfo file(paths->front());
+    refuseIf(refusalToWrite(paths.front()));
+    const QFileInfo file(paths.front());
     const QFileInfo folder(file.path());
     if (!file.exists() && !(folder.isDir() && folder.isWritable()))
-        return InputError{QStringLiteral("-o ") + output,
-                          QStringLiteral("the folder %1 takes no file").arg(folder.filePath()),
-                          QStringLiteral("a file in a folder that is there and can be written to")};
-    return paths->front();
+        refuse({QStringLiteral("-o ") + output,
+                QStringLiteral("the folder %1 takes no file").arg(folder.filePath()),
+                QStringLiteral("a file in a folder that is there and can be written to")});
+    return paths.front();
 }
 
 } // namespace
@@ -162,7 +155,6 @@ Result<QString> pathIn(const QString &output)
 ExitCode counterExample(const Command &command, const QStringList &arguments)
 {
     const QString outputOption = QStringLiteral("output");
-    const QString jsonOption = QStringLiteral("json");
     const QString what = sideMeaning();
     CommandLine line(command, {{QStringLiteral("ONE"), what}, {QStringLiteral("OTHER"), what}});
     addSeedOption(line, QStringLiteral("scenes"));
@@ -170,30 +162,22 @@ ExitCode counterExample(const Command &command, const QStringList &arguments)
                     QStringLiteral("Write the scene, too: JSON. A folder, DIR/, gets it as "
                                    "counterexample.json."),
                     QStringLiteral("file")});
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addJsonOption();
     addProgramOptions(line);
     addSettingOptions(line);
-    if (const auto ended = line.parse(arguments))
-        return *ended;
+    line.parse(arguments);
     const auto seed = chosenSeed(line);
-    if (!seed)
-        return line.refuse(seed.error());
-    const Result<Sides> sides = sidesOf(line, {QStringLiteral("ONE"), QStringLiteral("OTHER")});
-    if (!sides)
-        return line.refuse(sides.error());
-    const auto path
-        = line.isSet(outputOption) ? pathIn(line.value(outputOption)) : Result<QString>(QString());
-    if (!path)
-        return line.refuse(path.error());
+    const Sides sides = sidesOf(line, {QStringLiteral("ONE"), QStringLiteral("OTHER")});
+    const QString path = line.isSet(outputOption) ? pathIn(line.value(outputOption)) : QString();
     const CounterSearch search = withProgress([&](const ProgressListener &listener) {
-        return findCounterExample(sides->sources[0], sides->sources[1], sides->conventions, *seed,
+        return findCounterExample(sides.sources[0], sides.sources[1], sides.conventions, seed,
                                   listener);
     });
-    const QStringList confinement = sides->hasProgram() ? confinementLines() : QStringList();
+    const QStringList confinement = sides.hasProgram() ? confinementLines() : QStringList();
     if (search.compared == 0) {
         sayLine(QStringLiteral("%1 and %2 have no picture of the same scene: of %3 that were asked "
                                "for none was drawn by both")
-                    .arg(sides->sources[0].name, sides->sources[1].name,
+                    .arg(sides.sources[0].name, sides.sources[1].name,
                          QString::number(search.undrawn)));
         if (search.firstUndrawn)
             sayLine(QStringLiteral("the first: ") + undrawnText(*search.firstUndrawn));
@@ -201,14 +185,10 @@ ExitCode counterExample(const Command &command, const QStringList &arguments)
             sayLine(each);
         return ExitCode::FallsShort;
     }
-    if (line.isSet(jsonOption))
-        printJson(QJsonDocument(jsonOf(*sides, search)));
-    else
-        printLines(linesOf(*sides, search) + confinement);
-    if (search.found && line.isSet(outputOption)) {
-        if (const auto error = writeSceneFile(*path, search.found->scene))
-            return line.refuse(*error);
-    }
+    line.asksForJson() ? printJson(jsonOf(sides, search))
+                       : printLines(linesOf(sides, search) + confinement);
+    if (search.found && line.isSet(outputOption))
+        refuseIf(writeSceneFile(path, search.found->scene));
     return search.found || search.undrawn > 0 ? ExitCode::FallsShort : ExitCode::Done;
 }
 

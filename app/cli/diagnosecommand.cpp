@@ -1,30 +1,139 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/diagnosisreport.h"
-#include "app/cli/picturefile.h"
-#include "app/cli/progress.h"
-#include "app/cli/sceneoptions.h"
-#include "app/cli/toleranceoption.h"
+#include "app/cli/console.h"
+#include "app/cli/files.h"
+#include "app/cli/options.h"
+#include "core/number/failure.h"
+#include "core/scan/choicenames.h"
+
+#include <QJsonArray>
+
+#include <algorithm>
 
 namespace pixelplumb::cli {
 
 namespace {
 
-/// The picture of a file.
-Result<Submission> readSubmission(const CommandLine &line, const QString &scenePath,
-                                  const QString &picturePath)
+struct PartingPlace {
+    std::size_t scene = 0; ///< of those given, from 1
+    PartingStep step;
+};
+
+/// The first step of the first scene at which a candidate's run departs from the right one; none
+/// where an error makes the runs impossible to compare.
+std::optional<PartingPlace> partingPlaceOf(std::span<const Submission> submissions,
+                                           const DiagnosisCandidate &candidate)
 {
-    Result<Scene> scene = readScene(line, scenePath);
-    if (!scene)
-        return scene.error();
-    if (const auto refusal = refusalToJudge(*scene, scenePath))
-        return *refusal;
-    Result<Picture> picture = readPicture(picturePath);
-    if (!picture)
-        return picture.error();
-    if (picture->hasColours)
-        coverAllBut(scene->frame.background, *picture);
-    return Submission{std::move(*scene), std::move(*picture)};
+    for (std::size_t i = 0; i < submissions.size(); ++i) {
+        const Scene &scene = submissions[i].scene;
+        const auto own = ownDefects(defectsFor(scene), candidate.defects);
+        std::optional<PartingStep> step;
+        failureOf([&] { step = partingStepOf(scene, own); });
+        if (step)
+            return PartingPlace{i + 1, *std::move(step)};
+    }
+    return std::nullopt;
+}
+
+/// "unsorted-colours, but for 3 pixels that …", "flat-first (1 pixel is left)"
+QString titleOf(const DiagnosisCandidate &candidate)
+{
+    QString title = candidate.ids().join(QStringLiteral(" and "));
+    if (candidate.undecidable > 0)
+        title += QStringLiteral(", ") + undecidableText(candidate.undecidable);
+    if (candidate.distance > 0)
+        title += QStringLiteral(" (%1 %2 left)")
+                     .arg(pixelsText(candidate.distance),
+                          candidate.distance == 1 ? QStringLiteral("is") : QStringLiteral("are"));
+    return title;
+}
+
+} // namespace
+
+QStringList diagnosisLines(const Diagnosis &diagnosis, std::span<const Submission> submissions)
+{
+    if (diagnosis.verdict == DiagnosisVerdict::Right)
+        return {QStringLiteral("right: no pixel differs")};
+    const bool isWrong = diagnosis.verdict == DiagnosisVerdict::Wrong;
+    QString verdict
+        = QStringLiteral("%1: %2 %3")
+              .arg(nameOf(diagnosis.verdict), pixelsText(diagnosis.differing),
+                   diagnosis.differing == 1 ? QStringLiteral("differs") : QStringLiteral("differ"));
+    if (isWrong && diagnosis.undecidable > 0)
+        verdict += QStringLiteral(", %1 of them undecidable").arg(diagnosis.undecidable);
+    QStringList lines = {verdict};
+    if (diagnosis.failure)
+        lines += QStringLiteral("the search for defects ended in an error: %1")
+                     .arg(*diagnosis.failure);
+    else if (diagnosis.candidates.empty() && isWrong)
+        lines += QStringLiteral("no known defect comes nearer");
+    else if (!diagnosis.isExplained() && isWrong)
+        lines += QStringLiteral("no known defect explains it; the nearest ones:");
+    for (const DiagnosisCandidate &candidate : diagnosis.candidates) {
+        lines += titleOf(candidate);
+        if (!isRelevant(candidate.distance, diagnosis.differing))
+            continue;
+        for (const QString &sentence : candidate.sentences(&Defect::forAssistant))
+            lines += QStringLiteral("    ") + sentence;
+        for (const QString &sentence : candidate.sentences(&Defect::forStudent))
+            lines += QStringLiteral("    to the student: ") + sentence;
+        if (const auto place = partingPlaceOf(submissions, candidate)) {
+            const QString where = submissions.size() > 1
+                ? QStringLiteral("scene %1, ").arg(place->scene)
+                : QString();
+            lines += QStringLiteral("    departs from the right run at %1step %2, %3: %4")
+                         .arg(where, QString::number(place->step.step + 1), place->step.heading,
+                              place->step.text);
+        }
+    }
+    return lines;
+}
+
+QJsonObject diagnosisJson(const Diagnosis &diagnosis, std::span<const Submission> submissions)
+{
+    QJsonArray candidates;
+    for (const DiagnosisCandidate &candidate : diagnosis.candidates) {
+        const auto array = &QJsonArray::fromStringList;
+        QJsonObject object{
+            {QStringLiteral("defects"), array(candidate.ids())},
+            {QStringLiteral("distance"), qint64(candidate.distance)},
+            {QStringLiteral("undecidable"), qint64(candidate.undecidable)},
+            {QStringLiteral("student"), array(candidate.sentences(&Defect::forStudent))},
+            {QStringLiteral("assistant"), array(candidate.sentences(&Defect::forAssistant))}};
+        if (candidate.arithmetic)
+            object.insert(QStringLiteral("arithmetic"), nameText(nameOf(*candidate.arithmetic)));
+        if (const auto place = partingPlaceOf(submissions, candidate))
+            object.insert(QStringLiteral("parts"),
+                          QJsonObject{{QStringLiteral("scene"), qint64(place->scene)},
+                                      {QStringLiteral("step"), qint64(place->step.step + 1)},
+                                      {QStringLiteral("at"), place->step.heading},
+                                      {QStringLiteral("how"), place->step.text}});
+        candidates.append(object);
+    }
+    const bool isTransparent = std::ranges::any_of(
+        submissions, [](const Submission &submission) { return submission.picture.isTransparent; });
+    QJsonObject object{{QStringLiteral("verdict"), nameOf(diagnosis.verdict)},
+                       {QStringLiteral("transparencyIgnored"), isTransparent},
+                       {QStringLiteral("differing"), qint64(diagnosis.differing)},
+                       {QStringLiteral("undecidable"), qint64(diagnosis.undecidable)},
+                       {QStringLiteral("candidates"), candidates}};
+    if (diagnosis.failure)
+        object.insert(QStringLiteral("searchError"), *diagnosis.failure);
+    return object;
+}
+
+namespace {
+
+/// The picture of a file.
+Submission readSubmission(const CommandLine &line, const QString &scenePath,
+                          const QString &picturePath)
+{
+    Scene scene = readScene(line, scenePath);
+    refuseToJudgeBy(scene, scenePath);
+    Picture picture = readPicture(picturePath);
+    if (picture.hasColours)
+        coverAllBut(scene.frame.background, picture);
+    return Submission{std::move(scene), std::move(picture)};
 }
 
 } // namespace
@@ -32,7 +141,6 @@ Result<Submission> readSubmission(const CommandLine &line, const QString &sceneP
 ExitCode diagnose(const Command &command, const QStringList &arguments)
 {
     const QString sceneOption = QStringLiteral("scene");
-    const QString jsonOption = QStringLiteral("json");
     CommandLine line(command,
                      {{QStringLiteral("PICTURE"),
                        QStringLiteral("what a program drew of each scene, in their order: PNG, "
@@ -41,42 +149,34 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
     line.addRepeatedOption(
         {sceneOption, QStringLiteral("A scene that was to be drawn; give one for each picture."),
          QStringLiteral("file")});
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addJsonOption();
     addToleranceOption(line);
     addSettingOptions(line);
-    if (const auto ended = line.parse(arguments))
-        return *ended;
-    const Result<Arithmetic> tolerance = chosenTolerance(line);
-    if (!tolerance)
-        return line.refuse(tolerance.error());
+    line.parse(arguments);
+    const Arithmetic tolerance = chosenTolerance(line);
     const QStringList scenes = line.values(sceneOption);
     const QStringList pictures = line.arguments();
     if (scenes.size() != pictures.size())
-        return line.refuse(QStringLiteral("--scene is given %1 times, PICTURE %2 times; expected "
-                                          "--scene FILE once for each picture, in their order")
-                               .arg(scenes.size())
-                               .arg(pictures.size()));
+        refuse(QStringLiteral("--scene is given %1 times, PICTURE %2 times; expected "
+                              "--scene FILE once for each picture, in their order")
+                   .arg(scenes.size())
+                   .arg(pictures.size()));
     std::vector<Submission> submissions;
     for (qsizetype i = 0; i < scenes.size(); ++i) {
-        Result<Submission> submission = readSubmission(line, scenes[i], pictures[i]);
-        if (!submission)
-            return line.refuse(submission.error());
-        const FrameSpec &frame = submission->scene.frame;
-        const Picture &picture = submission->picture;
-        if (const auto refusal = refusalOfSizes({pictures[i], QSize(picture.width, picture.height)},
-                                                {scenes[i], QSize(frame.width, frame.height)}))
-            return *refusal;
+        Submission submission = readSubmission(line, scenes[i], pictures[i]);
+        const FrameSpec &frame = submission.scene.frame;
+        const Picture &picture = submission.picture;
+        refuseOtherSizes({pictures[i], QSize(picture.width, picture.height)},
+                         {scenes[i], QSize(frame.width, frame.height)});
         if (picture.isTransparent)
             sayLine(pictures[i] + QStringLiteral(": ") + transparencyText());
-        submissions.push_back(std::move(*submission));
+        submissions.push_back(std::move(submission));
     }
     const auto diagnosis = withProgress([&](const ProgressListener &listener) {
-        return pixelplumb::diagnose(submissions, listener, *tolerance);
+        return pixelplumb::diagnose(submissions, listener, tolerance);
     });
-    if (line.isSet(jsonOption))
-        printJson(QJsonDocument(jsonOf(*diagnosis, submissions)));
-    else
-        printLines(textOf(*diagnosis, submissions));
+    line.asksForJson() ? printJson(diagnosisJson(*diagnosis, submissions))
+                       : printLines(diagnosisLines(*diagnosis, submissions));
     return diagnosis->verdict == DiagnosisVerdict::Right ? ExitCode::Done : ExitCode::FallsShort;
 }
 

@@ -1,15 +1,91 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/diffreport.h"
-#include "app/cli/input.h"
-#include "app/cli/picturefile.h"
-#include "app/cli/sceneoptions.h"
-#include "app/cli/toleranceoption.h"
+#include "app/cli/files.h"
+#include "app/cli/options.h"
+#include "core/grade/diagnosis.h"
 #include "core/grade/drawntwice.h"
 #include "core/grade/undecidable.h"
 #include "core/scene/colourtext.h"
 
+#include <QJsonArray>
+
 namespace pixelplumb::cli {
+
+namespace {
+
+std::optional<QRgb> markOf(PixelVerdict verdict)
+{
+    switch (verdict) {
+    case PixelVerdict::Same:
+        break;
+    case PixelVerdict::Missing:
+        return qRgb(213, 94, 0);
+    case PixelVerdict::Extra:
+        return qRgb(0, 114, 178);
+    case PixelVerdict::Colour:
+        return qRgb(204, 121, 167);
+    case PixelVerdict::Undecidable:
+        return qRgb(240, 228, 66);
+    }
+    return std::nullopt;
+}
+
+/// The expected picture, faint and grey, with the differing pixels marked (Okabe and Ito's
+/// colours): vermilion missing, blue extra, purple another colour, yellow undecidable.
+QImage markedPicture(const PictureDiff &diff, const Picture &expected)
+{
+    QImage picture(diff.width, diff.height, QImage::Format_RGB32);
+    for (int line = 0; line < diff.height; ++line) {
+        auto *pixels = reinterpret_cast<QRgb *>(picture.scanLine(line));
+        for (int x = 0; x < diff.width; ++x) {
+            const std::size_t place = expected.placeOf(x, line);
+            pixels[x] = markOf(diff.verdicts[place]).value_or(faint(expected.colours[place]));
+        }
+    }
+    return picture;
+}
+
+} // namespace
+
+QStringList diffLines(const PictureDiff &diff)
+{
+    QStringList counts;
+    for (const PixelVerdict verdict : allPixelVerdicts) {
+        if (verdict == PixelVerdict::Same || diff.count(verdict) > 0)
+            counts.append(QStringLiteral("%1 %2").arg(diff.count(verdict)).arg(nameOf(verdict)));
+    }
+    QString text = QStringLiteral("%1 × %2 pixels: %3")
+                       .arg(diff.width)
+                       .arg(diff.height)
+                       .arg(counts.join(QStringLiteral(", ")));
+    if (diff.largestError > 0)
+        text += QStringLiteral("; a byte by %1 at most").arg(diff.largestError);
+    QStringList lines = {text};
+    constexpr qsizetype mostCauses = 3;
+    for (const PictureCause &cause : diff.causes) {
+        if (lines.size() > mostCauses)
+            break;
+        lines.append(cause.left == 0 ? QStringLiteral("explained wholly by: %1").arg(cause.name)
+                                     : QStringLiteral("explained but for %1 by: %2")
+                                           .arg(pixelsText(cause.left), cause.name));
+    }
+    return lines;
+}
+
+QJsonObject diffJson(const PictureDiff &diff)
+{
+    QJsonObject object{{QStringLiteral("width"), diff.width},
+                       {QStringLiteral("height"), diff.height},
+                       {QStringLiteral("largestError"), diff.largestError}};
+    for (const PixelVerdict verdict : allPixelVerdicts)
+        object.insert(nameOf(verdict), qint64(diff.count(verdict)));
+    QJsonArray causes;
+    for (const PictureCause &cause : diff.causes)
+        causes.append(QJsonObject{{QStringLiteral("cause"), cause.name},
+                                  {QStringLiteral("left"), qint64(cause.left)}});
+    object.insert(QStringLiteral("causes"), causes);
+    return object;
+}
 
 namespace {
 
@@ -20,29 +96,19 @@ struct Side {
 };
 
 /// Reads a side; an input that is a JSON object is a scene.
-Result<Side> readSide(const QString &path)
+Side readSide(const QString &path)
 {
-    const Result<QByteArray> content = readInput(path, largestPictureFile);
-    if (!content)
-        return content.error();
+    const QByteArray content = readInput(path, largestPictureFile);
     const QString formats
         = pictureFormatsText() + QStringLiteral(", or a scene as a JSON object: {…}");
-    const QByteArray text = content->trimmed();
+    const QByteArray text = content.trimmed();
     if (text.startsWith('['))
-        return InputError{path, QStringLiteral("a list in JSON is no scene"), formats};
-    if (!text.startsWith('{')) {
-        Result<Picture> picture = parsePicture(*content, path, formats);
-        if (!picture)
-            return picture.error();
-        return Side{std::move(*picture), std::nullopt};
-    }
-    const Result<SceneReading> reading = sceneIn(*content, path);
-    if (!reading)
-        return reading.error();
-    const Scene &scene = reading->scene;
-    if (const auto refusal = refusalOf(scene, path))
-        return *refusal;
-    return Side{pictureOf(scene), scene};
+        refuse({path, QStringLiteral("a list in JSON is no scene"), formats});
+    if (!text.startsWith('{'))
+        return {required(parsePicture(content, path, formats)), std::nullopt};
+    const Scene scene = sceneIn(content, path).scene;
+    refuseIf(refusalOf(scene, path));
+    return {pictureOf(scene), scene};
 }
 
 /// What the scene on either side leaves open at the other side's pixels.
@@ -65,15 +131,15 @@ std::int64_t drawnTwiceIn(const Side &expected, const Side &found)
 }
 
 /// The background: the option's, else the scene's; a raster needs none.
-Result<Colour> backgroundFor(const CommandLine &line, const Side &expected, const Side &found)
+Colour backgroundFor(const CommandLine &line, const Side &expected, const Side &found)
 {
     const QString option = QStringLiteral("background");
     if (line.isSet(option)) {
         if (const auto colour = parseColour(line.value(option)))
             return colour->colour;
-        return InputError{QStringLiteral("--background"),
-                          QStringLiteral("“%1” is no colour").arg(line.value(option)),
-                          QStringLiteral("#rrggbb")};
+        refuse({QStringLiteral("--background"),
+                QStringLiteral("“%1” is no colour").arg(line.value(option)),
+                QStringLiteral("#rrggbb")});
     }
     for (const Side *side : {&expected, &found}) {
         if (side->scene)
@@ -87,8 +153,7 @@ Result<Colour> backgroundFor(const CommandLine &line, const Side &expected, cons
 ExitCode diff(const Command &command, const QStringList &arguments)
 {
     const QString markedOption = QStringLiteral("output");
-    const QString asciiOption = QStringLiteral("ascii");
-    const QString jsonOption = QStringLiteral("json");
+    const QString rasterOption = QStringLiteral("ascii");
     const QString what
         = QStringLiteral("a picture (PNG, PPM, BMP), a raster of # and ., or a scene");
     CommandLine line(command,
@@ -97,7 +162,7 @@ ExitCode diff(const Command &command, const QStringList &arguments)
                     QStringLiteral("Write a picture, too: what was expected, faint, with the "
                                    "pixels that differ in the colours of the manual."),
                     QStringLiteral("file")});
-    line.addOption({asciiOption,
+    line.addOption({rasterOption,
                     QStringLiteral("Print a raster, too: # the same, ? missing, ! extra, c another "
                                    "colour, = undecidable.")});
     line.addOption({QStringLiteral("background"),
@@ -105,68 +170,52 @@ ExitCode diff(const Command &command, const QStringList &arguments)
                                    "else that of most corners of the picture."),
                     QStringLiteral("#rrggbb")});
     addToleranceOption(line);
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
-    if (const auto ended = line.parse(arguments))
-        return *ended;
+    line.addJsonOption();
+    line.parse(arguments);
     const auto format = pictureFormatOf(line, markedOption);
-    if (!format)
-        return line.refuse(format.error());
-    if (const auto refusal
-        = refusalOfStandardOutput(line.value(markedOption), QStringLiteral("a file")))
-        return line.refuse(*refusal);
-    if (line.isSet(asciiOption) && line.isSet(jsonOption))
-        return line.refuse(QStringLiteral("--ascii and --json: a raster is no JSON; expected one "
-                                          "of them"));
-    const Result<Arithmetic> tolerance = chosenTolerance(line);
-    if (!tolerance)
-        return line.refuse(tolerance.error());
+    refuseStandardOutput(line.value(markedOption), QStringLiteral("a file"));
+    if (line.isSet(rasterOption) && line.asksForJson())
+        refuse(QStringLiteral("--ascii and --json: a raster is no JSON; expected one "
+                              "of them"));
+    const Arithmetic tolerance = chosenTolerance(line);
     if (line.argument(0) == QStringLiteral("-") && line.argument(1) == QStringLiteral("-"))
-        return line.refuse(QStringLiteral("standard input can be only one of the two"));
-    Result<Side> expected = readSide(line.argument(0));
-    if (!expected)
-        return line.refuse(expected.error());
-    Result<Side> found = readSide(line.argument(1));
-    if (!found)
-        return line.refuse(found.error());
+        refuse(QStringLiteral("standard input can be only one of the two"));
+    Side expected = readSide(line.argument(0));
+    Side found = readSide(line.argument(1));
     const auto sizeOf = [](const Picture &picture) { return QSize(picture.width, picture.height); };
-    if (const auto refusal = refusalOfSizes({line.argument(0), sizeOf(expected->picture)},
-                                            {line.argument(1), sizeOf(found->picture)}))
-        return *refusal;
-    const Result<Colour> background = backgroundFor(line, *expected, *found);
-    if (!background)
-        return line.refuse(background.error());
-    for (Side *side : {&*expected, &*found}) {
+    refuseOtherSizes({line.argument(0), sizeOf(expected.picture)},
+                     {line.argument(1), sizeOf(found.picture)});
+    const Colour background = backgroundFor(line, expected, found);
+    for (Side *side : {&expected, &found}) {
         if (!side->scene && side->picture.hasColours)
-            coverAllBut(*background, side->picture);
+            coverAllBut(background, side->picture);
     }
     for (const auto &[path, side] :
-         {std::pair(line.argument(0), &*expected), std::pair(line.argument(1), &*found)}) {
+         {std::pair(line.argument(0), &expected), std::pair(line.argument(1), &found)}) {
         if (side->picture.isTransparent)
             sayLine(path + QStringLiteral(": ") + transparencyText());
     }
-    const PictureDiff difference = differenceOf(expected->picture, found->picture,
-                                                undecidableOf(*expected, *found, *tolerance));
-    const std::int64_t twice = drawnTwiceIn(*expected, *found);
-    if (line.isSet(jsonOption)) {
-        QJsonObject object = jsonOf(difference);
+    const PictureDiff difference
+        = differenceOf(expected.picture, found.picture, undecidableOf(expected, found, tolerance));
+    const std::int64_t twice = drawnTwiceIn(expected, found);
+    if (line.asksForJson()) {
+        QJsonObject object = diffJson(difference);
         object.insert(QStringLiteral("drawnTwice"), qint64(twice));
         object.insert(QStringLiteral("transparencyIgnored"),
-                      expected->picture.isTransparent || found->picture.isTransparent);
-        printJson(QJsonDocument(object));
+                      expected.picture.isTransparent || found.picture.isTransparent);
+        printJson(object);
     } else {
-        printLines(textOf(difference));
+        printLines(diffLines(difference));
         if (twice > 0)
             printLine(QStringLiteral("drawn twice: %1 pixels are blended once more than the fill "
                                      "rule says, as on edges that two triangles share")
                           .arg(twice));
-        if (line.isSet(asciiOption))
-            printLines(rasterOf(difference, expected->picture).chopped(1).split(u'\n'));
+        if (line.isSet(rasterOption))
+            printLines(rasterOf(difference, expected.picture).chopped(1).split(u'\n'));
     }
     if (line.isSet(markedOption)) {
         Output output(line.value(markedOption));
-        if (const auto error
-            = writePicture(markedPicture(difference, expected->picture), output, *format))
-            return line.refuse(*error);
+        writePicture(markedPicture(difference, expected.picture), output, format);
     }
     return difference.differing() > 0 ? ExitCode::FallsShort : ExitCode::Done;
 }

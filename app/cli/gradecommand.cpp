@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/input.h"
-#include "app/cli/interruption.h"
-#include "app/cli/output.h"
-#include "app/cli/progress.h"
-#include "app/cli/wholenumber.h"
+#include "app/cli/console.h"
+#include "app/cli/files.h"
+#include "app/cli/options.h"
 #include "core/fast/machinethreads.h"
 #include "core/grade/gradefile.h"
 #include "core/grade/gradefolder.h"
@@ -20,15 +18,14 @@ namespace pixelplumb::cli {
 namespace {
 
 const QString assignmentOption = QStringLiteral("assignment");
-const QString outputOption = QStringLiteral("output");
+const QString resultsOption = QStringLiteral("output");
 const QString jobsOption = QStringLiteral("jobs");
-const QString jsonOption = QStringLiteral("json");
 
-void addOptions(CommandLine &line)
+void addGradeOptions(CommandLine &line)
 {
     line.addOption({assignmentOption, QStringLiteral("What was to be drawn, and for what points."),
                     QStringLiteral("file")});
-    line.addOption({{QStringLiteral("o"), outputOption},
+    line.addOption({{QStringLiteral("o"), resultsOption},
                     QStringLiteral("Write the results to this folder; those that are there already "
                                    "and still hold are kept. Several runs may share it."),
                     QStringLiteral("folder")});
@@ -37,17 +34,13 @@ void addOptions(CommandLine &line)
          QStringLiteral(
              "Grade this many submissions at once; as many as there are processors if left out."),
          QStringLiteral("number")});
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addJsonOption();
 }
 
 /// Reads the assignment of a file, or of standard input for "-".
-Result<Assignment> readAssignmentAt(const QString &path)
+Assignment readAssignmentAt(const QString &path)
 {
-    const Result<QByteArray> text = readInput(path);
-    if (!text)
-        return text.error();
-    Result<Assignment> assignment = readAssignment(*text, folderOf(path));
-    return assignment ? assignment : Result<Assignment>(errorIn(path, assignment.error()));
+    return requiredIn(path, readAssignment(readInput(path), folderOf(path)));
 }
 
 /// A line per cluster, "12  unsorted-colours", and a summary.
@@ -90,10 +83,7 @@ QJsonObject clusterJson(const GradeReport &report)
 
 ExitCode print(const CommandLine &line, const GradeReport &report)
 {
-    if (line.isSet(jsonOption))
-        printJson(QJsonDocument(clusterJson(report)));
-    else
-        printLines(clusterLines(report));
+    line.asksForJson() ? printJson(clusterJson(report)) : printLines(clusterLines(report));
     const QStringList ungraded = ungradedLines(report);
     for (const QString &each : ungraded)
         sayLine(each);
@@ -121,43 +111,33 @@ ExitCode grade(const Command &command, const QStringList &arguments)
                       {QStringLiteral("NAME"),
                        QStringLiteral("a submission in it, to be graded without those not named"),
                        Positional::Presence::AnyNumber}});
-    addOptions(line);
-    if (const auto ended = line.parse(arguments))
-        return *ended;
-    if (line.value(outputOption).isEmpty())
-        return line.refuse(QStringLiteral("-o is missing: the folder for the results"));
-    if (const auto refusal = refusalOfStandardOutput(line.value(outputOption),
-                                                     QStringLiteral("a folder for the results")))
-        return line.refuse(*refusal);
+    addGradeOptions(line);
+    line.parse(arguments);
+    if (line.value(resultsOption).isEmpty())
+        refuse(QStringLiteral("-o is missing: the folder for the results"));
+    refuseStandardOutput(line.value(resultsOption), QStringLiteral("a folder for the results"));
     if (line.argument(0) == u'-')
-        return line.refuse({QStringLiteral("-"), QStringLiteral("standard input is no folder"),
-                            QStringLiteral("a folder; one of that name is ./-")});
+        refuse({QStringLiteral("-"), QStringLiteral("standard input is no folder"),
+                QStringLiteral("a folder; one of that name is ./-")});
     if (!line.isSet(assignmentOption))
-        return line.refuse(
-            QStringLiteral("--assignment is missing: the file that says what was to be drawn"));
-    const Result<Assignment> assignment = readAssignmentAt(line.value(assignmentOption));
-    if (!assignment)
-        return line.refuse(assignment.error());
-    if (assignment->points() == 0)
+        refuse(QStringLiteral("--assignment is missing: the file that says what was to be drawn"));
+    const Assignment assignment = readAssignmentAt(line.value(assignmentOption));
+    if (assignment.points() == 0)
         sayLine(QStringLiteral("%1: all checks have 0 points: nothing is asked and everybody has 0")
                     .arg(line.value(assignmentOption)));
     const auto jobs = wholeNumberOf(line, jobsOption, {1, 256});
-    if (!jobs)
-        return line.refuse(jobs.error());
-    const GradingOrder order{line.argument(0), line.value(outputOption),
+    const GradingOrder order{line.argument(0), line.value(resultsOption),
                              QCoreApplication::applicationVersion(),
-                             int(jobs->value_or(threadsOfMachine())), line.arguments().mid(1)};
+                             int(jobs.value_or(threadsOfMachine())), line.arguments().mid(1)};
     sayHidden(line.argument(0));
     const Interruption interruption;
-    const auto report = withProgress([&](const ProgressListener &listener) {
-        return gradeFolder(order, *assignment, [&listener](const JobProgress &told) {
+    const auto report = required(withProgress([&](const ProgressListener &listener) {
+        return gradeFolder(order, assignment, [&listener](const JobProgress &told) {
             return listener(told) && !Interruption::isAsked();
         });
-    });
-    if (!report)
-        return line.refuse(report.error());
-    if (*report)
-        return print(line, **report);
+    }));
+    if (report)
+        return print(line, *report);
     if (Interruption::isAsked()) {
         sayLine(QStringLiteral("interrupted; the same command goes on where it stopped"));
         return ExitCode::FallsShort;

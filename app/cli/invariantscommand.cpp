@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/picturesides.h"
-#include "app/cli/programoptions.h"
-#include "app/cli/sceneoptions.h"
-#include "app/cli/seedoption.h"
-#include "app/cli/toleranceoption.h"
+#include "app/cli/options.h"
 #include "core/grade/allowance.h"
 #include "core/grade/invariants.h"
 #include "core/methods/method.h"
@@ -12,6 +8,7 @@
 #include "core/scene/scenefile.h"
 
 #include <QJsonArray>
+#include <QJsonDocument>
 #include <QJsonObject>
 
 #include <algorithm>
@@ -76,54 +73,46 @@ QJsonObject invariantsJson(const Findings &findings)
 
 ExitCode invariants(const Command &command, const QStringList &arguments)
 {
-    const QString jsonOption = QStringLiteral("json");
     const QString place = QStringLiteral("DRAWER");
     CommandLine line(command, {{place, sideMeaning()}});
     addSeedOption(line, QStringLiteral("triangles"));
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addJsonOption();
     addToleranceOption(line);
     addProgramOptions(line);
     addSettingOptions(line);
-    if (const auto ended = line.parse(arguments))
-        return *ended;
+    line.parse(arguments);
     const auto seed = chosenSeed(line);
-    if (!seed)
-        return line.refuse(seed.error());
-    const Result<Arithmetic> tolerance = chosenTolerance(line);
-    if (!tolerance)
-        return line.refuse(tolerance.error());
-    const Result<Sides> sides = sidesOf(line, {place});
-    if (!sides)
-        return line.refuse(sides.error());
-    if (!methodNamed(QString::fromStdString(sides->conventions.method))
+    const Arithmetic tolerance = chosenTolerance(line);
+    const Sides sides = sidesOf(line, {place});
+    if (!methodNamed(QString::fromStdString(sides.conventions.method))
              ->draws(PrimitiveKind::Triangle))
-        return line.refuse(InputError{place, QStringLiteral("draws lines"),
-                                      QStringLiteral("a method that draws triangles")});
+        refuse(InputError{place, QStringLiteral("draws lines"),
+                          QStringLiteral("a method that draws triangles")});
     constexpr int pairs = 60;
-    const PictureSource &source = sides->sources.front();
-    const InvariantReport report = checkInvariants(source, sides->conventions, *seed, pairs);
+    const PictureSource &source = sides.sources.front();
+    const InvariantReport report = checkInvariants(source, sides.conventions, seed, pairs);
     if (report.undrawn > 0)
         sayLine(
             QStringLiteral("%1 could not draw all of %2 of %3 pairs of triangles; the first: %4")
                 .arg(source.name, QString::number(report.undrawn),
                      QString::number(report.checked + report.undrawn),
                      undrawnText(*report.firstUndrawn)));
-    const QStringList confinement = sides->hasProgram() ? confinementLines() : QStringList();
+    const QStringList confinement = sides.hasProgram() ? confinementLines() : QStringList();
     if (report.checked == 0) {
         for (const QString &each : confinement)
             sayLine(each);
         return ExitCode::FallsShort;
     }
-    Findings findings{report.broken, {}, *tolerance};
+    Findings findings{report.broken, {}, tolerance};
     if (!report.broken.empty())
         findings.brokenBeyondRounding
-            = checkInvariants(allowingFor(*tolerance, source), sides->conventions, *seed, pairs)
+            = checkInvariants(allowingFor(tolerance, source), sides.conventions, seed, pairs)
                   .broken;
-    if (line.isSet(jsonOption)) {
+    if (line.asksForJson()) {
         QJsonObject object = invariantsJson(findings);
-        if (sides->hasProgram())
+        if (sides.hasProgram())
             addConfinement(object);
-        printJson(QJsonDocument(object));
+        printJson(object);
     } else {
         printLines(invariantLines(findings) + confinement);
     }

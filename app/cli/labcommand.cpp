@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/input.h"
-#include "app/cli/interruption.h"
-#include "app/cli/labreport.h"
-#include "app/cli/output.h"
-#include "app/cli/progress.h"
-#include "app/cli/sceneoptions.h"
-#include "app/cli/seedoption.h"
-#include "app/cli/suggestion.h"
+#include "app/cli/console.h"
+#include "app/cli/files.h"
+#include "app/cli/options.h"
 #include "core/grade/showntext.h"
 #include "core/lab/budget.h"
 #include "core/lab/labfile.h"
@@ -27,41 +22,40 @@ const QString familyOption = QStringLiteral("family");
 const QString contenderOption = QStringLiteral("contender");
 const QString accuracyOnlyOption = QStringLiteral("accuracy-only");
 const QString budgetOption = QStringLiteral("budget");
-const QString formatOption = QStringLiteral("format");
-const QString outputOption = QStringLiteral("output");
+const QString studyFormatOption = QStringLiteral("format");
+const QString studyOption = QStringLiteral("output");
 const QString ownSceneFamily = QStringLiteral("own-scene");
 
 enum class LabFormat { Text, Csv, Json };
 
-Result<LabFormat> chosenFormat(const CommandLine &line)
+LabFormat chosenFormat(const CommandLine &line)
 {
-    const QString word = line.value(formatOption);
+    const QString word = line.value(studyFormatOption);
     const QStringList names
         = {QStringLiteral("text"), QStringLiteral("csv"), QStringLiteral("json")};
     const qsizetype index = names.indexOf(word);
     if (index < 0)
-        return unknownName(QStringLiteral("--format"), QStringLiteral("format"), word, names);
+        refuseUnknown(QStringLiteral("--format"), QStringLiteral("format"), word, names);
     if (line.isSet(accuracyOnlyOption) && LabFormat(index) == LabFormat::Text)
-        return InputError{QStringLiteral("--accuracy-only"),
-                          QStringLiteral("text tells of this machine"),
-                          QStringLiteral("--format json or csv")};
+        refuse({QStringLiteral("--accuracy-only"), QStringLiteral("text tells of this machine"),
+                QStringLiteral("--format json or csv")});
     return LabFormat(index);
 }
 
-Result<QStringList> chosenFamilies(const CommandLine &line)
+QStringList chosenFamilies(const CommandLine &line)
 {
     QStringList known;
     for (const LabFamilyInfo &info : labFamilies())
         known << QString::fromLatin1(info.id);
-    const QStringList families = line.value(familyOption).split(u',', Qt::SkipEmptyParts);
+    QStringList families = line.value(familyOption).split(u',', Qt::SkipEmptyParts);
     for (const QString &family : families) {
         if (!known.contains(family))
-            return unknownName(QStringLiteral("--family"), QStringLiteral("family"), family, known);
+            refuseUnknown(QStringLiteral("--family"), QStringLiteral("family"), family, known);
     }
     return families;
 }
 
-Result<std::vector<LabContender>> chosenContenders(const CommandLine &line)
+std::vector<LabContender> chosenContenders(const CommandLine &line)
 {
     std::vector<LabContender> contenders;
     for (const QString &id : line.value(contenderOption).split(u',', Qt::SkipEmptyParts)) {
@@ -70,71 +64,52 @@ Result<std::vector<LabContender>> chosenContenders(const CommandLine &line)
             QStringList known;
             for (const LabContender &each : fullContenders())
                 known << each.id;
-            return unknownName(QStringLiteral("--contender"), QStringLiteral("contender"), id,
-                               known);
+            refuseUnknown(QStringLiteral("--contender"), QStringLiteral("contender"), id, known);
         }
         if (std::ranges::find(contenders, id, &LabContender::id) != contenders.end())
-            return InputError{QStringLiteral("--contender"),
-                              QStringLiteral("“%1” is named twice").arg(id),
-                              QStringLiteral("each once")};
+            refuse({QStringLiteral("--contender"), QStringLiteral("“%1” is named twice").arg(id),
+                    QStringLiteral("each once")});
         contenders.push_back(*contender);
     }
     return contenders;
 }
 
-Result<std::optional<Budget>> chosenBudget(const CommandLine &line)
+std::optional<Budget> chosenBudget(const CommandLine &line)
 {
     if (!line.isSet(budgetOption))
-        return std::optional<Budget>();
-    const QString word = line.value(budgetOption);
-    const auto budget = budgetNamed(word.toStdString());
-    if (!budget)
-        return unknownName(QStringLiteral("--budget"), QStringLiteral("budget"), word,
-                           namesOf(allBudgets));
-    return budget;
+        return std::nullopt;
+    return chosen(line, budgetOption, allBudgets, allBudgets.front(), QStringLiteral("budget"));
 }
 
-Result<StudySettings> settingsFrom(const CommandLine &line)
+StudySettings settingsFrom(const CommandLine &line)
 {
     StudySettings settings;
     if (line.isSet(quickOption) && line.isSet(fullOption))
-        return InputError{{}, QStringLiteral("--quick and --full"), QStringLiteral("one of them")};
+        refuse({{}, QStringLiteral("--quick and --full"), QStringLiteral("one of them")});
     settings.extent = line.isSet(fullOption) ? StudyExtent::Full : StudyExtent::Quick;
     if (line.isSet(accuracyOnlyOption)) {
         if (line.isSet(budgetOption))
-            return InputError{
-                {}, QStringLiteral("--accuracy-only and --budget"), QStringLiteral("one of them")};
+            refuse({{},
+                    QStringLiteral("--accuracy-only and --budget"),
+                    QStringLiteral("one of them")});
         settings.rounds = 0;
     }
     const auto families = chosenFamilies(line);
-    if (!families)
-        return families.error();
-    settings.families = *families;
-    const auto contenders = chosenContenders(line);
-    if (!contenders)
-        return contenders.error();
-    settings.contenders = *contenders;
-    const auto seed = chosenSeed(line);
-    if (!seed)
-        return seed.error();
-    settings.seed = *seed;
-    const auto cases = builtInHardCases();
-    if (!cases)
-        return cases.error();
-    settings.hardCases = *cases;
+    settings.families = families;
+    settings.contenders = chosenContenders(line);
+    settings.seed = chosenSeed(line);
+    settings.hardCases = required(builtInHardCases());
     settings.ownSceneName = line.argument(0);
     if (settings.ownSceneName.isEmpty() && settings.families.contains(ownSceneFamily))
-        return InputError{QStringLiteral("SCENE"), QStringLiteral("is missing"),
-                          QStringLiteral("the scene that --family own-scene measures")};
+        refuse({QStringLiteral("SCENE"), QStringLiteral("is missing"),
+                QStringLiteral("the scene that --family own-scene measures")});
     if (!settings.ownSceneName.isEmpty()) {
         const auto reading = readSceneAt(settings.ownSceneName);
-        if (!reading)
-            return reading.error();
-        if (!reading->scene.hasTriangles())
-            return InputError{settings.ownSceneName,
-                              QStringLiteral("has no triangles, which alone are measured"),
-                              QStringLiteral("a scene with triangles")};
-        settings.ownScene = std::make_shared<const Scene>(reading->scene);
+        if (!reading.scene.hasTriangles())
+            refuse({settings.ownSceneName,
+                    QStringLiteral("has no triangles, which alone are measured"),
+                    QStringLiteral("a scene with triangles")});
+        settings.ownScene = std::make_shared<const Scene>(reading.scene);
     }
     return settings;
 }
@@ -159,7 +134,7 @@ QByteArray bytesOf(const Study &study, LabFormat format)
 {
     switch (format) {
     case LabFormat::Text:
-        return shownLines(textOf(study));
+        return shownLines(studyLines(study));
     case LabFormat::Csv:
         return csvOf(study);
     case LabFormat::Json:
@@ -168,7 +143,7 @@ QByteArray bytesOf(const Study &study, LabFormat format)
     return {};
 }
 
-void addOptions(CommandLine &line)
+void addStudyOptions(CommandLine &line)
 {
     line.addOption({quickOption,
                     QStringLiteral("Fifteen contenders within 20 seconds; this if "
@@ -189,9 +164,9 @@ void addOptions(CommandLine &line)
                     QStringLiteral("Name the cheapest that meets it on the scene, or on random "
                                    "triangles: exact, 1-level, 10-ppm, 16-ms."),
                     QStringLiteral("budget")});
-    line.addOption({formatOption, QStringLiteral("text, csv or json; text if left out."),
+    line.addOption({studyFormatOption, QStringLiteral("text, csv or json; text if left out."),
                     QStringLiteral("format"), QStringLiteral("text")});
-    line.addOption({{QStringLiteral("o"), outputOption},
+    line.addOption({{QStringLiteral("o"), studyOption},
                     QStringLiteral("Write to a file; - is standard output."),
                     QStringLiteral("file"),
                     QStringLiteral("-")});
@@ -218,36 +193,27 @@ ExitCode lab(const Command &command, const QStringList &arguments)
     Positional scene = scenePositional();
     scene.presence = Positional::Presence::Optional;
     CommandLine line(command, {scene});
-    addOptions(line);
-    if (const auto ended = line.parse(arguments))
-        return *ended;
-    const Result<LabFormat> format = chosenFormat(line);
-    if (!format)
-        return line.refuse(format.error());
+    addStudyOptions(line);
+    line.parse(arguments);
+    const LabFormat format = chosenFormat(line);
     const auto budget = chosenBudget(line);
-    if (!budget)
-        return line.refuse(budget.error());
-    const Result<StudySettings> settings = settingsFrom(line);
-    if (!settings)
-        return line.refuse(settings.error());
-    Output output(line.value(outputOption));
-    if (const auto error = output.open())
-        return line.refuse(*error);
+    const StudySettings settings = settingsFrom(line);
+    Output output(line.value(studyOption));
+    output.open();
 
-    const Study study = runShowingTime(*settings);
-    output.device().write(line.isSet(accuracyOnlyOption) ? accuracyBytesOf(study, *format)
-                                                         : bytesOf(study, *format));
-    if (const auto error = output.finish())
-        return line.refuse(*error);
+    const Study study = runShowingTime(settings);
+    output.device().write(line.isSet(accuracyOnlyOption) ? accuracyBytesOf(study, format)
+                                                         : bytesOf(study, format));
+    output.finish();
     if (!study.isComplete) {
         sayLine(QStringLiteral("interrupted; what was measured until then is written"));
         return ExitCode::FallsShort;
     }
-    if (!*budget)
+    if (!budget)
         return ExitCode::Done;
     const QString family = familyOfBudget(study);
-    const BudgetAnswer answer = cheapestFor(**budget, study, family);
-    sayLine(QStringLiteral("%1 on %2: %3").arg(textOf(**budget), family, answer.reason));
+    const BudgetAnswer answer = cheapestFor(*budget, study, family);
+    sayLine(QStringLiteral("%1 on %2: %3").arg(textOf(*budget), family, answer.reason));
     return answer.ground == BudgetGround::Nobody ? ExitCode::FallsShort : ExitCode::Done;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/labreport.h"
-
-#include "app/cli/alignedrows.h"
+#include "app/cli/commands.h"
+#include "app/cli/console.h"
 #include "core/lab/pareto.h"
 #include "core/scan/choicenames.h"
 
@@ -15,7 +14,7 @@ namespace {
 using Line = QStringList;
 
 /// Aligns the first column and the last, a remark, as words, the others as numbers.
-QStringList aligned(const std::vector<Line> &lines)
+QStringList withRemarks(const std::vector<Line> &lines)
 {
     return alignedRows(lines, [last = lines.front().size() - 1](qsizetype column) {
         return column == 0 || column == last;
@@ -111,7 +110,7 @@ QStringList familyText(const Study &study, const StudyFamily &family)
                 .arg(family.timedTriangles)
                 .arg(family.timedPixels)
                 .arg(family.timedBytes);
-    return text + aligned(lines);
+    return text + withRemarks(lines);
 }
 
 QStringList fitText(const Study &study)
@@ -130,7 +129,7 @@ QStringList fitText(const Study &study)
     return QStringList{
                QString(),
                QStringLiteral("What set-up, columns and pixels take, fitted over the families")}
-    + aligned(lines);
+    + withRemarks(lines);
 }
 
 /// How even the brightness of lines is in all directions.
@@ -172,12 +171,12 @@ QStringList effectsText(const Study &study)
                        QStringLiteral("What effects cost and what they mend: plain kernels of the "
                                       "column scan, of lines by their own methods; errors from the "
                                       "exact area or the truth; kernels from their straight loops")}
-    + aligned(lines) + brightnessText(study);
+    + withRemarks(lines) + brightnessText(study);
 }
 
 } // namespace
 
-QStringList textOf(const Study &study)
+QStringList studyLines(const Study &study)
 {
     QStringList text = {summaryOf(study.conditions)};
     for (const QString &warning : warningsOf(study))

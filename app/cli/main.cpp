@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/suggestion.h"
+#include "app/cli/console.h"
 #include "core/scene/inputrecord.h"
 #include "version.h"
 
@@ -35,8 +35,6 @@ const std::vector<Command> &commands()
         {QStringLiteral("try"),
          QStringLiteral("Run a student's program, and tell where it goes wrong."), tryProgram},
         {QStringLiteral("grade"), QStringLiteral("Grade a folder of submissions."), grade},
-        {QStringLiteral("probes"),
-         QStringLiteral("Find the few scenes that tell the known defects apart."), probes},
         {QStringLiteral("counterexample"),
          QStringLiteral("Find a small scene that two drawers draw differently."), counterExample},
         {QStringLiteral("invariants"),
@@ -84,7 +82,7 @@ QString helpText()
     return text;
 }
 
-ExitCode refuse(const QString &what)
+ExitCode refuseWords(const QString &what)
 {
     const QString program = QCoreApplication::applicationName();
     sayLine(QStringLiteral("%1: %2").arg(program, what));
@@ -96,25 +94,27 @@ ExitCode run(const QStringList &arguments)
 {
     const InputRecord inputs;
     if (arguments.isEmpty())
-        return refuse(QStringLiteral("a command is missing"));
+        return refuseWords(QStringLiteral("a command is missing"));
     const QString &word = arguments.front();
     if (word == QStringLiteral("--help") || word == QStringLiteral("-h"))
         return help(*commandNamed(QStringLiteral("help")), arguments.sliced(1));
     if (word == QStringLiteral("--version") || word == QStringLiteral("-v")) {
         if (arguments.size() > 1)
-            return refuse(QStringLiteral("%1: unexpected argument “%2”").arg(word, arguments[1]));
+            return refuseWords(
+                QStringLiteral("%1: unexpected argument “%2”").arg(word, arguments[1]));
         printLine(QCoreApplication::applicationName() + u' '
                   + QCoreApplication::applicationVersion());
         return ExitCode::Done;
     }
     if (const Command *command = commandNamed(word))
-        return command->run(*command, arguments.sliced(1));
+        return endOf(word, [&] { return command->run(*command, arguments.sliced(1)); });
     if (word.startsWith(u'-')) {
         const QStringList options = {QStringLiteral("--help"), QStringLiteral("--version")};
-        return refuse(QStringLiteral("unknown option %1").arg(word) + suggestion(word, options));
+        return refuseWords(QStringLiteral("unknown option %1").arg(word)
+                           + suggestion(word, options));
     }
-    return refuse(QStringLiteral("unknown command “%1”").arg(word)
-                  + suggestion(word, commandNames()));
+    return refuseWords(QStringLiteral("unknown command “%1”").arg(word)
+                       + suggestion(word, commandNames()));
 }
 
 } // namespace
@@ -129,12 +129,12 @@ ExitCode help(const Command &command, const QStringList &arguments)
         return ExitCode::Done;
     }
     if (arguments.size() > 1)
-        return refuse(QStringLiteral("help: unexpected argument “%1”").arg(arguments[1]));
+        return refuseWords(QStringLiteral("help: unexpected argument “%1”").arg(arguments[1]));
     const Command *explained = commandNamed(word);
     if (!explained)
-        return refuse(QStringLiteral("help: unknown command “%1”").arg(word)
-                      + suggestion(word, commandNames()));
-    return explained->run(*explained, {option});
+        return refuseWords(QStringLiteral("help: unknown command “%1”").arg(word)
+                           + suggestion(word, commandNames()));
+    return endOf(explained->name, [&] { return explained->run(*explained, {option}); });
 }
 
 } // namespace pixelplumb::cli

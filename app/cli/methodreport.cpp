@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/methodreport.h"
-
+#include "app/cli/commands.h"
 #include "app/cli/console.h"
+#include "core/grade/defect.h"
 #include "core/lab/operationtable.h"
 #include "core/lab/standardexamples.h"
+#include "core/methods/method.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/appearancenames.h"
 
 #include <QJsonArray>
+#include <QJsonObject>
+
+#include <algorithm>
 
 namespace pixelplumb::cli {
 
@@ -61,7 +65,7 @@ void printOperations(const Method &method)
     for (const Arithmetic arithmetic : method.arithmetics) {
         const auto counts = countOperations(method, arithmetic, examples.front());
         printLine(QStringLiteral("  operations in %1, %2")
-                      .arg(QString::fromLatin1(nameOf(arithmetic).data()), examples.front().name));
+                      .arg(nameText(nameOf(arithmetic)), examples.front().name));
         printLine(QStringLiteral("    %1").arg(countsText(*counts)));
         for (const QString &row : operationTableText(*counts))
             printLine(QStringLiteral("    %1").arg(row));
@@ -73,18 +77,16 @@ void printOperations(const Method &method)
 
 QJsonObject jsonOf(const OperationCounts &counts)
 {
-    QJsonObject object;
+    QJsonObject object{{QStringLiteral("set-ups"), qint64(counts.primitives)},
+                       {QStringLiteral("spans"), qint64(counts.spans)},
+                       {QStringLiteral("pixels"), qint64(counts.pixels)},
+                       {QStringLiteral("refused"), qint64(counts.refused)}};
     for (const WorkStage stage : allWorkStages) {
         QJsonObject kinds;
         for (const Operation operation : allOperations)
-            kinds.insert(QString::fromLatin1(nameOf(operation).data()),
-                         qint64(counts.of(stage, operation)));
-        object.insert(QString::fromLatin1(nameOf(stage).data()), kinds);
+            kinds.insert(nameText(nameOf(operation)), qint64(counts.of(stage, operation)));
+        object.insert(nameText(nameOf(stage)), kinds);
     }
-    object.insert(QStringLiteral("set-ups"), qint64(counts.primitives));
-    object.insert(QStringLiteral("spans"), qint64(counts.spans));
-    object.insert(QStringLiteral("pixels"), qint64(counts.pixels));
-    object.insert(QStringLiteral("refused"), qint64(counts.refused));
     if (counts.edgesOfRows > 0) {
         object.insert(QStringLiteral("edgesLookedAt"), qint64(counts.edgesLookedAt));
         object.insert(QStringLiteral("edgesOfRows"), qint64(counts.edgesOfRows));
@@ -102,8 +104,7 @@ QJsonArray operationsJson(const Method &method)
                 continue;
             QJsonObject object = jsonOf(*counts);
             object.insert(QStringLiteral("example"), example.name);
-            object.insert(QStringLiteral("arithmetic"),
-                          QString::fromLatin1(nameOf(arithmetic).data()));
+            object.insert(QStringLiteral("arithmetic"), nameText(nameOf(arithmetic)));
             object.insert(QStringLiteral("gap"), countingGap(method, arithmetic));
             list.append(object);
         }
@@ -111,24 +112,27 @@ QJsonArray operationsJson(const Method &method)
     return list;
 }
 
+/// A line of the description: "  arithmetics  exact, float32"; none without names.
+void printNames(const QString &title, const QStringList &names)
+{
+    if (!names.isEmpty())
+        printLine(title + names.join(QStringLiteral(", ")));
+}
+
 void printDescription(const Method &method)
 {
-    const QString separator = QStringLiteral(", ");
     printLine(QStringLiteral("%1: %2").arg(method.id, method.title));
     printLine(QStringLiteral("  %1").arg(method.summary));
-    printLine(QStringLiteral("  draws        %1").arg(kindsOf(method).join(separator)));
+    printNames(QStringLiteral("  draws        "), kindsOf(method));
     printLine(QStringLiteral("  source       %1").arg(method.source));
-    printLine(QStringLiteral("  arithmetics  %1").arg(namesOf(method.arithmetics).join(separator)));
-    if (!method.stableArithmetics.empty())
-        printLine(QStringLiteral("  true in      %1")
-                      .arg(namesOf(method.stableArithmetics).join(separator)));
-    printLine(QStringLiteral("  fill rules   %1").arg(namesOf(method.fillRules).join(separator)));
+    printNames(QStringLiteral("  arithmetics  "), namesOf(method.arithmetics));
+    printNames(QStringLiteral("  true in      "), namesOf(method.stableArithmetics));
+    printNames(QStringLiteral("  fill rules   "), namesOf(method.fillRules));
     if (!method.fillRuleReason.isEmpty())
         printLine(QStringLiteral("  no others:   %1").arg(method.fillRuleReason));
-    printLine(QStringLiteral("  effects      %1").arg(namesOf(method.effects).join(separator)));
-    if (!method.shadingArithmetics.empty())
-        printLine(QStringLiteral("  beyond colour and clipping in %1")
-                      .arg(namesOf(method.shadingArithmetics).join(separator)));
+    printNames(QStringLiteral("  effects      "), namesOf(method.effects));
+    printNames(QStringLiteral("  beyond colour and clipping in "),
+               namesOf(method.shadingArithmetics));
     for (const Variant variant : method.variants) {
         const VariantWords &words = wordsOf(variant, method.spanAxis);
         printLine(
@@ -137,8 +141,7 @@ void printDescription(const Method &method)
         printLine(QStringLiteral("               %1 (%2)")
                       .arg(nameText(words.fault), nameText(words.source)));
     }
-    if (!method.remarks.empty())
-        printLine(QStringLiteral("  remarks      %1").arg(method.remarks.join(separator)));
+    printNames(QStringLiteral("  remarks      "), method.remarks);
 }
 
 /// The antialiasings for which a line is present: "4", "16", "area".
@@ -146,7 +149,7 @@ QStringList antialiasingsOf(const PseudocodeLine &line)
 {
     QStringList names;
     for (const Antialiasing antialiasing : line.antialiasing)
-        names.append(QString::fromLatin1(nameOf(antialiasing).data()));
+        names.append(nameText(nameOf(antialiasing)));
     return names;
 }
 
@@ -161,7 +164,7 @@ QString conditionText(const PseudocodeLine &line)
 {
     QStringList conditions;
     if (line.effect)
-        conditions.append(QString::fromLatin1(nameOf(*line.effect).data()));
+        conditions.append(nameText(nameOf(*line.effect)));
     if (!line.antialiasing.empty())
         conditions.append(QStringLiteral("antialiasing ")
                           + antialiasingsOf(line).join(QStringLiteral(", ")));
@@ -179,8 +182,7 @@ QJsonArray jsonOf(const Pseudocode &code)
         QJsonObject object{{QStringLiteral("depth"), line.depth},
                            {QStringLiteral("text"), line.text}};
         if (line.effect)
-            object.insert(QStringLiteral("effect"),
-                          QString::fromLatin1(nameOf(*line.effect).data()));
+            object.insert(QStringLiteral("effect"), nameText(nameOf(*line.effect)));
         if (!line.antialiasing.empty())
             object.insert(QStringLiteral("antialiasing"),
                           QJsonArray::fromStringList(antialiasingsOf(line)));
@@ -201,6 +203,32 @@ void printPseudocode(const QString &title, const Pseudocode &code)
         printLine(QString(4 + 4 * line.depth, u' ') + line.text + conditionText(line));
 }
 
+/// Under the conventions that a scene has if it names none.
+std::vector<Defect> defectsOf(const Method &method)
+{
+    Scene conventions;
+    conventions.method = method.id.toStdString();
+    conventions.settings = method.adapted(conventions.settings);
+    return defectsUnder(conventions);
+}
+
+void printDefects(const Method &method)
+{
+    printLine(QStringLiteral("  known defects"));
+    for (const Defect &defect : defectsOf(method))
+        printLine(QStringLiteral("    %1  %2").arg(defect.id, -28).arg(defect.forAssistant));
+}
+
+QJsonArray defectsJson(const Method &method)
+{
+    QJsonArray array;
+    for (const Defect &defect : defectsOf(method))
+        array.append(QJsonObject{{QStringLiteral("id"), defect.id},
+                                 {QStringLiteral("student"), defect.forStudent},
+                                 {QStringLiteral("assistant"), defect.forAssistant}});
+    return array;
+}
+
 } // namespace
 
 QStringList kindsOf(const Method &method)
@@ -211,7 +239,7 @@ QStringList kindsOf(const Method &method)
     return kinds;
 }
 
-QJsonObject jsonOf(const Method &method)
+QJsonObject methodJson(const Method &method)
 {
     return {
         {QStringLiteral("id"), method.id},
@@ -237,11 +265,12 @@ void printWholeMethod(const Method &method)
     printNumbers(QStringLiteral("a span"), method.numbers.span);
     printNumbers(QStringLiteral("a sample"), method.numbers.sample);
     printOperations(method);
+    printDefects(method);
 }
 
-QJsonObject jsonOfWhole(const Method &method)
+QJsonObject wholeMethodJson(const Method &method)
 {
-    QJsonObject object = jsonOf(method);
+    QJsonObject object = methodJson(method);
     object.insert(QStringLiteral("fillRuleReason"), method.fillRuleReason);
     object.insert(QStringLiteral("pseudocode"), jsonOf(method.pseudocode));
     object.insert(QStringLiteral("shadedPseudocode"), jsonOf(method.shadedPseudocode));
@@ -249,6 +278,7 @@ QJsonObject jsonOfWhole(const Method &method)
     object.insert(QStringLiteral("spanNumbers"), jsonOf(method.numbers.span));
     object.insert(QStringLiteral("sampleNumbers"), jsonOf(method.numbers.sample));
     object.insert(QStringLiteral("operations"), operationsJson(method));
+    object.insert(QStringLiteral("defects"), defectsJson(method));
     return object;
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/alignedrows.h"
 #include "app/cli/commands.h"
-#include "app/cli/progress.h"
-#include "app/cli/sceneoptions.h"
+#include "app/cli/console.h"
+#include "app/cli/options.h"
 #include "core/compare/motionstudy.h"
 
 #include <QJsonArray>
@@ -46,30 +45,23 @@ QJsonObject jsonOf(const MotionStudy &study)
 
 ExitCode motion(const Command &command, const QStringList &arguments)
 {
-    const QString jsonOption = QStringLiteral("json");
     CommandLine line(command, {scenePositional()});
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addJsonOption();
     addSettingOptions(line);
-    if (const auto ended = line.parse(arguments))
-        return *ended;
+    line.parse(arguments);
     if (line.isSet(QStringLiteral("frame")))
-        return line.refuse(InputError{QStringLiteral("--frame"),
-                                      QStringLiteral("motion counts in all frames of the scene"),
-                                      QStringLiteral("it without --frame; one frame is drawn by "
-                                                     "“render --frame”")});
-    const Result<Scene> scene = readScene(line, line.argument(0));
-    if (!scene)
-        return line.refuse(scene.error());
-    if (!scene->motion)
-        return line.refuse(InputError{
+        refuse(InputError{QStringLiteral("--frame"),
+                          QStringLiteral("motion counts in all frames of the scene"),
+                          QStringLiteral("it without --frame; one frame is drawn by "
+                                         "“render --frame”")});
+    const Scene scene = readScene(line, line.argument(0));
+    if (!scene.motion)
+        refuse(InputError{
             line.argument(0), QStringLiteral("the scene does not move"),
             QStringLiteral("a scene with \"motion\": { \"by\": [x, y], \"frames\": n }")});
     const auto study = withProgress(
-        [&](const ProgressListener &listener) { return studyMotion(*scene, listener); });
-    if (line.isSet(jsonOption))
-        printJson(QJsonDocument(jsonOf(*study)));
-    else
-        printLines(motionLines(*study));
+        [&](const ProgressListener &listener) { return studyMotion(scene, listener); });
+    line.asksForJson() ? printJson(jsonOf(*study)) : printLines(motionLines(*study));
     return study->toggled() != study->truthToggled() ? ExitCode::FallsShort : ExitCode::Done;
 }
 

@@ -1,49 +1,76 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/pixelreport.h"
-#include "app/cli/rejectionreport.h"
-#include "app/cli/sceneoptions.h"
-#include "app/cli/wholenumber.h"
-#include "core/scene/colourtext.h"
+#include "app/cli/console.h"
+#include "app/cli/options.h"
+#include "core/check/casepicture.h"
+#include "core/runs/undrawn.h"
 
 namespace pixelplumb::cli {
 
+namespace {
+
+Colour finalColour(const FrameSpec &frame, const std::vector<PixelAttempt> &attempts)
+{
+    Colour colour = frame.background;
+    for (const PixelAttempt &attempt : attempts) {
+        if (attempt.written)
+            colour = unpacked(attempt.change.after);
+    }
+    return colour;
+}
+
+Colour trueColourOfAll(const TracedScene &traced, std::int64_t x, std::int64_t y)
+{
+    FrameSpec pixel = traced.scene.frame;
+    pixel.width = pixel.height = 1;
+    pixel.firstColumn = int(x);
+    pixel.firstRow = int(y);
+    const FrameBuffer frame(pixel);
+    FrameView view = frame.view();
+    // The default off-screen point is that of the whole frame.
+    view.offScreenPoint = traced.truth.view().offScreenPoint;
+    drawTruly(traced.primitives, traced.scene.settings, view);
+    return unpacked(*view.at(x, y));
+}
+
+PixelReport reportOf(const TracedScene &traced, std::int64_t x, std::int64_t y)
+{
+    PixelReport report{traced, x, y, pixelHistory(traced, x, y), {}, {}, {}, {}};
+    report.colour = finalColour(traced.scene.frame, report.attempts);
+    report.truth = unpacked(*traced.truth.view().at(x, y));
+    report.truthOfAll = trueColourOfAll(traced, x, y);
+    report.undrawn
+        = undrawnAt(traced.primitives, *traced.method, boundaryRuleOf(traced.scene), x, y);
+    return report;
+}
+
+} // namespace
+
 ExitCode pixel(const Command &command, const QStringList &arguments)
 {
-    const QString jsonOption = QStringLiteral("json");
     CommandLine line(
         command,
         {scenePositional(),
          {QStringLiteral("X"), QStringLiteral("the pixel's column")},
          {QStringLiteral("Y"), QStringLiteral("the pixel's row, counted as the scene does")}});
-    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addJsonOption();
     addSettingOptions(line);
-    if (const auto ended = line.parse(arguments))
-        return *ended;
-    const Result<Scene> scene = readScene(line, line.argument(0));
-    if (!scene)
-        return line.refuse(scene.error());
-    const FrameSpec &frame = scene->frame;
+    line.parse(arguments);
+    const Scene scene = readScene(line, line.argument(0));
+    const FrameSpec &frame = scene.frame;
     const auto along = [](std::int64_t first, std::int64_t size) {
         return WholeRange{first, first + size - 1, QStringLiteral("outside the frame")};
     };
     const auto x
         = wholeNumber(QStringLiteral("X"), line.argument(1), along(frame.firstColumn, frame.width));
-    if (!x)
-        return line.refuse(x.error());
     const auto y
         = wholeNumber(QStringLiteral("Y"), line.argument(2), along(frame.firstRow, frame.height));
-    if (!y)
-        return line.refuse(y.error());
 
-    const auto traced = traceScene(*scene);
+    const auto traced = traceScene(scene);
     reportRejections(line.argument(0) + QStringLiteral(", ") + traced->method->id,
                      rejectedPrimitives(*traced));
-    const PixelReport report{*traced, *x, *y, pixelHistory(*traced, *x, *y)};
-    if (line.isSet(jsonOption))
-        printJson(QJsonDocument(jsonOf(report)));
-    else
-        printLines(textOf(report));
+    const PixelReport report = reportOf(*traced, x, y);
+    line.asksForJson() ? printJson(pixelJson(report)) : printLines(pixelLines(report));
     return ExitCode::Done;
 }
 

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/enlargedpicture.h"
-#include "app/cli/layeroptions.h"
-#include "app/cli/output.h"
-#include "app/cli/outputpaths.h"
-#include "app/cli/picturefile.h"
-#include "app/cli/progress.h"
-#include "app/cli/rejectionreport.h"
-#include "app/cli/sceneoptions.h"
-#include "app/cli/suggestion.h"
-#include "app/cli/wholenumber.h"
+#include "app/cli/console.h"
+#include "app/cli/files.h"
+#include "app/cli/options.h"
 #include "core/frame/framebuffer.h"
 #include "core/lab/costorder.h"
 #include "core/runs/tracedscene.h"
@@ -41,39 +34,29 @@ struct RenderRequest {
     LayerRequest run;
 };
 
-std::optional<InputError> writeResult(const Result<QImage> &picture, Output &output,
-                                      const QString &format)
-{
-    if (!picture)
-        return picture.error();
-    return writePicture(*picture, output, format);
-}
-
-std::optional<InputError> drawPicture(const Scene &scene, Output &output,
-                                      const RenderRequest &request)
+QImage pictureOf(const Scene &scene, const RenderRequest &request)
 {
     if (request.run.asksForRun())
-        return writeResult(pictureWithLayers(scene, request.run, request.scale), output,
-                           request.format);
+        return pictureWithLayers(scene, request.run, request.scale);
     const FrameBuffer frame(scene.frame);
     drawScene(scene, frame);
-    return writeResult(enlarged(frame.image(), request.scale), output, request.format);
+    return enlarged(frame.image().copy(), request.scale); // the frame ends here
 }
 
 /// The scene with the cheapest method, by the published order of cost, that meets the budget.
-Result<Scene> withinBudget(const Scene &scene, const QString &word)
+Scene withinBudget(const Scene &scene, const QString &word)
 {
     const QString place = QStringLiteral("--accuracy");
     const auto budget = budgetNamed(word.toStdString());
     if (!budget || *budget == Budget::SixteenMilliseconds)
-        return unknownName(place, QStringLiteral("accuracy"), word, accuracyNames());
+        refuseUnknown(place, QStringLiteral("accuracy"), word, accuracyNames());
     if (!scene.shapes.empty())
-        return InputError{place, QStringLiteral("the scene has other primitives than triangles"),
-                          QStringLiteral("triangles alone")};
+        refuse({place, QStringLiteral("the scene has other primitives than triangles"),
+                QStringLiteral("triangles alone")});
     const auto choice = withProgress(
         [&](const ProgressListener &listener) { return firstInOrder(*budget, scene, listener); });
     if (!choice->contender)
-        return InputError{place, choice->reason, {}};
+        refuse({place, choice->reason, {}});
     sayLine(QStringLiteral("%1: %2, %3").arg(word, choice->contender->id, choice->reason));
     Scene drawn = scene;
     drawn.method = choice->contender->method->id.toStdString();
@@ -81,12 +64,11 @@ Result<Scene> withinBudget(const Scene &scene, const QString &word)
     return drawn;
 }
 
-Result<Scene> sceneToRender(const CommandLine &line, const QString &path)
+Scene sceneToRender(const CommandLine &line, const QString &path)
 {
     if (!line.isSet(accuracyOption))
         return readScene(line, path);
-    const Result<Scene> scene = readSceneForAnyMethod(line, path);
-    return scene ? withinBudget(*scene, line.value(accuracyOption)) : scene;
+    return withinBudget(readSceneForAnyMethod(line, path), line.value(accuracyOption));
 }
 
 /// Whether a scene covers no pixel; only few primitives are drawn once more to find out.
@@ -98,7 +80,7 @@ bool isLeftEmpty(const Scene &scene)
         && coverageOf(scene) == CoverageMask(scene.frame);
 }
 
-ExitCode renderScene(const CommandLine &line, const RenderRequest &request, const NamedScene &named,
+ExitCode renderScene(const RenderRequest &request, const NamedScene &named,
                      const QString &outputPath)
 {
     const Scene &scene = *named.scene;
@@ -109,62 +91,41 @@ ExitCode renderScene(const CommandLine &line, const RenderRequest &request, cons
         sayLine(drawnBy + QStringLiteral(": nothing is drawn in the frame"));
     if (request.wantsPicture) {
         Output output(outputPath);
-        if (const auto error = drawPicture(scene, output, request))
-            return line.refuse(*error);
+        writePicture(pictureOf(scene, request), output, request.format);
     }
     if (request.wantsAscii)
         printLines(asciiRaster(coverageOf(scene)).chopped(1).split(u'\n'));
     return ExitCode::Done;
 }
 
-std::optional<InputError> choosePictures(const CommandLine &line, RenderRequest &request)
-{
-    const QString output = line.value(pictureOption);
-    const auto paths = outputPaths(output, line.arguments(), pictureFormats().front());
-    if (!paths)
-        return paths.error();
-    request.pictures = *paths;
-    const auto format = pictureFormatOf(QStringLiteral("-o"), request.pictures.front());
-    if (!format)
-        return format.error();
-    request.format = *format;
-    return std::nullopt;
-}
-
-Result<RenderRequest> requestFrom(const CommandLine &line)
+RenderRequest requestFrom(const CommandLine &line)
 {
     RenderRequest request;
     request.wantsPicture = line.isSet(pictureOption);
     request.wantsAscii = line.isSet(asciiOption);
     if (!request.wantsPicture && !request.wantsAscii)
-        return InputError{
-            {}, QStringLiteral("nothing to do"), QStringLiteral("-o FILE, --ascii or both")};
+        refuse({{}, QStringLiteral("nothing to do"), QStringLiteral("-o FILE, --ascii or both")});
     if (request.wantsAscii && line.value(pictureOption) == QStringLiteral("-"))
-        return InputError{{},
-                          QStringLiteral("-o - and --ascii both need standard output"),
-                          QStringLiteral("one")};
+        refuse({{},
+                QStringLiteral("-o - and --ascii both need standard output"),
+                QStringLiteral("one")});
     if (line.isSet(accuracyOption)
         && (line.isSet(QStringLiteral("method")) || line.isSet(QStringLiteral("arithmetic"))))
-        return InputError{{},
-                          QStringLiteral("--accuracy chooses method and arithmetic itself"),
-                          QStringLiteral("it alone")};
-    const auto scale = wholeNumberOf(line, scaleOption, {1, 64});
-    if (!scale)
-        return scale.error();
-    request.scale = scale->value();
-    const auto run = layerRequestFrom(line);
-    if (!run)
-        return run.error();
-    request.run = *run;
+        refuse({{},
+                QStringLiteral("--accuracy chooses method and arithmetic itself"),
+                QStringLiteral("it alone")});
+    request.scale = wholeNumberOf(line, scaleOption, {1, 64}).value();
+    request.run = layerRequestFrom(line);
     if (request.run.asksForRun() && !request.wantsPicture)
-        return InputError{{},
-                          QStringLiteral("--layers and --position need a picture"),
-                          QStringLiteral("-o FILE")};
+        refuse({{},
+                QStringLiteral("--layers and --position need a picture"),
+                QStringLiteral("-o FILE")});
     if (line.isSet(scaleOption) && !request.wantsPicture)
-        return InputError{{}, QStringLiteral("--scale needs a picture"), QStringLiteral("-o FILE")};
+        refuse({{}, QStringLiteral("--scale needs a picture"), QStringLiteral("-o FILE")});
     if (request.wantsPicture) {
-        if (const auto error = choosePictures(line, request))
-            return *error;
+        request.pictures
+            = outputPaths(line.value(pictureOption), line.arguments(), pictureFormats().front());
+        request.format = pictureFormatOf(QStringLiteral("-o"), request.pictures.front());
     }
     return request;
 }
@@ -194,21 +155,18 @@ ExitCode render(const Command &command, const QStringList &arguments)
                                    "place of --method and --arithmetic."),
                     QStringLiteral("budget")});
     addSettingOptions(line);
-    if (const auto ended = line.parse(arguments))
-        return *ended;
+    line.parse(arguments);
 
-    const Result<RenderRequest> request = requestFrom(line);
-    if (!request)
-        return line.refuse(request.error());
+    const RenderRequest request = requestFrom(line);
     const std::vector<NamedScene> scenes = readScenes(line, sceneToRender);
     ExitCode code = ExitCode::Done;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        if (request->wantsAscii && scenes.size() > 1)
+        if (request.wantsAscii && scenes.size() > 1)
             printLine(scenes[i].path + u':');
-        code = std::max(code,
-                        scenes[i].scene ? renderScene(line, *request, scenes[i],
-                                                      request->pictures.value(qsizetype(i)))
-                                        : ExitCode::Usage);
+        code = std::max(code, !scenes[i].scene ? ExitCode::Usage : endOf(line.command(), [&] {
+                            return renderScene(request, scenes[i],
+                                               request.pictures.value(qsizetype(i)));
+                        }));
     }
     return code;
 }

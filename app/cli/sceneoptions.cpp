@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/sceneoptions.h"
-
-#include "app/cli/forceoption.h"
-#include "app/cli/input.h"
-#include "app/cli/suggestion.h"
-#include "app/cli/wholenumber.h"
+#include "app/cli/console.h"
+#include "app/cli/files.h"
+#include "app/cli/options.h"
 #include "core/grade/defect.h"
 #include "core/runs/clampeddepths.h"
 #include "core/runs/sceneplan.h"
@@ -27,22 +24,8 @@ constexpr QLatin1String frameOption("frame");
 constexpr QLatin1String variantOption("variant");
 constexpr QLatin1String noVariant("none");
 
-template <class Choice, std::size_t Count>
-Result<Choice> chosen(const CommandLine &line, const QString &option,
-                      const std::array<Choice, Count> &choices, Choice unset)
-{
-    if (!line.isSet(option))
-        return unset;
-    const QStringList names = namesOf(choices);
-    const qsizetype index = names.indexOf(line.value(option));
-    if (index < 0)
-        return unknownName(QStringLiteral("--") + option, QStringLiteral("name"),
-                           line.value(option), names);
-    return choices[std::size_t(index)];
-}
-
 /// The variants chosen, separated by commas; together they replace the scene's.
-Result<VariantSet> chosenVariants(const CommandLine &line, VariantSet unset)
+VariantSet chosenVariants(const CommandLine &line, VariantSet unset)
 {
     if (!line.isSet(variantOption))
         return unset;
@@ -52,36 +35,23 @@ Result<VariantSet> chosenVariants(const CommandLine &line, VariantSet unset)
         return variants;
     for (const QString &name : list.split(u',')) {
         if (name.trimmed() == noVariant)
-            return InputError{QStringLiteral("--") + variantOption,
-                              QStringLiteral("“none” stands beside other names"),
-                              QStringLiteral("none alone, or variants alone")};
+            refuse({QStringLiteral("--") + variantOption,
+                    QStringLiteral("“none” stands beside other names"),
+                    QStringLiteral("none alone, or variants alone")});
         const auto variant = variantNamed(name.trimmed().toStdString());
         if (!variant)
-            return unknownName(QStringLiteral("--") + variantOption, QStringLiteral("name"), name,
-                               namesOf(allVariants) + QStringList{noVariant});
+            refuseUnknown(QStringLiteral("--") + variantOption, QStringLiteral("name"), name,
+                          namesOf(allVariants) + QStringList{noVariant});
         if (variants.contains(*variant))
-            return InputError{QStringLiteral("--") + variantOption,
-                              QStringLiteral("“%1” is named twice").arg(name.trimmed()),
-                              QStringLiteral("each variant once")};
+            refuse({QStringLiteral("--") + variantOption,
+                    QStringLiteral("“%1” is named twice").arg(name.trimmed()),
+                    QStringLiteral("each variant once")});
         variants = variants.with(*variant);
     }
     if (undoEachOther(variants))
-        return InputError{QStringLiteral("--") + variantOption, undoingText(),
-                          QStringLiteral("one of them, or none")};
+        refuse({QStringLiteral("--") + variantOption, undoingText(),
+                QStringLiteral("one of them, or none")});
     return variants;
-}
-
-/// The first error of several results.
-template <class... Results>
-std::optional<InputError> firstError(const Results &...results)
-{
-    std::optional<InputError> error;
-    const auto look = [&](const auto &result) {
-        if (!error && !result)
-            error = result.error();
-    };
-    (look(results), ...);
-    return error;
 }
 
 /// Reports the first snapped coordinates one by one, the others as a count.
@@ -146,24 +116,30 @@ void addSettingOptions(CommandLine &line)
     addForceOption(line);
 }
 
-Result<const Method *> chosenMethod(const CommandLine &line, const QString &unset)
+QStringList methodIds()
+{
+    QStringList ids;
+    for (const Method &method : methods())
+        ids.append(method.id);
+    return ids;
+}
+
+const Method *chosenMethod(const CommandLine &line, const QString &unset)
 {
     const QString id = line.isSet(methodOption) ? line.value(methodOption) : unset;
     if (const Method *method = methodNamed(id))
         return method;
-    QStringList ids;
-    for (const Method &method : methods())
-        ids.append(method.id);
-    return unknownAmongMany(QStringLiteral("--") + methodOption, QStringLiteral("name"), id, ids,
-                            QStringLiteral("a method that “pixelplumb-cli methods” lists"));
+    refuseUnknownAmongMany(QStringLiteral("--") + methodOption, QStringLiteral("name"), id,
+                           methodIds(),
+                           QStringLiteral("a method that “pixelplumb-cli methods” lists"));
 }
 
-Result<Arithmetic> chosenArithmetic(const CommandLine &line, Arithmetic unset)
+Arithmetic chosenArithmetic(const CommandLine &line, Arithmetic unset)
 {
     return chosen(line, arithmeticOption, allArithmetics, unset);
 }
 
-Result<FillRule> chosenFillRule(const CommandLine &line, FillRule unset)
+FillRule chosenFillRule(const CommandLine &line, FillRule unset)
 {
     return chosen(line, fillRuleOption, allFillRules, unset);
 }
@@ -179,87 +155,67 @@ std::optional<InputError> refusalOf(const Scene &scene, const QString &path)
         {}};
 }
 
-Result<SceneReading> sceneIn(const QByteArray &text, const QString &path)
+SceneReading sceneIn(const QByteArray &text, const QString &path)
 {
     Result<SceneReading> reading = pixelplumb::readScene(text, {}, folderOf(path));
     if (!reading)
-        return errorIn(path, reading.error());
+        refuse(errorIn(path, reading.error()));
     reportSnaps(path, reading->snaps);
-    return reading;
+    return std::move(*reading);
 }
 
-Result<SceneReading> readSceneAt(const QString &path)
-{
-    const Result<QByteArray> text = readInput(path);
-    if (!text)
-        return text.error();
-    return sceneIn(*text, path);
-}
+SceneReading readSceneAt(const QString &path) { return sceneIn(readInput(path), path); }
 
-Result<Scene> underOptions(const CommandLine &line, SceneReading reading, const QString &path)
+Scene underOptions(const CommandLine &line, SceneReading reading, const QString &path)
 {
     Scene scene = std::move(reading.scene);
     auto method = chosenMethod(line, QString::fromStdString(scene.method));
-    if (!method)
-        return method.error();
     const auto arithmetic = chosenArithmetic(line, scene.settings.arithmetic);
     const auto fillRule = chosenFillRule(line, scene.settings.fillRule);
     const auto forced = chosenForcing(line);
-    if (const auto error = firstError(arithmetic, fillRule, forced))
-        return *error;
     // Before the method is chosen, which must draw what is forced on.
-    scene.appearance.forced = *forced;
+    scene.appearance.forced = forced;
     OpenSettings open = reading.open;
     open.arithmetic = open.arithmetic && !line.isSet(arithmeticOption);
     open.fillRule = open.fillRule && !line.isSet(fillRuleOption);
-    scene.settings.arithmetic = *arithmetic;
-    scene.settings.fillRule = *fillRule;
+    scene.settings.arithmetic = arithmetic;
+    scene.settings.fillRule = fillRule;
     if (open.method && !line.isSet(methodOption))
         method = &methodFor(scene, open);
-    scene.settings = settledFor(**method, scene.settings, open);
+    scene.settings = settledFor(*method, scene.settings, open);
     const auto rounding = chosen(line, roundingOption, allByteRoundings, scene.settings.rounding);
     const auto variants = chosenVariants(line, scene.settings.variants);
-    if (const auto error = firstError(rounding, variants))
-        return *error;
     if (line.isSet(frameOption)) {
         if (!scene.motion)
-            return InputError{QStringLiteral("--") + frameOption,
-                              QStringLiteral("%1 does not move").arg(path),
-                              QStringLiteral("a scene with “motion”")};
+            refuse({QStringLiteral("--") + frameOption,
+                    QStringLiteral("%1 does not move").arg(path),
+                    QStringLiteral("a scene with “motion”")});
         const auto frame
             = wholeNumberOf(line, frameOption,
                             {0, scene.motion->frames - 1, QStringLiteral("no frame of the scene")});
-        if (!frame)
-            return frame.error();
-        scene = sceneAtFrame(scene, int(**frame));
+        scene = sceneAtFrame(scene, int(*frame));
     }
-    scene.method = (*method)->id.toStdString();
-    scene.settings.rounding = *rounding;
-    scene.settings.variants = *variants;
+    scene.method = method->id.toStdString();
+    scene.settings.rounding = rounding;
+    scene.settings.variants = variants;
     return scene;
 }
 
-Result<Scene> readSceneForAnyMethod(const CommandLine &line, const QString &path)
+Scene readSceneForAnyMethod(const CommandLine &line, const QString &path)
 {
-    Result<SceneReading> asWritten = readSceneAt(path);
-    if (!asWritten)
-        return asWritten.error();
-    return underOptions(line, std::move(*asWritten), path);
+    return underOptions(line, readSceneAt(path), path);
 }
 
-Result<Scene> readScene(const CommandLine &line, const QString &path)
+Scene readScene(const CommandLine &line, const QString &path)
 {
-    Result<Scene> scene = readSceneForAnyMethod(line, path);
-    if (!scene)
-        return scene;
-    if (const auto refusal = refusalOf(*scene, path))
-        return *refusal;
+    Scene scene = readSceneForAnyMethod(line, path);
+    refuseIf(refusalOf(scene, path));
     // A scene may name a method for things yet to be drawn; this explains the empty picture.
-    if (!drawsAnyOf(*scene))
+    if (!drawsAnyOf(scene))
         sayLine(QStringLiteral("%1: %2; see `pixelplumb-cli methods` for one that does")
-                    .arg(path, drawsNoneText(*scene)));
-    if (scene->appearance.depthFormat != DepthFormat::Exact) {
-        if (const QString clamped = clampedDepthsText(primitivesOnSamples(*scene));
+                    .arg(path, drawsNoneText(scene)));
+    if (scene.appearance.depthFormat != DepthFormat::Exact) {
+        if (const QString clamped = clampedDepthsText(primitivesOnSamples(scene));
             !clamped.isEmpty())
             sayLine(path + QStringLiteral(": ") + clamped);
     }
@@ -271,20 +227,45 @@ std::vector<NamedScene> readScenes(const CommandLine &line, SceneReader read)
     std::vector<NamedScene> scenes;
     for (const QString &path : line.arguments()) {
         NamedScene &named = scenes.emplace_back(NamedScene{path, std::nullopt});
-        if (Result<Scene> scene = read(line, path))
-            named.scene = std::move(*scene);
-        else
-            line.refuse(scene.error());
+        endOf(line.command(), [&] {
+            named.scene = read(line, path);
+            return ExitCode::Done;
+        });
     }
     return scenes;
 }
 
-std::optional<InputError> refusalToJudge(const Scene &scene, const QString &path)
+void refuseToJudgeBy(const Scene &scene, const QString &path)
 {
-    if (drawsAnyOf(scene))
-        return std::nullopt;
-    return InputError{path, drawsNoneText(scene),
-                      QStringLiteral("a method that draws one, in the scene or as --method")};
+    if (!drawsAnyOf(scene))
+        refuse({path, drawsNoneText(scene),
+                QStringLiteral("a method that draws one, in the scene or as --method")});
+}
+
+std::shared_ptr<const TracedScene> tracedWithProgress(const Scene &scene)
+{
+    return withProgress([&scene](const ProgressListener &listener) {
+        TraceOptions recording;
+        recording.progress = listener;
+        return traceScene(scene, recording);
+    });
+}
+
+WholeRange primitivesOf(const ScanTrace &trace)
+{
+    return {0, std::int64_t(trace.primitiveCount()) - 1,
+            QStringLiteral("no primitive of the scene")};
+}
+
+void reportRejections(const QString &drawnBy, const std::vector<RejectedPrimitive> &rejected)
+{
+    constexpr std::size_t mostReported = 5;
+    const std::size_t reported = std::min(rejected.size(), mostReported);
+    for (std::size_t i = 0; i < reported; ++i)
+        sayLine(drawnBy + QStringLiteral(": ") + rejected[i].message());
+    if (rejected.size() > reported)
+        sayLine(QStringLiteral("%1: %2 more primitives are not drawn")
+                    .arg(drawnBy, QString::number(rejected.size() - reported)));
 }
 
 } // namespace pixelplumb::cli

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/commands.h"
-#include "app/cli/output.h"
-#include "app/cli/outputpaths.h"
-#include "app/cli/progress.h"
-#include "app/cli/rejectionreport.h"
-#include "app/cli/rowoptions.h"
-#include "app/cli/sceneoptions.h"
-#include "app/cli/suggestion.h"
+#include "app/cli/console.h"
+#include "app/cli/files.h"
+#include "app/cli/options.h"
 #include "core/export/traceexport.h"
 #include "core/space/vertexlight.h"
 
@@ -19,6 +16,70 @@ namespace pixelplumb::cli {
 
 namespace {
 
+constexpr QLatin1String primitiveOption("triangle");
+constexpr QLatin1String xOption("x");
+constexpr QLatin1String yOption("y");
+
+bool hasSpansAlong(const ScanTrace &trace, SpanAxis axis)
+{
+    for (std::size_t i = 0; i < trace.spanCount(); ++i) {
+        if (trace.span(i).place.axis == axis)
+            return true;
+    }
+    return trace.spanCount() == 0;
+}
+
+std::optional<std::int64_t> coordinate(const CommandLine &line, const QString &option,
+                                       const TracedScene &traced, TraceLevel level)
+{
+    if (!line.isSet(option))
+        return std::nullopt;
+    const QString place = QStringLiteral("--") + option;
+    if (level == TraceLevel::Stage || level == TraceLevel::SetUp)
+        refuse({place,
+                level == TraceLevel::Stage ? QStringLiteral("a stage has no place in the frame")
+                                           : QStringLiteral("a primitive's set-up has no place"),
+                QStringLiteral("--level column or --level pixel")});
+    const bool isX = option == xOption;
+    if (level == TraceLevel::Column
+        && !hasSpansAlong(*traced.trace, isX ? SpanAxis::Column : SpanAxis::Row))
+        refuse(
+            {place,
+             QStringLiteral("“%1” walks along no such %2")
+                 .arg(traced.method->id, isX ? QStringLiteral("columns") : QStringLiteral("rows")),
+             QStringLiteral("--level pixel, or the other coordinate")});
+    const FrameSpec &frame = traced.scene.frame;
+    const std::int64_t first = isX ? frame.firstColumn : frame.firstRow;
+    const std::int64_t size = isX ? frame.width : frame.height;
+    return wholeNumberOf(line, option,
+                         {first, first + size - 1, QStringLiteral("outside the frame")});
+}
+
+/// --triangle, --x and --y, which choose rows of a trace's table.
+void addRowOptions(CommandLine &line)
+{
+    const QString number = QStringLiteral("number");
+    line.addOption({primitiveOption,
+                    QStringLiteral("Print the rows of this primitive alone, counted from 0."),
+                    number});
+    line.addOption(
+        {xOption, QStringLiteral("Print the rows of this column of the frame alone."), number});
+    line.addOption(
+        {yOption, QStringLiteral("Print the rows of this row of the frame alone."), number});
+}
+
+/// The chosen rows; refuses an option that names what the run or the table lacks.
+RowChoice chosenRows(const CommandLine &line, const TracedScene &traced, TraceLevel level)
+{
+    const auto primitive = wholeNumberOf(line, primitiveOption, primitivesOf(*traced.trace));
+    const auto x = coordinate(line, xOption, traced, level);
+    const auto y = coordinate(line, yOption, traced, level);
+    RowChoice rows{std::nullopt, x, y};
+    if (primitive)
+        rows.primitive = std::size_t(*primitive);
+    return rows;
+}
+
 template <class Choice, std::size_t count>
 using ChoiceNames = std::array<std::pair<const char *, Choice>, count>;
 
@@ -30,8 +91,8 @@ constexpr ChoiceNames<TableFormat, 3> formatNames
     = {{{"text", TableFormat::Text}, {"csv", TableFormat::Csv}, {"json", TableFormat::Json}}};
 
 template <class Choice, std::size_t count>
-Result<Choice> chosen(const CommandLine &line, const QString &option, Choice unset,
-                      const ChoiceNames<Choice, count> &choices)
+Choice chosen(const CommandLine &line, const QString &option, Choice unset,
+              const ChoiceNames<Choice, count> &choices)
 {
     if (!line.isSet(option))
         return unset;
@@ -42,10 +103,8 @@ Result<Choice> chosen(const CommandLine &line, const QString &option, Choice uns
         if (names.back() == word)
             return choice.second;
     }
-    InputError error
-        = unknownName(QStringLiteral("--") + option, QStringLiteral("name"), word, names);
-    error.expected = names.join(QStringLiteral(", "));
-    return error;
+    refuseUnknownAmongMany(QStringLiteral("--") + option, QStringLiteral("name"), word, names,
+                           names.join(QStringLiteral(", ")));
 }
 
 /// Text for a person at a terminal, CSV for a pipe or a file.
@@ -55,8 +114,7 @@ TableFormat formatFor(const QString &output)
                                                                        : TableFormat::Csv;
 }
 
-Result<QStringList> chosenColumns(const CommandLine &line, const TraceNumbers &numbers,
-                                  TraceLevel level)
+QStringList chosenColumns(const CommandLine &line, const TraceNumbers &numbers, TraceLevel level)
 {
     const QString option = QStringLiteral("columns");
     if (!line.isSet(option))
@@ -67,16 +125,16 @@ Result<QStringList> chosenColumns(const CommandLine &line, const TraceNumbers &n
     for (const QString &word : line.value(option).split(u',')) {
         const QString written = word.trimmed();
         if (written.isEmpty())
-            return InputError{place, QStringLiteral("a name is missing"),
-                              QStringLiteral("names separated by commas, of ")
-                                  + names.join(QStringLiteral(", "))};
+            refuse({place, QStringLiteral("a name is missing"),
+                    QStringLiteral("names separated by commas, of ")
+                        + names.join(QStringLiteral(", "))});
         const QString name = traceColumnNamed(numbers, level, written);
         if (name.isEmpty())
-            return unknownName(place, QStringLiteral("column"), written, names);
+            refuseUnknown(place, QStringLiteral("column"), written, names);
         // A second column of the same name would be lost to readers that go by name.
         if (columns.contains(name))
-            return InputError{place, QStringLiteral("“%1” is named twice").arg(written),
-                              QStringLiteral("each column once")};
+            refuse({place, QStringLiteral("“%1” is named twice").arg(written),
+                    QStringLiteral("each column once")});
         columns.append(name);
     }
     return columns;
@@ -107,31 +165,21 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const Nam
 {
     const std::optional<Scene> &scene = named.scene;
     const QString &path = named.path;
-    const auto traced = withProgress([&scene](const ProgressListener &listener) {
-        TraceOptions recording;
-        recording.progress = listener;
-        return traceScene(*scene, recording);
-    });
+    const auto traced = tracedWithProgress(*scene);
     // The columns depend on the effects that the scene calls for, known only now.
-    const Result<QStringList> columns
-        = chosenColumns(line, traced->trace->numbers(), request.level);
-    if (!columns)
-        return line.refuse(columns.error());
-    const Result<RowChoice> rows = chosenRows(line, *traced, request.level);
-    if (!rows)
-        return line.refuse(rows.error());
+    const QStringList columns = chosenColumns(line, traced->trace->numbers(), request.level);
+    const RowChoice rows = chosenRows(line, *traced, request.level);
     reportRejections(path + QStringLiteral(", ") + traced->method->id, rejectedPrimitives(*traced));
 
     if (line.isSet(QStringLiteral("decimal")) && request.format != TableFormat::Text)
-        return line.refuse({QStringLiteral("--decimal"),
-                            QStringLiteral("only a table as text is printed in one kind of number"),
-                            QStringLiteral("--format text")});
+        refuse({QStringLiteral("--decimal"),
+                QStringLiteral("only a table as text is printed in one kind of number"),
+                QStringLiteral("--format text")});
     Output output(outputPath);
-    if (const auto error = output.open())
-        return line.refuse(*error);
+    output.open();
     TraceExportOptions options{request.level, request.format};
-    options.columns = *columns;
-    options.rows = *rows;
+    options.columns = columns;
+    options.rows = rows;
     if (line.isSet(QStringLiteral("frame")))
         options.frame = line.value(QStringLiteral("frame")).toInt();
     options.textNumbers
@@ -140,8 +188,9 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const Nam
         options.progress = listener;
         return exportTrace(*traced, options, output.device());
     });
-    if (const auto error = written ? output.finish() : std::optional(output.error()))
-        return line.refuse(*error);
+    if (!written)
+        refuse(output.error());
+    output.finish();
     if (request.level == TraceLevel::Stage && !scene->hasSolids()
         && !lightsVertices(scene->appearance))
         sayLine(
@@ -188,26 +237,18 @@ ExitCode trace(const Command &command, const QStringList &arguments)
                     QStringLiteral("-")});
     addRowOptions(line);
     addSettingOptions(line);
-    if (const auto ended = line.parse(arguments))
-        return *ended;
-    const Result<TraceLevel> level = chosen(line, levelOption, TraceLevel::Column, levelNames);
-    if (!level)
-        return line.refuse(level.error());
-    const Result<TableFormat> format
+    line.parse(arguments);
+    const TraceLevel level = chosen(line, levelOption, TraceLevel::Column, levelNames);
+    const TableFormat format
         = chosen(line, formatOption, formatFor(line.value(outputOption)), formatNames);
-    if (!format)
-        return line.refuse(format.error());
-    const auto outputs = outputPaths(line.value(outputOption), line.arguments(), suffixOf(*format));
-    if (!outputs)
-        return line.refuse(outputs.error());
-    const TraceRequest request{*level, *format};
+    const auto outputs = outputPaths(line.value(outputOption), line.arguments(), suffixOf(format));
+    const TraceRequest request{level, format};
     ExitCode code = ExitCode::Done;
     const std::vector<NamedScene> scenes = readScenes(line, readScene);
     for (std::size_t i = 0; i < scenes.size(); ++i)
-        code = std::max(code,
-                        scenes[i].scene
-                            ? traceTo(line, request, scenes[i], outputs->at(qsizetype(i)))
-                            : ExitCode::Usage);
+        code = std::max(code, !scenes[i].scene ? ExitCode::Usage : endOf(line.command(), [&] {
+                            return traceTo(line, request, scenes[i], outputs.at(qsizetype(i)));
+                        }));
     return code;
 }
 

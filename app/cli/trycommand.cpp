@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "app/cli/diagnosisreport.h"
-#include "app/cli/diffreport.h"
-#include "app/cli/programoptions.h"
-#include "app/cli/progress.h"
-#include "app/cli/sceneoptions.h"
-#include "app/cli/toleranceoption.h"
+#include "app/cli/console.h"
+#include "app/cli/options.h"
 #include "core/grade/showntext.h"
 #include "core/grade/trial.h"
 
@@ -45,7 +41,7 @@ QStringList linesOf(const SceneTrial &tried)
     if (trial.picture) {
         if (trial.output.picture->isTransparent)
             lines += QStringLiteral("    its picture ") + transparencyText();
-        for (const QString &line : textOf(*trial.picture))
+        for (const QString &line : diffLines(*trial.picture))
             lines += QStringLiteral("    ") + line;
     }
     if (const auto beyond = beyondFrameText(trial.output))
@@ -82,7 +78,7 @@ QJsonObject objectOf(const SceneTrial &tried)
     if (trial.output.trace)
         object.insert(QStringLiteral("beyondFrame"), qint64(trial.output.trace->beyondFrame));
     if (trial.picture)
-        object.insert(QStringLiteral("picture"), jsonOf(*trial.picture));
+        object.insert(QStringLiteral("picture"), diffJson(*trial.picture));
     object.insert(QStringLiteral("transparencyIgnored"),
                   trial.output.picture && trial.output.picture->isTransparent);
     if (trial.trace)
@@ -94,14 +90,10 @@ QJsonObject objectOf(const SceneTrial &tried)
     return object;
 }
 
-Result<TrialTerms> termsOf(const CommandLine &line)
+TrialTerms termsOf(const CommandLine &line)
 {
-    Result<TrialTerms> terms = chosenTerms(line);
-    const Result<Arithmetic> tolerance = chosenTolerance(line);
-    if (terms && !tolerance)
-        return tolerance.error();
-    if (terms)
-        terms->tolerance = *tolerance;
+    TrialTerms terms = chosenTerms(line);
+    terms.tolerance = chosenTolerance(line);
     return terms;
 }
 
@@ -112,7 +104,7 @@ void addTrialOptions(CommandLine &line)
                             QStringLiteral("file")});
     addProgramOptions(line);
     addToleranceOption(line);
-    line.addOption({QStringLiteral("json"), QStringLiteral("Print JSON.")});
+    line.addJsonOption();
 }
 
 /// The verdict on trials without errors, in diagnose's words.
@@ -150,49 +142,41 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
                        Positional::Presence::Command}});
     addTrialOptions(line);
     addSettingOptions(line);
-    if (const auto ended = line.parse(arguments))
-        return *ended;
-    const Result<TrialTerms> terms = termsOf(line);
-    if (!terms)
-        return line.refuse(terms.error());
+    line.parse(arguments);
+    const TrialTerms terms = termsOf(line);
     const QStringList scenes = line.values(QStringLiteral("scene"));
     if (scenes.isEmpty())
-        return line.refuse(QStringLiteral("--scene FILE is missing: what the program is to draw"));
-    const Result<StudentProgram> student = studentProgramOf(line.arguments());
-    if (!student)
-        return line.refuse(student.error());
+        refuse(QStringLiteral("--scene FILE is missing: what the program is to draw"));
+    const StudentProgram student = required(studentProgramOf(line.arguments()));
     std::vector<SceneTrial> tried;
     std::vector<Submission> submissions;
     for (const QString &path : scenes) {
-        Result<Scene> scene = readScene(line, path);
-        if (!scene)
-            return line.refuse(scene.error());
-        if (const auto refusal = refusalToJudge(*scene, path))
-            return line.refuse(*refusal);
-        Result<Trial> trial = pixelplumb::tryProgram(*student, *scene, *terms);
+        Scene scene = readScene(line, path);
+        refuseToJudgeBy(scene, path);
+        Result<Trial> trial = pixelplumb::tryProgram(student, scene, terms);
         if (!trial)
-            return line.refuse(InputError{path, trial.error().message(), {}});
+            refuse({path, trial.error().message(), {}});
         if (trial->output.picture)
-            submissions.push_back({*scene, *trial->output.picture});
-        tried.push_back({path, std::move(*scene), std::move(*trial)});
+            submissions.push_back({scene, *trial->output.picture});
+        tried.push_back({path, std::move(scene), std::move(*trial)});
     }
     const auto isRight = [](const SceneTrial &each) { return each.trial.isRight(); };
     const bool areRight = std::ranges::all_of(tried, isRight);
-    const auto diagnosis = diagnosisOf(submissions, areRight, terms->tolerance);
-    if (line.isSet(QStringLiteral("json"))) {
+    const auto diagnosis = diagnosisOf(submissions, areRight, terms.tolerance);
+    if (line.asksForJson()) {
         QJsonArray trials;
         for (const SceneTrial &each : tried)
             trials.append(objectOf(each));
         QJsonObject report{{QStringLiteral("right"), areRight}, {QStringLiteral("trials"), trials}};
         if (diagnosis)
-            report.insert(QStringLiteral("diagnosis"), jsonOf(*diagnosis, submissions));
+            report.insert(QStringLiteral("diagnosis"), diagnosisJson(*diagnosis, submissions));
         addConfinement(report);
-        printJson(QJsonDocument(report));
+        printJson(report);
     } else {
         for (const SceneTrial &each : tried)
             printLines(linesOf(each));
         if (diagnosis)
-            printLines(textOf(*diagnosis, submissions));
+            printLines(diagnosisLines(*diagnosis, submissions));
         else if (areRight)
             printLine(verdictOf(tried));
         printLines(confinementLines());

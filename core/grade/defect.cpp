@@ -13,6 +13,7 @@
 #include <QHash>
 
 #include <algorithm>
+#include <array>
 
 namespace pixelplumb {
 
@@ -128,6 +129,29 @@ void appendPictures(std::vector<Defect> &defects, const Scene &scene)
     }
 }
 
+/// A scene that can have every defect of its method: two primitives, turned either way, with
+/// vertices between pixels, two in one column and two in one row, and a level of 255.
+Scene proneScene(const Scene &conventions)
+{
+    Scene scene = conventions;
+    scene.frame.width = 48;
+    scene.frame.height = 40;
+    constexpr Lattice half = unitsPerPixel / 2;
+    const std::array<Vertex, 4> vertices = {{{{5 * half, 7 * half}, {{255, 40, 10}}},
+                                             {{81 * half, 7 * half}, {{20, 200, 90}}},
+                                             {{81 * half, 61 * half}, {{60, 30, 240}}},
+                                             {{9 * half, 71 * half}, {{200, 100, 0}}}}};
+    const Method &method = *methodNamed(QString::fromStdString(scene.method));
+    scene.triangles.clear();
+    if (method.draws(PrimitiveKind::Triangle))
+        scene.triangles = {{{{vertices[0], vertices[1], vertices[2]}}},
+                           {{{vertices[0], vertices[3], vertices[2]}}}};
+    scene.shapes = std::vector<Shape>(method.draws(PrimitiveKind::Line) ? 2 : 0);
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+        scene.shapes[i].vertices = {vertices[i], vertices[i + 2]};
+    return scene;
+}
+
 } // namespace
 
 QString undoingText()
@@ -169,6 +193,11 @@ std::vector<Defect> defectsFor(const Scene &scene)
     std::ranges::move(levelDefectsFor(scene), std::back_inserter(defects));
     appendPictures(defects, scene);
     return defects;
+}
+
+std::vector<Defect> defectsUnder(const Scene &conventions)
+{
+    return defectsFor(proneScene(conventions));
 }
 
 std::vector<Defect> ownDefects(std::span<const Defect> known, std::span<const Defect> defects)

@@ -72,6 +72,10 @@ bool canBeTogether(const Defect &one, const Defect &other);
 /// The defects that a scene's method can have, in the order in which they are tried.
 std::vector<Defect> defectsFor(const Scene &scene);
 
+/// The defects that scenes with these conventions can have: a method, settings, origin and pixel
+/// centre. Their primitives do not matter.
+std::vector<Defect> defectsUnder(const Scene &conventions);
+
 /// The defects in the version of one scene: those of `known`, that scene's list, with the ids of
 /// `defects`. A defect found for other scenes, perhaps with other methods, may be missing there and
 /// leaves the scene unchanged.

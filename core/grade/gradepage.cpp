@@ -111,9 +111,10 @@ private:
     {
         m_page += QStringLiteral("<p>%1.</p>\n").arg(submissionsText(m_report.submissions.size()));
         if (!m_report.missing.isEmpty())
-            m_page += QStringLiteral("<p><strong>Partial: %1 more without a grade.</strong> %2</p>\n")
-                          .arg(m_report.missing.size())
-                          .arg(html(m_report.missing.join(QStringLiteral(", "))));
+            m_page
+                += QStringLiteral("<p><strong>Partial: %1 more without a grade.</strong> %2</p>\n")
+                       .arg(m_report.missing.size())
+                       .arg(html(m_report.missing.join(QStringLiteral(", "))));
         if (const QString text = unsandboxedText(m_report); !text.isEmpty())
             m_page += QStringLiteral("<p><strong>%1.</strong></p>\n").arg(html(text));
         m_page += QStringLiteral("<table>\n<tr><th class=\"number\">submissions</th>"

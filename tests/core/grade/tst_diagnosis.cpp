@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/diagnosis.h"
 #include "core/grade/picturediff.h"
-#include "core/grade/probesheet.h"
-#include "core/scene/fileaccess.h"
-#include "core/scene/scenefile.h"
 #include "tests/support/casestorun.h"
 #include "tests/support/defectgroups.h"
 #include "tests/support/probescenes.h"
-#include "tests/support/programrun.h"
 #include "tests/support/scanning.h"
-#include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 
-#include <QDir>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
@@ -115,71 +106,6 @@ private slots:
         // that only affects positions between pixels show if vertices are on halves.
         QVERIFY(seen * 100 >= 95 * int(run.size()));
         QVERIFY(unique * 10 >= seen * 8);
-    }
-
-    void theProbeSheetTellsAllDefectsApart_data()
-    {
-        QTest::addColumn<int>("fewest");
-        QTest::newRow("column-scan") << 140;
-        QTest::newRow("row-walk") << 180;
-        QTest::newRow("edge-equations") << 120;
-        QTest::newRow("barycentric-rectangle") << 120;
-        QTest::newRow("line-bresenham") << 90;
-    }
-    void theProbeSheetTellsAllDefectsApart()
-    {
-        QFETCH(int, fewest);
-        const QString method = QString::fromLatin1(QTest::currentDataTag());
-        const QDir folder(resource(QStringLiteral("/probes")));
-        std::vector<Scene> scenes;
-        for (const QString &name : folder.entryList({method + QStringLiteral("-*.json")})) {
-            const auto reading = readSceneFile(folder.filePath(name));
-            QVERIFY2(bool(reading), qPrintable(name));
-            QCOMPARE(reading->scene.method, method.toStdString());
-            scenes.push_back(reading->scene);
-        }
-        QVERIFY(scenes.size() >= 1 && scenes.size() <= 5);
-        const ProbeResult result = probe(scenes);
-        QStringList alike;
-        for (const AlikeDefects &group : result.alike) {
-            for (const Defect &defect : group.defects)
-                alike += defect.id;
-        }
-        QVERIFY2(alike.isEmpty(), qPrintable(alike.join(u' ')));
-        QCOMPARE(result.distinct(), result.defects + 1);
-        // Far shifts are many, but not a kind of their own.
-        const std::vector<Defect> defects = defectsFor(scenes.front());
-        QVERIFY(std::ranges::count(defects, false, &Defect::standsAlone) >= fewest);
-    }
-
-    void theSearchFindsTheSheetAgain()
-    {
-        const QTemporaryDir folder;
-        const QString name = QStringLiteral("/row-walk-1.json");
-        const ProgramRun result
-            = run({QStringLiteral("probes"), QStringLiteral("--method"), QStringLiteral("row-walk"),
-                   QStringLiteral("-o"), folder.path(), QStringLiteral("--json")});
-        QCOMPARE(result.exitCode, 0);
-        const QJsonDocument json = QJsonDocument::fromJson(result.output);
-        QVERIFY(json[QStringLiteral("alike")].toArray().isEmpty());
-        QCOMPARE(json[QStringLiteral("distinct")].toInt(),
-                 json[QStringLiteral("defects")].toInt() + 1);
-        QCOMPARE(*readFile(folder.path() + name),
-                 *readFile(resource(QStringLiteral("/probes")) + name));
-    }
-
-    void oneTriangleLeavesDefectsAlike()
-    {
-        const std::vector<Scene> scenes = {sceneWith({triangleAt(5, 5, 30, 5, 5, 30)})};
-        const ProbeResult result = probe(scenes);
-        QVERIFY(!result.alike.empty());
-        QVERIFY(result.alike.front().equalRight);
-        // A single triangle toggles nothing: traversing it again gives the same.
-        QVERIFY(std::ranges::any_of(result.alike.front().defects, [](const Defect &defect) {
-            return defect.id == QStringLiteral("parity");
-        }));
-        QVERIFY(result.distinct() < result.defects + 1);
-        QVERIFY(result.distinct() > 20);
     }
 
     void twoDefectsTogetherAreFound()

@@ -287,7 +287,7 @@ private slots:
 
     void theManualPrintsTheOrder()
     {
-        QFile manual(resource(QStringLiteral("/man/pixelplumb-cli.1")));
+        QFile manual(resource(QStringLiteral("/man/pixelplumb-cli.1.in")));
         QVERIFY(manual.open(QIODevice::ReadOnly));
         QStringList printed;
         for (const QByteArray &line : manual.readAll().split('\n')) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/probesheet.h"
+
 #include "core/grade/diagnosis.h"
-#include "core/grade/probesheet.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/seededrandom.h"
 #include "core/grade/diagnosis.h"
-#include "core/grade/probesheet.h"
 #include "core/methods/method.h"
+#include "tests/support/probesheet.h"
 
 #include <algorithm>
 #include <map>
@@ -185,17 +185,13 @@ bool exchangeTwo(std::vector<std::size_t> &chosen, const Digests &digests, const
 
 } // namespace
 
-std::optional<std::vector<Scene>> searchProbes(const Scene &conventions, std::uint64_t seed,
-                                               std::int64_t candidates,
-                                               const ProgressListener &listener)
+std::vector<Scene> searchProbes(const Scene &conventions, std::uint64_t seed, int candidates)
 {
     SeededRandom random(seed);
     std::vector<Scene> scenes;
     Digests digests;
     Classes classes = {{QString(), 0}};
     while (std::ssize(scenes) < candidates) {
-        if (!goesOn(listener, {JobPhase::Drawing, std::ssize(scenes), candidates}))
-            return std::nullopt;
         const Scene scene = randomScene(conventions, random);
         auto &ofScene = digests.emplace_back();
         ofScene[{}] = digestOf(pictureOf(scene));

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/layeroptions.h"
-
-#include "app/cli/enlargedpicture.h"
-#include "app/cli/progress.h"
-#include "app/cli/rowoptions.h"
-#include "app/cli/suggestion.h"
-#include "app/cli/wholenumber.h"
+#include "app/cli/commands.h"
+#include "app/cli/console.h"
+#include "app/cli/files.h"
+#include "app/cli/options.h"
 #include "core/layers/layer.h"
 #include "core/layers/layerpainter.h"
 #include "core/scene/coordinatetext.h"
@@ -32,7 +29,7 @@ QStringList layerNames()
 }
 
 /// Reads "40,12 10,8 30,40"; snapped coordinates are reported on stderr.
-Result<Corners> cornersFrom(const QString &text)
+Corners cornersFrom(const QString &text)
 {
     const InputError refused{QStringLiteral("--") + imageOption, text,
                              QStringLiteral("three points such as “40,12 10,8 30,40”")};
@@ -40,15 +37,15 @@ Result<Corners> cornersFrom(const QString &text)
     Corners corners;
     QStringList reports;
     if (points.size() != qsizetype(corners.size()))
-        return refused;
+        refuse(refused);
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const QStringList coordinates = points[qsizetype(i)].split(u',');
         if (coordinates.size() != 2)
-            return refused;
+            refuse(refused);
         const auto x = parseCoordinate(coordinates[0]);
         const auto y = parseCoordinate(coordinates[1]);
         if (!x || !y)
-            return refused;
+            refuse(refused);
         corners[i] = {x->units, y->units};
         const QString place = QStringLiteral("--%1, point %2, ").arg(imageOption).arg(i + 1);
         if (x->isDisplaced())
@@ -67,19 +64,6 @@ std::optional<AffineImage> imageOf(const LayerRequest &request, const LayerView 
     const std::optional<std::size_t> triangle
         = request.affineImage ? subjectOf(*layerNamed(affineLayer), view) : std::nullopt;
     return triangle ? std::optional(AffineImage{*triangle, *request.affineImage}) : std::nullopt;
-}
-
-/// Why a number of the request is outside the run's.
-std::optional<InputError> objectionTo(const LayerRequest &request, const ScanTrace &trace)
-{
-    if (request.position && std::size_t(*request.position) > trace.stepCount())
-        return InputError{QStringLiteral("--") + positionOption, QString::number(*request.position),
-                          QStringLiteral("an integer from 0 to %1").arg(trace.stepCount())};
-    if (!request.primitive)
-        return std::nullopt;
-    const auto primitive = wholeNumber(QStringLiteral("--") + triangleOption,
-                                       QString::number(*request.primitive), primitivesOf(trace));
-    return primitive ? std::nullopt : std::optional(primitive.error());
 }
 
 void paintLayers(QImage &picture, const LayerRequest &request, const LayerView &view)
@@ -126,7 +110,7 @@ void addLayerOptions(CommandLine &line)
                     QStringLiteral("points")});
 }
 
-Result<LayerRequest> layerRequestFrom(const CommandLine &line)
+LayerRequest layerRequestFrom(const CommandLine &line)
 {
     LayerRequest request;
     const QString place = QStringLiteral("--") + layersOption;
@@ -134,58 +118,47 @@ Result<LayerRequest> layerRequestFrom(const CommandLine &line)
         request.layers = line.value(layersOption).split(u',');
     for (const QString &id : request.layers) {
         if (!layerNamed(id))
-            return unknownName(place, QStringLiteral("layer"), id, layerNames());
+            refuseUnknown(place, QStringLiteral("layer"), id, layerNames());
         if (request.layers.count(id) > 1)
-            return InputError{place, QStringLiteral("“%1” is named twice").arg(id),
-                              QStringLiteral("each layer once")};
+            refuse({place, QStringLiteral("“%1” is named twice").arg(id),
+                    QStringLiteral("each layer once")});
     }
-    const auto position = wholeNumberOf(line, positionOption, {});
-    if (!position)
-        return position.error();
-    request.position = *position;
-    const auto primitive = wholeNumberOf(line, triangleOption, {});
-    if (!primitive)
-        return primitive.error();
-    request.primitive = *primitive;
+    request.position = wholeNumberOf(line, positionOption, {});
+    request.primitive = wholeNumberOf(line, triangleOption, {});
     if (request.primitive && request.layers.isEmpty())
-        return InputError{QStringLiteral("--") + triangleOption,
-                          QStringLiteral("there are no layers to tell of it"), place};
+        refuse({QStringLiteral("--") + triangleOption,
+                QStringLiteral("there are no layers to tell of it"), place});
     if (!line.isSet(imageOption))
         return request;
     if (!request.layers.contains(affineLayer))
-        return InputError{QStringLiteral("--") + imageOption,
-                          QStringLiteral("there is no layer to draw it"),
-                          QStringLiteral("--layers affine-map")};
-    const auto corners = cornersFrom(line.value(imageOption));
-    if (!corners)
-        return corners.error();
-    request.affineImage = *corners;
+        refuse({QStringLiteral("--") + imageOption, QStringLiteral("there is no layer to draw it"),
+                QStringLiteral("--layers affine-map")});
+    request.affineImage = cornersFrom(line.value(imageOption));
     return request;
 }
 
-Result<QImage> pictureWithLayers(const Scene &scene, const LayerRequest &request,
-                                 std::int64_t scale)
+QImage pictureWithLayers(const Scene &scene, const LayerRequest &request, std::int64_t scale)
 {
-    const auto traced = withProgress([&scene](const ProgressListener &listener) {
-        TraceOptions recording;
-        recording.progress = listener;
-        return traceScene(scene, recording);
-    });
-    if (const auto objection = objectionTo(request, *traced->trace))
-        return *objection;
+    const auto traced = tracedWithProgress(scene);
+    const ScanTrace &trace = *traced->trace;
+    if (request.position && std::size_t(*request.position) > trace.stepCount())
+        refuse({QStringLiteral("--") + positionOption, QString::number(*request.position),
+                QStringLiteral("an integer from 0 to %1").arg(trace.stepCount())});
+    if (request.primitive)
+        wholeNumber(QStringLiteral("--") + triangleOption, QString::number(*request.primitive),
+                    primitivesOf(trace));
     LayerView view;
     view.traced = traced.get();
-    view.position = request.position ? std::size_t(*request.position) : traced->trace->stepCount();
+    view.position = request.position ? std::size_t(*request.position) : trace.stepCount();
     view.seen = samplesOf(windowOf(scene.frame));
     view.cell = double(scale);
     if (request.primitive)
         view.primitive = std::size_t(*request.primitive);
     view.image = imageOf(request, view);
-    TraceCursor cursor(*traced->trace, scene.frame);
+    TraceCursor cursor(trace, scene.frame);
     cursor.seek(view.position);
-    Result<QImage> picture = enlarged(cursor.frame().copy(), scale);
-    if (picture)
-        paintLayers(*picture, request, view);
+    QImage picture = enlarged(cursor.frame().copy(), scale);
+    paintLayers(picture, request, view);
     return picture;
 }
 

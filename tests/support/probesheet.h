@@ -2,9 +2,7 @@
 #pragma once
 
 #include "core/grade/defect.h"
-#include "core/number/jobprogress.h"
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,10 +11,8 @@ namespace pixelplumb {
 /// Finds a few scenes that tell the known defects of an assignment's method apart. `conventions`
 /// gives the method, which draws triangles or lines, the settings, the frame's origin and pixel
 /// centre. From `candidates` random scenes it greedily takes the one that tells most apart, until
-/// none tells more. None where the listener, who hears how many are drawn, ended it.
-std::optional<std::vector<Scene>> searchProbes(const Scene &conventions, std::uint64_t seed,
-                                               std::int64_t candidates,
-                                               const ProgressListener &listener = {});
+/// none tells more.
+std::vector<Scene> searchProbes(const Scene &conventions, std::uint64_t seed, int candidates);
 
 /// Defects that draw the same pictures of all scenes.
 struct AlikeDefects {

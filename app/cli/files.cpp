@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/files.h"
+
+#include "core/frame/framespec.h"
+#include "core/scene/inputrecord.h"
+#include "core/scene/outputfolder.h"
+
+#include <QBuffer>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QImageWriter>
+
+#include <cstdio>
+
+namespace pixelplumb::cli {
+
+QByteArray readInput(const QString &path, qint64 most)
+{
+    if (path.isEmpty())
+        refuse({QStringLiteral("“”"), QStringLiteral("names no file"),
+                QStringLiteral("the name of one, or - for standard input")});
+    if (path != QStringLiteral("-"))
+        return required(readFile(path, most));
+    const QString place = QStringLiteral("standard input");
+    refuseIf(noteStandardInput());
+    QFile input;
+    if (!input.open(stdin, QIODevice::ReadOnly))
+        refuse({place, input.errorString(), {}});
+    return required(readDevice(place, input, most));
+}
+
+QString folderOf(const QString &path)
+{
+    return path == QStringLiteral("-") ? QString() : QFileInfo(path).absolutePath();
+}
+
+Output::Output(const QString &path)
+{
+    if (path != QStringLiteral("-"))
+        m_file.emplace(path);
+}
+
+void Output::open()
+{
+    refuseIf(m_file ? m_file->open() : refusalToPrint());
+    if (!m_file && !m_standardOutput.open(fileno(stdout), QIODevice::WriteOnly))
+        refuse(error());
+}
+
+QIODevice &Output::device()
+{
+    if (m_file)
+        return m_file->device();
+    return m_standardOutput;
+}
+
+void Output::finish()
+{
+    if (m_file)
+        return refuseIf(m_file->finish());
+    if (m_standardOutput.error() != QFileDevice::NoError || !m_standardOutput.flush())
+        refuse(error());
+}
+
+InputError Output::error(const QString &otherwise) const
+{
+    if (m_file)
+        return m_file->error(otherwise);
+    return writingError(QStringLiteral("standard output"), m_standardOutput, otherwise);
+}
+
+void refuseStandardOutput(const QString &path, const QString &expected)
+{
+    if (path == QStringLiteral("-"))
+        refuse(
+            {QStringLiteral("-o -"), QStringLiteral("standard output has the report"), expected});
+}
+
+QStringList outputPaths(const QString &output, const QStringList &inputs, const QString &suffix)
+{
+    const bool isStandardOutput = output == QStringLiteral("-");
+    const bool isFolder = !isStandardOutput && (output.endsWith(u'/') || QFileInfo(output).isDir());
+    if (!isFolder && inputs.size() == 1)
+        return QStringList(output);
+    if (isStandardOutput)
+        refuse({QStringLiteral("%1 scenes").arg(inputs.size()),
+                QStringLiteral("standard output is one"),
+                QStringLiteral("a folder to write to, -o DIR/")});
+    if (!isFolder)
+        refuse({QStringLiteral("-o ") + output,
+                QStringLiteral("is one file for %1 scenes").arg(inputs.size()),
+                QStringLiteral("a folder, such as %1/").arg(QFileInfo(output).baseName())});
+    QStringList paths;
+    for (const QString &input : inputs) {
+        if (input == QStringLiteral("-"))
+            refuse({QStringLiteral("-o ") + output,
+                    QStringLiteral("standard input has no name in a folder"),
+                    QStringLiteral("a scene file, or a file to write to")});
+        const QString path
+            = QDir(output).filePath(QFileInfo(input).completeBaseName() + u'.') + suffix;
+        if (const qsizetype other = paths.indexOf(path); other >= 0)
+            refuse({input,
+                    QStringLiteral("its picture would be %2, and so would that of %1")
+                        .arg(inputs[other], path),
+                    QStringLiteral("scenes of different names")});
+        paths.append(path);
+    }
+    // Checked last: no folder is made for a refused path.
+    refuseIf(refusalOfFolder(output));
+    return paths;
+}
+
+Picture readPicture(const QString &path)
+{
+    return required(parsePicture(readInput(path, largestPictureFile), path));
+}
+
+void refuseOtherSizes(const SizedInput &one, const SizedInput &other)
+{
+    if (one.size == other.size)
+        return;
+    sayLine(
+        QStringLiteral("%1 has %2 × %3 pixels%7, %4 has %5 × %6%8")
+            .arg(one.path, QString::number(one.size.width()), QString::number(one.size.height()),
+                 other.path, QString::number(other.size.width()),
+                 QString::number(other.size.height()), sizeHint(one.size, other.size),
+                 one.size == other.size.transposed() ? QString() : sizeHint(other.size, one.size)));
+    throw Ended{ExitCode::SizesDiffer};
+}
+
+const QStringList &pictureFormats()
+{
+    static const QStringList formats
+        = {QStringLiteral("png"), QStringLiteral("bmp"), QStringLiteral("ppm")};
+    return formats;
+}
+
+QString pictureFormatOf(const QString &option, const QString &path)
+{
+    const QFileInfo file(path);
+    const bool isStream = path == QStringLiteral("-") || path.startsWith(QStringLiteral("/dev/"))
+        || (file.exists() && !file.isFile() && !file.isDir());
+    QString format = file.suffix().toLower();
+    if (pictureFormats().contains(format))
+        return format;
+    if (isStream)
+        return pictureFormats().front();
+    refuse(
+        {option + u' ' + path,
+         format.isEmpty() ? QStringLiteral("the name does not say which kind of picture")
+                          : QStringLiteral("unknown kind of picture"),
+         QStringLiteral("a name that ends in .") + pictureFormats().join(QStringLiteral(", ."))});
+}
+
+QString pictureFormatOf(const CommandLine &line, const QString &option)
+{
+    return line.isSet(option) ? pictureFormatOf(QStringLiteral("-o"), line.value(option))
+                              : pictureFormats().front();
+}
+
+void writePicture(const QImage &picture, Output &output, const QString &format)
+{
+    output.open();
+    // libpng would print its own error if it wrote to the file directly.
+    QBuffer encoded;
+    QImageWriter writer(&encoded, format.toLatin1());
+    if (!writer.write(picture))
+        refuse(output.error(writer.errorString()));
+    if (output.device().write(encoded.data()) != encoded.size())
+        refuse(output.error());
+    output.finish();
+}
+
+QImage enlarged(const QImage &picture, std::int64_t scale)
+{
+    const std::int64_t pixels = picture.width() * scale * picture.height() * scale;
+    if (pixels > largestFrameArea)
+        refuse({QStringLiteral("--scale"),
+                QStringLiteral("%1 × %2 pixels, %3 times as many each way")
+                    .arg(picture.width())
+                    .arg(picture.height())
+                    .arg(scale),
+                QStringLiteral("at most %1 pixels").arg(largestFrameArea)});
+    return scale == 1 ? picture : picture.scaled(picture.size() * int(scale));
+}
+
+} // namespace pixelplumb::cli
