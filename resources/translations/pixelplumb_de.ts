@@ -6029,6 +6029,10 @@
         <source>Segments</source>
         <translation>Segmente</translation>
     </message>
+    <message>
+        <source>%1, at most %2 from the sphere</source>
+        <translation>%1, höchstens %2 von der Kugel entfernt</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::SideView</name>
@@ -6725,26 +6729,6 @@
         <translation>Der Parameter t einer Fläche, 0 … 1</translation>
     </message>
     <message>
-        <source>Distance by segments</source>
-        <translation>Abstand nach Segmenten</translation>
-    </message>
-    <message>
-        <source>Segments</source>
-        <translation>Segmente</translation>
-    </message>
-    <message>
-        <source>Faces</source>
-        <translation>Seitenflächen</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Abstand</translation>
-    </message>
-    <message>
-        <source>Time, µs</source>
-        <translation>Zeit, µs</translation>
-    </message>
-    <message>
         <source>Surfaces</source>
         <translation>Flächen</translation>
     </message>
@@ -6767,18 +6751,6 @@
     <message>
         <source>Implicit</source>
         <translation>Implizit</translation>
-    </message>
-    <message>
-        <source>An example, since the scene has no sphere and no patch: </source>
-        <translation>Ein Beispiel, da die Szene weder Kugel noch Flächenstück hat: </translation>
-    </message>
-    <message>
-        <source>A sphere of radius %1 by its faces: the largest distance of a face to the sphere, by a formula, and the time of projecting it. Twice as many segments each way are four times as many faces, and in the long run four times nearer.</source>
-        <translation>Eine Kugel vom Radius %1 durch ihre Seitenflächen: der größte Abstand einer Seitenfläche von der Kugel, nach einer Formel, und die Zeit des Projizierens. Doppelt so viele Segmente in jeder Richtung sind viermal so viele Seitenflächen und auf die Dauer viermal so nahe.</translation>
-    </message>
-    <message>
-        <source>A patch by its triangles: the largest distance found between points of the triangles and the patch at the same parameters, 9 × 9 a cell, and the time of projecting it.</source>
-        <translation>Ein Flächenstück durch seine Dreiecke: der größte gefundene Abstand zwischen Punkten der Dreiecke und dem Flächenstück bei gleichen Parametern, 9 × 9 je Zelle, und die Zeit des Projizierens.</translation>
     </message>
 </context>
 <context>
