@@ -1155,26 +1155,6 @@
         <translation>%1 ms je Bild</translation>
     </message>
     <message>
-        <source>nothing to measure yet</source>
-        <translation>noch nichts zu messen</translation>
-    </message>
-    <message>
-        <source>truth not known</source>
-        <translation>Wahrheit nicht bekannt</translation>
-    </message>
-    <message>
-        <source>When finished: all pixels correct</source>
-        <translation>Am Ende: alle Pixel richtig</translation>
-    </message>
-    <message>
-        <source>The method is proved to draw every pixel right.</source>
-        <translation>Dass das Verfahren jedes Pixel richtig zeichnet, ist bewiesen.</translation>
-    </message>
-    <message>
-        <source>When finished: %1 px wrong, truth %2 px</source>
-        <translation>Am Ende: %1 px falsch, Wahrheit %2 px</translation>
-    </message>
-    <message>
         <source>plain kernel %1 ns a pixel</source>
         <translation>einfach %1 ns je Pixel</translation>
     </message>
@@ -5630,6 +5610,18 @@
         <source>Tracing was cancelled: the panels show the run before. Undo the change, or change the scene again to trace it.</source>
         <translation>Das Aufzeichnen wurde abgebrochen: Die Bereiche zeigen den Lauf davor. Rückgängig machen, oder die Szene noch einmal ändern, damit sie aufgezeichnet wird.</translation>
     </message>
+    <message>
+        <source>When finished: all pixels correct</source>
+        <translation>Am Ende: alle Pixel richtig</translation>
+    </message>
+    <message>
+        <source>When finished: %1 px wrong, truth %2 px</source>
+        <translation>Am Ende: %1 px falsch, Wahrheit %2 px</translation>
+    </message>
+    <message>
+        <source>as forced: %1</source>
+        <translation>wie erzwungen: %1</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::SceneDocument</name>
@@ -6126,12 +6118,9 @@
         <source>no pixel</source>
         <translation>kein Pixel</translation>
     </message>
-</context>
-<context>
-    <name>pixelplumb::StatusFigures</name>
     <message>
-        <source>Wrong pixels and time of the current method</source>
-        <translation>Falsche Pixel und Zeit des aktuellen Verfahrens</translation>
+        <source>Wrong pixels of the finished picture</source>
+        <translation>Falsche Pixel des fertigen Bilds</translation>
     </message>
     <message>
         <source>Submission: %1</source>
@@ -6142,8 +6131,8 @@
         <translation>Das Verfahren selbst: %1</translation>
     </message>
     <message>
-        <source>as forced: %1</source>
-        <translation>wie erzwungen: %1</translation>
+        <source>The method is proved to draw every pixel right.</source>
+        <translation>Dass das Verfahren jedes Pixel richtig zeichnet, ist bewiesen.</translation>
     </message>
 </context>
 <context>
