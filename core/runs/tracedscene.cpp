@@ -152,8 +152,12 @@ std::shared_ptr<const TracedScene> traceScene(const Scene &scene, const TraceOpt
         ? DifferenceMap(scene.frame) // an unfinished picture has not gone wrong yet
         : differencesBetween(drawn, coverageAt(trace, scene.frame, trace.stepCount()),
                              traced->truth);
-    for (std::int64_t y = truth.firstRow; y < truth.endRow(); ++y)
-        makeOpaque(truth.at(truth.firstColumn, y), truth.width);
+    for (std::int64_t y = truth.firstRow; y < truth.endRow(); ++y) {
+        std::uint32_t *const row = truth.at(truth.firstColumn, y);
+        traced->truePixels
+            += std::count_if(row, row + truth.width, [](QRgb pixel) { return qAlpha(pixel) != 0; });
+        makeOpaque(row, truth.width);
+    }
     traced->decided = {trace, traced->differences, scene.frame};
     traced->marks = marksOf(*traced);
     return traced;

@@ -52,6 +52,7 @@ struct TracedScene {
     /// method has no exact arithmetic.
     std::unique_ptr<const ScanTrace> exactTrace;
     FrameBuffer truth; ///< the oracle's picture
+    std::int64_t truePixels = 0; ///< that the truth covers
     DifferenceMap differences; ///< of the finished picture
     std::vector<TraceMark> marks; ///< ascending steps; ties and clamps at most one a span
 

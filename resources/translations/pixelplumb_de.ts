@@ -1155,26 +1155,6 @@
         <translation>%1 ms je Bild</translation>
     </message>
     <message>
-        <source>nothing to measure yet</source>
-        <translation>noch nichts zu messen</translation>
-    </message>
-    <message>
-        <source>truth not known</source>
-        <translation>Wahrheit nicht bekannt</translation>
-    </message>
-    <message>
-        <source>When finished: all pixels correct</source>
-        <translation>Am Ende: alle Pixel richtig</translation>
-    </message>
-    <message>
-        <source>The method is proved to draw every pixel right.</source>
-        <translation>Dass das Verfahren jedes Pixel richtig zeichnet, ist bewiesen.</translation>
-    </message>
-    <message>
-        <source>When finished: %1 px wrong, truth %2 px</source>
-        <translation>Am Ende: %1 px falsch, Wahrheit %2 px</translation>
-    </message>
-    <message>
         <source>plain kernel %1 ns a pixel</source>
         <translation>einfach %1 ns je Pixel</translation>
     </message>
@@ -3522,16 +3502,12 @@
         <translation>Spaltenrasterung neben float32 (%1 von einer Million falsch): %2.</translation>
     </message>
     <message>
-        <source>Run draws the same triangles with every contender, counts the pixels that differ from the truth, and times them all in turn, along with straight loops that do the same work.</source>
-        <translation>Messen zeichnet dieselben Dreiecke mit jedem Kandidaten, zählt die Pixel, die von der Wahrheit abweichen, und misst alle reihum, neben schlichten Schleifen, die dieselbe Arbeit tun.</translation>
+        <source>Run times fifteen contenders and counts their wrong pixels: %1.</source>
+        <translation>„Messen“ nimmt die Zeit von fünfzehn Kandidaten und zählt ihre falschen Pixel: %1.</translation>
     </message>
     <message>
-        <source>The quick study takes fifteen contenders and %1.</source>
-        <translation>Die schnelle Studie umfasst fünfzehn Kandidaten und dauert %1.</translation>
-    </message>
-    <message>
-        <source>The full study takes every method in every arithmetic and %1.</source>
-        <translation>Die ganze Studie umfasst jedes Verfahren in jeder Arithmetik und dauert %1.</translation>
+        <source>Run times every method in every arithmetic and counts its wrong pixels: %1.</source>
+        <translation>„Messen“ nimmt die Zeit jedes Verfahrens in jeder Arithmetik und zählt seine falschen Pixel: %1.</translation>
     </message>
 </context>
 <context>
@@ -5634,6 +5610,18 @@
         <source>Tracing was cancelled: the panels show the run before. Undo the change, or change the scene again to trace it.</source>
         <translation>Das Aufzeichnen wurde abgebrochen: Die Bereiche zeigen den Lauf davor. Rückgängig machen, oder die Szene noch einmal ändern, damit sie aufgezeichnet wird.</translation>
     </message>
+    <message>
+        <source>When finished: all pixels correct</source>
+        <translation>Am Ende: alle Pixel richtig</translation>
+    </message>
+    <message>
+        <source>When finished: %1 px wrong, truth %2 px</source>
+        <translation>Am Ende: %1 px falsch, Wahrheit %2 px</translation>
+    </message>
+    <message>
+        <source>as forced: %1</source>
+        <translation>wie erzwungen: %1</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::SceneDocument</name>
@@ -6033,6 +6021,10 @@
         <source>Segments</source>
         <translation>Segmente</translation>
     </message>
+    <message>
+        <source>%1, at most %2 from the sphere</source>
+        <translation>%1, höchstens %2 von der Kugel entfernt</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::SideView</name>
@@ -6126,12 +6118,9 @@
         <source>no pixel</source>
         <translation>kein Pixel</translation>
     </message>
-</context>
-<context>
-    <name>pixelplumb::StatusFigures</name>
     <message>
-        <source>Wrong pixels and time of the current method</source>
-        <translation>Falsche Pixel und Zeit des aktuellen Verfahrens</translation>
+        <source>Wrong pixels of the finished picture</source>
+        <translation>Falsche Pixel des fertigen Bilds</translation>
     </message>
     <message>
         <source>Submission: %1</source>
@@ -6142,8 +6131,8 @@
         <translation>Das Verfahren selbst: %1</translation>
     </message>
     <message>
-        <source>as forced: %1</source>
-        <translation>wie erzwungen: %1</translation>
+        <source>The method is proved to draw every pixel right.</source>
+        <translation>Dass das Verfahren jedes Pixel richtig zeichnet, ist bewiesen.</translation>
     </message>
 </context>
 <context>
@@ -6729,26 +6718,6 @@
         <translation>Der Parameter t einer Fläche, 0 … 1</translation>
     </message>
     <message>
-        <source>Distance by segments</source>
-        <translation>Abstand nach Segmenten</translation>
-    </message>
-    <message>
-        <source>Segments</source>
-        <translation>Segmente</translation>
-    </message>
-    <message>
-        <source>Faces</source>
-        <translation>Seitenflächen</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Abstand</translation>
-    </message>
-    <message>
-        <source>Time, µs</source>
-        <translation>Zeit, µs</translation>
-    </message>
-    <message>
         <source>Surfaces</source>
         <translation>Flächen</translation>
     </message>
@@ -6771,18 +6740,6 @@
     <message>
         <source>Implicit</source>
         <translation>Implizit</translation>
-    </message>
-    <message>
-        <source>An example, since the scene has no sphere and no patch: </source>
-        <translation>Ein Beispiel, da die Szene weder Kugel noch Flächenstück hat: </translation>
-    </message>
-    <message>
-        <source>A sphere of radius %1 by its faces: the largest distance of a face to the sphere, by a formula, and the time of projecting it. Twice as many segments each way are four times as many faces, and in the long run four times nearer.</source>
-        <translation>Eine Kugel vom Radius %1 durch ihre Seitenflächen: der größte Abstand einer Seitenfläche von der Kugel, nach einer Formel, und die Zeit des Projizierens. Doppelt so viele Segmente in jeder Richtung sind viermal so viele Seitenflächen und auf die Dauer viermal so nahe.</translation>
-    </message>
-    <message>
-        <source>A patch by its triangles: the largest distance found between points of the triangles and the patch at the same parameters, 9 × 9 a cell, and the time of projecting it.</source>
-        <translation>Ein Flächenstück durch seine Dreiecke: der größte gefundene Abstand zwischen Punkten der Dreiecke und dem Flächenstück bei gleichen Parametern, 9 × 9 je Zelle, und die Zeit des Projizierens.</translation>
     </message>
 </context>
 <context>

@@ -203,12 +203,7 @@ constexpr const char *context = "pixelplumb::CoreWords";
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "at most one level"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "at most %1 wrong pixels per million"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "%1 ms a frame"),
-    // Errors and times of the current scene, and the time left.
-    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "nothing to measure yet"),
-    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "truth not known"),
-    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "When finished: all pixels correct"),
-    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "The method is proved to draw every pixel right."),
-    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "When finished: %1 px wrong, truth %2 px"),
+    // Times of contenders, and the time left.
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "plain kernel %1 ns a pixel"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords",
                       "The time is that of the plain kernel, the one that is stepped through, on "

@@ -104,6 +104,19 @@ QString objectionNote(const Method &method, const QString &objection)
     return QStringLiteral("%1 %2.").arg(methodTitle(method), withTitles(objection));
 }
 
+QString verdictNote(const TracedScene &traced)
+{
+    const std::int64_t wrong = traced.differences.total();
+    if (traced.trace->isCut() || (wrong == 0 && traced.trace->writtenCount() == 0))
+        return {};
+    const QString verdict = wrong == 0
+        ? RunNotes::tr("When finished: all pixels correct")
+        : RunNotes::tr("When finished: %1 px wrong, truth %2 px").arg(wrong).arg(traced.truePixels);
+    return traced.scene.appearance.forced == EffectForcing{}
+        ? verdict
+        : RunNotes::tr("as forced: %1").arg(verdict);
+}
+
 QString cutRunNote(const TracedScene &traced)
 {
     return RunNotes::tr(

@@ -32,6 +32,10 @@ QString withTitles(const QString &text);
 /// An objection (objectionTo) with the method's title: "Column scan draws no circles."
 QString objectionNote(const Method &method, const QString &objection);
 
+/// How far the finished picture is from the truth; empty where nothing is drawn, and for a
+/// recording that ended at a limit.
+QString verdictNote(const TracedScene &traced);
+
 QString cutRunNote(const TracedScene &traced); ///< its recording ended at a limit
 QString cancelledRunNote();
 

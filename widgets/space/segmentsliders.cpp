@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/space/segmentsliders.h"
 
+#include "core/space/surfaces.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QHBoxLayout>
@@ -74,7 +75,13 @@ void SegmentSliders::follow()
         m_sliders[i]->setRange(least[i], std::max(mostDragged[i], shown.segments[i]));
         m_sliders[i]->setValue(shown.segments[i]);
     }
-    m_numbers->setText(QStringLiteral("%1 × %2").arg(shown.segments[0]).arg(shown.segments[1]));
+    const QString segments
+        = QStringLiteral("%1 × %2").arg(shown.segments[0]).arg(shown.segments[1]);
+    m_numbers->setText(shown.kind == SolidKind::Sphere
+                           ? tr("%1, at most %2 from the sphere")
+                                 .arg(segments)
+                                 .arg(sphereDistance(shown.radius, shown.segments), 0, 'g', 3)
+                           : segments);
 }
 
 void SegmentSliders::apply()

@@ -10,14 +10,13 @@
 #include "widgets/space/stagetree.h"
 
 #include <QBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QScrollBar>
 #include <QSlider>
-#include <QSplitter>
-#include <QTableWidget>
 #include <QTextBrowser>
 
+#include <algorithm>
+#include <optional>
 #include <span>
 
 namespace pixelplumb {
@@ -25,6 +24,48 @@ namespace pixelplumb {
 namespace {
 
 constexpr int sliderSteps = 200;
+
+double inPixels(Lattice units) { return double(units) / double(unitsPerPixel); }
+
+/// The scene's first line, circle, plane or sphere, if it has one.
+std::optional<Surface> surfaceOf(SurfaceKind kind, const Scene &scene)
+{
+    if (kind == SurfaceKind::Line || kind == SurfaceKind::Circle) {
+        const PrimitiveKind shape
+            = kind == SurfaceKind::Line ? PrimitiveKind::Line : PrimitiveKind::Circle;
+        const auto found = std::ranges::find(scene.shapes, shape, &Shape::kind);
+        if (found == scene.shapes.end())
+            return std::nullopt;
+        const LatticePoint &a = found->vertices[0].position;
+        const LatticePoint &b = found->vertices[1].position;
+        return Surface{kind,
+                       {{{inPixels(a.x), inPixels(a.y), 0}, {inPixels(b.x), inPixels(b.y), 0}, {}}},
+                       inPixels(absolute(b.x - a.x))};
+    }
+    const SolidKind solid = kind == SurfaceKind::Plane ? SolidKind::Plane : SolidKind::Sphere;
+    const auto found = std::ranges::find(scene.solids, solid, &Solid::kind);
+    if (found == scene.solids.end())
+        return std::nullopt;
+    Surface surface{kind, {}, found->radius};
+    for (std::size_t i = 0; i < std::min(found->corners.size(), surface.points.size()); ++i)
+        surface.points[i] = found->corners[i].position;
+    return surface;
+}
+
+/// What is shown where the scene has none.
+Surface exampleOf(SurfaceKind kind)
+{
+    switch (kind) {
+    case SurfaceKind::Line:
+    case SurfaceKind::Circle:
+        return {kind, {{{1, 2, 0}, {7, 5, 0}, {}}}, 2};
+    case SurfaceKind::Plane:
+        return {kind, {{{0, 0, 0}, {2, 0, 1}, {0, 3, 1}}}, 1};
+    case SurfaceKind::Sphere:
+        break;
+    }
+    return {kind, {}, 1};
+}
 
 /// A cell of the table of forms.
 QString formHtml(const SurfaceForm &form)
@@ -88,27 +129,6 @@ QString formsHtml(SurfaceKind kind, const Scene &scene, double s, double t)
     return row + QStringLiteral("</tr>");
 }
 
-QTableWidgetItem *figureItem(const QString &text)
-{
-    auto *item = new QTableWidgetItem(text);
-    item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    return item;
-}
-
-QTableWidget *makeTable(const QString &name, const QString &accessibleName,
-                        const QStringList &columns)
-{
-    auto *table = new QTableWidget(0, int(columns.size()));
-    table->setObjectName(name);
-    table->setAccessibleName(accessibleName);
-    table->setHorizontalHeaderLabels(columns);
-    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->setFrameShape(QFrame::NoFrame);
-    table->setFont(tabularFont(table->font()));
-    table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    return table;
-}
-
 } // namespace
 
 SurfacesPanel::SurfacesPanel(SceneDocument *document, Playhead *playhead, QWidget *parent)
@@ -118,9 +138,6 @@ SurfacesPanel::SurfacesPanel(SceneDocument *document, Playhead *playhead, QWidge
     , m_t(makeSlider(QStringLiteral("surfaceT"), tr("The parameter t of a surface, 0 … 1")))
     , m_parameters(new QLabel)
     , m_forms(new QTextBrowser)
-    , m_segmentSentence(new QLabel)
-    , m_segments(makeTable(QStringLiteral("segmentTable"), tr("Distance by segments"),
-                           {tr("Segments"), tr("Faces"), tr("Distance"), tr("Time, µs")}))
 {
     setObjectName(QStringLiteral("surfacesPanel"));
     setAccessibleName(tr("Surfaces"));
@@ -130,33 +147,17 @@ SurfacesPanel::SurfacesPanel(SceneDocument *document, Playhead *playhead, QWidge
     m_forms->setFrameShape(QFrame::NoFrame);
     m_forms->setFont(tabularFont(font()));
     m_forms->setWordWrapMode(QTextOption::WordWrap); // not in the middle of a number
-    m_segmentSentence->setWordWrap(true);
-    m_segments->verticalHeader()->hide();
     auto *sliders = new QHBoxLayout;
     sliders->addWidget(new QLabel(QStringLiteral("s")));
     sliders->addWidget(m_s);
     sliders->addWidget(new QLabel(QStringLiteral("t")));
     sliders->addWidget(m_t);
     sliders->addWidget(m_parameters);
-    auto *forms = new QWidget;
-    auto *formsColumn = new QVBoxLayout(forms);
-    formsColumn->setContentsMargins(0, 0, 0, 0);
-    formsColumn->addLayout(sliders);
-    formsColumn->addWidget(m_forms, 1);
-    auto *segments = new QWidget;
-    auto *segmentsColumn = new QVBoxLayout(segments);
-    segmentsColumn->setContentsMargins(0, 0, 0, 0);
-    segmentsColumn->addWidget(new SegmentSliders(document));
-    segmentsColumn->addWidget(m_segmentSentence);
-    segmentsColumn->addWidget(m_segments, 1);
-    auto *parts = new QSplitter(Qt::Horizontal);
-    parts->addWidget(forms);
-    parts->addWidget(segments);
-    parts->setStretchFactor(0, 2);
-    parts->setStretchFactor(1, 1);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
-    layout->addWidget(parts);
+    layout->addWidget(new SegmentSliders(document));
+    layout->addLayout(sliders);
+    layout->addWidget(m_forms, 1);
     for (QSlider *slider : {m_s, m_t})
         connect(slider, &QSlider::valueChanged, this, &SurfacesPanel::fillForms);
     connect(playhead, &Playhead::tracedChanged, this, [this] {
@@ -182,7 +183,6 @@ void SurfacesPanel::takeTraced()
         return;
     m_isStale = false;
     fillForms();
-    studySegments();
 }
 
 void SurfacesPanel::fillForms()
@@ -202,53 +202,6 @@ void SurfacesPanel::fillForms()
     const int place = m_forms->verticalScrollBar()->value();
     m_forms->setHtml(html + QStringLiteral("</table>"));
     m_forms->verticalScrollBar()->setValue(place);
-}
-
-void SurfacesPanel::studySegments()
-{
-    const std::shared_ptr<const TracedScene> traced = m_playhead->sharedTraced();
-    const Scene scene = traced ? traced->scene : Scene();
-    const std::optional<Solid> own = studiedSolid(scene);
-    m_isExample = !own;
-    m_studied = own.value_or(exampleSolid());
-    m_figures.clear();
-    fillSegments();
-    m_job.start(
-        [solid = m_studied, scene](const ProgressListener &listener) {
-            return pixelplumb::studySegments(solid, scene, listener);
-        },
-        [this](std::vector<SegmentFigure> figures) {
-            m_figures = std::move(figures);
-            fillSegments();
-            emit figuresChanged();
-        });
-}
-
-void SurfacesPanel::fillSegments()
-{
-    m_segmentSentence->setText(
-        m_studied.kind == SolidKind::Sphere
-            ? (m_isExample ? tr("An example, since the scene has no sphere and no patch: ")
-                           : QString())
-                + tr("A sphere of radius %1 by its faces: the largest distance of a face to the "
-                     "sphere, by a formula, and the time of projecting it. Twice as many segments "
-                     "each way are four times as many faces, and in the long run four times "
-                     "nearer.")
-                      .arg(m_studied.radius)
-            : tr("A patch by its triangles: the largest distance found between points of the "
-                 "triangles and the patch at the same parameters, 9 × 9 a cell, and the time of "
-                 "projecting it."));
-    m_segments->setRowCount(int(m_figures.size()));
-    for (int row = 0; row < m_segments->rowCount(); ++row) {
-        const SegmentFigure &figure = m_figures[std::size_t(row)];
-        const bool isOwn = !m_isExample && figure.segments == m_studied.segments;
-        const QString segments
-            = QStringLiteral("%1 × %2").arg(figure.segments[0]).arg(figure.segments[1]);
-        m_segments->setItem(row, 0, figureItem(isOwn ? segments + QStringLiteral(" ◂") : segments));
-        m_segments->setItem(row, 1, figureItem(QString::number(figure.faces)));
-        m_segments->setItem(row, 2, figureItem(QString::number(figure.distance, 'g', 3)));
-        m_segments->setItem(row, 3, figureItem(QString::number(figure.time / 1000, 'f', 0)));
-    }
 }
 
 void SurfacesPanel::showEvent(QShowEvent *event)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/comparepane.h"
 
-#include "core/lab/livefigures.h"
+#include "core/lab/scenecost.h"
 #include "core/scan/choicenames.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/elidingbox.h"
@@ -231,13 +231,11 @@ void ComparePane::clear(const QString &message)
     m_result->clear();
 }
 
-void ComparePane::showFigures(const LiveFigures &figures)
+void ComparePane::showCost(const SceneCost &cost)
 {
-    if (!figures.perPixel)
-        return;
     const QString separator = QStringLiteral(" · ");
-    m_figures = separator + coreWord(figures.timeText());
-    m_details = coreWords(figures.details(), separator);
+    m_figures = separator + coreWord(cost.text());
+    m_details = coreWords(cost.details(), separator);
     tellResult();
 }
 

@@ -15,7 +15,7 @@ namespace pixelplumb {
 class CompareLink;
 class CompareView;
 class Playhead;
-struct LiveFigures;
+struct SceneCost;
 
 /// One contender: its method and settings, and its own run at the playhead's place. The truth has
 /// no run and is shown finished. While what is ahead is hidden, the truth and other methods are
@@ -35,7 +35,7 @@ public:
     void show(const std::shared_ptr<const Contest> &contest, std::size_t run);
     void clear(const QString &message);
     /// Shows the cost of drawing the picture beside the result.
-    void showFigures(const LiveFigures &figures);
+    void showCost(const SceneCost &cost);
 
     CompareView *view() const;
     /// The pane's own position in its own run; none for the truth and without a run.

@@ -48,9 +48,9 @@ ComparePanel::ComparePanel(Playhead *playhead, QWidget *parent)
     connect(&m_job, &Job::ended, m_progress, &QWidget::hide);
     connect(&m_job, &Job::ended, m_cancel, &QWidget::hide);
     connect(&m_timing, &ContestTiming::measured, this,
-            [this](std::size_t run, const LiveFigures &figures) {
+            [this](std::size_t run, const SceneCost &cost) {
                 if (run < m_panes.size())
-                    m_panes[run]->showFigures(figures);
+                    m_panes[run]->showCost(cost);
             });
     connect(playhead, &Playhead::tracedChanged, this, &ComparePanel::restart);
     connect(playhead, &Playhead::pickedPixelChanged, this, &ComparePanel::tellPixel);

@@ -18,18 +18,18 @@ void ContestTiming::measure(const std::shared_ptr<const Contest> &contest)
         scenes.push_back(run.contender.isTruth() ? nullptr
                                                  : std::make_shared<const Scene>(
                                                      sceneFor(contest->scene, run.contender)));
-    using Figures = std::vector<std::optional<LiveFigures>>;
+    using Costs = std::vector<std::optional<SceneCost>>;
     m_job.start(
         [scenes](const ProgressListener &listener) {
-            Figures figures;
+            Costs costs;
             for (const auto &scene : scenes)
-                figures.push_back(scene ? liveFiguresOf(scene, listener) : std::nullopt);
-            return figures;
+                costs.push_back(scene ? costOf(scene, listener) : std::nullopt);
+            return costs;
         },
-        [this](const Figures &figures) {
-            for (std::size_t run = 0; run < figures.size(); ++run) {
-                if (figures[run])
-                    emit measured(run, *figures[run]);
+        [this](const Costs &costs) {
+            for (std::size_t run = 0; run < costs.size(); ++run) {
+                if (costs[run])
+                    emit measured(run, *costs[run]);
             }
         });
 }

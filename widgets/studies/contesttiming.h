@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/compare/contest.h"
-#include "core/lab/livefigures.h"
+#include "core/lab/scenecost.h"
 #include "widgets/model/job.h"
 
 namespace pixelplumb {
@@ -19,7 +19,7 @@ public:
     void cancel() { m_job.cancel(); }
 
 signals:
-    void measured(std::size_t run, const pixelplumb::LiveFigures &figures);
+    void measured(std::size_t run, const pixelplumb::SceneCost &cost);
 
 private:
     Job m_job;

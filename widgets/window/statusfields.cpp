@@ -3,9 +3,12 @@
 
 #include "core/scan/choicenames.h"
 #include "core/scene/colourtext.h"
+#include "widgets/look/elidedlabel.h"
 #include "widgets/model/playhead.h"
+#include "widgets/model/runnotes.h"
 #include "widgets/model/steptext.h"
-#include "widgets/window/statusfigures.h"
+#include "widgets/model/studentpicture.h"
+#include "widgets/studies/submissiontext.h"
 
 #include <QBoxLayout>
 #include <QFrame>
@@ -25,6 +28,7 @@ void keepWide(QLabel *label, const QString &widest)
 StatusFields::StatusFields(const Playhead *playhead, const StudentPicture *student, QWidget *parent)
     : QWidget(parent)
     , m_playhead(playhead)
+    , m_student(student)
     , m_row(new QHBoxLayout(this))
 {
     setObjectName(QStringLiteral("statusFields"));
@@ -35,10 +39,14 @@ StatusFields::StatusFields(const Playhead *playhead, const StudentPicture *stude
     m_step = addField(QStringLiteral("statusStep"));
     m_settings = addField(QStringLiteral("statusSettings"));
     addLine();
-    m_row->addWidget(new StatusFigures(playhead, student, this), 1);
+    m_verdict = new ElidedLabel(this);
+    m_verdict->setObjectName(QStringLiteral("statusFigures"));
+    m_verdict->setAccessibleName(tr("Wrong pixels of the finished picture"));
+    m_row->addWidget(m_verdict, 1);
     connect(playhead, &Playhead::tracedChanged, this, &StatusFields::takeTrace);
     connect(playhead, &Playhead::positionChanged, this, [this] { refresh(); });
     connect(playhead, &Playhead::pickedPixelChanged, this, [this] { refresh(); });
+    connect(student, &StudentPicture::judged, this, &StatusFields::tellVerdict);
     takeTrace();
 }
 
@@ -96,7 +104,27 @@ void StatusFields::takeTrace()
     } else {
         m_settings->clear();
     }
+    tellVerdict();
     refresh();
+}
+
+/// One verdict at a time.
+void StatusFields::tellVerdict()
+{
+    const TracedScene *traced = m_playhead->traced();
+    const QString verdict = traced ? verdictNote(*traced) : QString();
+    if (const auto &judgement = m_student->judgement()) {
+        m_verdict->setWholeText(tr("Submission: %1").arg(verdictText(judgement->diff)));
+        m_verdict->setToolTip(verdict.isEmpty() ? QString()
+                                                : tr("The method itself: %1").arg(verdict));
+        return;
+    }
+    m_verdict->setWholeText(verdict);
+    const bool isProved = traced && traced->differences.total() == 0
+        && traced->method->isStableUnder(traced->scene.settings);
+    m_verdict->setToolTip(verdict.isEmpty() || !isProved ? verdict
+                                                         : verdict + u'\n'
+                                  + tr("The method is proved to draw every pixel right."));
 }
 
 void StatusFields::refresh()

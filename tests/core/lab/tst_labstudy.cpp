@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lab/labfile.h"
-#include "core/lab/livefigures.h"
+#include "core/lab/scenecost.h"
 #include "core/lab/study.h"
 #include "tests/support/caselist.h"
 #include "tests/support/defaultscene.h"
@@ -325,91 +325,36 @@ private slots:
         QCOMPARE(study.family(QStringLiteral("small"))->timedTriangles, 3000);
     }
 
-    void theCostAndErrorsOfTheCurrentSceneAreMeasured()
-    {
-        const auto exact
-            = liveFiguresOf(std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Exact)));
-        const auto rounded
-            = liveFiguresOf(std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Fixed16)));
-        const auto ended
-            = liveFiguresOf(std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Exact)),
-                            [](const JobProgress &) { return false; });
-
-        QVERIFY(exact->isProved);
-        QCOMPARE(exact->wrongPixels, std::optional<std::int64_t>(0));
-        QCOMPARE(exact->pixels, rounded->pixels);
-        QVERIFY(!rounded->isProved);
-        QVERIFY(*rounded->wrongPixels > 0);
-        QVERIFY(exact->perPixel.has_value());
-        QCOMPARE(exact->text(), QStringLiteral("When finished: all pixels correct"));
-        QVERIFY(exact->details().contains(QStringLiteral("proved to draw every pixel right")));
-        QVERIFY(!rounded->details().contains(QStringLiteral("proved")));
-        QVERIFY(exact->details().contains(QStringLiteral("median of ")));
-        QVERIFY(!ended);
-    }
-
-    void anEmptySceneHasNothingToMeasureYet()
-    {
-        const auto nothing = liveFiguresOf(std::make_shared<const Scene>());
-
-        QCOMPARE(nothing->text(), QStringLiteral("nothing to measure yet"));
-        QCOMPARE(nothing->details(), nothing->text());
-    }
-
-    void linesAreJudgedAndNotTimed()
-    {
-        Scene scene;
-        scene.method = "line-bresenham";
-        Shape line;
-        line.kind = PrimitiveKind::Line;
-        line.vertices = {{latticePixel(1, 1), {{255, 0, 0}}}, {latticePixel(8, 4), {{255, 0, 0}}}};
-        scene.shapes = {line};
-
-        const auto figures = liveFiguresOf(std::make_shared<const Scene>(scene));
-
-        QCOMPARE(figures->pixels, std::int64_t(8));
-        QCOMPARE(figures->text(), QStringLiteral("truth not known"));
-        QVERIFY(!figures->perPixel);
-        const auto ofRun = liveFiguresOf(traceScene(scene));
-        QCOMPARE(ofRun->text(), QStringLiteral("When finished: all pixels correct"));
-    }
-
-    void whatAProvedMethodRefusesIsWrong()
-    {
-        Scene scene;
-        scene.method = "polygon-fan";
-        Shape arrow; // not convex
-        arrow.kind = PrimitiveKind::Polygon;
-        arrow.fill = ShapeFill::EvenOdd;
-        for (const LatticePoint &corner :
-             {latticePixel(1, 1), latticePixel(9, 1), latticePixel(3, 3), latticePixel(1, 9)})
-            arrow.vertices.push_back({corner, {{255, 0, 0}}});
-        scene.shapes = {arrow};
-
-        const auto refused = liveFiguresOf(traceScene(scene));
-
-        QVERIFY(!refused->isProved);
-        QVERIFY(*refused->wrongPixels > 0);
-        QCOMPARE(refused->pixels, *refused->wrongPixels);
-        scene.method = "polygon-parity";
-        QCOMPARE(liveFiguresOf(traceScene(scene))->text(),
-                 QStringLiteral("When finished: all pixels correct"));
-    }
-
     void theCurrentSceneIsTimedAsTheStudyTimesIt()
     {
         StudySettings settings = smallStudy();
         settings.ownScene = std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Exact, 3));
         settings.rounds = 1;
 
-        const auto live = liveFiguresOf(settings.ownScene);
+        const auto cost = costOf(settings.ownScene);
         const Study study = runStudy(settings);
 
         // Three triangles on top of each other: each pixel is written three times.
-        QCOMPARE(live->timedPixels, study.family(QStringLiteral("own-scene"))->timedPixels);
-        QCOMPARE(live->timedPixels, 3 * live->pixels);
-        QVERIFY(live->perPixel.has_value());
-        QVERIFY(live->rounds > 0);
+        QVERIFY(cost.has_value());
+        QCOMPARE(cost->pixels, study.family(QStringLiteral("own-scene"))->timedPixels);
+        QCOMPARE(cost->pixels % 3, std::int64_t(0));
+        QVERIFY(cost->rounds > 0);
+        QVERIFY(cost->details().contains(QStringLiteral("median of ")));
+    }
+
+    void withoutTrianglesOrWithoutPatienceThereIsNoCost()
+    {
+        Scene lines;
+        lines.method = "line-bresenham";
+        Shape line;
+        line.kind = PrimitiveKind::Line;
+        line.vertices = {{latticePixel(1, 1), {{255, 0, 0}}}, {latticePixel(8, 4), {{255, 0, 0}}}};
+        lines.shapes = {line};
+
+        QVERIFY(!costOf(std::make_shared<const Scene>()));
+        QVERIFY(!costOf(std::make_shared<const Scene>(lines)));
+        QVERIFY(!costOf(std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Exact)),
+                        [](const JobProgress &) { return false; }));
     }
 
     void theCommandDoesItAgain_data()

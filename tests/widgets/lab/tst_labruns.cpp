@@ -128,31 +128,6 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!m_lab->isRunning(), longest);
     }
 
-    void theStatusBarMeasuresWhenTheLabIsDone()
-    {
-        StudySettings request = smallRequest();
-        request.rounds = 100'000;
-        m_lab->setRequest(request);
-        const auto *figures = named<QLabel>(*m_window, "statusFigures");
-        QTRY_VERIFY_WITH_TIMEOUT(figures->toolTip().contains("ns a pixel"), longest);
-        click("labRun");
-        QTRY_VERIFY_WITH_TIMEOUT(m_lab->results(), longest);
-
-        auto *arithmetic = named<QComboBox>(*m_window, "arithmeticBox");
-        arithmetic->setCurrentIndex(arithmetic->findText("float64"));
-        emit arithmetic->activated(arithmetic->currentIndex());
-        QTRY_COMPARE_WITH_TIMEOUT(figures->text(),
-                                  QStringLiteral("Waiting for another measurement …"), longest);
-        QTest::qWait(300);
-        QCOMPARE(figures->text(), QStringLiteral("Waiting for another measurement …"));
-
-        click("labCancel");
-        QTRY_VERIFY_WITH_TIMEOUT(figures->toolTip().contains("ns a pixel"), longest);
-        QVERIFY(figures->toolTip().contains("plain kernel"));
-        QVERIFY(figures->toolTip().contains("median of "));
-        QVERIFY(figures->toolTip().contains("middle half"));
-    }
-
     void aSceneThatIsNotAsItsFileSaysHasNoCommand()
     {
         runToItsEnd();

@@ -262,9 +262,8 @@ private slots:
 
         QCOMPARE(coreWord(QStringLiteral("triangle")), "Dreieck");
         QCOMPARE(coreWord(QStringLiteral("Column −3, second half")), "Spalte −3, zweite Hälfte");
-        QCOMPARE(coreWords("When finished: 3 px wrong, truth 9 px · plain kernel 3.02 ns a pixel",
-                           " · "),
-                 "Am Ende: 3 px falsch, Wahrheit 9 px · einfach 3.02 ns je Pixel");
+        QCOMPARE(coreWords("plain kernel 3.02 ns a pixel · about 9 s", " · "),
+                 "einfach 3.02 ns je Pixel · etwa 9 s");
         QCOMPARE(coreWord(QStringLiteral("of no 12 translation")), "of no 12 translation");
     }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/tracedscene.h"
+#include "tests/support/defaultscene.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
 #include "tests/support/testprogram.h"
 #include "widgets/model/playhead.h"
+#include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/model/scenetracer.h"
 
@@ -70,6 +73,46 @@ private slots:
         QCOMPARE(traced.size(), 1);
         QCOMPARE(window->parts().playhead->traced()->scene.settings.arithmetic,
                  Arithmetic::Float64);
+    }
+
+    void theFinishedPictureIsJudged()
+    {
+        QCOMPARE(verdictNote(*traceScene(Scene())), QString());
+
+        Scene scene = defaultSceneIn(Arithmetic::Exact);
+        QCOMPARE(verdictNote(*traceScene(scene)),
+                 QStringLiteral("When finished: all pixels correct"));
+        scene.appearance.forced[Effect::Depth] = Forcing::On;
+        QCOMPARE(verdictNote(*traceScene(scene)),
+                 QStringLiteral("as forced: When finished: all pixels correct"));
+
+        const auto rounded = traceScene(defaultSceneIn(Arithmetic::Fixed16));
+        QVERIFY(rounded->differences.total() > 0);
+        QCOMPARE(verdictNote(*rounded),
+                 QStringLiteral("When finished: %1 px wrong, truth %2 px")
+                     .arg(rounded->differences.total())
+                     .arg(traceScene(scene)->truePixels));
+    }
+
+    void whatAMethodRefusesIsWrong()
+    {
+        Scene scene;
+        scene.method = "polygon-fan";
+        Shape arrow; // not convex
+        arrow.kind = PrimitiveKind::Polygon;
+        arrow.fill = ShapeFill::EvenOdd;
+        for (const LatticePoint &corner :
+             {latticePixel(1, 1), latticePixel(9, 1), latticePixel(3, 3), latticePixel(1, 9)})
+            arrow.vertices.push_back({corner, {{255, 0, 0}}});
+        scene.shapes = {arrow};
+
+        const auto refused = traceScene(scene);
+        QCOMPARE(
+            verdictNote(*refused),
+            QStringLiteral("When finished: %1 px wrong, truth %1 px").arg(refused->truePixels));
+        scene.method = "polygon-parity";
+        QCOMPARE(verdictNote(*traceScene(scene)),
+                 QStringLiteral("When finished: all pixels correct"));
     }
 
 private:

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/space/surfaces.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/spacescenes.h"
 #include "tests/support/testprogram.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/space/segmentsliders.h"
 
+#include <QLabel>
 #include <QSlider>
 #include <QTest>
 
@@ -68,6 +70,28 @@ private slots:
 
         QCOMPARE(segmentsIn(document)[1], 12);
         QCOMPARE(document.undoStack()->count(), 1);
+    }
+
+    void moreSegmentsAreNearerToTheSphere()
+    {
+        SceneDocument document;
+        document.reset(sphereScene());
+        SegmentSliders sliders(&document);
+        const auto isTold = [&sliders](const QString &text) {
+            return std::ranges::any_of(
+                sliders.findChildren<QLabel *>(),
+                [&text](const QLabel *label) { return label->text() == text; });
+        };
+
+        for (const std::array<int, 2> segments : {std::array{16, 8}, std::array{32, 16}}) {
+            Solid sphere = document.scene().solids[0];
+            sphere.segments = segments;
+            document.setSolid(0, sphere, document.newDrag());
+            QVERIFY(isTold(QStringLiteral("%1 × %2, at most %3 from the sphere")
+                               .arg(segments[0])
+                               .arg(segments[1])
+                               .arg(sphereDistance(sphere.radius, segments), 0, 'g', 3)));
+        }
     }
 
     void aSceneWithoutSphereOrPatchHasNoSliders()
