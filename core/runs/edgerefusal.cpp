@@ -165,10 +165,11 @@ QString triangleRefusalText(const PixelAttempt &attempt, const TracedScene &trac
     if (!noPartText(traced).isEmpty())
         return partlyRefusedText(attempt, traced, *refusing, edge, x, y);
     const QString own = ownReasonText(attempt, traced, x, y);
-    if (refusing->edgeFunction == 0)
-        return QStringLiteral("The sample lies %1.")
-                   .arg(tiesText(attempt, traced, x, y, TieSide::Other))
-            + own;
+    if (refusing->edgeFunction == 0) {
+        const QString ties = tiesText(attempt, traced, x, y, TieSide::Other);
+        return QStringLiteral("The sample lies %1.").arg(ties)
+            + (own.contains(ties) ? QString() : own);
+    }
     return (isBesideBox ? untestedText(attempt, traced) : QString())
         + QStringLiteral("%1 %2: the sample is at %3, under the rule %4.")
               .arg(isOfTruthAlone ? QStringLiteral("The truth refuses it by")

@@ -236,7 +236,7 @@ QString refusalSentence(const TracedScene &traced, std::size_t triangle, const S
             .arg(ties.join(QStringLiteral("; it lies ")));
     if (const QStringList met = tiesOf(decisions); !met.isEmpty())
         return QStringLiteral("Refused: by the run's numbers the sample lies on an edge, %1, and "
-                              "the rule %2 gives it to the other side.")
+                              "the rule %2 leaves it out.")
             .arg(met.join(QStringLiteral(", ")), nameText(nameOf(traced.scene.settings.fillRule)));
     return QStringLiteral("Refused by rounding: no test of the run says why.");
 }
