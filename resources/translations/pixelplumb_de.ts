@@ -4766,6 +4766,10 @@
         <source>the centre outside</source>
         <translation>Mitte außerhalb</translation>
     </message>
+    <message>
+        <source>in truth, edge %1</source>
+        <translation>in Wahrheit, Kante %1</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::PixelHistoryPanel</name>
@@ -7007,6 +7011,10 @@
     <message>
         <source>&amp;Reset this workspace</source>
         <translation>Diesen Arbeitsbereich zu&amp;rücksetzen</translation>
+    </message>
+    <message>
+        <source>Nothing to show: the scene has no solid, so the near plane clips nothing.</source>
+        <translation>Nichts zu zeigen: Die Szene hat keinen Körper, also schneidet die nahe Ebene nichts ab.</translation>
     </message>
 </context>
 <context>
