@@ -293,8 +293,9 @@ private slots:
             << "the edge's function is 11 at the off-screen point (−1, −1) and −48 at the vertex "
                "that faces it; their product, −528, is not above 0; ";
         QTest::newRow("solved") << "edge-equations-solved"
-                                << "gives it to the other side: the off-screen point (−1, −1) does "
-                                   "not lie on the side of the vertex that faces it; ";
+                                << "the edge's function is −2 1/5 at the off-screen point (−1, −1) "
+                                   "and 9 3/5 at the vertex that faces it; their product, "
+                                   "−21 3/25, is not above 0; ";
     }
     void aTieIsToldInTheMethodsOwnNumbers()
     {
