@@ -3498,16 +3498,12 @@
         <translation>Spaltenrasterung neben float32 (%1 von einer Million falsch): %2.</translation>
     </message>
     <message>
-        <source>Run draws the same triangles with every contender, counts the pixels that differ from the truth, and times them all in turn, along with straight loops that do the same work.</source>
-        <translation>Messen zeichnet dieselben Dreiecke mit jedem Kandidaten, zählt die Pixel, die von der Wahrheit abweichen, und misst alle reihum, neben schlichten Schleifen, die dieselbe Arbeit tun.</translation>
+        <source>Run times fifteen contenders and counts their wrong pixels: %1.</source>
+        <translation>„Messen“ nimmt die Zeit von fünfzehn Kandidaten und zählt ihre falschen Pixel: %1.</translation>
     </message>
     <message>
-        <source>The quick study takes fifteen contenders and %1.</source>
-        <translation>Die schnelle Studie umfasst fünfzehn Kandidaten und dauert %1.</translation>
-    </message>
-    <message>
-        <source>The full study takes every method in every arithmetic and %1.</source>
-        <translation>Die ganze Studie umfasst jedes Verfahren in jeder Arithmetik und dauert %1.</translation>
+        <source>Run times every method in every arithmetic and counts its wrong pixels: %1.</source>
+        <translation>„Messen“ nimmt die Zeit jedes Verfahrens in jeder Arithmetik und zählt seine falschen Pixel: %1.</translation>
     </message>
 </context>
 <context>

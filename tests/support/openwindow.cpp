@@ -5,6 +5,7 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/look/appearance.h"
 #include "widgets/model/scenedocument.h"
+#include "widgets/window/paneldock.h"
 
 #include <QApplication>
 #include <QTest>
@@ -72,6 +73,12 @@ void settle()
 {
     for (int round = 0; round < 6; ++round)
         QCoreApplication::processEvents();
+}
+
+void buildPanelsOf(const QObject &window)
+{
+    for (auto *dock : window.findChildren<PanelDock *>())
+        dock->panel();
 }
 
 QAction *action(const MainWindow &window, const char *name) { return named<QAction>(window, name); }

@@ -23,10 +23,15 @@ std::unique_ptr<MainWindow> windowOf(const QSize &size);
 /// Processes pending events: docks get their places one after another.
 void settle();
 
-/// The child of this name; null if there is none.
+/// Builds the window's panels that nobody has seen yet.
+void buildPanelsOf(const QObject &window);
+/// The child of this name, also in a panel that nobody has seen yet; null if there is none.
 template <class Part>
 Part *named(const QObject &whole, const char *name)
 {
+    if (Part *found = whole.findChild<Part *>(QLatin1String(name)))
+        return found;
+    buildPanelsOf(whole);
     return whole.findChild<Part *>(QLatin1String(name));
 }
 QAction *action(const MainWindow &window, const char *name);

@@ -53,6 +53,7 @@ PixelGrid::PixelGrid(Playhead *playhead, DisplayOptions *options, QWidget *paren
     connect(playhead, &Playhead::pickedPixelChanged, this, &PixelGrid::announce);
     connect(playhead, &Playhead::aheadHiddenChanged, this, &PixelGrid::announce);
     connect(options, &DisplayOptions::changed, this, qOverload<>(&QWidget::update));
+    announce();
 }
 
 QSize PixelGrid::sizeHint() const { return {440, 300}; }

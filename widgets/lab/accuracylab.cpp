@@ -105,6 +105,8 @@ void AccuracyLab::connectControls()
 
 bool AccuracyLab::isRunning() const { return m_run->isRunning(); }
 
+QSize AccuracyLab::sizeHint() const { return {960, results() ? 600 : minimumSizeHint().height()}; }
+
 void AccuracyLab::setScenePath(const QString &path) { m_scenePath = path; }
 
 StudySettings AccuracyLab::settings() const
@@ -179,6 +181,7 @@ void AccuracyLab::showState()
     m_controls->showRunning();
     m_controls->setHasResults(results() != nullptr);
     m_controls->setHasEarlier(earlierResults() && !isRunning());
+    const bool hadCharts = m_charts->isVisibleTo(this);
     m_charts->setVisible(results() != nullptr);
     m_lastLine->setCurrentWidget(isRunning() ? m_controls->progress() : m_conditions);
     m_invitation->setVisible(!results());
@@ -194,6 +197,10 @@ void AccuracyLab::showState()
     m_warnings->setWholeText(QStringLiteral("⚠ ") + warnings.join(QStringLiteral(" ⚠ ")));
     if (results())
         m_conditions->setWholeText(originOf(*results()).join(QStringLiteral(" · ")));
+    if (hadCharts != m_charts->isVisibleTo(this)) {
+        updateGeometry();
+        emit neededHeightChanged();
+    }
 }
 
 /// In a low panel the foot has one line, which leaves the charts the other. Warnings that come or

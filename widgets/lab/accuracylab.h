@@ -44,7 +44,7 @@ public:
     /// False after a complaint.
     bool openResults(const QString &path);
 
-    QSize sizeHint() const override { return {960, 600}; }
+    QSize sizeHint() const override;
 
 public slots:
     void run();
@@ -53,6 +53,8 @@ public slots:
     void showEarlier();
 
 signals:
+    /// Without results there are no charts, which need the most room.
+    void neededHeightChanged();
     void resultsChanged();
     /// A contender's first wrong pixel, and the contender to compare with the truth there.
     void missRequested(const pixelplumb::LabMiss &miss);

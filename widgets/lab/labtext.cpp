@@ -239,13 +239,11 @@ QString priceText(const Study &study, const QString &family)
 
 QString invitationText(StudyExtent extent, double seconds)
 {
-    const QString what = LabText::tr(
-        "Run draws the same triangles with every contender, counts the pixels that differ from the "
-        "truth, and times them all in turn, along with straight loops that do the same work.");
-    const QString howLong = extent == StudyExtent::Quick
-        ? LabText::tr("The quick study takes fifteen contenders and %1.")
-        : LabText::tr("The full study takes every method in every arithmetic and %1.");
-    return what + u' ' + howLong.arg(coreWord(aboutText(seconds)));
+    const QString invitation = extent == StudyExtent::Quick
+        ? LabText::tr("Run times fifteen contenders and counts their wrong pixels: %1.")
+        : LabText::tr(
+            "Run times every method in every arithmetic and counts its wrong pixels: %1.");
+    return invitation.arg(coreWord(aboutText(seconds)));
 }
 
 } // namespace pixelplumb

@@ -90,9 +90,10 @@ void SubmissionPanel::addHead(QBoxLayout *layout)
                       tr("Take the student's picture away; the scene stays as it is"), m_content);
     auto *row = new QHBoxLayout;
     row->setSpacing(4);
-    row->addWidget(m_name, 1);
     row->addWidget(open);
     row->addWidget(m_remove);
+    row->addStretch();
+    layout->addWidget(m_name); // a row of its own: German words and file names are long
     layout->addLayout(row);
     connect(open, &QToolButton::clicked, this, &SubmissionPanel::openRequested);
     connect(m_remove, &QToolButton::clicked, m_student, &StudentPicture::remove);

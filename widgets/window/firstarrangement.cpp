@@ -31,9 +31,6 @@ FirstArrangement::FirstArrangement(QMainWindow *window, const QList<QDockWidget 
     , m_room(room)
 {
     window->setDockNestingEnabled(true);
-    connect(qobject_cast<FormulaPanel *>(usual.formula->widget()),
-            &FormulaPanel::neededHeightChanged, this, &FirstArrangement::fitFormula,
-            Qt::QueuedConnection);
     connect(usual.formula, &QDockWidget::visibilityChanged, this, &FirstArrangement::fitFormula,
             Qt::QueuedConnection);
 }
@@ -170,7 +167,7 @@ void FirstArrangement::arrangePixelPanels()
 void FirstArrangement::fitFormula()
 {
     const auto *formula = qobject_cast<const FormulaPanel *>(m_usual.formula->widget());
-    if (!isInFront(*m_usual.formula) || m_usual.formula->isFloating()
+    if (!formula || !isInFront(*m_usual.formula) || m_usual.formula->isFloating()
         || formula->neededHeight() == 0)
         return;
     QList<QDockWidget *> column;

@@ -17,6 +17,7 @@ public:
                      const DockRoom::Usual &usual, DockRoom *room);
 
     void lay(Workspace workspace);
+    void fitFormula();
 
 private:
     /// How the panels of Step share the window, depending on its height.
@@ -31,7 +32,6 @@ private:
     Sharing sharing() const;
     void arrangePixelPanels();
     void shareLeftPlace();
-    void fitFormula();
     void resizeStep();
     bool isNarrow() const;
 

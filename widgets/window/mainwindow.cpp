@@ -10,7 +10,6 @@
 #include "widgets/files/scenefiles.h"
 #include "widgets/files/studentpicturefiles.h"
 #include "widgets/inspect/primitivespanel.h"
-#include "widgets/lab/accuracylab.h"
 #include "widgets/look/colourbutton.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/messagebar.h"
@@ -79,17 +78,19 @@ MainWindow::MainWindow(QWidget *parent)
     setStatusBar(new WindowStatusBar(m_parts, this));
     connectParts();
     connectStudies(m_parts, *m_docks, this);
-    m_docks->panel<PrimitivesPanel>()->takeKeysOf(m_editMenu->deletion());
+    m_docks->whenBuilt<PrimitivesPanel>(
+        [this](PrimitivesPanel *panel) { panel->takeKeysOf(m_editMenu->deletion()); });
     new MenuKeys(this);
     new WheelGuard(this);
     auto *playKey = new PlayKey(this);
     auto *escapeKey = new EscapeKey(m_parts.canvas, this);
     playKey->watch(this);
     escapeKey->watch(this);
-    for (QDockWidget *dock : m_docks->all()) {
+    connect(m_docks, &WindowDocks::panelBuilt, this, [playKey, escapeKey](QDockWidget *dock) {
         playKey->watch(dock);
         escapeKey->watch(dock);
-    }
+        explainParts(dock);
+    });
     m_settings = std::make_unique<WindowSettings>(m_parts, m_docks->workspaces(), this);
     m_settings->restore();
     connect(qGuiApp, &QGuiApplication::commitDataRequest, this, &MainWindow::commitData);
@@ -260,7 +261,6 @@ void MainWindow::updateTitle()
 {
     m_parts.exports->setScenePath(m_parts.files->path());
     m_autosave->setSceneFile(m_parts.files->path());
-    m_docks->panel<AccuracyLab>()->setScenePath(m_parts.files->path());
     m_parts.exports->setBaseName(m_parts.files->baseName());
     setWindowTitle(tr("%1[*] — Pixelplumb").arg(m_parts.files->titleName()));
     setWindowModified(m_parts.document->isModified());

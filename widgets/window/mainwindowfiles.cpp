@@ -46,16 +46,14 @@ bool MainWindow::openScene(const QString &path) { return m_parts.files->load(pat
 
 void MainWindow::openResults(const QString &folder)
 {
-    auto *grading = m_docks->panel<GradingPanel>();
     // A window not shown yet has no tabs to bring to the front.
     QMetaObject::invokeMethod(
         this,
-        [this, grading] {
-            m_docks->raise(grading);
-            grading->setFocus(); // for the keys of its table
+        [this] {
+            m_docks->raise<GradingPanel>()->setFocus(); // for the keys of its table
         },
         Qt::QueuedConnection);
-    grading->book()->open(folder);
+    m_docks->panel<GradingPanel>()->book()->open(folder);
 }
 
 void MainWindow::setOpeningPlace(const OpeningPlace &place)
@@ -78,7 +76,7 @@ void MainWindow::goToOpeningPlace()
 void MainWindow::giveKeysToTheScene()
 {
     const QWidget *current = focusWidget();
-    if (!current || !m_docks->panel<GradingPanel>()->isAncestorOf(current))
+    if (!current || !m_docks->dockOf<GradingPanel>()->isAncestorOf(current))
         m_parts.canvas->setFocus();
 }
 

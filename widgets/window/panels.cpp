@@ -27,43 +27,18 @@ namespace pixelplumb {
 
 namespace {
 
+/// A panel that is given these parts of the window.
+template <class Widget, auto... parts>
+constexpr Panel::Kind kind
+    = {&Widget::staticMetaObject, []([[maybe_unused]] const WindowParts &all) -> QWidget * {
+           return new Widget(all.*parts...);
+       }};
+
 template <class Widget>
-QWidget *follower(const WindowParts &parts)
-{
-    return new Widget(parts.playhead);
-}
+constexpr Panel::Kind follower = kind<Widget, &WindowParts::playhead>;
 
-QWidget *pixelGrid(const WindowParts &parts)
-{
-    return new PixelGrid(parts.playhead, parts.options);
-}
-
-QWidget *projection(const WindowParts &parts)
-{
-    return new ProjectionPanel(parts.document, parts.playhead);
-}
-
-QWidget *effects(const WindowParts &parts)
-{
-    return new EffectsPanel(parts.document, parts.effects);
-}
-
-QWidget *motion(const WindowParts &parts) { return new MotionPanel(parts.document); }
-
-QWidget *predict(const WindowParts &parts)
-{
-    return new PredictPanel(parts.document, parts.playhead);
-}
-
-QWidget *primitives(const WindowParts &parts) { return new PrimitivesPanel(parts.document); }
-
-QWidget *grading(const WindowParts &) { return new GradingPanel; }
-
-QWidget *submission(const WindowParts &parts)
-{
-    return new SubmissionPanel(parts.student, parts.playhead);
-}
-
+constexpr auto document = &WindowParts::document;
+constexpr auto playhead = &WindowParts::playhead;
 constexpr Qt::DockWidgetArea leftArea = Qt::LeftDockWidgetArea;
 constexpr Qt::DockWidgetArea rightArea = Qt::RightDockWidgetArea;
 constexpr Qt::DockWidgetArea bottomArea = Qt::BottomDockWidgetArea;
@@ -75,8 +50,8 @@ constexpr auto finished = Panel::Tells::Finished;
 constexpr Panel table[] = {
     {"formulaDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Formula"), follower<FormulaPanel>,
      Workspace::Step, rightArea, shownAtFirst},
-    {"pixelGridDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Pixel grid"), pixelGrid,
-     Workspace::Step, rightArea, shownAtFirst},
+    {"pixelGridDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Pixel grid"),
+     kind<PixelGrid, playhead, &WindowParts::options>, Workspace::Step, rightArea, shownAtFirst},
     {"pixelHistoryDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Pixel"),
      follower<PixelHistoryPanel>, Workspace::Step, rightArea, shownAtFirst},
     {"columnsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Columns"),
@@ -93,21 +68,23 @@ constexpr Panel table[] = {
      follower<OperationPanel>, Workspace::Measure, bottomArea, behindAtFirst},
     {"accuracyLabDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Accuracy lab"),
      follower<AccuracyLab>, Workspace::Measure, bottomArea, shownAtFirst},
-    {"projectionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Projection"), projection,
-     Workspace::Step, bottomArea, hiddenAtFirst},
-    {"effectsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Effects"), effects,
-     Workspace::Measure, bottomArea, behindAtFirst},
+    {"projectionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Projection"),
+     kind<ProjectionPanel, document, playhead>, Workspace::Step, bottomArea, hiddenAtFirst},
+    {"effectsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Effects"),
+     kind<EffectsPanel, document, &WindowParts::effects>, Workspace::Measure, bottomArea,
+     behindAtFirst},
     {"methodDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "This method"),
      follower<MethodPanel>, Workspace::Step, leftArea, hiddenAtFirst},
-    {"predictDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Predict"), predict,
-     Workspace::Step, leftArea, hiddenAtFirst},
-    {"motionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Motion"), motion,
-     Workspace::Compare, bottomArea, behindAtFirst, finished},
-    {"primitivesDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Primitives"), primitives,
-     Workspace::Step, leftArea, hiddenAtFirst},
-    {"submissionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Submission"), submission,
-     Workspace::Grade, leftArea, shownAtFirst, finished},
-    {"gradingDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Grading"), grading,
+    {"predictDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Predict"),
+     kind<PredictPanel, document, playhead>, Workspace::Step, leftArea, hiddenAtFirst},
+    {"motionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Motion"),
+     kind<MotionPanel, document>, Workspace::Compare, bottomArea, behindAtFirst, finished},
+    {"primitivesDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Primitives"),
+     kind<PrimitivesPanel, document>, Workspace::Step, leftArea, hiddenAtFirst},
+    {"submissionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Submission"),
+     kind<SubmissionPanel, &WindowParts::student, playhead>, Workspace::Grade, leftArea,
+     shownAtFirst, finished},
+    {"gradingDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Grading"), kind<GradingPanel>,
      Workspace::Grade, bottomArea, shownAtFirst},
 };
 

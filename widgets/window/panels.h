@@ -8,6 +8,7 @@
 #include <span>
 
 class QWidget;
+struct QMetaObject;
 
 namespace pixelplumb {
 
@@ -35,9 +36,15 @@ struct Panel {
     /// latter is hidden while Predict asks what lies ahead.
     enum class Tells { SoFar, Finished };
 
+    /// What is built when the panel is first seen.
+    struct Kind {
+        const QMetaObject *type;
+        QWidget *(*make)(const WindowParts &parts);
+    };
+
     const char *dock; ///< its dock's object name
     const char *title; ///< to be translated in the context of WindowDocks
-    QWidget *(*make)(const WindowParts &parts);
+    Kind kind;
     Workspace workspace;
     Qt::DockWidgetArea area; ///< in its workspace; hidden panels share a place
     AtFirst atFirst;

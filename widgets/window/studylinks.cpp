@@ -39,33 +39,27 @@ void showPickedPixel(Canvas &canvas)
         canvas.setZoom(readableZoom);
 }
 
-/// Brings the comparison to the front, with these contenders.
-void showComparison(WindowDocks &docks, const std::vector<Contender> &contenders)
-{
-    auto *compare = docks.panel<ComparePanel>();
-    docks.raise(compare);
-    compare->setContenders(contenders);
-}
-
 /// Connects a set of defects to the document: it is opened as the scene, and left again.
-DefectStepper *connectDiagnosis(const WindowParts &parts, WindowDocks &docks,
-                                DiagnosisView &diagnosis, MainWindow *window)
+DefectStepper *connectDiagnosis(const WindowParts &parts, WindowDocks &docks, MainWindow *window)
 {
     auto *stepper = new DefectStepper(parts.document, parts.student, window);
-    QObject::connect(&diagnosis, &DiagnosisView::openRequested, stepper, &DefectStepper::open);
-    QObject::connect(&diagnosis, &DiagnosisView::leaveRequested, stepper, &DefectStepper::leave);
-    QObject::connect(stepper, &DefectStepper::leavingChanged, &diagnosis,
-                     &DiagnosisView::setLeaving);
     QObject::connect(stepper, &DefectStepper::opened, window,
                      [window](std::size_t position) { window->setOpeningPlace(position); });
-    QObject::connect(
-        &diagnosis, &DiagnosisView::compareRequested, window,
-        [&docks, stepper](const DefectOpening &opening) {
-            stepper->open(opening);
-            const Method *method = methodNamed(QString::fromStdString(opening.right->method));
-            showComparison(
-                docks, {{method, opening.defective.settings}, {method, opening.right->settings}});
-        });
+    docks.whenBuilt<SubmissionPanel>([&docks, stepper](SubmissionPanel *panel) {
+        DiagnosisView *diagnosis = panel->diagnosis();
+        QObject::connect(diagnosis, &DiagnosisView::openRequested, stepper, &DefectStepper::open);
+        QObject::connect(diagnosis, &DiagnosisView::leaveRequested, stepper, &DefectStepper::leave);
+        QObject::connect(stepper, &DefectStepper::leavingChanged, diagnosis,
+                         &DiagnosisView::setLeaving);
+        QObject::connect(
+            diagnosis, &DiagnosisView::compareRequested, stepper,
+            [&docks, stepper](const DefectOpening &opening) {
+                stepper->open(opening);
+                const Method *method = methodNamed(QString::fromStdString(opening.right->method));
+                docks.raise<ComparePanel>()->setContenders(
+                    {{method, opening.defective.settings}, {method, opening.right->settings}});
+            });
+    });
     return stepper;
 }
 
@@ -73,40 +67,44 @@ DefectStepper *connectDiagnosis(const WindowParts &parts, WindowDocks &docks,
 void connectGrading(const WindowParts &parts, WindowDocks &docks, DefectStepper *stepper,
                     MainWindow *window)
 {
-    auto *grading = docks.panel<GradingPanel>();
     auto *opening
         = new SubmissionOpening(parts.document, parts.files, parts.student, parts.playhead, window);
-    QObject::connect(grading, &GradingPanel::openRequested, stepper, &DefectStepper::leave);
-    QObject::connect(grading, &GradingPanel::openRequested, opening, &SubmissionOpening::open);
-    QObject::connect(grading, &GradingPanel::closeRequested, opening, &SubmissionOpening::close);
-    QObject::connect(opening, &SubmissionOpening::lost, grading, &GradingPanel::putDown);
-    QObject::connect(opening, &SubmissionOpening::pixelReached, docks.panel<SubmissionPanel>(),
-                     &SubmissionPanel::lookAt);
-    const auto raise = [&docks] { docks.raise(docks.panel<SubmissionPanel>()); };
-    QObject::connect(grading, &GradingPanel::openRequested, window, raise);
+    const auto raise = [&docks] { docks.raise<SubmissionPanel>(); };
+    docks.whenBuilt<GradingPanel>([=](GradingPanel *grading) {
+        QObject::connect(grading, &GradingPanel::openRequested, stepper, &DefectStepper::leave);
+        QObject::connect(grading, &GradingPanel::openRequested, opening, &SubmissionOpening::open);
+        QObject::connect(grading, &GradingPanel::closeRequested, opening,
+                         &SubmissionOpening::close);
+        QObject::connect(opening, &SubmissionOpening::lost, grading, &GradingPanel::putDown);
+        QObject::connect(grading, &GradingPanel::openRequested, window, raise);
+        QObject::connect(grading->book(), &Gradebook::complaint, parts.messageBar,
+                         &MessageBar::complain);
+        QObject::connect(grading->book(), &Gradebook::notice, parts.playhead, &Playhead::message);
+    });
+    docks.whenBuilt<SubmissionPanel>([opening](SubmissionPanel *panel) {
+        QObject::connect(opening, &SubmissionOpening::pixelReached, panel,
+                         &SubmissionPanel::lookAt);
+    });
     QObject::connect(opening, &SubmissionOpening::pixelReached, window, raise);
-    QObject::connect(grading->book(), &Gradebook::complaint, parts.messageBar,
-                     &MessageBar::complain);
-    QObject::connect(grading->book(), &Gradebook::notice, parts.playhead, &Playhead::message);
 }
 
 /// Connects a student's picture: its marks and its verdict are shown at once.
 void connectSubmission(const WindowParts &parts, WindowDocks &docks, MainWindow *window)
 {
-    auto *panel = docks.panel<SubmissionPanel>();
-    connectGrading(parts, docks, connectDiagnosis(parts, docks, *panel->diagnosis(), window),
-                   window);
-    QObject::connect(parts.student, &StudentPicture::taken, window, [&docks, panel, parts] {
+    connectGrading(parts, docks, connectDiagnosis(parts, docks, window), window);
+    QObject::connect(parts.student, &StudentPicture::taken, window, [&docks, parts] {
         parts.options->setDifferencesShown(true);
         parts.options->setTruthShown(false);
-        docks.raise(panel);
+        docks.raise<SubmissionPanel>();
     });
-    QObject::connect(panel, &SubmissionPanel::openRequested, parts.pictures,
-                     &StudentPictureFiles::open);
+    docks.whenBuilt<SubmissionPanel>([pictures = parts.pictures](SubmissionPanel *panel) {
+        QObject::connect(panel, &SubmissionPanel::openRequested, pictures,
+                         &StudentPictureFiles::open);
+    });
     // A closed panel means that the picture is no longer needed; else it waits for its scene.
     QObject::connect(parts.files, &SceneFiles::replacing, parts.student,
-                     [&docks, panel, student = parts.student] {
-                         if (docks.isClosed(panel))
+                     [&docks, student = parts.student] {
+                         if (docks.isClosed(*docks.dockOf<SubmissionPanel>()))
                              student->remove();
                      });
     QObject::connect(parts.student, &StudentPicture::complaint, parts.messageBar,
@@ -114,7 +112,7 @@ void connectSubmission(const WindowParts &parts, WindowDocks &docks, MainWindow 
     QObject::connect(parts.playhead, &Playhead::pixelChosen, window,
                      [&docks, window, student = parts.student](const QPoint &pixel) {
                          const auto &judgement = student->judgement();
-                         const QDockWidget *submission = docks.dockOf<SubmissionPanel>();
+                         QDockWidget *submission = docks.dockOf<SubmissionPanel>();
                          QDockWidget *history = docks.dockOf<PixelHistoryPanel>();
                          // Never covers the clicked widget, and never takes a grader to another
                          // workspace.
@@ -122,8 +120,31 @@ void connectSubmission(const WindowParts &parts, WindowDocks &docks, MainWindow 
                              && window->tabifiedDockWidgets(history).contains(submission);
                          if (docks.workspaces()->current() == Workspace::Step && judgement
                              && judgement->verdictAt(pixel) != PixelVerdict::Same && !covers)
-                             docks.raise(history->widget());
+                             docks.raise(history);
                      });
+}
+
+/// Connects the lab: it knows the scene's file, and its wrong pixels open beside the truth.
+void connectLab(const WindowParts &parts, WindowDocks &docks, DifferenceOpening *opening)
+{
+    docks.whenBuilt<AccuracyLab>([parts, &docks, opening](AccuracyLab *lab) {
+        const auto followFile = [lab, files = parts.files] { lab->setScenePath(files->path()); };
+        followFile();
+        lab->setSceneModified(parts.document->isModified());
+        QObject::connect(parts.files, &SceneFiles::pathChanged, lab, followFile);
+        QObject::connect(parts.document, &SceneDocument::modifiedChanged, lab,
+                         &AccuracyLab::setSceneModified);
+        QObject::connect(lab, &AccuracyLab::complaint, parts.messageBar, &MessageBar::complain);
+        QObject::connect(lab, &AccuracyLab::notice, parts.playhead, &Playhead::message);
+        QObject::connect(
+            lab, &AccuracyLab::missRequested, opening, [&docks, opening](const LabMiss &miss) {
+                if (!opening->openAt(miss.scene, QPoint(int(miss.x), int(miss.y))))
+                    return;
+                const Method *method = methodNamed(QString::fromStdString(miss.scene.method));
+                docks.raise<ComparePanel>()->setContenders(
+                    {{method, miss.scene.settings}, {nullptr, miss.scene.settings}});
+            });
+    });
 }
 
 } // namespace
@@ -132,30 +153,21 @@ void connectStudies(const WindowParts &parts, WindowDocks &docks, MainWindow *wi
 {
     connectSubmission(parts, docks, window);
     auto *opening = new DifferenceOpening(parts.files, parts.playhead, window);
-    auto *cases = docks.panel<HardCasesPanel>();
-    QObject::connect(cases, &HardCasesPanel::openRequested, opening, &DifferenceOpening::open);
-    QObject::connect(
-        cases, &HardCasesPanel::compareRequested, window,
-        [&docks](const std::vector<Contender> &contenders) { showComparison(docks, contenders); });
-    QObject::connect(cases, &HardCasesPanel::precisionRequested, window,
-                     [&docks] { docks.raise(docks.panel<PrecisionPanel>()); });
-
-    auto *lab = docks.panel<AccuracyLab>();
-    auto *compare = docks.panel<ComparePanel>();
-    QObject::connect(opening, &DifferenceOpening::pixelReached, compare, &ComparePanel::lookAt);
+    docks.whenBuilt<HardCasesPanel>([&docks, opening](HardCasesPanel *cases) {
+        QObject::connect(cases, &HardCasesPanel::openRequested, opening, &DifferenceOpening::open);
+        QObject::connect(cases, &HardCasesPanel::compareRequested, opening,
+                         [&docks](const std::vector<Contender> &contenders) {
+                             docks.raise<ComparePanel>()->setContenders(contenders);
+                         });
+        QObject::connect(cases, &HardCasesPanel::precisionRequested, opening,
+                         [&docks] { docks.raise<PrecisionPanel>(); });
+    });
+    docks.whenBuilt<ComparePanel>([opening](ComparePanel *compare) {
+        QObject::connect(opening, &DifferenceOpening::pixelReached, compare, &ComparePanel::lookAt);
+    });
     QObject::connect(opening, &DifferenceOpening::pixelReached, parts.canvas,
                      [canvas = parts.canvas] { showPickedPixel(*canvas); });
-    QObject::connect(
-        lab, &AccuracyLab::missRequested, window, [&docks, opening](const LabMiss &miss) {
-            if (!opening->openAt(miss.scene, QPoint(int(miss.x), int(miss.y))))
-                return;
-            const Method *method = methodNamed(QString::fromStdString(miss.scene.method));
-            showComparison(docks, {{method, miss.scene.settings}, {nullptr, miss.scene.settings}});
-        });
-    QObject::connect(parts.document, &SceneDocument::modifiedChanged, lab,
-                     &AccuracyLab::setSceneModified);
-    QObject::connect(lab, &AccuracyLab::complaint, parts.messageBar, &MessageBar::complain);
-    QObject::connect(lab, &AccuracyLab::notice, parts.playhead, &Playhead::message);
+    connectLab(parts, docks, opening);
 }
 
 void showExamples(const WindowParts &parts, WindowDocks &docks, QWidget *window)
@@ -167,10 +179,7 @@ void showExamples(const WindowParts &parts, WindowDocks &docks, QWidget *window)
     QObject::connect(dialog, &ExamplesDialog::sceneChosen, parts.files, &SceneFiles::openFile,
                      Qt::QueuedConnection); // it may ask, after the dialog has closed
     QObject::connect(dialog, &ExamplesDialog::caseChosen, panel,
-                     [&docks, panel](const QString &id) {
-                         docks.raise(panel);
-                         panel->choose(id);
-                     });
+                     [&docks](const QString &id) { docks.raise<HardCasesPanel>()->choose(id); });
     dialog->open();
 }
 

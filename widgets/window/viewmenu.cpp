@@ -139,12 +139,8 @@ void ViewMenu::addWorkspaces(Workspaces *workspaces)
 
 void ViewMenu::addDocks(const WindowParts &parts, WindowDocks *docks)
 {
-    auto *grid = docks->panel<PixelGrid>();
-    QAction *inspect
-        = addMenuAction(this, "inspect", tr("In&spector (pixel grid)"), Qt::Key_Z, [docks, grid] {
-              docks->raise(grid);
-              grid->setFocus();
-          });
+    QAction *inspect = addMenuAction(this, "inspect", tr("In&spector (pixel grid)"), Qt::Key_Z,
+                                     [docks] { docks->raise<PixelGrid>()->setFocus(); });
     confineKeyTo(parts.canvas, inspect);
     QMenu *panels = addMenu(tr("&Panels"));
     panels->setObjectName(QStringLiteral("panelsMenu"));

@@ -6,19 +6,16 @@
 #include "widgets/inspect/pixelgrid.h"
 #include "widgets/inspect/pixelhistorypanel.h"
 #include "widgets/inspect/predictpanel.h"
+#include "widgets/lab/accuracylab.h"
 #include "widgets/studies/gradingpanel.h"
 #include "widgets/studies/motionpanel.h"
 #include "widgets/window/dockroom.h"
 #include "widgets/window/firstarrangement.h"
-#include "widgets/window/predictveil.h"
 #include "widgets/window/workspaces.h"
 
 #include <QAction>
-#include <QGuiApplication>
-#include <QLibraryInfo>
 #include <QMainWindow>
 
-#include <algorithm>
 #include <utility>
 
 namespace pixelplumb {
@@ -27,18 +24,6 @@ namespace {
 
 /// The longest usual line of a formula with its value, logical pixels.
 constexpr int formulaWidth = 440;
-
-/// Under Wayland a floating dock cannot be moved or docked again before Qt 6.6.
-bool canFloat()
-{
-    return !QGuiApplication::platformName().startsWith(QLatin1String("wayland"))
-        || QLibraryInfo::version() >= QVersionNumber(6, 6);
-}
-
-QDockWidget *dockAround(const QWidget *panel)
-{
-    return static_cast<QDockWidget *>(panel->parentWidget());
-}
 
 /// Gives the focus to a panel's focus proxy, to the panel itself, or to its first part that Tab
 /// would reach.
@@ -73,37 +58,41 @@ WindowDocks::WindowDocks(const WindowParts &parts, QMainWindow *window)
            dockOf<ColumnTablePanel>(), formulaWidth};
     m_room = new DockRoom(window, m_docks, usual);
     const auto followHeightOf = [this](auto *panel, auto changed) {
-        connect(panel, changed, this, [this, dock = dockAround(panel)] {
+        auto *dock = static_cast<QDockWidget *>(panel->parentWidget());
+        connect(panel, changed, this, [this, dock] {
             if (isInFront(*dock))
                 m_room->makeFor(dock);
         });
     };
-    followHeightOf(panel<MotionPanel>(), &MotionPanel::neededHeightChanged);
-    followHeightOf(panel<GradingPanel>(), &GradingPanel::neededHeightChanged);
+    whenBuilt<MotionPanel>([followHeightOf](MotionPanel *panel) {
+        followHeightOf(panel, &MotionPanel::neededHeightChanged);
+    });
+    whenBuilt<GradingPanel>([followHeightOf](GradingPanel *panel) {
+        followHeightOf(panel, &GradingPanel::neededHeightChanged);
+    });
+    whenBuilt<AccuracyLab>([followHeightOf](AccuracyLab *panel) {
+        followHeightOf(panel, &AccuracyLab::neededHeightChanged);
+    });
     for (QDockWidget *dock : std::as_const(m_docks))
         connect(dock, &QDockWidget::visibilityChanged, m_room, &DockRoom::giveBack,
                 Qt::QueuedConnection);
-    m_workspaces
-        = new Workspaces(window, new FirstArrangement(window, m_docks, usual, m_room), this);
-    connect(m_workspaces, &Workspaces::leaving, panel<PredictPanel>(), &PredictPanel::leaveOpen);
+    auto *first = new FirstArrangement(window, m_docks, usual, m_room);
+    whenBuilt<FormulaPanel>([first](FormulaPanel *panel) {
+        connect(panel, &FormulaPanel::neededHeightChanged, first, &FirstArrangement::fitFormula,
+                Qt::QueuedConnection);
+    });
+    m_workspaces = new Workspaces(window, first, this);
+    whenBuilt<PredictPanel>([this](PredictPanel *panel) {
+        connect(m_workspaces, &Workspaces::leaving, panel, &PredictPanel::leaveOpen);
+    });
 }
 
 void WindowDocks::add(const Panel &panel, const WindowParts &parts)
 {
-    auto *dock = new QDockWidget(tr(panel.title), m_window);
-    dock->setObjectName(QLatin1String(panel.dock));
-    dock->setWidget(panel.make(parts));
-    if (panel.tells == Panel::Tells::Finished)
-        new PredictVeil(parts.playhead, dock->widget());
-    QDockWidget::DockWidgetFeatures features
-        = QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable;
-    if (canFloat())
-        features |= QDockWidget::DockWidgetFloatable;
-    dock->setFeatures(features);
+    auto *dock = new PanelDock(panel, parts, m_window);
     m_docks += dock;
     addToggle(dock);
-    // A panel's title may depend on the method.
-    connect(dock->widget(), &QWidget::windowTitleChanged, dock, &QDockWidget::setWindowTitle);
+    connect(dock, &PanelDock::built, this, [this, dock] { emit panelBuilt(dock); });
 }
 
 /// Adds an action that shows a dock or brings it to the front; Qt's own would hide a dock that is a
@@ -120,7 +109,7 @@ void WindowDocks::addToggle(QDockWidget *dock)
         if (isInFront(*dock))
             dock->close();
         else
-            raise(dock->widget());
+            raise(dock);
         toggle->setChecked(isInFront(*dock));
         if (isByKey && toggle->isChecked())
             giveFocus(dock->widget());
@@ -137,11 +126,10 @@ bool WindowDocks::eventFilter(QObject *watched, QEvent *event)
     return QObject::eventFilter(watched, event);
 }
 
-void WindowDocks::raise(QWidget *panel)
+void WindowDocks::raise(QDockWidget *dock)
 {
-    QDockWidget *dock = dockAround(panel);
     if (dock->isHidden())
-        m_workspaces->goTo(workspaceOf(dock));
+        m_workspaces->goTo(static_cast<PanelDock *>(dock)->row().workspace);
     m_room->remember(dock);
     dock->show();
     dock->raise();
@@ -150,16 +138,9 @@ void WindowDocks::raise(QWidget *panel)
         this, [this, dock] { m_room->makeFor(dock); }, Qt::QueuedConnection);
 }
 
-bool WindowDocks::isClosed(QWidget *panel) const
+bool WindowDocks::isClosed(const PanelDock &dock) const
 {
-    const QDockWidget *dock = dockAround(panel);
-    return dock->isHidden() && workspaceOf(dock) == m_workspaces->current();
-}
-
-Workspace WindowDocks::workspaceOf(const QDockWidget *dock) const
-{
-    const auto row = std::ranges::find(m_docks, dock) - m_docks.begin();
-    return panels()[std::size_t(row)].workspace;
+    return dock.isHidden() && dock.row().workspace == m_workspaces->current();
 }
 
 } // namespace pixelplumb

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/window/windowparts.h"
+#include "widgets/window/paneldock.h"
 
-#include <QDockWidget>
 #include <QList>
 
 class QMainWindow;
@@ -12,8 +11,6 @@ namespace pixelplumb {
 
 class DockRoom;
 class Workspaces;
-enum class Workspace;
-struct Panel;
 
 /// The panels of the table, as docks around the canvas, each in its workspace.
 class WindowDocks : public QObject {
@@ -26,28 +23,49 @@ public:
     /// One action per dock, in their order: brings the dock to the front, or hides it if it is
     /// there already.
     QList<QAction *> toggles() const { return m_toggles; }
-    /// The panel of the table with this class.
+    /// The dock of the panel with this class.
     template <class Widget>
-    Widget *panel() const
+    PanelDock *dockOf() const
     {
-        for (const QDockWidget *each : m_docks) {
-            if (auto *found = qobject_cast<Widget *>(each->widget()))
-                return found;
+        for (QDockWidget *each : m_docks) {
+            auto *dock = static_cast<PanelDock *>(each);
+            if (dock->row().kind.type == &Widget::staticMetaObject)
+                return dock;
         }
         Q_UNREACHABLE();
     }
+    /// The panel, which is built now if nobody has seen it yet.
     template <class Widget>
-    QDockWidget *dockOf() const
+    Widget *panel() const
     {
-        return static_cast<QDockWidget *>(panel<Widget>()->parentWidget());
+        return static_cast<Widget *>(dockOf<Widget>()->panel());
     }
-    /// Shows a panel's dock in front of those that share its place: in the panel's workspace,
-    /// unless it is open in the current one.
-    void raise(QWidget *panel);
-    /// Whether the panel is not open although its workspace is the current one.
-    bool isClosed(QWidget *panel) const;
+    /// Calls `use(panel)` as soon as the panel is built: now, if it is already.
+    template <class Widget, class Use>
+    void whenBuilt(const Use &use)
+    {
+        PanelDock *dock = dockOf<Widget>();
+        if (dock->isBuilt())
+            return use(panel<Widget>());
+        connect(dock, &PanelDock::built, this,
+                [use](QWidget *built) { use(static_cast<Widget *>(built)); });
+    }
+    /// Shows a dock in front of those that share its place: in its panel's workspace, unless it is
+    /// open in the current one.
+    void raise(QDockWidget *dock);
+    template <class Widget>
+    Widget *raise()
+    {
+        raise(dockOf<Widget>());
+        return panel<Widget>();
+    }
+    /// Whether the dock is not open although its workspace is the current one.
+    bool isClosed(const PanelDock &dock) const;
 
     Workspaces *workspaces() const { return m_workspaces; }
+
+signals:
+    void panelBuilt(QDockWidget *dock);
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
@@ -55,7 +73,6 @@ protected:
 private:
     void add(const Panel &panel, const WindowParts &parts);
     void addToggle(QDockWidget *dock);
-    Workspace workspaceOf(const QDockWidget *dock) const;
 
     QMainWindow *m_window;
     QList<QDockWidget *> m_docks;

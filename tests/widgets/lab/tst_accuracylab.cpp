@@ -54,7 +54,7 @@ private slots:
         QVERIFY(!m_lab->results());
         const auto *invitation = named<QLabel>(*m_lab, "labInvitation");
         QVERIFY(invitation->isVisible());
-        QVERIFY(invitation->text().contains(QStringLiteral("and about ")));
+        QVERIFY(invitation->text().contains(QStringLiteral(": about ")));
         QVERIFY(invitation->text().endsWith(QStringLiteral(" s.")));
         QVERIFY(!named<QTabWidget>(*m_lab, "labTabs")->isVisible());
 

@@ -278,7 +278,7 @@ private slots:
         auto *options = window->findChild<DisplayOptions *>();
         auto *switches = window->findChild<EffectSwitches *>();
         auto *playhead = window->findChild<Playhead *>();
-        auto *panel = window->findChild<EffectsPanel *>();
+        auto *panel = named<EffectsPanel>(*window, "effectsPanel");
         const auto marksAreSeen = [&] {
             options->setDifferencesShown(true);
             const QImage with = canvas->grab().toImage();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
 #include "tests/support/promisednames.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
@@ -46,6 +47,7 @@ private slots:
         m_window = std::make_unique<MainWindow>();
         m_window->openDefaultScene();
         m_window->show();
+        buildPanelsOf(*m_window);
     }
 
     void everyPromisedNameIsThereOnce()

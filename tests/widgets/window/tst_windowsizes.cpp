@@ -14,9 +14,12 @@
 #include "widgets/studies/comparepanel.h"
 #include "widgets/studies/compareview.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollBar>
@@ -24,6 +27,7 @@
 #include <QTableView>
 #include <QTest>
 #include <QTextBrowser>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 #include <QTreeView>
@@ -31,6 +35,7 @@
 namespace tst_windowsizes {
 
 using namespace pixelplumb;
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -65,6 +70,19 @@ QStringList hiddenParts(const MainWindow &window)
 int hiddenFormulaLines(const MainWindow &window)
 {
     return named<QTextBrowser>(window, "formulaText")->verticalScrollBar()->maximum();
+}
+
+/// The entries of all menus and of the menus in them.
+QList<QAction *> entriesOf(const QWidget &menu)
+{
+    QList<QAction *> entries;
+    for (QAction *entry : menu.actions()) {
+        if (entry->menu())
+            entries += entriesOf(*entry->menu());
+        else if (!entry->isSeparator())
+            entries += entry;
+    }
+    return entries;
 }
 
 using Sizes = std::vector<std::pair<const char *, QSize>>;
@@ -210,6 +228,42 @@ private slots:
             QVERIFY2(
                 canvas->width() >= size.width() / 2 - 8,
                 qPrintable(QStringLiteral("%1: %2").arg(dock->objectName()).arg(canvas->width())));
+        }
+    }
+
+    /// Entries that ask for more, which end in an ellipsis, are left out; other questions are
+    /// closed.
+    void theCanvasKeepsHalfOfTheWidthInEveryWorkspaceAfterEveryEntryOfEveryMenu()
+    {
+        const QSize small = allSizes[0].second;
+        const auto window = windowOf(small);
+        const auto keepsHalf = [&window, &small] {
+            settle();
+            return window->size() == small
+                && window->parts().canvas->width() >= small.width() / 2 - 8;
+        };
+        QTimer closing;
+        connect(&closing, &QTimer::timeout, &closing, [] {
+            if (QWidget *asking = QApplication::activeModalWidget())
+                asking->close();
+        });
+        closing.start(10ms);
+        for (const char *workspace :
+             {"stepWorkspace", "compareWorkspace", "measureWorkspace", "gradeWorkspace"}) {
+            action(*window, workspace)->trigger();
+            action(*window, "resetLayout")->trigger();
+            QVERIFY2(keepsHalf(), workspace);
+            for (QAction *entry : entriesOf(*window->menuBar())) {
+                if (!entry->isEnabled() || entry->text().endsWith(u'…')
+                    || entry->objectName() == QStringLiteral("quit"))
+                    continue;
+                entry->trigger();
+                QVERIFY2(keepsHalf(), qPrintable(workspace + u' ' + entry->text()));
+                for (QWidget *other : QApplication::topLevelWidgets()) {
+                    if (other != window.get() && other->isVisible())
+                        other->close();
+                }
+            }
         }
     }
 
