@@ -4400,6 +4400,13 @@
     </message>
 </context>
 <context>
+    <name>pixelplumb::PanelDock</name>
+    <message>
+        <source>This panel shows the finished picture. Predict hides it until the run has come to its end (F5), or Predict is closed.</source>
+        <translation>Hier steht das fertige Bild. „Vorhersagen“ verdeckt es, bis der Lauf am Ende ist (F5) oder „Vorhersagen“ geschlossen wird.</translation>
+    </message>
+</context>
+<context>
     <name>pixelplumb::ParetoPlot</name>
     <message>
         <source>Nothing is judged here yet.</source>
@@ -5226,13 +5233,6 @@
     <message>
         <source>Nothing is drawn yet: what you draw is asked for.</source>
         <translation>Noch ist nichts gezeichnet: gefragt wird nach dem, was hier gezeichnet wird.</translation>
-    </message>
-</context>
-<context>
-    <name>pixelplumb::PredictVeil</name>
-    <message>
-        <source>This panel shows the finished picture. Predict hides it until the run has come to its end (F5), or Predict is closed.</source>
-        <translation>Hier steht das fertige Bild. „Vorhersagen“ verdeckt es, bis der Lauf am Ende ist (F5) oder „Vorhersagen“ geschlossen wird.</translation>
     </message>
 </context>
 <context>
