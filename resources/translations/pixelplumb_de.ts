@@ -2727,13 +2727,6 @@
     </message>
 </context>
 <context>
-    <name>pixelplumb::JobBar</name>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-</context>
-<context>
     <name>pixelplumb::KeySheet</name>
     <message>
         <source>in the canvas</source>
@@ -7244,6 +7237,10 @@
     <message>
         <source>Cancel tracing</source>
         <translation>Aufzeichnung abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
