@@ -2731,13 +2731,6 @@
     </message>
 </context>
 <context>
-    <name>pixelplumb::JobBar</name>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-</context>
-<context>
     <name>pixelplumb::KeySheet</name>
     <message>
         <source>in the canvas</source>
@@ -4404,6 +4397,13 @@
     </message>
 </context>
 <context>
+    <name>pixelplumb::PanelDock</name>
+    <message>
+        <source>This panel shows the finished picture. Predict hides it until the run has come to its end (F5), or Predict is closed.</source>
+        <translation>Hier steht das fertige Bild. „Vorhersagen“ verdeckt es, bis der Lauf am Ende ist (F5) oder „Vorhersagen“ geschlossen wird.</translation>
+    </message>
+</context>
+<context>
     <name>pixelplumb::ParetoPlot</name>
     <message>
         <source>Nothing is judged here yet.</source>
@@ -5234,13 +5234,6 @@
     <message>
         <source>Nothing is drawn yet: what you draw is asked for.</source>
         <translation>Noch ist nichts gezeichnet: gefragt wird nach dem, was hier gezeichnet wird.</translation>
-    </message>
-</context>
-<context>
-    <name>pixelplumb::PredictVeil</name>
-    <message>
-        <source>This panel shows the finished picture. Predict hides it until the run has come to its end (F5), or Predict is closed.</source>
-        <translation>Hier steht das fertige Bild. „Vorhersagen“ verdeckt es, bis der Lauf am Ende ist (F5) oder „Vorhersagen“ geschlossen wird.</translation>
     </message>
 </context>
 <context>
@@ -7256,6 +7249,10 @@
     <message>
         <source>Cancel tracing</source>
         <translation>Aufzeichnung abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>

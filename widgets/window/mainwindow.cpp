@@ -21,24 +21,21 @@
 #include "widgets/model/scenepreviewer.h"
 #include "widgets/model/scenetracer.h"
 #include "widgets/model/studentpicture.h"
-#include "widgets/stepping/playkey.h"
 #include "widgets/stepping/scrubber.h"
 #include "widgets/stepping/stepactions.h"
 #include "widgets/stepping/stepperbar.h"
 #include "widgets/window/editmenu.h"
-#include "widgets/window/escapekey.h"
 #include "widgets/window/filemenu.h"
 #include "widgets/window/helpmenu.h"
 #include "widgets/window/layersmenu.h"
-#include "widgets/window/menukeys.h"
 #include "widgets/window/methodbar.h"
 #include "widgets/window/methodmenu.h"
 #include "widgets/window/stepmenu.h"
 #include "widgets/window/studylinks.h"
 #include "widgets/window/viewmenu.h"
 #include "widgets/window/whatsthis.h"
-#include "widgets/window/wheelguard.h"
 #include "widgets/window/windowdocks.h"
+#include "widgets/window/windowkeys.h"
 #include "widgets/window/windowsettings.h"
 #include "widgets/window/windowstatusbar.h"
 #include "widgets/window/workspacerow.h"
@@ -80,17 +77,8 @@ MainWindow::MainWindow(QWidget *parent)
     connectStudies(m_parts, *m_docks, this);
     m_docks->whenBuilt<PrimitivesPanel>(
         [this](PrimitivesPanel *panel) { panel->takeKeysOf(m_editMenu->deletion()); });
-    new MenuKeys(this);
-    new WheelGuard(this);
-    auto *playKey = new PlayKey(this);
-    auto *escapeKey = new EscapeKey(m_parts.canvas, this);
-    playKey->watch(this);
-    escapeKey->watch(this);
-    connect(m_docks, &WindowDocks::panelBuilt, this, [playKey, escapeKey](QDockWidget *dock) {
-        playKey->watch(dock);
-        escapeKey->watch(dock);
-        explainParts(dock);
-    });
+    new WindowKeys(m_parts.canvas, this);
+    connect(m_docks, &WindowDocks::panelBuilt, this, &explainParts);
     m_settings = std::make_unique<WindowSettings>(m_parts, m_docks->workspaces(), this);
     m_settings->restore();
     connect(qGuiApp, &QGuiApplication::commitDataRequest, this, &MainWindow::commitData);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/window/paneldock.h"
 
-#include "widgets/window/predictveil.h"
+#include "widgets/model/playhead.h"
 #include "widgets/window/windowdocks.h"
 
+#include <QEvent>
 #include <QGuiApplication>
+#include <QLabel>
 #include <QLibraryInfo>
 #include <QMainWindow>
 
@@ -18,6 +20,51 @@ bool canFloat()
     return !QGuiApplication::platformName().startsWith(QLatin1String("wayland"))
         || QLibraryInfo::version() >= QVersionNumber(6, 6);
 }
+
+/// Covers a panel that shows the finished picture while Predict asks what lies ahead: the panel can
+/// be neither seen nor reached by keys.
+class PredictVeil : public QLabel {
+public:
+    PredictVeil(const Playhead *playhead, QWidget *panel)
+        : QLabel(PanelDock::tr("This panel shows the finished picture. Predict hides it until the "
+                               "run has come to its end (F5), or Predict is closed."),
+                 panel)
+        , m_playhead(playhead)
+        , m_panel(panel)
+    {
+        setObjectName(QStringLiteral("predictVeil"));
+        setAlignment(Qt::AlignCenter);
+        setWordWrap(true);
+        setMargin(16);
+        setAutoFillBackground(true);
+        panel->installEventFilter(this);
+        connect(playhead, &Playhead::aheadHiddenChanged, this, &PredictVeil::follow);
+        follow();
+    }
+
+protected:
+    /// Keeps the veil on top: new children are placed above it.
+    bool eventFilter(QObject *watched, QEvent *event) override
+    {
+        if (event->type() == QEvent::Resize || event->type() == QEvent::ChildAdded) {
+            setGeometry(m_panel->rect());
+            raise();
+        }
+        return QLabel::eventFilter(watched, event);
+    }
+
+private:
+    void follow()
+    {
+        m_panel->setEnabled(!m_playhead->isAheadHidden());
+        setGeometry(m_panel->rect());
+        setVisible(m_playhead->isAheadHidden());
+        raise();
+    }
+
+    const Playhead *m_playhead;
+    QWidget *m_panel;
+};
 
 } // namespace
 

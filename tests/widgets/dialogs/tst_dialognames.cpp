@@ -63,13 +63,9 @@ QMap<QString, Way> ways()
         {"goToDialog", byAction("goTo")},
         {"studentPictureDialog", byAction("openStudentPicture")},
         {"gradeDialog",
-         [](MainWindow &window) {
-             window.findChild<QAbstractButton *>(QStringLiteral("gradingGrade"))->click();
-         }},
+         [](MainWindow &window) { named<QAbstractButton>(window, "gradingGrade")->click(); }},
         {"gradingOpenDialog",
-         [](MainWindow &window) {
-             window.findChild<QAbstractButton *>(QStringLiteral("gradingOpen"))->click();
-         }},
+         [](MainWindow &window) { named<QAbstractButton>(window, "gradingOpen")->click(); }},
         {"keySheet", byAction("showKeys")},
         {"about", byAction("showAbout")},
         {"unsavedChanges",
