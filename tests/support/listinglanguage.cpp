@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/listinglanguage.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -72,19 +74,60 @@ QString nextEdge(const QString &text)
                    {{QStringLiteral("α"), QStringLiteral("β"), QStringLiteral("γ")}, none, none}});
 }
 
-/// The text with the next channel: R, R_a, R₀, ΔR_x.
+/// Whether a name starts here, whatever change (Δ or δ) it may be of.
+bool startsName(const QString &text, qsizetype place)
+{
+    const QChar before = place == 0 ? QChar(u' ') : text[place - 1];
+    return before == u'Δ' || before == u'δ' || !belongsToName(before);
+}
+
+/// What is done to a coordinate along an edge, done to R: y₀₂ → R₀₂, m₀₂ → δR₀₂. The coordinate is
+/// the first one that the text names. Conditions stay.
+QString coordinateAsChannel(const QString &text)
+{
+    static const QRegularExpression firstCoordinate(QStringLiteral("[xy]"));
+    const qsizetype first = text.indexOf(firstCoordinate);
+    if (first < 0)
+        return text;
+    const QChar coordinate = text[first];
+    QString result;
+    bool isCondition = false;
+    for (qsizetype place = 0; place < text.size(); ++place) {
+        const QStringView rest = QStringView(text).sliced(place);
+        isCondition = rest.startsWith(QStringLiteral(" if "))
+            || (isCondition && !rest.startsWith(QStringLiteral(", else ")));
+        const bool isTurned
+            = !isCondition && startsName(text, place) && rest.size() > 1 && belongsToName(rest[1]);
+        if (isTurned && rest[0] == u'm')
+            result += QStringLiteral("δR");
+        else
+            result += isTurned && rest[0] == coordinate ? QChar(u'R') : rest[0];
+    }
+    return result;
+}
+
+/// The text with the next channel: R, R_a, R₀, ΔR_x; R after a coordinate.
 QString nextChannel(const QString &text)
 {
+    if (QStringLiteral("xym").contains(text.front()))
+        return coordinateAsChannel(text);
     const QString letters = QStringLiteral("RGB");
     QString result = text;
     for (qsizetype place = 0; place < text.size(); ++place) {
         const qsizetype channel = letters.indexOf(text[place]);
-        const bool begins
-            = place == 0 || text[place - 1] == u'Δ' || !belongsToName(text[place - 1]);
-        if (channel >= 0 && begins)
+        if (channel >= 0 && startsName(text, place))
             result[place] = letters[(channel + 1) % 3];
     }
     return result;
+}
+
+/// Whether a name of the text begins with these letters.
+bool hasName(const QString &text, const QString &letters)
+{
+    qsizetype place = text.indexOf(letters);
+    while (place >= 0 && !startsName(text, place))
+        place = text.indexOf(letters, place + 1);
+    return place >= 0;
 }
 
 Number floorOf(const Number &value)
@@ -172,7 +215,9 @@ private:
             ++m_place;
         if (m_place == first)
             return named();
-        const Number value(m_text.sliced(first, m_place - first).toStdString());
+        Number value(m_text.sliced(first, m_place - first).toStdString());
+        if (takes(QStringLiteral("²")))
+            value *= value;
         // A number before a name multiplies: 2Δy
         return m_place < m_text.size() && m_text[m_place].isLetter() ? value * named() : value;
     }
@@ -187,12 +232,14 @@ private:
     Number named()
     {
         const std::pair<const QString, Number> *longest = nullptr;
-        for (const auto &entry : m_names) {
-            const qsizetype end = m_place + entry.first.size();
-            if (QStringView(m_text).sliced(m_place).startsWith(entry.first)
+        const QString begin = m_text.mid(m_place, 1);
+        for (auto entry = m_names.lower_bound(begin);
+             entry != m_names.end() && entry->first.startsWith(begin); ++entry) {
+            const qsizetype end = m_place + entry->first.size();
+            if (QStringView(m_text).sliced(m_place).startsWith(entry->first)
                 && (end == m_text.size() || !belongsToName(m_text[end]))
-                && (!longest || entry.first.size() > longest->first.size()))
-                longest = &entry;
+                && (!longest || entry->first.size() > longest->first.size()))
+                longest = &*entry;
         }
         if (!longest)
             throw ListingFault(
@@ -219,13 +266,15 @@ QStringList spelledOut(const QString &text)
         if (parts.isEmpty())
             throw ListingFault(QStringLiteral("like what: ") + text);
         const QString pattern = parts.constLast();
-        const QStringList names = part.chopped(likewise.size()).split(QStringLiteral(" and "));
+        const QStringList names = part.chopped(likewise.size())
+                                      .replace(QStringLiteral(" and "), QStringLiteral(", "))
+                                      .split(QStringLiteral(", "));
         QString edge = pattern, channel = pattern;
         for (const QString &name : names) {
             edge = nextEdge(edge);
             channel = nextChannel(channel);
-            const bool isEdge = edge != pattern && edge.contains(name);
-            if (!isEdge && (channel == pattern || !channel.contains(name)))
+            const bool isEdge = edge != pattern && hasName(edge, name);
+            if (!isEdge && (channel == pattern || !hasName(channel, name)))
                 throw ListingFault(QStringLiteral("no “%1” in: %2").arg(name, text));
             parts.append(isEdge ? edge : channel);
         }

@@ -23,11 +23,15 @@ struct ListingFault : std::runtime_error {
 using ListingNames = std::map<QString, BigRational>;
 
 /// Splits "A ← B; C and D likewise" into three statements; conditions likewise. "likewise" advances
-/// ₀ ₁ ₂, bc ca ab, a b c and α β γ by one, or R G B.
+/// ₀ ₁ ₂, bc ca ab, a b c and α β γ by one, or R G B; of a coordinate along an edge, y₀₂ and m₀₂,
+/// it makes R₀₂ and δR₀₂.
 QStringList spelledOut(const QString &text);
 
 /// The value of an expression of + − · / ( ), ⌊ ⌋, ⌈ ⌉, | |, (int)( ), whole numbers, ½ and names;
 /// 2Δy is 2·Δy.
 BigRational valueOf(const QString &expression, const ListingNames &names);
+
+/// Whether a condition holds: "A > 0, or A = 0 and B > 0; C and D likewise", "0 ≤ A ≤ 1".
+bool holds(const QString &condition, const ListingNames &names);
 
 } // namespace pixelplumb

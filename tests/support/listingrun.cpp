@@ -4,6 +4,8 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <array>
+#include <tuple>
 
 namespace pixelplumb {
 
@@ -28,16 +30,70 @@ void ListingRun::run()
     runBlock(std::size_t(first - m_code.begin()), m_code.size());
 }
 
-/// Runs only choices between two values; other set-up names get their values from the numbers.
 void ListingRun::runSetUp(std::size_t end)
 {
     for (std::size_t line = 0; line < end; ++line) {
         const QString text = withoutRemark(m_code[line].text);
+        if (m_setUp == SetUp::Run) {
+            if (!text.startsWith(QStringLiteral("if no sample")))
+                runLine(line);
+            continue;
+        }
         const QString name = text.section(assigns, 0, 0);
         if (text.contains(QStringLiteral(", else ")) && !name.contains(u' ')
             && !m_names.contains(name))
             runStatement(text);
     }
+}
+
+/// Vertices of equal x are ordered by y, those of equal y by x.
+void ListingRun::sortVertices(const QString &text)
+{
+    const bool isByY = text.contains(QStringLiteral("by y"));
+    std::array<std::array<Number, 5>, 3> vertices; // in the order x, y, R, G, B
+    const QString letters = QStringLiteral("xyRGB");
+    const auto named = [&](std::size_t vertex, std::size_t letter) {
+        return QString(letters[qsizetype(letter)]) + QChar(u'₀' + int(vertex));
+    };
+    for (std::size_t vertex = 0; vertex < 3; ++vertex)
+        for (std::size_t letter = 0; letter < 5; ++letter)
+            vertices[vertex][letter] = m_names.at(named(vertex, letter));
+    const auto before = [isByY](const auto &a, const auto &b) {
+        return isByY ? std::tuple(b[1], a[0]) < std::tuple(a[1], b[0])
+                     : std::tuple(a[0], a[1]) < std::tuple(b[0], b[1]);
+    };
+    std::ranges::stable_sort(vertices, before);
+    const std::size_t sorted = text.contains(QStringLiteral("in the order given")) ? 2 : 5;
+    for (std::size_t vertex = 0; vertex < 3; ++vertex)
+        for (std::size_t letter = 0; letter < sorted; ++letter)
+            m_names[named(vertex, letter)] = vertices[vertex][letter];
+}
+
+/// False if the line is not of each edge.
+bool ListingRun::runEdges(const QString &text)
+{
+    static const QRegularExpression ofEdges(
+        QStringLiteral("^for each edge L_ij of ([^:]+): (.+)$"));
+    if (!text.startsWith(QStringLiteral("for each edge L_ij")))
+        return false;
+    const auto match = ofEdges.match(text);
+    for (const QString &edge : match.captured(1).split(QStringLiteral(", "))) {
+        m_edge = edge.sliced(1);
+        runStatements(ofEdge(match.captured(2)));
+    }
+    m_edge.clear();
+    return true;
+}
+
+/// The text with the digits of the current edge.
+QString ListingRun::ofEdge(QString text) const
+{
+    static const QRegularExpression both(QStringLiteral("_ij\\b")), first(QStringLiteral("_i\\b")),
+        second(QStringLiteral("_j\\b"));
+    if (m_edge.isEmpty() || text.startsWith(QStringLiteral("L_ij"))
+        || !text.contains(QStringLiteral("_")))
+        return text;
+    return text.replace(both, m_edge).replace(first, m_edge.left(1)).replace(second, m_edge.mid(1));
 }
 
 /// One past the lines below a line that are nested in it.
@@ -57,8 +113,13 @@ void ListingRun::runBlock(std::size_t first, std::size_t end)
 
 void ListingRun::runLine(std::size_t line)
 {
-    const QString text = withoutRemark(m_code[line].text);
-    if (!runLoop(line, text) && !runCase(line, text))
+    const QString printed = withoutRemark(m_code[line].text);
+    if (runEdges(printed))
+        return;
+    const QString text = ofEdge(printed);
+    if (text.startsWith(QStringLiteral("sort the vertices ")))
+        sortVertices(text);
+    else if (!runLoop(line, text) && !runCase(line, text))
         runStatements(text);
 }
 
@@ -67,8 +128,10 @@ bool ListingRun::runLoop(std::size_t line, const QString &text)
 {
     static const QRegularExpression ofBox(QStringLiteral("^for each (x|y) of the box:$"));
     static const QRegularExpression ofRange(
-        QStringLiteral("^for each (?:\\w+ )?(\\S+)(?: = i/(\\S+))? from (.+) to (.+):$"),
+        QStringLiteral("^for each (?:\\w+ )?(\\S+)(?: = i/(\\S+))? from (.+?)( down)? to (.+):$"),
         QRegularExpression::UseUnicodePropertiesOption);
+    if (!text.startsWith(QStringLiteral("for each ")))
+        return false;
     if (const auto match = ofBox.match(text); match.hasMatch()) {
         const bool isX = match.captured(1) == QStringLiteral("x");
         const std::int64_t end = isX ? m_box.endX : m_box.endY;
@@ -81,10 +144,12 @@ bool ListingRun::runLoop(std::size_t line, const QString &text)
         return false;
     const Number step
         = match.captured(2).isEmpty() ? Number(1) : Number(1) / valueOf(match.captured(2));
-    const Number last = chosenValue(match.captured(4));
+    const bool isDown = !match.captured(4).isEmpty();
+    const Number last = valueOf(chosen(match.captured(5)));
     const bool wasFirst = m_isFirst;
     m_isFirst = true;
-    for (Number at = valueOf(match.captured(3)); at <= last; at += step) {
+    for (Number at = valueOf(match.captured(3)); isDown ? at >= last : at <= last;
+         at += isDown ? Number(-step) : step) {
         runBlockWith(line, match.captured(1), at);
         m_isFirst = false;
     }
@@ -102,11 +167,14 @@ void ListingRun::runBlockWith(std::size_t line, const QString &name, const Numbe
 /// False if the line is no case.
 bool ListingRun::runCase(std::size_t line, const QString &text)
 {
-    const QString first = QStringLiteral("the first:"), otherwise = QStringLiteral("else:"),
+    const QString first = QStringLiteral("the first:"),
+                  begins = QStringLiteral("where it begins: "), otherwise = QStringLiteral("else:"),
                   ifElse = QStringLiteral("else if "), onlyIf = QStringLiteral("if ");
     bool isTaken = false;
     if (text.startsWith(first))
         isTaken = m_isFirst;
+    else if (text.startsWith(begins))
+        isTaken = !m_names.contains(text.sliced(begins.size()).section(assigns, 0, 0));
     else if (text.startsWith(otherwise))
         isTaken = !m_hasCase;
     else if (text.startsWith(ifElse))
@@ -127,16 +195,19 @@ bool ListingRun::runCase(std::size_t line, const QString &text)
 
 void ListingRun::runStatements(const QString &text)
 {
-    for (const QString &statement : spelledOut(text))
+    auto statements = m_spelledOut.find(text);
+    if (statements == m_spelledOut.end())
+        statements = m_spelledOut.emplace(text, spelledOut(text)).first;
+    for (const QString &statement : statements->second)
         runStatement(statement);
 }
 
 void ListingRun::runStatement(const QString &text)
 {
-    static const QRegularExpression pixel(
-        QStringLiteral("^pixel \\((.+)\\) ← (?:the bytes of R, G, B|colour)$"));
-    if (const auto match = pixel.match(text); match.hasMatch())
-        draw(match.captured(1));
+    if (text.startsWith(QStringLiteral("pixel (")))
+        draw(text);
+    else if (text.startsWith(QStringLiteral("L_ij ← L")))
+        m_edge = chosen(text.section(assigns, 1)).sliced(1);
     else if (text.startsWith(QStringLiteral("add ")))
         add(text);
     else if (text.contains(assigns))
@@ -145,29 +216,29 @@ void ListingRun::runStatement(const QString &text)
         throw ListingFault(QStringLiteral("does nothing: ") + text);
 }
 
-/// "1 if y₁ ≥ y₀, else −1", which is never part of an expression, or a plain expression.
-ListingRun::Number ListingRun::chosenValue(const QString &expression) const
+/// Of "1 if y₁ ≥ y₀, else −1", which is never part of an expression, the side that holds.
+QString ListingRun::chosen(const QString &expression) const
 {
     const QString condition = QStringLiteral(" if "), otherwise = QStringLiteral(", else ");
     if (!expression.contains(condition))
-        return valueOf(expression);
+        return expression;
     const QString rest = expression.section(condition, 1);
-    return valueOf(holds(rest.section(otherwise, 0, 0)) ? expression.section(condition, 0, 0)
-                                                        : rest.section(otherwise, 1));
+    return holds(rest.section(otherwise, 0, 0)) ? expression.section(condition, 0, 0)
+                                                : chosen(rest.section(otherwise, 1));
 }
 
 /// All values are read before the first is written.
 void ListingRun::assign(const QString &statement)
 {
     const QStringList names = statement.section(assigns, 0, 0).split(QStringLiteral(", "));
-    const QString right = statement.section(assigns, 1);
+    const QString right = chosen(statement.section(assigns, 1));
     const QStringList expressions
         = names.size() == 1 ? QStringList(right) : right.split(QStringLiteral(", "));
     if (names.size() != expressions.size())
         throw ListingFault(QStringLiteral("unequal sides: ") + statement);
     std::vector<Number> values;
     for (const QString &expression : expressions)
-        values.push_back(chosenValue(expression));
+        values.push_back(valueOf(expression));
     for (qsizetype i = 0; i < names.size(); ++i)
         m_names[names[i]] = values[std::size_t(i)];
 }
@@ -185,14 +256,21 @@ void ListingRun::add(const QString &statement)
     }
 }
 
-void ListingRun::draw(const QString &place)
+void ListingRun::draw(const QString &statement)
 {
-    const auto byte = [this](const char *channel) {
-        const Number level = valueOf(QString::fromLatin1(channel)) + Number(1, 2);
+    static const QRegularExpression pixel(
+        QStringLiteral("^pixel \\((.+)\\) ← (?:the bytes of (.+), (.+), (.+)|colour)$"));
+    const auto match = pixel.match(statement);
+    if (!match.hasMatch())
+        throw ListingFault(QStringLiteral("draws nothing: ") + statement);
+    const auto byte = [&](int part, const char *channel) {
+        const QString named = match.captured(part);
+        const Number level = valueOf(named.isEmpty() ? QString::fromLatin1(channel) : named);
         // Rounds towards 0, which is down for levels that are not negative.
-        const BigInteger whole = numerator(level) / denominator(level);
-        return std::clamp(whole.convert_to<int>(), 0, 255);
+        const Number half = std::clamp(level, Number(0), Number(255)) + Number(1, 2);
+        return BigInteger(numerator(half) / denominator(half)).convert_to<int>();
     };
+    const QString place = match.captured(1);
     const auto coordinate = [&](int part) {
         const Number value = valueOf(place.section(QStringLiteral(", "), part, part));
         if (denominator(value) != 1)
@@ -203,55 +281,12 @@ void ListingRun::draw(const QString &place)
     if (m_exchange == Exchange::Axes)
         std::swap(x, y);
     if (x >= m_box.firstX && x < m_box.endX && y >= m_box.firstY && y < m_box.endY)
-        m_pixels[{x, y}] = qRgb(byte("R"), byte("G"), byte("B"));
+        m_pixels[{x, y}] = qRgb(byte(2, "R"), byte(3, "G"), byte(4, "B"));
 }
 
 bool ListingRun::holds(const QString &condition) const
 {
-    const QStringList tests = spelledOut(condition);
-    return std::ranges::all_of(tests, [this](const QString &test) { return holdsOne(test); });
-}
-
-/// "A > 0, or A = 0 and B > 0".
-bool ListingRun::holdsOne(const QString &test) const
-{
-    const QStringList ways = test.split(QStringLiteral(", or "));
-    return std::ranges::any_of(ways, [this](const QString &way) {
-        const QStringList comparisons = way.split(QStringLiteral(" and "));
-        return std::ranges::all_of(comparisons,
-                                   [this](const QString &each) { return holdsChain(each); });
-    });
-}
-
-/// "0 ≤ α ≤ 1".
-bool ListingRun::holdsChain(const QString &comparison) const
-{
-    const QString signs = QStringLiteral("<≤=≥>");
-    std::vector<Number> values;
-    QString between, side;
-    const auto end = [&] { values.push_back(valueOf(side.trimmed())); };
-    for (const QChar character : comparison) {
-        if (!signs.contains(character)) {
-            side += character;
-            continue;
-        }
-        end();
-        side.clear();
-        between += character;
-    }
-    end();
-    if (between.isEmpty())
-        throw ListingFault(QStringLiteral("compares nothing: ") + comparison);
-    for (qsizetype i = 0; i < between.size(); ++i) {
-        const Number &a = values[std::size_t(i)];
-        const Number &b = values[std::size_t(i) + 1];
-        const QChar sign = between[i];
-        const bool isTrue = (sign == u'<' && a < b) || (sign == u'≤' && a <= b)
-            || (sign == u'=' && a == b) || (sign == u'≥' && a >= b) || (sign == u'>' && a > b);
-        if (!isTrue)
-            return false;
-    }
-    return true;
+    return pixelplumb::holds(condition, m_names);
 }
 
 ListingRun::Number ListingRun::valueOf(const QString &expression) const

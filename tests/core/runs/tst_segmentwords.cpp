@@ -53,7 +53,8 @@ void addEdgeTests()
     QTest::addColumn<QString>("id");
     for (const Method &method : methods()) {
         if (std::ranges::any_of(method.pseudocode, [](const PseudocodeLine &line) {
-                return line.of == LineOf::Segment;
+                return line.of == LineOf::Segment
+                    && line.text.startsWith(QStringLiteral("if the segment"));
             }))
             QTest::newRow(qPrintable(method.id)) << method.id;
     }
