@@ -11,7 +11,7 @@ namespace {
 /// "0 ≤ α ≤ 1".
 bool holdsChain(const QString &comparison, const ListingNames &names)
 {
-    const QString signs = QStringLiteral("<≤=≥>");
+    const QString signs = QStringLiteral("<≤=≠≥>");
     std::vector<BigRational> values;
     QString between, side;
     const auto end = [&] { values.push_back(valueOf(side.trimmed(), names)); };
@@ -32,7 +32,8 @@ bool holdsChain(const QString &comparison, const ListingNames &names)
         const BigRational &b = values[std::size_t(i) + 1];
         const QChar sign = between[i];
         const bool isTrue = (sign == u'<' && a < b) || (sign == u'≤' && a <= b)
-            || (sign == u'=' && a == b) || (sign == u'≥' && a >= b) || (sign == u'>' && a > b);
+            || (sign == u'=' && a == b) || (sign == u'≠' && a != b) || (sign == u'≥' && a >= b)
+            || (sign == u'>' && a > b);
         if (!isTrue)
             return false;
     }
@@ -44,7 +45,11 @@ bool holdsOne(const QString &test, const ListingNames &names)
 {
     const QStringList ways = test.split(QStringLiteral(", or "));
     return std::ranges::any_of(ways, [&names](const QString &way) {
-        const QStringList comparisons = way.split(QStringLiteral(" and "));
+        const QString rule = way.section(QStringLiteral(" by "), 1);
+        if (!rule.isEmpty() && !names.contains(rule))
+            return false;
+        const QStringList comparisons
+            = way.section(QStringLiteral(" by "), 0, 0).split(QStringLiteral(" and "));
         return std::ranges::all_of(
             comparisons, [&names](const QString &each) { return holdsChain(each, names); });
     });
