@@ -130,6 +130,13 @@ bool ListingRun::runEdges(const QString &text)
 {
     static const QRegularExpression ofEdges(
         QStringLiteral("^for each edge L_ij of ([^:]+): (.+)$"));
+    static const QRegularExpression ofValues(QStringLiteral("^for each value v of ([^:]+): (.+)$")),
+        value(QStringLiteral("(?<![A-Za-z])v(?![A-Za-z])"));
+    if (const auto match = ofValues.match(text); match.hasMatch()) {
+        for (const QString &letter : match.captured(1).split(QStringLiteral(", ")))
+            m_state.run(match.captured(2).replace(value, letter));
+        return true;
+    }
     const auto match = ofEdges.match(text);
     if (!match.hasMatch())
         return false;

@@ -13,6 +13,7 @@ namespace pixelplumb {
 ///   for each row y from A down to B:
 ///   for each t = i/N from A to B:             i = 0, 1, 2 …
 ///   for each edge L_ij of L₀₁, L₁₂, L₀₂: …    statements in which i and j are the edge's digits
+///   for each value v of R, G, B: …            statements with R, G and B for v
 ///   for each arc (a, b) of (A, B) and, if C ≠ D, (B, A):
 ///   for each point (x, y):     for each edge from (x₀, y₀) to (x₁, y₁):     of the primitive
 ///   for each edge k from (x₀, y₀) to (x₁, y₁) with A < y ≤ B:     those where that holds

@@ -140,27 +140,29 @@ ListingState::Number ListingState::valueOf(const QString &expression) const
     return pixelplumb::valueOf(chosen(expression), m_names);
 }
 
-/// Vertices of equal x are ordered by y, those of equal y by x.
+/// Vertices of equal x are ordered by y, those of equal y by x. The names that they get may be new.
 void ListingState::sortVertices(const QString &statement)
 {
     const bool isByY = statement.contains(QStringLiteral("by y"));
     std::array<std::array<Number, 5>, 3> vertices; // in the order x, y, R, G, B
     const QString letters = QStringLiteral("xyRGB");
-    const auto named = [&](std::size_t vertex, std::size_t letter) {
-        return QString(letters[qsizetype(letter)]) + QChar(u'₀' + int(vertex));
-    };
     for (std::size_t vertex = 0; vertex < 3; ++vertex)
         for (std::size_t letter = 0; letter < 5; ++letter)
-            vertices[vertex][letter] = m_names.at(named(vertex, letter));
+            vertices[vertex][letter]
+                = m_names.at(letters[qsizetype(letter)] + QString(QChar(u'₀' + int(vertex))));
     const auto before = [isByY](const auto &a, const auto &b) {
         return isByY ? std::tuple(b[1], a[0]) < std::tuple(a[1], b[0])
                      : std::tuple(a[0], a[1]) < std::tuple(b[0], b[1]);
     };
     std::ranges::stable_sort(vertices, before);
     const std::size_t sorted = statement.contains(QStringLiteral("in the order given")) ? 2 : 5;
+    const QStringList points = statement.section(QStringLiteral(": "), 1)
+                                   .section(u';', 0, 0)
+                                   .split(QStringLiteral(", "));
     for (std::size_t vertex = 0; vertex < 3; ++vertex)
         for (std::size_t letter = 0; letter < sorted; ++letter)
-            m_names[named(vertex, letter)] = vertices[vertex][letter];
+            m_names[letters[qsizetype(letter)] + points[qsizetype(vertex)].sliced(1)]
+                = vertices[vertex][letter];
 }
 
 QString ListingState::meant(QString text) const
@@ -170,7 +172,9 @@ QString ListingState::meant(QString text) const
     if (!text.contains(u'_') || text.startsWith(QStringLiteral("L_ij")))
         return text;
     if (!m_edge.isEmpty())
-        text.replace(both, m_edge).replace(first, m_edge.left(1)).replace(second, m_edge.mid(1));
+        text.replace(both, m_edge)
+            .replace(first, m_edge.chopped(1))
+            .replace(second, m_edge.startsWith(u'_') ? u'_' + m_edge.last(1) : m_edge.last(1));
     return m_index.isEmpty() ? text : text.replace(index, u'_' + m_index);
 }
 

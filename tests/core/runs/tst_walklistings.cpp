@@ -19,7 +19,9 @@ constexpr unsigned seed = 13;
 ListingRun listingOf(const TracedScene &traced)
 {
     ListingNames names = vertexNames(traced.scene.triangles.front(), traced.scene.frame);
-    names[QStringLiteral("A")] = setUpNames(traced).at(QStringLiteral("A"));
+    const ListingNames setUp = setUpNames(traced);
+    if (const auto area = setUp.find(QStringLiteral("A")); area != setUp.end())
+        names.insert(*area);
     return ListingRun(pseudocodeOf(traced, 0), names, frameBox(traced.scene.frame),
                       ListingRun::SetUp::Run);
 }
@@ -49,8 +51,10 @@ private slots:
         QTest::addColumn<QString>("id");
         QTest::addColumn<FillRule>("rule");
         QTest::addColumn<VariantSet>("variants");
-        for (const char *id : {"column-scan", "row-walk", "column-scan-constant-rate",
-                               "row-walk-constant-rate", "column-scan-bias"}) {
+        for (const char *id :
+             {"column-scan", "row-walk", "column-scan-constant-rate", "row-walk-constant-rate",
+              "column-scan-bias", "interpolate-bilinear", "interpolate-bilinear-rows",
+              "interpolate-plane", "interpolate-barycentric"}) {
             const Method &method = *methodNamed(QString::fromLatin1(id));
             for (const FillRule rule : method.fillRules) {
                 QTest::addRow("%s, %s", id, std::string(nameOf(rule)).c_str())
