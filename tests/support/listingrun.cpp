@@ -83,8 +83,8 @@ bool ListingRun::runLoop(std::size_t line, const QString &text)
         return true;
     }
     return text.startsWith(QStringLiteral("for each "))
-        && (runBox(line, text) || runEdges(text) || runArcs(line, text) || runMetItems(text)
-            || runItems(line, text) || runRange(line, text));
+        && (runBox(line, text) || runEdges(text) || runArcs(line, text) || runTriangles(line, text)
+            || runMetItems(text) || runItems(line, text) || runRange(line, text));
 }
 
 bool ListingRun::runBox(std::size_t line, const QString &text)
@@ -176,7 +176,7 @@ bool ListingRun::runItems(std::size_t line, const QString &text)
         return false;
     m_ends = match.capturedTexts().sliced(1, match.captured(3).isEmpty() ? 2 : 4);
     m_met.clear();
-    for (std::size_t item = 0; item < m_items.size(); ++item) {
+    for (std::size_t item = m_first; item < m_end; ++item) {
         enterItem(item, m_ends);
         if (!match.captured(5).isEmpty() && !m_state.holds(match.captured(5)))
             continue;
@@ -193,6 +193,19 @@ bool ListingRun::runItems(std::size_t line, const QString &text)
         places.push_back(m_state.valueOf(QStringLiteral("x_%1").arg(item)));
     m_state.set(QStringLiteral("min x_k"), std::ranges::min(places));
     m_state.set(QStringLiteral("max x_k"), std::ranges::max(places));
+    return true;
+}
+
+/// The edges come in threes, a triangle's.
+bool ListingRun::runTriangles(std::size_t line, const QString &text)
+{
+    if (text != QStringLiteral("for each triangle, with its three edges:"))
+        return false;
+    for (std::size_t item = 0; item < m_items.size(); item += 3) {
+        m_first = item;
+        m_end = item + 3;
+        runRound(line);
+    }
     return true;
 }
 

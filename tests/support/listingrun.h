@@ -17,6 +17,7 @@ namespace pixelplumb {
 ///   for each arc (a, b) of (A, B) and, if C ≠ D, (B, A):
 ///   for each point (x, y):     for each edge from (x₀, y₀) to (x₁, y₁):     of the primitive
 ///   for each edge k from (x₀, y₀) to (x₁, y₁) with A < y ≤ B:     those where that holds
+///   for each triangle, with its three edges:     loops over edges go through these
 ///   for each edge k of them with x_k ≤ A: …   statements; "them" are those of the loop above;
 ///                                             min x_k and max x_k are of them, too
 ///   while A > 0: …
@@ -46,7 +47,11 @@ public:
     {
     }
     /// The points or edges of a primitive that has many.
-    void setItems(std::vector<Item> items) { m_items = std::move(items); }
+    void setItems(std::vector<Item> items)
+    {
+        m_items = std::move(items);
+        m_end = m_items.size();
+    }
 
     /// Throws ListingFault.
     void run();
@@ -64,6 +69,7 @@ private:
     bool runEdges(const QString &text);
     bool runArcs(std::size_t line, const QString &text);
     bool runItems(std::size_t line, const QString &text);
+    bool runTriangles(std::size_t line, const QString &text);
     bool runMetItems(const QString &text);
     void enterItem(std::size_t item, const QStringList &names);
     void runRound(std::size_t line);
@@ -74,6 +80,7 @@ private:
     SampleBox m_box;
     SetUp m_setUp;
     std::vector<Item> m_items;
+    std::size_t m_first = 0, m_end = 0; ///< those that loops go through: all, or a triangle's
     std::vector<std::size_t> m_met; ///< those that met the last loop's condition
     QStringList m_ends; ///< the names of their coordinates
     bool m_isFirst = false; ///< whether this is the first round of the current loop
