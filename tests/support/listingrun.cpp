@@ -37,6 +37,8 @@ void ListingRun::runSetUp(std::size_t end)
                 runLine(line);
             continue;
         }
+        if (text.startsWith(QStringLiteral("sort the vertices ")))
+            m_state.run(text);
         const QString name = text.section(assigns, 0, 0);
         if (text.contains(QStringLiteral(", else ")) && !name.contains(u' ')
             && !m_state.knows(name))

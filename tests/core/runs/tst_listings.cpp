@@ -89,9 +89,12 @@ private slots:
             scene.settings.fillRule = rule;
             const auto traced = traceScene(scene);
             const SetUpRecord setUp = traced->trace->setUp(0);
-            if (setUp.zeroArea || setUp.rejection)
+            if (setUp.rejection)
                 continue;
-            ListingRun run(pseudocodeOf(*traced, 0), setUpNames(*traced), boxOf(*traced));
+            ListingNames names = setUpNames(*traced);
+            if (setUp.zeroArea)
+                names.merge(vertexNames(scene.triangles.front(), scene.frame));
+            ListingRun run(pseudocodeOf(*traced, 0), names, boxOf(*traced));
             const QString departure = departureOf(run, *traced);
             QVERIFY2(departure.isEmpty(),
                      qPrintable(QStringLiteral("seed %1, triangle %2: %3")
