@@ -46,6 +46,47 @@ Method outlineMethod()
     return method;
 }
 
+/// F(x, y) = B·x² + A·y² − A·b² is 0 on the arc; of equal radii it is divided by r².
+Pseudocode midpointPseudocode()
+{
+    using enum Moment;
+    const VariantSet staying = VariantSet().with(Variant::StayAtZero);
+    return {{0,
+             QStringLiteral("x_c, y_c, r_x, r_y ← ⌊x_c + ½⌋, ⌊y_c + ½⌋, ⌊r_x + ½⌋, ⌊r_y + ½⌋"),
+             {SetUp}},
+            {0, QStringLiteral("if no sample is to be drawn: done"), {Rejected}},
+            {0,
+             QStringLiteral("for each arc (a, b) of (r_x, r_y) and, if r_x ≠ r_y, (r_y, r_x):"),
+             {Begin}},
+            {1,
+             QStringLiteral("A, B ← a², b² if a ≠ b, else 1, 1"),
+             {Begin},
+             {},
+             {{staying,
+               QStringLiteral("A, B, most ← a², b², 0 if a ≠ b, else 1, 1, ¼ — of equal radii a "
+                              "whole number takes p = ¼ for 0")}}},
+            {1,
+             QStringLiteral("for each x from 0 to ⌊a²/√(a² + b²) + ½⌋ if a > 0, else 0:"),
+             {Begin, Stay, Cross}},
+            {2,
+             QStringLiteral("the first: y, p ← b, B + A·(b − ½)² − A·b² — F at the first midpoint"),
+             {Begin}},
+            {2,
+             QStringLiteral("else if p ≤ 0: p ← p + B·(2x + 1) — the midpoint is inside: y stays"),
+             {Stay},
+             {},
+             {{staying, QStringLiteral("else if p ≤ most: p ← p + B·(2x + 1)")}}},
+            {2, QStringLiteral("else:"), {Cross}},
+            {3,
+             QStringLiteral("while p > 0 and y > 0: y, p ← y − 1, p − 2A·(y − 1)"),
+             {Cross},
+             {},
+             {{staying, QStringLiteral("while p > most and y > 0: y, p ← y − 1, p − 2A·(y − 1)")}}},
+            {3, QStringLiteral("p ← p + B·(2x + 1)"), {Cross}},
+            {2, QStringLiteral("if a = r_x: pixel (x_c ± x, y_c ± y) ← colour"), {First, Next}},
+            {2, QStringLiteral("if a = r_y: pixel (x_c ± y, y_c ± x) ← colour"), {First, Next}}};
+}
+
 } // namespace
 
 Method circleExplicitMethod()
@@ -57,11 +98,15 @@ Method circleExplicitMethod()
     method.pseudocode
         = {{0, QStringLiteral("(x_c, y_c), r_x, r_y ← of the shape"), {Moment::SetUp}},
            {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-           {0, QStringLiteral("for each column x of the curve:"), {Moment::Begin, Moment::Span}},
-           {1, QStringLiteral("h ← r_y/r_x·√(r_x² − (x − x_c)²)"), {Moment::Begin, Moment::Span}},
+           {0,
+            QStringLiteral("for each column x from ⌈x_c − r_x⌉ to ⌊x_c + r_x⌋:"),
+            {Moment::Begin, Moment::Span}},
+           {1,
+            QStringLiteral("h ← r_y/r_x·√(r_x² − (x − x_c)²) if r_x > 0, else r_y"),
+            {Moment::Begin, Moment::Span}},
            {1, QStringLiteral("pixel (x, ⌊y_c + h + ½⌋) ← colour"), {Moment::First}},
            {1,
-            QStringLiteral("pixel (x, ⌈y_c − h − ½⌉) ← colour, where it is another one"),
+            QStringLiteral("pixel (x, ⌈y_c − h − ½⌉) ← colour — the same one at the ends"),
             {Moment::Next}}};
     method.summary = QStringLiteral("Computes y = ±√(r² − x²) for each column; there are gaps "
                                     "where the curve is steep.");
@@ -77,11 +122,16 @@ Method circleParametricMethod()
     method.title = QStringLiteral("Circle: (r cos θ, r sin θ)");
     method.source = QStringLiteral("Scan Conversion slides, “Lines and Curves: Parametric”");
     method.pseudocode
-        = {{0, QStringLiteral("Δθ ← 1/r, one pixel of arc"), {Moment::SetUp}},
+        = {{0,
+            QStringLiteral("r ← r_x if r_x ≥ r_y, else r_y; Δθ ← 1/r if r > 0, else 0 — one pixel "
+                           "of arc"),
+            {Moment::SetUp}},
            {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-           {0, QStringLiteral("for i from 0, once around:"), {Moment::Begin, Moment::Span}},
+           {0,
+            QStringLiteral("for each i from 0 to ⌈2π·r⌉ − 1 if r > 0, else 0:"),
+            {Moment::Begin, Moment::Span}},
            {1,
-            QStringLiteral("θ ← i·Δθ, u ← x_c + r_x·cos θ, v ← y_c + r_y·sin θ"),
+            QStringLiteral("θ ← i·Δθ; u, v ← x_c + r_x·cos θ, y_c + r_y·sin θ"),
             {Moment::Begin, Moment::Span}},
            {1, QStringLiteral("pixel (⌊u + ½⌋, ⌊v + ½⌋) ← colour"), {Moment::First}}};
     method.summary = QStringLiteral("Goes round in steps of one pixel of arc and writes the pixel "
@@ -98,28 +148,7 @@ Method circleMidpointMethod()
     method.source = QStringLiteral("Rasterization slides, “Bresenham's Line Algorithm”, "
                                    "“Résumé” (adaptable to circles); Scan Conversion slides, "
                                    "“Lines and Curves: Implicit”");
-    method.pseudocode
-        = {{0, QStringLiteral("round the centre and the radii to whole pixels"), {Moment::SetUp}},
-           {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-           {0,
-            QStringLiteral("the start of an arc: x, y on it, p ← F at the midpoint next to it"),
-            {Moment::Begin}},
-           {0,
-            QStringLiteral("for each x of the arc, with a step before each but the first:"),
-            {Moment::Begin, Moment::Stay, Moment::Cross}},
-           {1,
-            QStringLiteral("if p ≤ 0, the midpoint is inside: y stays"),
-            {Moment::Stay},
-            {},
-            {{VariantSet().with(Variant::StayAtZero),
-              QStringLiteral("if p ≤ 0 (of equal radii p ≤ ¼, which a whole number takes for 0): y "
-                             "stays")}}},
-           {1, QStringLiteral("else: y goes inwards until it is, or y = 0"), {Moment::Cross}},
-           {1,
-            QStringLiteral("p ← F at the next midpoint, by adding Δp"),
-            {Moment::Stay, Moment::Cross}},
-           {1, QStringLiteral("pixel (x_c + x, y_c + y) ← colour"), {Moment::First}},
-           {1, QStringLiteral("its mirror images ← colour"), {Moment::Next}}};
+    method.pseudocode = midpointPseudocode();
     method.summary
         = QStringLiteral("Steps through an octant by the sign of F at midpoints, a "
                          "whole number of quarters, and mirrors each pixel into the other seven; "
@@ -136,15 +165,18 @@ Method circleFillMethod()
     method.title = QStringLiteral("Circle: filled by spans");
     method.source = QStringLiteral("Rasterization slides, “Output Primitives” (also filled); "
                                    "Scan Conversion slides, “Edge Walking”");
-    method.pseudocode
-        = {{0, QStringLiteral("(x_c, y_c), r_x, r_y ← of the shape"), {Moment::SetUp}},
-           {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-           {0, QStringLiteral("for each row y of the shape:"), {Moment::Begin, Moment::Span}},
-           {1,
-            QStringLiteral("x_L, x_R ← where the row meets the curve"),
-            {Moment::Begin, Moment::Span}},
-           {1, QStringLiteral("for each x from ⌈x_L⌉ to ⌊x_R⌋:"), {Moment::First, Moment::Next}},
-           {2, QStringLiteral("pixel (x, y) ← colour"), {Moment::First, Moment::Next}}};
+    method.pseudocode = {
+        {0, QStringLiteral("(x_c, y_c), r_x, r_y ← of the shape"), {Moment::SetUp}},
+        {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+        {0,
+         QStringLiteral("for each row y from ⌈y_c − r_y⌉ to ⌊y_c + r_y⌋:"),
+         {Moment::Begin, Moment::Span}},
+        {1,
+         QStringLiteral("h ← r_x/r_y·√(r_y² − (y − y_c)²) if r_y > 0, else r_x; x_L, x_R ← x_c − "
+                        "h, x_c + h"),
+         {Moment::Begin, Moment::Span}},
+        {1, QStringLiteral("for each x from ⌈x_L⌉ to ⌊x_R⌋:"), {Moment::First, Moment::Next}},
+        {2, QStringLiteral("pixel (x, y) ← colour"), {Moment::First, Moment::Next}}};
     method.summary = QStringLiteral("On each row, writes the samples between the two places where "
                                     "the row meets the curve.");
     method.stableArithmetics = {Arithmetic::Exact};
@@ -194,13 +226,14 @@ Method pointAddressMethod()
     method.pseudocode
         = {{0, QStringLiteral("points ← those of the shape"), {Moment::SetUp}},
            {0, QStringLiteral("if none is in the frame: done"), {Moment::Rejected}},
-           {0, QStringLiteral("for each point:"), {Moment::Begin, Moment::Span}},
-           {1, QStringLiteral("(x, y) ← the nearest pixel"), {Moment::Begin, Moment::Span}},
+           {0, QStringLiteral("for each point (x, y):"), {Moment::Begin, Moment::Span}},
+           {1, QStringLiteral("x, y ← ⌊x + ½⌋, ⌊y + ½⌋"), {Moment::Begin, Moment::Span}},
            {1,
-            QStringLiteral("if it is in the frame: addr ← (y − y₀)·width + (x − x₀) — (x₀, y₀) is "
-                           "the frame's first pixel"),
+            QStringLiteral("if x₀ ≤ x < x₀ + width and y₀ ≤ y < y₀ + height: — (x₀, y₀) is the "
+                           "frame's first pixel"),
             {Moment::Begin, Moment::Span}},
-           {1, QStringLiteral("frame[addr] ← colour"), {Moment::First}}};
+           {2, QStringLiteral("addr ← (y − y₀)·width + (x − x₀)"), {Moment::First}},
+           {2, QStringLiteral("frame[addr] ← colour"), {Moment::First}}};
     method.summary = QStringLiteral("Writes the colour of each point to the address "
                                     "addr = y·width + x, counted from the frame's first pixel.");
     method.kinds = {PrimitiveKind::Point};

@@ -111,6 +111,7 @@ private:
                     QStringLiteral("box ← from (int)(x_min + ½) to (int)(x_max − ½), y likewise, "
                                    "clipped to the frame")}};
         }
+        addOfSegment(0, QStringLiteral("sort the vertices by x: P_l, P_m, P_r"), {SetUp});
         add(0, QStringLiteral("if no sample is to be drawn: done"), {Rejected});
     }
 
@@ -223,12 +224,14 @@ private:
     void addPixel()
     {
         addOfSegment(2,
-                     QStringLiteral("if the segment between the outermost vertices passes through "
-                                    "(x, y), its ends included:"),
+                     QStringLiteral("if x_l ≤ x ≤ x_r; (x_r − x_l)·(y − y_l) = (y_r − y_l)·(x − "
+                                    "x_l); x_l < x_r, or y_l ≤ y ≤ y_r: — the segment passes "
+                                    "through (x, y)"),
                      {First, Next, Refused});
         addOfSegment(3,
-                     QStringLiteral("R ← that of one end to that of the other, as far as (x, y) is "
-                                    "along the segment; G and B likewise"),
+                     QStringLiteral("t ← (x − x_l)/(x_r − x_l) if x_l < x_r, else (y − y_l)/(y_r − "
+                                    "y_l) if y_l < y_r, else 0; R ← R_l + t·(R_r − R_l); G and B "
+                                    "likewise"),
                      {First, Next});
         add(3, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {First, Next});
     }

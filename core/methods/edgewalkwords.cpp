@@ -125,6 +125,8 @@ void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSpanState &state) const
         words.sentence += m_names.filled(QStringLiteral(
             " The bounds are equal, so there is no change to spread between them, and no Δ."));
     words.sentence += departureSentence(state);
+    if (state.start.hasPlane && state.beginsHalf && !state.isFirst)
+        words.moment = Moment::TakeOver;
     if (state.start.hasPlane && state.column.half == ColumnHalf::Second && state.beginsHalf)
         words.event = m_names.filled(
             state.isFirst ? QStringLiteral("the second {half} comes first: L₁₂ and L₀₂")

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/interpolationnames.h"
-#include "core/methods/pseudocode.h"
+#include "core/methods/walklisting.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace pixelplumb {
 
@@ -99,15 +100,67 @@ Pseudocode inLettersOf(InterpolationForm form, Pseudocode code)
     return code;
 }
 
+/// What is linear in x and y: each value itself, or the three weights.
+void addCoefficients(WalkListing &listing, InterpolationForm form)
+{
+    listing.add(0, QStringLiteral("A ← ") + doubledAreaText(), {SetUp}, LineOf::Area);
+    if (form == InterpolationForm::Barycentric) {
+        listing.add(
+            0,
+            QStringLiteral("a_α, b_α, c_α ← (y₁ − y₂)/A, (x₂ − x₁)/A, (x₁·y₂ − x₂·y₁)/A; a_β "
+                           "and a_γ likewise"),
+            {SetUp}, LineOf::Area);
+        return;
+    }
+    const auto change
+        = [](QChar axis) { return planeSlope(axis, QStringLiteral("A")).replace(u'%', u'v'); };
+    listing.add(
+        0,
+        QStringLiteral("for each value v of R, G, B: a_v ← %1; b_v ← %2; c_v ← v₀ − a_v·x₀ − "
+                       "b_v·y₀")
+            .arg(change(u'x'), change(u'y')),
+        {SetUp}, LineOf::Area);
+}
+
+Pseudocode withSamples(Pseudocode code, InterpolationForm form)
+{
+    const std::vector<Moment> samples = {First, Next};
+    const auto add = [&](const QString &text, LineOf of) {
+        code.push_back({.depth = 2, .text = text, .moments = samples, .of = of});
+    };
+    if (form == InterpolationForm::Barycentric) {
+        add(QStringLiteral("α ← a_α·x + b_α·y + c_α; β and γ likewise"), LineOf::Area);
+        add(QStringLiteral("R ← α·R₀ + β·R₁ + γ·R₂; G and B likewise"), LineOf::Area);
+    } else {
+        add(QStringLiteral("for each value v of R, G, B: v ← a_v·x + b_v·y + c_v"), LineOf::Area);
+    }
+    add(QStringLiteral(
+            "t ← (x − x_l)/(x_r − x_l) if x_l < x_r, else (y − y_l)/(y_r − y_l) if y_l < "
+            "y_r, else 0; R ← R_l + t·(R_r − R_l); G and B likewise"),
+        LineOf::Segment);
+    add(QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), LineOf::EveryPrimitive);
+    return code;
+}
+
 } // namespace
 
 Pseudocode interpolationPseudocode(InterpolationForm form)
 {
-    Pseudocode code = columnLines(form);
-    for (const PseudocodeLine &line : valueLines(form))
-        code.push_back(line);
-    code.push_back({2, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {First, Next}});
-    return inLettersOf(form, std::move(code));
+    if (isBilinear(form))
+        return walkPseudocode({.axis = axisOf(form)}, WalkCoverage::Exact);
+    WalkListing listing({.rate = ColourRate::Plane}, WalkCoverage::Exact);
+    listing.addSorting();
+    listing.addSlopes();
+    listing.nameSortedVerticesByLetters();
+    addCoefficients(listing, form);
+    listing.addRejection();
+    WalkListing loops({.rate = ColourRate::Plane}, WalkCoverage::Exact);
+    loops.addSpans();
+    loops.addSamples();
+    loops.nameSortedVerticesByLetters();
+    Pseudocode code = listing.written();
+    std::ranges::move(loops.written(), std::back_inserter(code));
+    return withSamples(std::move(code), form);
 }
 
 Pseudocode shadedPseudocode(InterpolationForm form)

@@ -53,6 +53,8 @@ void tellInterpolation(StepWords &words, const InterpolationSpanState &state,
                        InterpolationForm form)
 {
     words.heading = walkNames(form).heading(state.walk);
+    if (state.walk.start.hasPlane && state.walk.beginsHalf && !state.walk.isFirst)
+        words.moment = Moment::TakeOver;
     if (!isBilinear(form) || state.drawnSamples() == 0 || state.hasRate()
         || !state.walk.start.hasPlane)
         return;

@@ -2,6 +2,9 @@
 #include "core/methods/polygonkernels.h"
 #include "core/methods/polygons.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace pixelplumb {
 
 Method polygonMethod(Method method)
@@ -19,30 +22,59 @@ Method polygonMethod(Method method)
     return method;
 }
 
+namespace {
+
+using enum Moment;
+
+/// What a line says in a frame whose y points down, where down on the screen is towards larger y.
+std::vector<RuledLine> yDown(const QString &text)
+{
+    return {{FillRule::TopLeft, text, FrameOrigin::TopLeft}};
+}
+
+} // namespace
+
+Pseudocode crossingLines(int depth)
+{
+    const auto active = [](const QString &condition) {
+        return QStringLiteral("for each edge k from (x₀, y₀) to (x₁, y₁) with %1: — the active "
+                              "edges")
+            .arg(condition);
+    };
+    return {{depth, QStringLiteral("for each row y from y_first to y_last:"), {Begin, Span}},
+            {depth + 1,
+             active(QStringLiteral("y₀ < y ≤ y₁, or y₁ < y ≤ y₀")),
+             {Begin, Span},
+             {},
+             {},
+             yDown(active(QStringLiteral("y₀ ≤ y < y₁, or y₁ ≤ y < y₀")))},
+            {depth + 2,
+             QStringLiteral("where it begins: x_k ← x₀ + (y − y₀)·(x₁ − x₀)/(y₁ − y₀)"),
+             {Begin, Span}},
+            {depth + 2, QStringLiteral("else: x_k ← x_k + (x₁ − x₀)/(y₁ − y₀)"), {Begin, Span}}};
+}
+
 Pseudocode parityPseudocode()
 {
-    return {{0,
-             QStringLiteral("edge table ← all edges that are not horizontal, by their first row"),
-             {Moment::SetUp}},
-            {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-            {0, QStringLiteral("for each row y that edges cross:"), {Moment::Begin, Moment::Span}},
-            {1,
-             QStringLiteral("active edges ← those that begin here, without those that have ended"),
-             {Moment::Begin, Moment::Span}},
-            {1,
-             QStringLiteral(
-                 "x of each ← from its end of smaller y where it begins, else x + m; sort by x"),
-             {Moment::Begin, Moment::Span}},
-            {1,
-             QStringLiteral("for each sample from the first crossing to the last:"),
-             {Moment::First, Moment::Next, Moment::Refused}},
-            {2,
-             QStringLiteral("c ← the crossings at or to the left of it; p ← c mod 2, w ← downward "
-                            "minus upward ones"),
-             {Moment::First, Moment::Next, Moment::Refused}},
-            {2,
-             QStringLiteral("if p = 1 by even-odd, or w ≠ 0 by non-zero: pixel (x, y) ← colour"),
-             {Moment::First, Moment::Next}}};
+    const std::vector<Moment> samples = {First, Next, Refused};
+    const auto counted = [](QChar sign) {
+        return QStringLiteral("for each edge k of them with x_k ≤ x: c, w ← c + 1, w + 1 if y₁ %1 "
+                              "y₀, else c + 1, w − 1 — w, the winding number, is 1 more where it "
+                              "runs downward")
+            .arg(sign);
+    };
+    Pseudocode code
+        = {{0, QStringLiteral("edges ← those of the contours that are not horizontal"), {SetUp}},
+           {0, QStringLiteral("if no sample is to be drawn: done"), {Rejected}}};
+    std::ranges::move(crossingLines(0), std::back_inserter(code));
+    code.push_back({1, QStringLiteral("for each x from ⌈min x_k⌉ to ⌈max x_k⌉ − 1:"), samples});
+    code.push_back({2, QStringLiteral("c, w ← 0, 0"), samples});
+    code.push_back({2, counted(u'<'), samples, {}, {}, yDown(counted(u'>'))});
+    code.push_back({2,
+                    QStringLiteral("if c mod 2 = 1 by even-odd, or w ≠ 0 by non-zero: pixel (x, y) "
+                                   "← colour"),
+                    {First, Next}});
+    return code;
 }
 
 Method polygonParityMethod()

@@ -22,5 +22,7 @@ Method polygonDelaunayMethod();
 Method polygonMethod(Method method);
 /// The pseudocode of scan conversion by parity, wherever the edges come from.
 Pseudocode parityPseudocode();
+/// The loop over the rows that the edges cross, with the crossings x_k in each.
+Pseudocode crossingLines(int depth);
 
 } // namespace pixelplumb

@@ -2,6 +2,9 @@
 #include "core/methods/polygonkernels.h"
 #include "core/methods/polygons.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace pixelplumb {
 
 namespace {
@@ -15,17 +18,13 @@ Method triangulatingMethod(const QString &triangles)
     method.pseudocode
         = {{0, triangles, {Moment::SetUp}},
            {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-           {0,
-            QStringLiteral("for each triangle, for each row y that its edges cross:"),
-            {Moment::Begin, Moment::Span}},
-           {1,
-            QStringLiteral("x_L, x_R ← where the row meets its edges: by adding m, from the vertex "
-                           "where one begins"),
-            {Moment::Begin, Moment::Span}},
-           {1,
-            QStringLiteral("for each sample from x_L to x_R that the fill rule takes:"),
-            {Moment::First, Moment::Next}},
-           {2, QStringLiteral("pixel (x, y) ← colour"), {Moment::First, Moment::Next}}};
+           {0, QStringLiteral("for each triangle, with its three edges:"), {Moment::Begin}}};
+    std::ranges::move(crossingLines(1), std::back_inserter(method.pseudocode));
+    method.pseudocode.push_back({2,
+                                 QStringLiteral("for each x from ⌈min x_k⌉ to ⌈max x_k⌉ − 1:"),
+                                 {Moment::First, Moment::Next}});
+    method.pseudocode.push_back(
+        {3, QStringLiteral("pixel (x, y) ← colour"), {Moment::First, Moment::Next}});
     return method;
 }
 

@@ -3,11 +3,11 @@
 
 namespace pixelplumb {
 
-Pseudocode underRule(Pseudocode code, FillRule rule)
+Pseudocode underRule(Pseudocode code, FillRule rule, FrameOrigin origin)
 {
     for (PseudocodeLine &line : code) {
         for (const RuledLine &ruled : line.ruled) {
-            if (ruled.rule == rule)
+            if (ruled.rule == rule && ruled.origin.value_or(origin) == origin)
                 line.text = ruled.text;
         }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/frame/framespec.h"
 #include "core/geometry/appearance.h"
 #include "core/geometry/effect.h"
 #include "core/methods/edgewalkform.h"
@@ -25,6 +26,7 @@ struct VariedLine {
 struct RuledLine {
     FillRule rule = FillRule::Closed;
     QString text;
+    std::optional<FrameOrigin> origin = {}; ///< only in frames whose y points that way
 };
 
 /// Which primitives execute a line: a triangle without area is drawn as its segment.
@@ -45,7 +47,7 @@ struct PseudocodeLine {
 using Pseudocode = std::vector<PseudocodeLine>;
 
 /// The lines as they read under a rule.
-Pseudocode underRule(Pseudocode code, FillRule rule);
+Pseudocode underRule(Pseudocode code, FillRule rule, FrameOrigin origin = FrameOrigin::BottomLeft);
 /// Drops the lines of primitives of the other kind.
 Pseudocode linesOf(LineOf kind, Pseudocode code);
 

@@ -48,6 +48,15 @@ bool isSegment(const ScanTrace &trace, std::size_t primitive)
     return primitive < trace.primitiveCount() && trace.setUp(primitive).zeroArea;
 }
 
+/// A triangle without area has no edges that could depart, but a box.
+VariantSet variantsFor(const TracedScene &traced, std::size_t primitive)
+{
+    const VariantSet all = traced.scene.settings.variants;
+    return isSegment(*traced.trace, primitive)
+        ? VariantSet{all.bits & VariantSet().with(Variant::RoundedBox).bits}
+        : all;
+}
+
 /// Adds the line that lights the vertices before anything is scanned.
 Pseudocode litCode(Pseudocode code, const TracedScene &traced)
 {
@@ -83,8 +92,8 @@ Pseudocode pseudocodeOf(const TracedScene &traced, std::size_t primitive)
         return litCode(
             underRule(
                 linesOf(isSegment(*traced.trace, primitive) ? LineOf::Segment : LineOf::Area,
-                        variedCode(traced.method->pseudocode, traced.scene.settings.variants)),
-                traced.scene.settings.fillRule),
+                        variedCode(traced.method->pseudocode, variantsFor(traced, primitive))),
+                traced.scene.settings.fillRule, traced.scene.frame.origin),
             traced);
     const EffectSet effects = effectsOf(*traced.plan, primitive);
     Pseudocode code = traced.method->shadedPseudocode;

@@ -14,6 +14,7 @@ enum class Moment {
     Rejected, ///< the set-up found nothing to draw
     Begin, ///< the first span of a primitive or of a part of it
     Span, ///< a later span
+    TakeOver, ///< a later span, where one edge takes over from another
     Stay, ///< a later span, where the decision steps along the axis only
     Cross, ///< a later span, where the decision also steps across
     Halve, ///< a piece that is halved instead of drawn

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/listinglanguage.h"
 
-#include <algorithm>
-#include <array>
-#include <vector>
+#include <cmath>
 
 namespace pixelplumb {
 
@@ -11,87 +9,22 @@ namespace {
 
 using Number = BigRational;
 
-const QString likewise = QStringLiteral(" likewise");
-
-bool belongsToName(QChar character)
-{
-    const char16_t code = character.unicode();
-    const bool isSubscript
-        = (code >= 0x2080 && code <= 0x209C) || (code >= 0x1D62 && code <= 0x1D6A);
-    return character.isLetterOrNumber() || character == u'_' || isSubscript;
-}
-
-/// Replaces one of three names by the next one: "bc" → "ca".
-struct Cycle {
-    std::array<QString, 3> each;
-    QString before, after; ///< what must surround the name; an empty `after` means the name's end
-
-    qsizetype stepAt(const QString &text, qsizetype place, QString &result) const
-    {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const QString whole = before + each[i] + after;
-            if (!QStringView(text).sliced(place).startsWith(whole))
-                continue;
-            const qsizetype end = place + whole.size();
-            const bool ends = !after.isEmpty() || end == text.size() || !belongsToName(text[end]);
-            if (!before.isEmpty() && !ends)
-                continue;
-            result += before + each[(i + 1) % 3] + after;
-            return whole.size();
-        }
-        return 0;
-    }
-};
-
-QString turned(const QString &text, const std::vector<Cycle> &cycles)
-{
-    QString result;
-    for (qsizetype place = 0; place < text.size();) {
-        qsizetype taken = 0;
-        for (const Cycle &cycle : cycles) {
-            if ((taken = cycle.stepAt(text, place, result)) > 0)
-                break;
-        }
-        if (taken == 0)
-            result += text[place];
-        place += std::max<qsizetype>(taken, 1);
-    }
-    return result;
-}
-
-/// The text with the next edge, its vertices and the weight of the opposite vertex.
-QString nextEdge(const QString &text)
-{
-    const QString none, bar = QStringLiteral("_"), open = QStringLiteral("("),
-                        close = QStringLiteral(")");
-    return turned(text,
-                  {{{QStringLiteral("bc"), QStringLiteral("ca"), QStringLiteral("ab")}, bar, none},
-                   {{QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")}, bar, none},
-                   {{QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")}, open, close},
-                   {{QStringLiteral("₀"), QStringLiteral("₁"), QStringLiteral("₂")}, none, none},
-                   {{QStringLiteral("α"), QStringLiteral("β"), QStringLiteral("γ")}, none, none}});
-}
-
-/// The text with the next channel: R, R_a, R₀, ΔR_x.
-QString nextChannel(const QString &text)
-{
-    const QString letters = QStringLiteral("RGB");
-    QString result = text;
-    for (qsizetype place = 0; place < text.size(); ++place) {
-        const qsizetype channel = letters.indexOf(text[place]);
-        const bool begins
-            = place == 0 || text[place - 1] == u'Δ' || !belongsToName(text[place - 1]);
-        if (channel >= 0 && begins)
-            result[place] = letters[(channel + 1) % 3];
-    }
-    return result;
-}
-
 Number floorOf(const Number &value)
 {
     const BigInteger top = numerator(value), bottom = denominator(value);
     const BigInteger whole = top / bottom; // towards 0
     return Number(top < 0 && whole * bottom != top ? BigInteger(whole - 1) : whole);
+}
+
+/// Exact where the root is a fraction; else down to 2⁻⁶⁴.
+Number rootOf(const Number &value)
+{
+    const auto root = [](const BigInteger &whole) { return BigInteger(sqrt(whole)); };
+    const Number exact(root(numerator(value)), root(denominator(value)));
+    if (exact * exact == value)
+        return exact;
+    const Number scale(BigInteger(1) << 64);
+    return Number(root(BigInteger(numerator(floorOf(value * scale * scale))))) / scale;
 }
 
 /// Reads an expression from left to right.
@@ -142,6 +75,9 @@ private:
                 if (divisor == 0)
                     throw ListingFault(QStringLiteral("divides by 0: ") + m_text);
                 value /= divisor;
+            } else if (takes(QStringLiteral(" mod "))) {
+                const Number divisor = factor();
+                value -= divisor * floorOf(value / divisor);
             } else {
                 return value;
             }
@@ -151,6 +87,17 @@ private:
     {
         if (takes(QStringLiteral("−")))
             return -factor();
+        if (takes(QStringLiteral("cos ")))
+            return Number(std::cos(factor().convert_to<double>()));
+        if (takes(QStringLiteral("sin ")))
+            return Number(std::sin(factor().convert_to<double>()));
+        if (takes(QStringLiteral("√")))
+            return rootOf(factor());
+        const Number value = plainFactor();
+        return takes(QStringLiteral("²")) ? Number(value * value) : value;
+    }
+    Number plainFactor()
+    {
         if (takes(QStringLiteral("(int)("))) {
             const Number value = upTo(QStringLiteral(")"));
             return value < 0 ? -floorOf(-value) : floorOf(value);
@@ -167,6 +114,8 @@ private:
         }
         if (takes(QStringLiteral("½")))
             return Number(1, 2);
+        if (takes(QStringLiteral("¼")))
+            return Number(1, 4);
         const qsizetype first = m_place;
         while (m_place < m_text.size() && m_text[m_place] >= u'0' && m_text[m_place] <= u'9')
             ++m_place;
@@ -187,12 +136,14 @@ private:
     Number named()
     {
         const std::pair<const QString, Number> *longest = nullptr;
-        for (const auto &entry : m_names) {
-            const qsizetype end = m_place + entry.first.size();
-            if (QStringView(m_text).sliced(m_place).startsWith(entry.first)
+        const QString begin = m_text.mid(m_place, 1);
+        for (auto entry = m_names.lower_bound(begin);
+             entry != m_names.end() && entry->first.startsWith(begin); ++entry) {
+            const qsizetype end = m_place + entry->first.size();
+            if (QStringView(m_text).sliced(m_place).startsWith(entry->first)
                 && (end == m_text.size() || !belongsToName(m_text[end]))
-                && (!longest || entry.first.size() > longest->first.size()))
-                longest = &entry;
+                && (!longest || entry->first.size() > longest->first.size()))
+                longest = &*entry;
         }
         if (!longest)
             throw ListingFault(
@@ -208,29 +159,12 @@ private:
 
 } // namespace
 
-QStringList spelledOut(const QString &text)
+bool belongsToName(QChar character)
 {
-    QStringList parts;
-    for (const QString &part : text.split(QStringLiteral("; "))) {
-        if (!part.endsWith(likewise)) {
-            parts.append(part);
-            continue;
-        }
-        if (parts.isEmpty())
-            throw ListingFault(QStringLiteral("like what: ") + text);
-        const QString pattern = parts.constLast();
-        const QStringList names = part.chopped(likewise.size()).split(QStringLiteral(" and "));
-        QString edge = pattern, channel = pattern;
-        for (const QString &name : names) {
-            edge = nextEdge(edge);
-            channel = nextChannel(channel);
-            const bool isEdge = edge != pattern && edge.contains(name);
-            if (!isEdge && (channel == pattern || !channel.contains(name)))
-                throw ListingFault(QStringLiteral("no “%1” in: %2").arg(name, text));
-            parts.append(isEdge ? edge : channel);
-        }
-    }
-    return parts;
+    const char16_t code = character.unicode();
+    const bool isSubscript
+        = (code >= 0x2080 && code <= 0x209C) || (code >= 0x1D62 && code <= 0x1D6A);
+    return (character.isLetterOrNumber() && character != u'²') || character == u'_' || isSubscript;
 }
 
 BigRational valueOf(const QString &expression, const ListingNames &names)

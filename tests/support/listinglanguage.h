@@ -11,6 +11,9 @@
 /// The words and expressions of listings that the tests run.
 namespace pixelplumb {
 
+/// Between a name and its new value.
+inline const QString assigns = QStringLiteral(" ← ");
+
 /// A line of pseudocode that cannot be read, or that uses a name without a value.
 struct ListingFault : std::runtime_error {
     explicit ListingFault(const QString &what)
@@ -22,12 +25,20 @@ struct ListingFault : std::runtime_error {
 /// The current values of the names.
 using ListingNames = std::map<QString, BigRational>;
 
+/// Whether a character goes on with a name.
+bool belongsToName(QChar character);
+
 /// Splits "A ← B; C and D likewise" into three statements; conditions likewise. "likewise" advances
-/// ₀ ₁ ₂, bc ca ab, a b c and α β γ by one, or R G B.
+/// ₀ ₁ ₂, bc ca ab, a b c and α β γ by one, or R G B; of a coordinate along an edge, y₀₂ and m₀₂,
+/// it makes R₀₂ and δR₀₂.
 QStringList spelledOut(const QString &text);
 
-/// The value of an expression of + − · / ( ), ⌊ ⌋, ⌈ ⌉, | |, (int)( ), whole numbers, ½ and names;
-/// 2Δy is 2·Δy.
+/// The value of an expression of + − · / mod ( ), ⌊ ⌋, ⌈ ⌉, | |, √, ², cos, sin, (int)( ), whole
+/// numbers, ½, ¼ and names; 2Δy is 2·Δy.
 BigRational valueOf(const QString &expression, const ListingNames &names);
+
+/// Whether a condition holds: "A > 0, or A = 0 and B > 0; C and D likewise", "0 ≤ A ≤ 1",
+/// "A = 1 by even-odd, or B ≠ 0 by non-zero", where the name after "by" has a value if it is asked.
+bool holds(const QString &condition, const ListingNames &names);
 
 } // namespace pixelplumb

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/walklisting.h"
+
+namespace pixelplumb {
+
+namespace {
+
+using enum Moment;
+
+const QString longEdge = QStringLiteral("₀₂"), shortEdge = QStringLiteral("_ij");
+
+} // namespace
+
+void WalkListing::add(int depth, const QString &text, const std::vector<Moment> &moments, LineOf of)
+{
+    m_code.push_back({.depth = depth, .text = text, .moments = moments, .of = of});
+}
+
+void WalkListing::addVaried(int depth, const QString &text, const std::vector<Moment> &moments,
+                            const std::vector<VariedLine> &varied, LineOf of)
+{
+    add(depth, text, moments, of);
+    m_code.back().varied = varied;
+}
+
+/// What the last line says under the rules that are not closed.
+template <class Text>
+void WalkListing::addRules(const Text &text)
+{
+    for (const FillRule rule : {FillRule::HalfOpenColumn, FillRule::TopLeft, FillRule::Open})
+        for (const FrameOrigin origin : {FrameOrigin::BottomLeft, FrameOrigin::TopLeft})
+            m_code.back().ruled.push_back({rule, text(rule, origin), origin});
+}
+
+Pseudocode WalkListing::written()
+{
+    for (PseudocodeLine &line : m_code) {
+        line.text = m_names.filled(line.text);
+        for (VariedLine &varied : line.varied)
+            varied.text = m_names.filled(varied.text);
+        for (RuledLine &ruled : line.ruled)
+            ruled.text = m_names.filled(ruled.text);
+    }
+    return std::move(m_code);
+}
+
+void WalkListing::nameSortedVerticesByLetters()
+{
+    const auto named = [](QString &text) {
+        constexpr std::array<QChar, 3> letters = {u'l', u'm', u'r'};
+        for (const SortedEdge edge : sortedEdges) {
+            const auto &ends = sortedEdgeEnds[std::size_t(edge)];
+            text.replace(subscriptOf(edge),
+                         QStringLiteral("_%1%2").arg(letters[ends[0]]).arg(letters[ends[1]]));
+        }
+        for (std::size_t vertex = 0; vertex < 3; ++vertex)
+            text.replace(vertexDigits[vertex], QStringLiteral("_%1").arg(letters[vertex]));
+    };
+    for (PseudocodeLine &line : m_code) {
+        named(line.text);
+        for (RuledLine &ruled : line.ruled)
+            named(ruled.text);
+    }
+}
+
+void WalkListing::addSorting()
+{
+    const QString sorted = isRow()
+        ? QStringLiteral("sort the vertices by y, the largest first: P₀, P₁, P₂")
+        : QStringLiteral("sort the vertices by x: P₀, P₁, P₂");
+    addVaried(0, sorted, {SetUp},
+              {{VariantSet().with(Variant::UnsortedColours),
+                sorted + QStringLiteral("; R, G, B stay in the order given")}});
+}
+
+void WalkListing::addSlopes()
+{
+    const VariantSet minus = VariantSet().with(Variant::DivisorMinusOne),
+                     plus = VariantSet().with(Variant::DivisorPlusOne);
+    const auto text = [this](const QString &change, const QString &less) {
+        return slope(change, less)
+            + (carriesColours() ? QStringLiteral("; δR_ij, δG_ij and δB_ij likewise") : QString());
+    };
+    addVaried(0, text({}, {}), {SetUp},
+              {{minus, text(QStringLiteral(" − 1"), QStringLiteral(" − 1"))},
+               {plus, text(QStringLiteral(" + 1"), {})},
+               {VariantSet{minus.bits | plus.bits}, text({}, {})}});
+}
+
+QString WalkListing::slope(const QString &change, const QString &less) const
+{
+    const QString width = isRow() ? QStringLiteral("y_i − y_j") : QStringLiteral("x_j − x_i");
+    const QString exists = isRow() ? QStringLiteral("y_j < y_i") : QStringLiteral("x_i < x_j");
+    return QStringLiteral("for each edge L_ij of L₀₁, L₁₂, L₀₂: m_ij ← ({a}_j − {a}_i)/(%1) if "
+                          "%2, else 0")
+        .arg(width + change, exists + less);
+}
+
+void WalkListing::addRejection()
+{
+    add(0, QStringLiteral("if no sample is to be drawn: done"), {Rejected});
+}
+
+/// "⌈x₀⌉ to ⌊x₂⌋": the spans that the rule takes. Rows go from the largest y down.
+QString WalkListing::spans(FillRule rule, FrameOrigin origin) const
+{
+    const bool isTopDown = isRow() && origin == FrameOrigin::TopLeft && rule == FillRule::TopLeft;
+    const bool ownsFirst = rule != FillRule::Open && !isTopDown;
+    const bool ownsLast = rule == FillRule::Closed || isTopDown;
+    if (isRow())
+        return (ownsFirst ? QStringLiteral("⌊y₀⌋") : QStringLiteral("⌈y₀⌉ − 1"))
+            + QStringLiteral(" down to ")
+            + (ownsLast ? QStringLiteral("⌈y₂⌉") : QStringLiteral("⌊y₂⌋ + 1"));
+    return (ownsFirst ? QStringLiteral("⌈x₀⌉") : QStringLiteral("⌊x₀⌋ + 1"))
+        + QStringLiteral(" to ") + (ownsLast ? QStringLiteral("⌊x₂⌋") : QStringLiteral("⌈x₂⌉ − 1"));
+}
+
+void WalkListing::addSpans()
+{
+    const auto text = [this](FillRule rule, FrameOrigin origin) {
+        return QStringLiteral("for each {span} {c} from %1:").arg(spans(rule, origin));
+    };
+    add(0, text(FillRule::Closed, FrameOrigin::BottomLeft), everySpan);
+    addRules(text);
+    addBounds();
+    addOrder();
+}
+
+/// How far the span is from a vertex, which is 0 or i.
+QString WalkListing::way(const QString &vertex) const
+{
+    return (isRow() ? QStringLiteral("({c}%1 − {c})") : QStringLiteral("({c} − {c}%1)"))
+        .arg(vertex);
+}
+
+QString WalkListing::alike() const
+{
+    return carriesColours() ? QStringLiteral("; R, G and B likewise") : QString();
+}
+
+QString WalkListing::fromVertex(const QString &edge, const QString &vertex,
+                                const QString &way) const
+{
+    return QStringLiteral("{a}%1 ← {a}%2 + %3·m%1").arg(edge, vertex, way) + alike();
+}
+
+QString WalkListing::added(const QString &edge) const
+{
+    return QStringLiteral("else: {a}%1 ← {a}%1 + m%1").arg(edge) + alike();
+}
+
+void WalkListing::addBounds()
+{
+    const QString chosen = isRow() ? QStringLiteral("L_ij ← L₀₁ if y > y₁, else L₁₂")
+                                   : QStringLiteral("L_ij ← L₀₁ if x < x₁, else L₁₂");
+    const QString first = QStringLiteral("₀"), either = QStringLiteral("_i");
+    if (isDirect()) {
+        add(1, fromVertex(longEdge, first, way(first)), everySpan);
+        add(1, chosen, everySpan, LineOf::Area);
+        add(1, fromVertex(shortEdge, either, way(either)), everySpan, LineOf::Area);
+        return;
+    }
+    addBeginning(QStringLiteral("the first: "), longEdge, first, {Begin}, LineOf::EveryPrimitive);
+    add(1, added(longEdge), {TakeOver, Span});
+    add(1, chosen, everySpan, LineOf::Area);
+    addBeginning(QStringLiteral("where it begins: "), shortEdge, either, {Begin, TakeOver},
+                 LineOf::Area);
+    add(1, added(shortEdge), {Span}, LineOf::Area);
+}
+
+/// Adds the line for an edge's first span; without a pre-step it starts as if its vertex were on a
+/// span.
+void WalkListing::addBeginning(const QString &where, const QString &edge, const QString &vertex,
+                               const std::vector<Moment> &moments, LineOf of)
+{
+    const QString whole = isRow() ? QStringLiteral("(⌊y%1⌋ − y)") : QStringLiteral("(x − ⌈x%1⌉)");
+    addVaried(1, where + fromVertex(edge, vertex, way(vertex)), moments,
+              {{VariantSet().with(Variant::NoEdgePreStep),
+                where + fromVertex(edge, vertex, whole.arg(vertex))}},
+              of);
+}
+
+QString WalkListing::ordered(const QString &condition) const
+{
+    return QStringLiteral("{a}_{lo}, {a}_{hi} ← {a}_ij, {a}₀₂ if %1, else {a}₀₂, {a}_ij")
+               .arg(condition)
+        + alike();
+}
+
+/// Top-left looks at the edges of a column, so that their slopes are told apart, too. At P₀, where
+/// the bounds are equal, the slopes tell which edge is the lower one.
+QString WalkListing::orderedWithSlopes() const
+{
+    return QStringLiteral("y_B, y_T, m_B, m_T ← y_ij, y₀₂, m_ij, m₀₂ if y_ij < y₀₂, or y_ij = y₀₂ "
+                          "and m_ij < m₀₂, else y₀₂, y_ij, m₀₂, m_ij")
+        + alike();
+}
+
+/// Tells the two bounds apart. Only the closed rule draws where rounding or a variant takes the
+/// edges past each other.
+void WalkListing::addOrder()
+{
+    const QString compared = QStringLiteral("{a}_ij ≤ {a}₀₂");
+    const QString area
+        = QStringLiteral(" — A is twice the area, above 0 where L₀₂ has the larger {a}");
+    add(1, ordered(compared), everySpan, LineOf::Area);
+    for (const Variant variant :
+         {Variant::NoEdgePreStep, Variant::DivisorMinusOne, Variant::DivisorPlusOne})
+        m_code.back().varied.push_back(
+            {VariantSet().with(variant),
+             ordered(QStringLiteral("{a}_ij < {a}₀₂, or {a}_ij = {a}₀₂ and A > 0")) + area});
+    addRules([&](FillRule rule, FrameOrigin) {
+        if (isExact() && !isRow() && rule == FillRule::TopLeft)
+            return orderedWithSlopes();
+        return isExact() ? ordered(compared) : ordered(QStringLiteral("A > 0")) + area;
+    });
+    add(1,
+        QStringLiteral("{a}_{lo}, {a}_{hi} ← {a}₀, {a}₂ if {c}₀ = {c}₂, else {a}₀₂, {a}₀₂")
+            + alike(),
+        everySpan, LineOf::Segment);
+    if (!isDirect())
+        return;
+    add(1, QStringLiteral("β_B, β_T ← β_ij, β₀₂ if %1, else β₀₂, β_ij").arg(compared), everySpan,
+        LineOf::Area);
+    add(1, QStringLiteral("β_B, β_T ← β₀₂, β₀₂"), everySpan, LineOf::Segment);
+}
+
+void WalkListing::addSamples()
+{
+    const auto text = [this](FillRule rule, FrameOrigin origin) {
+        return QStringLiteral("for each {across} {a} from %1:").arg(samples(rule, origin));
+    };
+    add(1, text(FillRule::Closed, FrameOrigin::BottomLeft), {First, Next});
+    addRules(text);
+}
+
+/// "⌈y_B⌉ to ⌊y_T⌋": the samples that the rule takes, each bound moved by its bias. Displaced to
+/// the right, a sample on a falling edge lies above it, on a rising one below; on a level one the
+/// smaller displacement decides, down on the screen.
+QString WalkListing::samples(FillRule rule, FrameOrigin origin) const
+{
+    if (rule == FillRule::TopLeft && !isRow())
+        return QStringLiteral(
+                   "⌈y_B⌉ if m_B %1 0, else ⌊y_B⌋ + 1 to ⌊y_T⌋ if m_T %2 0, else ⌈y_T⌉ − "
+                   "1")
+            .arg(origin == FrameOrigin::TopLeft ? QChar(u'≤') : QChar(u'<'))
+            .arg(origin == FrameOrigin::TopLeft ? QChar(u'>') : QChar(u'≥'));
+    const Interval interval = columnIntervals(rule).rows;
+    return m_names.biased(m_names.coveredSample(SpanBound::Lower, interval))
+        + QStringLiteral(" to ")
+        + m_names.biased(m_names.coveredSample(SpanBound::Upper, interval));
+}
+
+} // namespace pixelplumb

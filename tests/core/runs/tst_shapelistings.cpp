@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/polygons/contours.h"
+#include "core/polygons/curvechords.h"
+#include "core/runs/stepmoment.h"
+#include "core/scan/choicenames.h"
+#include "core/scan/polygonpieces.h"
+#include "tests/support/framespec.h"
+#include "tests/support/listingscenes.h"
+#include "tests/support/shapes.h"
+#include "tests/support/testprogram.h"
+
+#include <QTest>
+
+#include <numbers>
+
+namespace tst_shapelistings {
+
+using namespace pixelplumb;
+
+namespace {
+
+constexpr unsigned seed = 17;
+
+BigRational inPixels(Lattice units) { return BigRational(units, unitsPerPixel); }
+
+/// Random places of shapes in and around a small frame: on whole pixels, on halves, between them.
+class Places {
+public:
+    explicit Places(int number)
+        : m_step(number % 3 == 0       ? unitsPerPixel
+                     : number % 3 == 1 ? unitsPerPixel / 2
+                                       : 37)
+    {
+    }
+
+    Lattice between(std::int64_t first, std::int64_t last, std::mt19937 &random) const
+    {
+        std::uniform_int_distribution<Lattice> place(first * unitsPerPixel / m_step,
+                                                     last * unitsPerPixel / m_step);
+        return place(random) * m_step;
+    }
+    LatticePoint point(std::mt19937 &random) const
+    {
+        const Lattice x = between(-4, 17, random);
+        return {x, between(-4, 17, random)};
+    }
+
+private:
+    Lattice m_step;
+};
+
+FrameSpec frameFor(int number)
+{
+    FrameSpec frame = number % 4 == 3 ? frameOf(9, 7, 2, 1)
+        : number % 4 == 1             ? frameOf(14, 13, -3, -5)
+                                      : frameOf(14, 13);
+    frame.origin = number % 5 == 4 ? FrameOrigin::TopLeft : FrameOrigin::BottomLeft;
+    return frame;
+}
+
+void setColour(ListingNames &names, const Colour &colour)
+{
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        names[QStringLiteral("colour ") + QString(channelLetters[channel])]
+            = colour.channels[channel];
+}
+
+/// A circle or an ellipse, often smaller than a pixel or wider than the frame.
+Shape oddRound(int number, std::mt19937 &random)
+{
+    const Places places(number);
+    const std::int64_t largest = number % 7 == 0 ? 1 : number % 7 == 1 ? 25 : 7;
+    const Lattice radius = places.between(0, largest, random);
+    const LatticePoint centre = places.point(random);
+    return ellipseAtUnits(centre, radius,
+                          number % 2 == 0 ? radius : places.between(0, largest, random));
+}
+
+/// A polygon of one or two contours that often cross themselves and each other, with ties, level
+/// and upright edges and vertices that coincide.
+Shape oddPolygon(int number, std::mt19937 &random, ShapeFill fill)
+{
+    const Places places(number);
+    Shape polygon;
+    polygon.kind = PrimitiveKind::Polygon;
+    polygon.fill = fill;
+    const int count = 3 + number % 6;
+    for (int i = 0; i < count; ++i) {
+        LatticePoint point = places.point(random);
+        if (i > 0 && number % 4 == 1)
+            point.y = polygon.vertices.back().position.y;
+        if (i > 0 && number % 4 == 2)
+            point.x = polygon.vertices.back().position.x;
+        polygon.vertices.push_back({point, {{200, 100, 50}}});
+    }
+    return polygon;
+}
+
+/// A quadratic or a cubic curve, closed by a straight edge.
+Shape oddPath(int number, std::mt19937 &random, ShapeFill fill)
+{
+    const Places places(number);
+    std::vector<LatticePoint> controls;
+    for (int i = 0; i < 3 + number % 2; ++i)
+        controls.push_back(places.point(random));
+    Shape path = bezierAt(controls);
+    path.fill = fill;
+    return path;
+}
+
+std::vector<ListingRun::Item> itemsOf(const std::vector<ContourEdge> &edges)
+{
+    std::vector<ListingRun::Item> items;
+    for (const ContourEdge &edge : edges)
+        items.push_back({inPixels(edge.from.x), inPixels(edge.from.y), inPixels(edge.to.x),
+                         inPixels(edge.to.y)});
+    return items;
+}
+
+QString message(int number, const QString &departure)
+{
+    return departure.isEmpty()
+        ? departure
+        : QStringLiteral("seed %1, shape %2: %3").arg(seed).arg(number).arg(departure);
+}
+
+} // namespace
+
+/// The printed pseudocode of circles, polygons and points is executed and compared with their
+/// kernels.
+class TestShapeListings : public QObject {
+    Q_OBJECT
+
+private slots:
+    void listingsOfCirclesDrawWhatTheirKernelsDraw_data()
+    {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<VariantSet>("variants");
+        for (const char *id :
+             {"circle-midpoint", "circle-explicit", "circle-parametric", "circle-fill"})
+            QTest::newRow(id) << QString::fromLatin1(id) << VariantSet();
+        QTest::newRow("circle-midpoint, stay-at-zero")
+            << QStringLiteral("circle-midpoint") << VariantSet().with(Variant::StayAtZero);
+    }
+    void listingsOfCirclesDrawWhatTheirKernelsDraw()
+    {
+        QFETCH(QString, id);
+        QFETCH(VariantSet, variants);
+        std::mt19937 random(seed);
+        std::size_t drawn = 0;
+        for (int i = 0; i < 300; ++i) {
+            Shape round = oddRound(i, random);
+            if (id == QStringLiteral("circle-fill"))
+                round.fill = ShapeFill::EvenOdd;
+            Scene scene = sceneOf(round, qPrintable(id), frameFor(i));
+            scene.settings.variants = variants;
+            const auto traced = traceScene(scene);
+            const LatticePoint centre = round.vertices[0].position;
+            const LatticePoint corner = round.vertices[1].position;
+            ListingNames names = {{QStringLiteral("x_c"), inPixels(centre.x)},
+                                  {QStringLiteral("y_c"), inPixels(centre.y)},
+                                  {QStringLiteral("r_x"), inPixels(corner.x - centre.x)},
+                                  {QStringLiteral("r_y"), inPixels(corner.y - centre.y)},
+                                  {QStringLiteral("π"), BigRational(std::numbers::pi)}};
+            setColour(names, round.vertices[0].colour);
+            ListingRun run(pseudocodeOf(*traced, 0), names, frameBox(scene.frame),
+                           ListingRun::SetUp::Run);
+            const QString departure = message(i, departureOf(run, *traced));
+            QVERIFY2(departure.isEmpty(), qPrintable(nameOf(round) + departure));
+            drawn += run.pixels().size();
+        }
+        QVERIFY(drawn > 500);
+    }
+
+    void listingsOfPolygonsDrawWhatTheirKernelsDraw_data()
+    {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<ShapeFill>("fill");
+        QTest::newRow("parity") << QStringLiteral("polygon-parity") << ShapeFill::EvenOdd;
+        QTest::newRow("winding") << QStringLiteral("polygon-parity") << ShapeFill::NonZero;
+        for (const char *id : {"polygon-fan", "polygon-delaunay", "polygon-tessellation"})
+            QTest::newRow(id) << QString::fromLatin1(id) << ShapeFill::EvenOdd;
+        QTest::newRow("Bézier, parity") << QStringLiteral("bezier-fill") << ShapeFill::EvenOdd;
+        QTest::newRow("Bézier, winding") << QStringLiteral("bezier-fill") << ShapeFill::NonZero;
+        QTest::newRow("outline") << QStringLiteral("polygon-outline") << ShapeFill::Outline;
+    }
+    void listingsOfPolygonsDrawWhatTheirKernelsDraw()
+    {
+        QFETCH(QString, id);
+        QFETCH(ShapeFill, fill);
+        std::mt19937 random(seed);
+        std::size_t drawn = 0;
+        for (int i = 0; i < 200; ++i) {
+            const bool isCurve = id == QStringLiteral("bezier-fill");
+            const Shape polygon = isCurve ? oddPath(i, random, fill) : oddPolygon(i, random, fill);
+            const Scene scene = sceneOf(polygon, qPrintable(id), frameFor(i));
+            const auto traced = traceScene(scene);
+            if (traced->trace->setUp(0).rejection)
+                continue; // fans are of convex polygons, Delaunay's of those that do not cross
+            ListingNames names = setUpNames(*traced);
+            names[fill == ShapeFill::NonZero ? QStringLiteral("non-zero")
+                                             : QStringLiteral("even-odd")]
+                = 1;
+            setColour(names, polygon.vertices[0].colour);
+            ListingRun run(pseudocodeOf(*traced, 0), names, frameBox(scene.frame));
+            const Contours contours = contoursOf(isCurve ? chordsOf(polygon) : polygon);
+            if (id == QStringLiteral("polygon-fan"))
+                run.setItems(itemsOf(edgesOf(fanOf(contours))));
+            else if (id == QStringLiteral("polygon-delaunay"))
+                run.setItems(itemsOf(edgesOf(delaunayOf(contours))));
+            else if (id == QStringLiteral("polygon-tessellation"))
+                run.setItems(itemsOf(edgesOf(tessellationOf(contours))));
+            else
+                run.setItems(itemsOf(contours.edges));
+            const QString departure = message(i, departureOf(run, *traced));
+            QVERIFY2(departure.isEmpty(), qPrintable(nameOf(polygon) + departure));
+            drawn += run.pixels().size();
+        }
+        QVERIFY(drawn > 300);
+    }
+
+    void theListingOfPointsDrawsWhatItsKernelDraws()
+    {
+        std::mt19937 random(seed);
+        for (int i = 0; i < 200; ++i) {
+            Shape points;
+            points.kind = PrimitiveKind::Point;
+            std::vector<ListingRun::Item> items;
+            for (int point = 0; point < 1 + i % 3; ++point) {
+                const LatticePoint at = Places(i).point(random);
+                points.vertices.push_back({at, {{200, 100, 50}}});
+                items.push_back({inPixels(at.x), inPixels(at.y)});
+            }
+            const Scene scene = sceneOf(points, "point-address", frameFor(i));
+            const auto traced = traceScene(scene);
+            ListingNames names = setUpNames(*traced);
+            names[QStringLiteral("height")] = scene.frame.height;
+            setColour(names, points.vertices[0].colour);
+            ListingRun run(pseudocodeOf(*traced, 0), names, frameBox(scene.frame));
+            run.setItems(items);
+            const QString departure = message(i, departureOf(run, *traced));
+            QVERIFY2(departure.isEmpty(), qPrintable(nameOf(points) + departure));
+        }
+    }
+
+    /// A square from pixel to pixel has its ties at the left edge.
+    void aListingThatTakesTiesForTheOtherSideIsFound()
+    {
+        Shape square;
+        square.kind = PrimitiveKind::Polygon;
+        square.fill = ShapeFill::EvenOdd;
+        for (const LatticePoint &corner :
+             {latticePixel(2, 2), latticePixel(6, 2), latticePixel(6, 6), latticePixel(2, 6)})
+            square.vertices.push_back({corner, {{200, 100, 50}}});
+        const Scene scene = sceneOf(square, "polygon-parity", frameOf(14, 13));
+        const auto traced = traceScene(scene);
+        ListingNames names = setUpNames(*traced);
+        names[QStringLiteral("even-odd")] = 1;
+        setColour(names, square.vertices[0].colour);
+        Pseudocode code = pseudocodeOf(*traced, 0);
+        for (PseudocodeLine &line : code)
+            line.text.replace(QStringLiteral("x_k ≤ x"), QStringLiteral("x_k < x"));
+        ListingRun run(code, names, frameBox(scene.frame));
+        run.setItems(itemsOf(contoursOf(square).edges));
+        QVERIFY(departureOf(run, *traced).contains(QStringLiteral("kernel (2, 3) ")));
+    }
+};
+
+PIXELPLUMB_TEST(TestShapeListings)
+
+} // namespace tst_shapelistings
+
+#include "tst_shapelistings.moc"

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/stepmoment.h"
+#include "core/scan/choicenames.h"
+#include "tests/support/listingscenes.h"
+#include "tests/support/testprogram.h"
+
+#include <QTest>
+
+namespace tst_walklistings {
+
+using namespace pixelplumb;
+
+namespace {
+
+constexpr unsigned seed = 13;
+
+/// The listing of a triangle from its vertices on, as a student would write it; A is the only
+/// number that it does not compute.
+ListingRun listingOf(const TracedScene &traced)
+{
+    ListingNames names = vertexNames(traced.scene.triangles.front(), traced.scene.frame);
+    const ListingNames setUp = setUpNames(traced);
+    if (const auto area = setUp.find(QStringLiteral("A")); area != setUp.end())
+        names.insert(*area);
+    return ListingRun(pseudocodeOf(traced, 0), names, frameBox(traced.scene.frame),
+                      ListingRun::SetUp::Run);
+}
+
+/// The set-up ends with "done" where only the closed rule would draw a triangle without area, and
+/// where all vertices lie beyond one side of the frame, which matters where variants leave the
+/// triangle.
+bool isDoneInSetUp(const TracedScene &traced)
+{
+    const SetUpRecord setUp = traced.trace->setUp(0);
+    const ScanSettings &settings = traced.scene.settings;
+    return setUp.rejection
+        && (!settings.variants.isEmpty()
+            || (setUp.zeroArea && settings.fillRule != FillRule::Closed));
+}
+
+} // namespace
+
+/// The printed pseudocode of the walks between two edges is executed, its set-up included, and
+/// compared with their kernels.
+class TestWalkListings : public QObject {
+    Q_OBJECT
+
+private slots:
+    void listingsOfWalksDrawWhatTheirKernelsDraw_data()
+    {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<FillRule>("rule");
+        QTest::addColumn<VariantSet>("variants");
+        for (const char *id :
+             {"column-scan", "row-walk", "column-scan-constant-rate", "row-walk-constant-rate",
+              "column-scan-bias", "interpolate-bilinear", "interpolate-bilinear-rows",
+              "interpolate-plane", "interpolate-barycentric"}) {
+            const Method &method = *methodNamed(QString::fromLatin1(id));
+            for (const FillRule rule : method.fillRules) {
+                QTest::addRow("%s, %s", id, std::string(nameOf(rule)).c_str())
+                    << method.id << rule << VariantSet();
+                for (const Variant variant : method.variants)
+                    QTest::addRow("%s, %s, %s", id, std::string(nameOf(rule)).c_str(),
+                                  std::string(nameOf(variant)).c_str())
+                        << method.id << rule << VariantSet().with(variant);
+            }
+        }
+    }
+    void listingsOfWalksDrawWhatTheirKernelsDraw()
+    {
+        QFETCH(QString, id);
+        QFETCH(FillRule, rule);
+        QFETCH(VariantSet, variants);
+        std::mt19937 random(seed);
+        std::size_t drawn = 0;
+        for (int i = 0; i < 200; ++i) {
+            Scene scene = oddTriangleScene(i, random);
+            scene.method = id.toStdString();
+            scene.settings.fillRule = rule;
+            scene.settings.variants = variants;
+            const auto traced = traceScene(scene);
+            if (isDoneInSetUp(*traced))
+                continue;
+            ListingRun run = listingOf(*traced);
+            const QString departure = departureOf(run, *traced);
+            QVERIFY2(
+                departure.isEmpty(),
+                qPrintable(
+                    QStringLiteral("seed %1, triangle %2: %3").arg(seed).arg(i).arg(departure)));
+            drawn += run.pixels().size();
+        }
+        QVERIFY(drawn > 1500);
+    }
+
+    /// The fault of a student who takes a column's bound for its first sample.
+    void aListingWithoutItsPreStepIsFound()
+    {
+        Scene scene;
+        scene.triangles = {Triangle{{{{latticePixel(1, 1), {{255, 0, 0}}},
+                                      {latticePixel(11, 3), {{0, 255, 0}}},
+                                      {latticePixel(4, 10), {{0, 0, 255}}}}}}};
+        scene.method = "column-scan";
+        const auto traced = traceScene(scene);
+        Pseudocode code = pseudocodeOf(*traced, 0);
+        for (PseudocodeLine &line : code)
+            line.text.remove(QStringLiteral(" + (y − y_B)·ΔR"));
+        ListingRun run(code, vertexNames(scene.triangles.front(), scene.frame),
+                       frameBox(scene.frame), ListingRun::SetUp::Run);
+        QVERIFY(departureOf(run, *traced).contains(QStringLiteral("listing (4, 2) ")));
+    }
+};
+
+PIXELPLUMB_TEST(TestWalkListings)
+
+} // namespace tst_walklistings
+
+#include "tst_walklistings.moc"
