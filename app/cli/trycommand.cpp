@@ -128,6 +128,22 @@ QString verdictOf(const std::vector<SceneTrial> &tried)
         .arg(open == 1 ? QStringLiteral("pixel differs") : QStringLiteral("pixels differ"));
 }
 
+/// The programs that did not end well, and how they ended; none where all did.
+QStringList badEndsOf(const std::vector<SceneTrial> &tried)
+{
+    QStringList ends;
+    for (const SceneTrial &each : tried) {
+        if (each.trial.run.end != ProgramEnd::Finished)
+            ends += each.path + QStringLiteral(": ") + each.trial.run.told;
+    }
+    if (ends.empty())
+        return {};
+    return {QStringLiteral("did not end well on %1 of %2 scenes: %3")
+                .arg(ends.size())
+                .arg(tried.size())
+                .arg(ends.join(QStringLiteral("; ")))};
+}
+
 /// The diagnosis of all pictures together; none without pictures, or if all are right.
 std::optional<Diagnosis> diagnosisOf(const std::vector<Submission> &submissions, bool isRight,
                                      Arithmetic tolerance)
@@ -195,7 +211,7 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
             printLines(textOf(*diagnosis, submissions));
         else if (areRight)
             printLine(verdictOf(tried));
-        printLines(confinementLines());
+        printLines(confinementLines() + badEndsOf(tried));
     }
     return areRight ? ExitCode::Done : ExitCode::FallsShort;
 }

@@ -32,8 +32,9 @@ PictureSource allowingFor(Arithmetic arithmetic, const PictureSource &source)
         const auto ties = tiesOf(scene);
         for (std::size_t i = 0; i < undecidable.size(); ++i) {
             // On an edge it is open whether a sample is drawn, but not its colour.
-            const bool isOtherColour = ties[i] != 0 && picture->covered[i] != 0
-                && truth.covered[i] != 0 && !areNeighbours(picture->colours[i], truth.colours[i]);
+            const bool isOtherColour = ties[i] != 0 && picture->hasColours
+                && picture->covered[i] != 0 && truth.covered[i] != 0
+                && !areNeighbours(picture->colours[i], truth.colours[i]);
             if (undecidable[i] == 0 || isOtherColour)
                 continue;
             picture->colours[i] = truth.colours[i];

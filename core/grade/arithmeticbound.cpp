@@ -36,6 +36,14 @@ double slopeOf(const std::array<double, 3> &values, const std::array<double, 3> 
 
 } // namespace
 
+std::pair<int, int> LevelRange::bytes(ByteRounding rounding) const
+{
+    const double shift = rounding == ByteRounding::Nearest ? 0.5 : 0;
+    const auto byteOf
+        = [shift](double level) { return int(std::clamp(std::floor(level + shift), 0.0, 255.0)); };
+    return {byteOf(least), byteOf(most)};
+}
+
 ArithmeticBound::ArithmeticBound(const Triangle &triangle, Arithmetic arithmetic)
     : m_triangle(triangle)
     , m_exchanged(triangle)

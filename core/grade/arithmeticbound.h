@@ -8,6 +8,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
 namespace pixelplumb {
 
@@ -17,6 +18,14 @@ enum class Containment { Inside, Outside, Undecided };
 struct LevelRange {
     double least = 0;
     double most = 0;
+
+    /// The least and the largest byte to which a level within the range is rounded.
+    std::pair<int, int> bytes(ByteRounding rounding) const;
+    bool hasByte(int byte, ByteRounding rounding) const
+    {
+        const auto [first, last] = bytes(rounding);
+        return first <= byte && byte <= last;
+    }
 };
 
 /// The largest error of a right program on one triangle, in sample coordinates, if it walks between

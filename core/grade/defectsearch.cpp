@@ -13,6 +13,13 @@ constexpr std::size_t nearestTried = 64; // sets that are tested for whether rou
 constexpr std::size_t nearestPaired = 64; // single defects that are paired with another one
 constexpr auto unknown = PictureMatcher::unknown;
 
+/// Whether a right program may have chosen so where the pictures are undecidable.
+bool isNoMistake(const Defect &defect)
+{
+    return defect.isRightAlone || defect.choice == QLatin1String(ruleChoice)
+        || defect.choice == QLatin1String(arithmeticChoice);
+}
+
 } // namespace
 
 DefectSearch::DefectSearch(DefectPictures &pictures, PictureMatcher &matcher,
@@ -22,7 +29,8 @@ DefectSearch::DefectSearch(DefectPictures &pictures, PictureMatcher &matcher,
     , m_matcher(matcher)
     , m_listener(listener)
     , m_differing(diagnosis.differing)
-    , m_isExplained(diagnosis.verdict == DiagnosisVerdict::Undecidable)
+    , m_isRight(diagnosis.verdict == DiagnosisVerdict::Undecidable)
+    , m_isExplained(m_isRight)
     , m_mostOpen(matcher.coveredPixels() / 8 + 8)
 {
     const auto count = std::int64_t(m_defects.size());
@@ -171,7 +179,8 @@ void DefectSearch::tryRules()
 bool DefectSearch::trySingles()
 {
     for (std::size_t i = 0; i < m_defects.size(); ++i) {
-        m_alone.push_back(distanceUpTo({i}, m_differing));
+        const bool isNamed = !m_isRight || isNoMistake(m_defects[i]);
+        m_alone.push_back(isNamed ? distanceUpTo({i}, m_differing) : unknown);
         if (m_alone.back() == 0)
             m_exact.push_back({{i}});
         else if (m_exact.empty())

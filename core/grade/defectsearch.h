@@ -9,12 +9,12 @@ namespace pixelplumb {
 class DefectSearch {
 public:
     /// The diagnosis says how many pixels differ, and whether they need an explanation: undecidable
-    /// ones do not.
+    /// ones do not, and of these only what alone is no mistake is named.
     DefectSearch(DefectPictures &pictures, PictureMatcher &matcher, const Diagnosis &diagnosis,
                  const ProgressListener &listener);
 
     /// False where the listener ended it.
-    bool run() { return trySingles() && tryPairs(); }
+    bool run() { return trySingles() && (m_isRight || tryPairs()); }
 
     std::vector<DiagnosisCandidate> candidates() const;
 
@@ -44,7 +44,8 @@ private:
     PictureMatcher &m_matcher;
     const ProgressListener &m_listener;
     std::int64_t m_differing;
-    bool m_isExplained; ///< by the right pictures up to open pixels, or by a set
+    bool m_isRight; ///< the right pictures explain them up to open pixels
+    bool m_isExplained; ///< so, or by a set
     bool m_hasSingle = false; ///< one defect explains the pictures
     std::int64_t m_mostOpen; ///< pixels: more are never due to rounding alone
     std::int64_t m_sets = 0, m_tried = 0;

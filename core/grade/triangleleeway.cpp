@@ -11,14 +11,6 @@ namespace pixelplumb {
 
 namespace {
 
-bool isWithin(const LevelRange &range, int byte, ByteRounding rounding)
-{
-    const double shift = rounding == ByteRounding::Nearest ? 0.5 : 0;
-    const auto byteOf
-        = [shift](double level) { return int(std::clamp(std::floor(level + shift), 0.0, 255.0)); };
-    return byteOf(range.least) <= byte && byte <= byteOf(range.most);
-}
-
 LevelRange levelsOf(const Triangle &triangle, std::size_t channel)
 {
     const auto level = [&](std::size_t vertex) {
@@ -68,7 +60,7 @@ bool TriangleLeeway::mayHave(const Colour &colour, std::int64_t x, std::int64_t 
     for (std::size_t channel = 0; channel < 3; ++channel) {
         const auto levels = m_bound ? m_bound->levelsAt(x, y, channel)
                                     : std::optional(levelsOf(m_triangle, channel));
-        if (levels && !isWithin(*levels, colour.channels[channel], m_rounding))
+        if (levels && !levels->hasByte(colour.channels[channel], m_rounding))
             return false;
     }
     return true;

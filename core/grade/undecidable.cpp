@@ -2,22 +2,24 @@
 #include "core/grade/undecidable.h"
 
 #include "core/frame/framebuffer.h"
+#include "core/grade/linechoice.h"
+#include "core/grade/outlineties.h"
 #include "core/grade/picturediff.h"
-#include "core/grade/programline.h"
 #include "core/grade/triangleleeway.h"
 #include "core/runs/sceneplan.h"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
+#include <ranges>
 
 namespace pixelplumb {
 
 namespace {
 
-/// What is known of a pixel while triangles are removed one by one, the last drawn first.
+/// What is known of a pixel while primitives are removed one by one, the last drawn first.
 enum class Leeway : std::uint8_t {
-    Sought, ///< no removed triangle reaches it
-    Open, ///< the removed triangles may have left it out
+    Sought, ///< no removed primitive reaches it
+    Open, ///< the removed primitives may have left it out
     Refused,
     Given,
 };
@@ -46,11 +48,48 @@ public:
         const SampleBox box = triangle.reachIn(m_scene.frame);
         for (std::int64_t y = box.firstY; y < box.endY; ++y) {
             for (std::int64_t x = box.firstX; x < box.endX; ++x) {
-                const std::size_t place = m_found.placeOf(int(x - m_scene.frame.firstColumn),
-                                                          pictureLine(m_scene.frame, y));
-                if (m_pixels[place] == Leeway::Sought || m_pixels[place] == Leeway::Open)
-                    m_pixels[place] = leewayBelow(triangle, place, x, y);
+                const std::size_t place = placeOf(x, y);
+                if (isLookedFor(place))
+                    m_pixels[place] = leewayBelow(
+                        triangle.containmentOf(x, y), place,
+                        [&](const Colour &colour) { return triangle.mayHave(colour, x, y); });
             }
+        }
+    }
+    void takeOff(const LineChoice &choice)
+    {
+        const Containment where
+            = choice.pixels.size() == 1 ? Containment::Inside : Containment::Undecided;
+        for (const LatticePoint &pixel : choice.pixels) {
+            if (isInFrame(pixel) && isLookedFor(placeOf(pixel.x, pixel.y)))
+                m_pixels[placeOf(pixel.x, pixel.y)]
+                    = leewayBelow(where, placeOf(pixel.x, pixel.y), [&](const Colour &colour) {
+                          return choice.mayHave(colour, m_scene.settings.rounding);
+                      });
+        }
+    }
+    /// Of a step's pixels one is drawn, neither none nor two: refuses the pixels of the others,
+    /// where nothing else can have drawn them.
+    void refuseAllButOne(const std::vector<LineChoice> &choices)
+    {
+        std::vector<int> steps(m_found.size(), 0);
+        for (const LineChoice &choice : choices) {
+            for (const LatticePoint &pixel : choice.pixels)
+                steps[isInFrame(pixel) ? placeOf(pixel.x, pixel.y) : 0] += isInFrame(pixel) ? 1 : 0;
+        }
+        for (const LineChoice &choice : choices) {
+            std::vector<std::size_t> places;
+            for (const LatticePoint &pixel : choice.pixels) {
+                if (isInFrame(pixel))
+                    places.push_back(placeOf(pixel.x, pixel.y));
+            }
+            const auto isDrawn = [this](std::size_t place) { return !isBackground(place); };
+            const bool isOwn = places.size() == choice.pixels.size()
+                && std::ranges::all_of(places, [&](std::size_t each) { return steps[each] == 1; });
+            if (!isOwn || std::ranges::count_if(places, isDrawn) == 1)
+                continue;
+            for (const std::size_t place : places)
+                m_pixels[place] = Leeway::Refused;
         }
     }
     /// A pixel that is still open counts if it shows the background.
@@ -65,21 +104,35 @@ public:
     }
 
 private:
+    bool isInFrame(const LatticePoint &pixel) const
+    {
+        const FrameSpec &frame = m_scene.frame;
+        return pixel.x >= frame.firstColumn && pixel.x - frame.firstColumn < frame.width
+            && pixel.y >= frame.firstRow && pixel.y - frame.firstRow < frame.height;
+    }
+    std::size_t placeOf(std::int64_t x, std::int64_t y) const
+    {
+        return m_found.placeOf(int(x - m_scene.frame.firstColumn),
+                               int(pictureLine(m_scene.frame, y)));
+    }
+    bool isLookedFor(std::size_t place) const
+    {
+        return m_pixels[place] == Leeway::Sought || m_pixels[place] == Leeway::Open;
+    }
     bool isBackground(std::size_t place) const
     {
         return m_found.covered[place] == 0
             || (m_found.hasColours && m_found.colours[place] == m_scene.frame.background);
     }
-    Leeway leewayBelow(const TriangleLeeway &triangle, std::size_t place, std::int64_t x,
-                       std::int64_t y) const
+    template <class MayHave>
+    Leeway leewayBelow(Containment where, std::size_t place, const MayHave &mayHave) const
     {
-        const Containment where = triangle.containmentOf(x, y);
         if (where == Containment::Outside)
             return m_pixels[place];
         // A raster has no colours: inside, nothing of it is open.
         const bool isInside = where == Containment::Inside;
         const bool isOf = m_found.hasColours
-            ? triangle.mayHave(m_found.colours[place], x, y)
+            ? mayHave(m_found.colours[place])
             : m_found.covered[place] != 0 && (!isInside || m_pixels[place] == Leeway::Open);
         if (isOf)
             return Leeway::Given;
@@ -146,21 +199,15 @@ std::vector<std::uint8_t> ofAnotherRule(const Scene &scene, const Picture &drawn
     return ties;
 }
 
-/// The pixels of lines in right programs that differ only at p = 0, where two pixels are equally
-/// near: they step across there or not, from either end.
-std::vector<std::uint8_t> ofOtherTies(const Scene &scene, const Picture &drawn,
-                                      const Picture &found)
+/// Takes off the steps of all lines, the last drawn first.
+void takeOffLines(const Scene &scene, Arithmetic arithmetic, LayeredLeeway &leeway)
 {
-    const Scene other = withOtherTies(scene);
-    const ProgramLine fromFirstEnd;
-    const std::array pictures
-        = {pictureOf(other), drawnBy(fromFirstEnd, scene), drawnBy(fromFirstEnd, other)};
-    std::vector<std::uint8_t> ties(found.size(), 0);
-    for (std::size_t place = 0; place < ties.size(); ++place) {
-        const auto isIn = [&](const Picture &picture) { return isSame(picture, found, place); };
-        ties[place] = !isSame(drawn, found, place) && std::ranges::any_of(pictures, isIn) ? 1 : 0;
-    }
-    return ties;
+    std::vector<LineChoice> choices;
+    for (const Shape &line : primitivesOnSamples(scene).shapes)
+        std::ranges::move(lineChoices(line, scene, arithmetic), std::back_inserter(choices));
+    for (const LineChoice &choice : choices | std::views::reverse)
+        leeway.takeOff(choice);
+    leeway.refuseAllButOne(choices);
 }
 
 } // namespace
@@ -168,11 +215,15 @@ std::vector<std::uint8_t> ofOtherTies(const Scene &scene, const Picture &drawn,
 std::vector<std::uint8_t> undecidablePixels(const Scene &scene, const Picture &drawn,
                                             const Picture &found, Arithmetic arithmetic)
 {
-    if (hasDecisions(scene))
-        return ofOtherTies(scene, drawn, found);
+    LayeredLeeway leeway(scene, drawn, found);
+    if (drawsNearestPixels(scene)) {
+        takeOffLines(scene, arithmetic, leeway);
+        return leeway.pixels();
+    }
     if (mayCallForEffects(scene) || !scene.shapes.empty())
         return ofAnotherRule(scene, drawn, found);
-    LayeredLeeway leeway(scene, drawn, found);
+    if (scene.method == "midpoint-outline-fill")
+        return ofOtherOutlines(scene, drawn, found, arithmetic);
     const Primitives primitives = primitivesOnSamples(scene);
     for (std::size_t i = primitives.triangles.size(); i-- > 0;)
         leeway.takeOff(

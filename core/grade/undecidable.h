@@ -10,10 +10,10 @@ namespace pixelplumb {
 /// edge the sample lies, where rules differ, or to whose edge it is closer than a right program
 /// errs in this arithmetic; or the colour of such a triangle, or of one that covers the sample, no
 /// farther from the exact colour than such a program's (TriangleLeeway; resources/numerics.md,
-/// 3.9). A third colour does not count. With lines by Bresenham's steps it is what a program draws
-/// that goes the other way at p = 0, or steps from a line's other end. With effects beyond colour,
-/// and with other shapes, it is what the scene has under another rule at samples on an edge. Line
-/// by line, the top line first.
+/// 3.9). A third colour does not count. With lines it is a pixel that is as near as the method's up
+/// to rounding (LineChoice), with filled outlines what ties of their lines change. With effects
+/// beyond colour, and with other shapes, it is what the scene has under another rule at samples on
+/// an edge. Line by line, the top line first.
 std::vector<std::uint8_t> undecidablePixels(const Scene &scene, const Picture &drawn,
                                             const Picture &found, Arithmetic arithmetic);
 
