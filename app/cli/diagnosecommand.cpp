@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/diagnosisreport.h"
+#include "app/cli/marginoptions.h"
 #include "app/cli/picturefile.h"
 #include "app/cli/progress.h"
 #include "app/cli/sceneoptions.h"
-#include "app/cli/toleranceoption.h"
 
 namespace pixelplumb::cli {
 
@@ -42,13 +42,13 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
         {sceneOption, QStringLiteral("A scene that was to be drawn; give one for each picture."),
          QStringLiteral("file")});
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
-    addToleranceOption(line);
+    addMarginOptions(line);
     addSettingOptions(line);
     if (const auto ended = line.parse(arguments))
         return *ended;
-    const Result<Arithmetic> tolerance = chosenTolerance(line);
-    if (!tolerance)
-        return line.refuse(tolerance.error());
+    const Result<Margin> margin = chosenMargin(line);
+    if (!margin)
+        return line.refuse(margin.error());
     const QStringList scenes = line.values(sceneOption);
     const QStringList pictures = line.arguments();
     if (scenes.size() != pictures.size())
@@ -71,7 +71,7 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
         submissions.push_back(std::move(*submission));
     }
     const auto diagnosis = withProgress([&](const ProgressListener &listener) {
-        return pixelplumb::diagnose(submissions, listener, *tolerance);
+        return pixelplumb::diagnose(submissions, listener, *margin);
     });
     if (line.isSet(jsonOption))
         printJson(QJsonDocument(jsonOf(*diagnosis, submissions)));

@@ -2,9 +2,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/diffreport.h"
 #include "app/cli/input.h"
+#include "app/cli/marginoptions.h"
 #include "app/cli/picturefile.h"
 #include "app/cli/sceneoptions.h"
-#include "app/cli/toleranceoption.h"
 #include "core/grade/drawntwice.h"
 #include "core/grade/undecidable.h"
 #include "core/scene/colourtext.h"
@@ -47,12 +47,12 @@ Result<Side> readSide(const QString &path)
 
 /// What the scene on either side leaves open at the other side's pixels.
 std::vector<std::uint8_t> undecidableOf(const Side &expected, const Side &found,
-                                        Arithmetic tolerance)
+                                        const Margin &margin)
 {
     if (expected.scene)
-        return undecidablePixels(*expected.scene, expected.picture, found.picture, tolerance);
+        return undecidablePixels(*expected.scene, expected.picture, found.picture, margin);
     if (found.scene)
-        return undecidablePixels(*found.scene, found.picture, expected.picture, tolerance);
+        return undecidablePixels(*found.scene, found.picture, expected.picture, margin);
     return {};
 }
 
@@ -104,7 +104,7 @@ ExitCode diff(const Command &command, const QStringList &arguments)
                     QStringLiteral("What is not drawn has this colour; if left out, the scene's, "
                                    "else that of most corners of the picture."),
                     QStringLiteral("#rrggbb")});
-    addToleranceOption(line);
+    addMarginOptions(line);
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
     if (const auto ended = line.parse(arguments))
         return *ended;
@@ -117,9 +117,9 @@ ExitCode diff(const Command &command, const QStringList &arguments)
     if (line.isSet(asciiOption) && line.isSet(jsonOption))
         return line.refuse(QStringLiteral("--ascii and --json: a raster is no JSON; expected one "
                                           "of them"));
-    const Result<Arithmetic> tolerance = chosenTolerance(line);
-    if (!tolerance)
-        return line.refuse(tolerance.error());
+    const Result<Margin> margin = chosenMargin(line);
+    if (!margin)
+        return line.refuse(margin.error());
     if (line.argument(0) == QStringLiteral("-") && line.argument(1) == QStringLiteral("-"))
         return line.refuse(QStringLiteral("standard input can be only one of the two"));
     Result<Side> expected = readSide(line.argument(0));
@@ -145,7 +145,7 @@ ExitCode diff(const Command &command, const QStringList &arguments)
             sayLine(path + QStringLiteral(": ") + transparencyText());
     }
     const PictureDiff difference = differenceOf(expected->picture, found->picture,
-                                                undecidableOf(*expected, *found, *tolerance));
+                                                undecidableOf(*expected, *found, *margin));
     const std::int64_t twice = drawnTwiceIn(*expected, *found);
     if (line.isSet(jsonOption)) {
         QJsonObject object = jsonOf(difference);

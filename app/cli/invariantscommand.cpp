@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
+#include "app/cli/marginoptions.h"
 #include "app/cli/picturesides.h"
 #include "app/cli/programoptions.h"
 #include "app/cli/sceneoptions.h"
 #include "app/cli/seedoption.h"
-#include "app/cli/toleranceoption.h"
 #include "core/grade/allowance.h"
 #include "core/grade/invariants.h"
 #include "core/methods/method.h"
@@ -51,12 +51,9 @@ QStringList invariantLines(const Findings &findings)
                                         .toJson(QJsonDocument::Compact));
         if (!holds && findings.mayBeRounding(invariant))
             lines += QStringLiteral(
-                         "        only on samples that lie on an edge%1: another fill rule "
-                         "or rounding does it, too")
-                         .arg(findings.tolerance == Arithmetic::Exact
-                                  ? QString()
-                                  : QStringLiteral(" or that the rounding of %1 leaves open")
-                                        .arg(nameText(nameOf(findings.tolerance))));
+                         "        only on samples that lie on an edge or that the rounding of %1 "
+                         "leaves open: another fill rule or rounding does it, too")
+                         .arg(nameText(nameOf(findings.tolerance)));
     }
     return lines;
 }
@@ -92,6 +89,7 @@ ExitCode invariants(const Command &command, const QStringList &arguments)
     const Result<Arithmetic> tolerance = chosenTolerance(line);
     if (!tolerance)
         return line.refuse(tolerance.error());
+    const Margin margin{Leeway::Edges, *tolerance}; // invariants hold under every rule
     const Result<Sides> sides = sidesOf(line, {place});
     if (!sides)
         return line.refuse(sides.error());
@@ -114,10 +112,10 @@ ExitCode invariants(const Command &command, const QStringList &arguments)
             sayLine(each);
         return ExitCode::FallsShort;
     }
-    Findings findings{report.broken, {}, *tolerance};
+    Findings findings{report.broken, {}, margin.tolerance};
     if (!report.broken.empty())
         findings.brokenBeyondRounding
-            = checkInvariants(allowingFor(*tolerance, source), sides->conventions, *seed, pairs)
+            = checkInvariants(allowingFor(margin, source), sides->conventions, *seed, pairs)
                   .broken;
     if (line.isSet(jsonOption)) {
         QJsonObject object = invariantsJson(findings);

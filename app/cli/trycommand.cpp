@@ -2,10 +2,10 @@
 #include "app/cli/commands.h"
 #include "app/cli/diagnosisreport.h"
 #include "app/cli/diffreport.h"
+#include "app/cli/marginoptions.h"
 #include "app/cli/programoptions.h"
 #include "app/cli/progress.h"
 #include "app/cli/sceneoptions.h"
-#include "app/cli/toleranceoption.h"
 #include "core/grade/showntext.h"
 #include "core/grade/trial.h"
 
@@ -97,11 +97,11 @@ QJsonObject objectOf(const SceneTrial &tried)
 Result<TrialTerms> termsOf(const CommandLine &line)
 {
     Result<TrialTerms> terms = chosenTerms(line);
-    const Result<Arithmetic> tolerance = chosenTolerance(line);
-    if (terms && !tolerance)
-        return tolerance.error();
+    const Result<Margin> margin = chosenMargin(line);
+    if (terms && !margin)
+        return margin.error();
     if (terms)
-        terms->tolerance = *tolerance;
+        terms->margin = *margin;
     return terms;
 }
 
@@ -111,7 +111,7 @@ void addTrialOptions(CommandLine &line)
                             QStringLiteral("A scene that the program is to draw; may be repeated."),
                             QStringLiteral("file")});
     addProgramOptions(line);
-    addToleranceOption(line);
+    addMarginOptions(line);
     line.addOption({QStringLiteral("json"), QStringLiteral("Print JSON.")});
 }
 
@@ -146,13 +146,12 @@ QStringList badEndsOf(const std::vector<SceneTrial> &tried)
 
 /// The diagnosis of all pictures together; none without pictures, or if all are right.
 std::optional<Diagnosis> diagnosisOf(const std::vector<Submission> &submissions, bool isRight,
-                                     Arithmetic tolerance)
+                                     const Margin &margin)
 {
     if (isRight || submissions.empty())
         return std::nullopt;
-    return withProgress([&](const ProgressListener &listener) {
-        return diagnose(submissions, listener, tolerance);
-    });
+    return withProgress(
+        [&](const ProgressListener &listener) { return diagnose(submissions, listener, margin); });
 }
 
 } // namespace
@@ -194,7 +193,7 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
     }
     const auto isRight = [](const SceneTrial &each) { return each.trial.isRight(); };
     const bool areRight = std::ranges::all_of(tried, isRight);
-    const auto diagnosis = diagnosisOf(submissions, areRight, terms->tolerance);
+    const auto diagnosis = diagnosisOf(submissions, areRight, terms->margin);
     if (line.isSet(QStringLiteral("json"))) {
         QJsonArray trials;
         for (const SceneTrial &each : tried)

@@ -45,10 +45,11 @@ Scene oneLine(const char *method, const LatticePoint &from, const LatticePoint &
     return scene;
 }
 
-PictureDiff judged(const Scene &scene, const Picture &found, Arithmetic arithmetic)
+PictureDiff judged(const Scene &scene, const Picture &found, Arithmetic tolerance)
 {
     const Picture right = pictureOf(scene);
-    return differenceOf(right, found, undecidablePixels(scene, right, found, arithmetic));
+    return differenceOf(right, found,
+                        undecidablePixels(scene, right, found, {Leeway::Rule, tolerance}));
 }
 
 } // namespace

@@ -2,13 +2,15 @@
 #pragma once
 
 #include "app/cli/commandline.h"
-#include "core/scan/scansettings.h"
+#include "core/grade/margin.h"
 
 namespace pixelplumb::cli {
 
 /// Adds --tolerance: the arithmetic in which a right program may compute.
 void addToleranceOption(CommandLine &line);
-/// Float32, float64 or exact.
 Result<Arithmetic> chosenTolerance(const CommandLine &line);
+/// Adds --leeway, too: what a right program may draw otherwise.
+void addMarginOptions(CommandLine &line);
+Result<Margin> chosenMargin(const CommandLine &line);
 
 } // namespace pixelplumb::cli
