@@ -150,10 +150,10 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
         {sceneOption, QStringLiteral("A scene that was to be drawn; give one for each picture."),
          QStringLiteral("file")});
     line.addJsonOption();
-    addToleranceOption(line);
+    addMarginOptions(line);
     addSettingOptions(line);
     line.parse(arguments);
-    const Arithmetic tolerance = chosenTolerance(line);
+    const Margin margin = chosenMargin(line);
     const QStringList scenes = line.values(sceneOption);
     const QStringList pictures = line.arguments();
     if (scenes.size() != pictures.size())
@@ -173,7 +173,7 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
         submissions.push_back(std::move(submission));
     }
     const auto diagnosis = withProgress([&](const ProgressListener &listener) {
-        return pixelplumb::diagnose(submissions, listener, tolerance);
+        return pixelplumb::diagnose(submissions, listener, margin);
     });
     line.asksForJson() ? printJson(diagnosisJson(*diagnosis, submissions))
                        : printLines(diagnosisLines(*diagnosis, submissions));

@@ -113,12 +113,12 @@ Side readSide(const QString &path)
 
 /// What the scene on either side leaves open at the other side's pixels.
 std::vector<std::uint8_t> undecidableOf(const Side &expected, const Side &found,
-                                        Arithmetic tolerance)
+                                        const Margin &margin)
 {
     if (expected.scene)
-        return undecidablePixels(*expected.scene, expected.picture, found.picture, tolerance);
+        return undecidablePixels(*expected.scene, expected.picture, found.picture, margin);
     if (found.scene)
-        return undecidablePixels(*found.scene, found.picture, expected.picture, tolerance);
+        return undecidablePixels(*found.scene, found.picture, expected.picture, margin);
     return {};
 }
 
@@ -169,7 +169,7 @@ ExitCode diff(const Command &command, const QStringList &arguments)
                     QStringLiteral("What is not drawn has this colour; if left out, the scene's, "
                                    "else that of most corners of the picture."),
                     QStringLiteral("#rrggbb")});
-    addToleranceOption(line);
+    addMarginOptions(line);
     line.addJsonOption();
     line.parse(arguments);
     const auto format = pictureFormatOf(line, markedOption);
@@ -177,7 +177,7 @@ ExitCode diff(const Command &command, const QStringList &arguments)
     if (line.isSet(rasterOption) && line.asksForJson())
         refuse(QStringLiteral("--ascii and --json: a raster is no JSON; expected one "
                               "of them"));
-    const Arithmetic tolerance = chosenTolerance(line);
+    const Margin margin = chosenMargin(line);
     if (line.argument(0) == QStringLiteral("-") && line.argument(1) == QStringLiteral("-"))
         refuse(QStringLiteral("standard input can be only one of the two"));
     Side expected = readSide(line.argument(0));
@@ -196,7 +196,7 @@ ExitCode diff(const Command &command, const QStringList &arguments)
             sayLine(path + QStringLiteral(": ") + transparencyText());
     }
     const PictureDiff difference
-        = differenceOf(expected.picture, found.picture, undecidableOf(expected, found, tolerance));
+        = differenceOf(expected.picture, found.picture, undecidableOf(expected, found, margin));
     const std::int64_t twice = drawnTwiceIn(expected, found);
     if (line.asksForJson()) {
         QJsonObject object = diffJson(difference);

@@ -48,12 +48,9 @@ QStringList invariantLines(const Findings &findings)
                                         .toJson(QJsonDocument::Compact));
         if (!holds && findings.mayBeRounding(invariant))
             lines += QStringLiteral(
-                         "        only on samples that lie on an edge%1: another fill rule "
-                         "or rounding does it, too")
-                         .arg(findings.tolerance == Arithmetic::Exact
-                                  ? QString()
-                                  : QStringLiteral(" or that the rounding of %1 leaves open")
-                                        .arg(nameText(nameOf(findings.tolerance))));
+                         "        only on samples that lie on an edge or that the rounding of %1 "
+                         "leaves open: another fill rule or rounding does it, too")
+                         .arg(nameText(nameOf(findings.tolerance)));
     }
     return lines;
 }
@@ -82,7 +79,7 @@ ExitCode invariants(const Command &command, const QStringList &arguments)
     addSettingOptions(line);
     line.parse(arguments);
     const auto seed = chosenSeed(line);
-    const Arithmetic tolerance = chosenTolerance(line);
+    const Margin margin{Leeway::Edges, chosenTolerance(line)}; // invariants hold under every rule
     const Sides sides = sidesOf(line, {place});
     if (!methodNamed(QString::fromStdString(sides.conventions.method))
              ->draws(PrimitiveKind::Triangle))
@@ -103,11 +100,10 @@ ExitCode invariants(const Command &command, const QStringList &arguments)
             sayLine(each);
         return ExitCode::FallsShort;
     }
-    Findings findings{report.broken, {}, tolerance};
+    Findings findings{report.broken, {}, margin.tolerance};
     if (!report.broken.empty())
         findings.brokenBeyondRounding
-            = checkInvariants(allowingFor(tolerance, source), sides.conventions, seed, pairs)
-                  .broken;
+            = checkInvariants(allowingFor(margin, source), sides.conventions, seed, pairs).broken;
     if (line.asksForJson()) {
         QJsonObject object = invariantsJson(findings);
         if (sides.hasProgram())

@@ -62,7 +62,7 @@ std::uint64_t chosenSeed(const CommandLine &line)
 namespace {
 
 const QString toleranceOption = QStringLiteral("tolerance");
-constexpr std::array tolerances = {Arithmetic::Float32, Arithmetic::Float64, Arithmetic::Exact};
+const QString leewayOption = QStringLiteral("leeway");
 
 } // namespace
 
@@ -71,13 +71,29 @@ void addToleranceOption(CommandLine &line)
     line.addOption(
         {toleranceOption,
          QStringLiteral("The arithmetic that a right program may compute in; its rounding is "
-                        "allowed for: float32, float64 or exact; float32 if left out."),
+                        "allowed for: float32 or float64; float32 if left out."),
          QStringLiteral("name"), QStringLiteral("float32")});
+}
+
+void addMarginOptions(CommandLine &line)
+{
+    line.addOption({leewayOption,
+                    QStringLiteral("What a right program may draw otherwise: strict, nothing; "
+                                   "rule, what rounding decides; edges, also samples on edges; "
+                                   "once, the same, but where two triangles share an edge one of "
+                                   "them draws its samples; rule if left out."),
+                    QStringLiteral("name"), QStringLiteral("rule")});
+    addToleranceOption(line);
 }
 
 Arithmetic chosenTolerance(const CommandLine &line)
 {
-    return chosen(line, toleranceOption, tolerances, Arithmetic::Float32);
+    return chosen(line, toleranceOption, allTolerances, Arithmetic::Float32);
+}
+
+Margin chosenMargin(const CommandLine &line)
+{
+    return {chosen(line, leewayOption, allLeeways, Leeway::Rule), chosenTolerance(line)};
 }
 
 namespace {

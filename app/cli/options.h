@@ -57,8 +57,10 @@ std::uint64_t chosenSeed(const CommandLine &line);
 
 /// Adds --tolerance: the arithmetic in which a right program may compute.
 void addToleranceOption(CommandLine &line);
-/// Float32, float64 or exact.
 Arithmetic chosenTolerance(const CommandLine &line);
+/// Adds --leeway, too: what a right program may draw otherwise.
+void addMarginOptions(CommandLine &line);
+Margin chosenMargin(const CommandLine &line);
 
 /// Adds --force EFFECT=on|off, which may be repeated.
 void addForceOption(CommandLine &line);

@@ -93,7 +93,7 @@ QJsonObject objectOf(const SceneTrial &tried)
 TrialTerms termsOf(const CommandLine &line)
 {
     TrialTerms terms = chosenTerms(line);
-    terms.tolerance = chosenTolerance(line);
+    terms.margin = chosenMargin(line);
     return terms;
 }
 
@@ -103,7 +103,7 @@ void addTrialOptions(CommandLine &line)
                             QStringLiteral("A scene that the program is to draw; may be repeated."),
                             QStringLiteral("file")});
     addProgramOptions(line);
-    addToleranceOption(line);
+    addMarginOptions(line);
     line.addJsonOption();
 }
 
@@ -120,15 +120,30 @@ QString verdictOf(const std::vector<SceneTrial> &tried)
         .arg(open == 1 ? QStringLiteral("pixel differs") : QStringLiteral("pixels differ"));
 }
 
+/// The programs that did not end well, and how they ended; none where all did.
+QStringList badEndsOf(const std::vector<SceneTrial> &tried)
+{
+    QStringList ends;
+    for (const SceneTrial &each : tried) {
+        if (each.trial.run.end != ProgramEnd::Finished)
+            ends += each.path + QStringLiteral(": ") + each.trial.run.told;
+    }
+    if (ends.empty())
+        return {};
+    return {QStringLiteral("did not end well on %1 of %2 scenes: %3")
+                .arg(ends.size())
+                .arg(tried.size())
+                .arg(ends.join(QStringLiteral("; ")))};
+}
+
 /// The diagnosis of all pictures together; none without pictures, or if all are right.
 std::optional<Diagnosis> diagnosisOf(const std::vector<Submission> &submissions, bool isRight,
-                                     Arithmetic tolerance)
+                                     const Margin &margin)
 {
     if (isRight || submissions.empty())
         return std::nullopt;
-    return withProgress([&](const ProgressListener &listener) {
-        return diagnose(submissions, listener, tolerance);
-    });
+    return withProgress(
+        [&](const ProgressListener &listener) { return diagnose(submissions, listener, margin); });
 }
 
 } // namespace
@@ -162,7 +177,7 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
     }
     const auto isRight = [](const SceneTrial &each) { return each.trial.isRight(); };
     const bool areRight = std::ranges::all_of(tried, isRight);
-    const auto diagnosis = diagnosisOf(submissions, areRight, terms.tolerance);
+    const auto diagnosis = diagnosisOf(submissions, areRight, terms.margin);
     if (line.asksForJson()) {
         QJsonArray trials;
         for (const SceneTrial &each : tried)
@@ -179,7 +194,7 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
             printLines(diagnosisLines(*diagnosis, submissions));
         else if (areRight)
             printLine(verdictOf(tried));
-        printLines(confinementLines());
+        printLines(confinementLines() + badEndsOf(tried));
     }
     return areRight ? ExitCode::Done : ExitCode::FallsShort;
 }

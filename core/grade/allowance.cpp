@@ -21,19 +21,20 @@ bool areNeighbours(const Colour &a, const Colour &b)
 
 } // namespace
 
-PictureSource allowingFor(Arithmetic arithmetic, const PictureSource &source)
+PictureSource allowingFor(const Margin &margin, const PictureSource &source)
 {
-    const auto draw = [arithmetic, drawn = source.draw](const Scene &scene) {
+    const auto draw = [margin, drawn = source.draw](const Scene &scene) {
         Result<Picture> picture = drawn(scene);
         const Picture truth = truePictureOf(scene);
         if (!picture || picture->size() != truth.size())
             return picture;
-        const auto undecidable = undecidablePixels(scene, truth, *picture, arithmetic);
+        const auto undecidable = undecidablePixels(scene, truth, *picture, margin);
         const auto ties = tiesOf(scene);
         for (std::size_t i = 0; i < undecidable.size(); ++i) {
             // On an edge it is open whether a sample is drawn, but not its colour.
-            const bool isOtherColour = ties[i] != 0 && picture->covered[i] != 0
-                && truth.covered[i] != 0 && !areNeighbours(picture->colours[i], truth.colours[i]);
+            const bool isOtherColour = ties[i] != 0 && picture->hasColours
+                && picture->covered[i] != 0 && truth.covered[i] != 0
+                && !areNeighbours(picture->colours[i], truth.colours[i]);
             if (undecidable[i] == 0 || isOtherColour)
                 continue;
             picture->colours[i] = truth.colours[i];

@@ -6,8 +6,8 @@
 namespace pixelplumb {
 
 /// The source with rounding undone: it draws the truth's pixel wherever a right program that
-/// computes in this arithmetic may have the source's (undecidablePixels). At samples on an edge
+/// has this margin may have the source's (undecidablePixels). At samples on an edge
 /// that both draw, only neighbouring bytes are exchanged.
-PictureSource allowingFor(Arithmetic arithmetic, const PictureSource &source);
+PictureSource allowingFor(const Margin &margin, const PictureSource &source);
 
 } // namespace pixelplumb

@@ -5,8 +5,11 @@
 #include "core/scan/errorlimit.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
+#include <numeric>
 
 namespace pixelplumb {
 
@@ -34,7 +37,42 @@ double slopeOf(const std::array<double, 3> &values, const std::array<double, 3> 
         / area;
 }
 
+/// The largest power of two that divides all of these.
+double commonUnit(std::initializer_list<Lattice> numbers)
+{
+    Lattice bits = 0;
+    for (const Lattice number : numbers)
+        bits |= std::abs(number);
+    return bits == 0 ? std::ldexp(1.0, 62) : double(bits & -bits);
+}
+
+/// Whether 1 − α − β has this edge function's sign, however a program divides and in whichever
+/// order it subtracts.
+template <class Float>
+bool hasSignOf(double function, double alpha, double beta, double area)
+{
+    const auto sign = [](auto number) { return int(number > 0) - int(number < 0); };
+    const Float inverse = Float(1) / Float(area);
+    for (const auto &[a, b] : {std::pair(Float(alpha) / Float(area), Float(beta) / Float(area)),
+                               std::pair(Float(alpha) * inverse, Float(beta) * inverse)}) {
+        for (const Float third :
+             {Float(Float(1) - a) - b, Float(Float(1) - b) - a, Float(1) - Float(a + b)}) {
+            if (sign(third) != sign(function))
+                return false;
+        }
+    }
+    return true;
+}
+
 } // namespace
+
+std::pair<int, int> LevelRange::bytes(ByteRounding rounding) const
+{
+    const double shift = rounding == ByteRounding::Nearest ? 0.5 : 0;
+    const auto byteOf
+        = [shift](double level) { return int(std::clamp(std::floor(level + shift), 0.0, 255.0)); };
+    return {byteOf(least), byteOf(most)};
+}
 
 ArithmeticBound::ArithmeticBound(const Triangle &triangle, Arithmetic arithmetic)
     : m_triangle(triangle)
@@ -68,6 +106,7 @@ ArithmeticBound::ArithmeticBound(const Triangle &triangle, Arithmetic arithmetic
     m_isProved = m_largest <= largestProved && area != 0;
     if (!m_isProved)
         return;
+    setWalkErrors();
     for (std::size_t channel = 0; channel < 3; ++channel) {
         std::array<double, 3> values = {};
         for (std::size_t i = 0; i < 3; ++i)
@@ -76,22 +115,110 @@ ArithmeticBound::ArithmeticBound(const Triangle &triangle, Arithmetic arithmetic
     }
 }
 
-Containment ArithmeticBound::containmentAlong(const std::array<double, 3> &edgeFunctions,
-                                              SpanAxis walk) const
+/// Whether walking along an edge by its increments rounds nothing: the slope is a binary fraction,
+/// and the number holds all multiples of the unit that sums consist of.
+bool ArithmeticBound::isWalkedExactly(std::size_t edge, SpanAxis walk) const
 {
     const bool byColumns = walk == SpanAxis::Column;
-    bool isInside = true;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const LatticePoint &from = m_triangle.vertices[i].position;
-        const LatticePoint &to = m_triangle.vertices[(i + 1) % 3].position;
-        const double across = pixels(std::abs(byColumns ? to.x - from.x : to.y - from.y));
-        // An edge along the walk is an integer bound, compared without rounding.
-        const double limit = across * (byColumns ? m_columnError : m_rowError);
-        if (edgeFunctions[i] < -limit)
-            return Containment::Outside;
-        isInside = isInside && edgeFunctions[i] > limit;
+    const LatticePoint &from = m_triangle.vertices[edge].position;
+    const LatticePoint &to = m_triangle.vertices[(edge + 1) % 3].position;
+    const Lattice along = std::abs(byColumns ? to.x - from.x : to.y - from.y);
+    const Lattice across = std::abs(byColumns ? to.y - from.y : to.x - from.x);
+    if (along == 0)
+        return true; // an integer bound, compared without rounding
+    const Lattice divisor = std::gcd(along, across);
+    if (!std::has_single_bit(std::uint64_t(along / divisor)))
+        return false;
+    const double step = byColumns ? commonUnit({from.x, to.x, unitsPerPixel})
+                                  : commonUnit({from.y, to.y, unitsPerPixel});
+    const double start = byColumns ? commonUnit({from.y, to.y}) : commonUnit({from.x, to.x});
+    const double unit = std::min(start, step * double(divisor) / double(along));
+    return double(across / divisor) * m_unit <= 1
+        && (m_largest + 1) * double(unitsPerPixel) / unit * m_unit <= 1;
+}
+
+/// Whether all products and sums of the three edge functions are multiples that the number holds.
+bool ArithmeticBound::areFunctionsExact() const
+{
+    const auto &[a, b, c] = m_triangle.vertices;
+    const double unit = commonUnit({a.position.x, b.position.x, c.position.x, unitsPerPixel})
+        * commonUnit({a.position.y, b.position.y, c.position.y, unitsPerPixel});
+    const double reached = (m_largest + 1) * double(unitsPerPixel);
+    return 8 * reached * reached / unit * m_unit <= 1;
+}
+
+void ArithmeticBound::setWalkErrors()
+{
+    m_hasExactFunctions = areFunctionsExact();
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+        const LatticePoint &from = m_triangle.vertices[edge].position;
+        const LatticePoint &to = m_triangle.vertices[(edge + 1) % 3].position;
+        if (!isWalkedExactly(edge, SpanAxis::Column))
+            m_walkErrors[0][edge] = pixels(std::abs(to.x - from.x)) * m_columnError;
+        if (!isWalkedExactly(edge, SpanAxis::Row))
+            m_walkErrors[1][edge] = pixels(std::abs(to.y - from.y)) * m_rowError;
     }
-    return isInside ? Containment::Inside : Containment::Undecided;
+}
+
+ArithmeticBound::Sample ArithmeticBound::sampleAt(std::int64_t x, std::int64_t y,
+                                                  const std::optional<BoundaryRule> &rule) const
+{
+    const oracle::SampleVerdict verdict
+        = oracle::judge(m_triangle, rule.value_or(FillRule::Closed), x, y);
+    Sample sample;
+    for (std::size_t i = 0; i < 3; ++i) {
+        sample.functions[i]
+            = double(verdict.edges[i].edgeFunction) / double(unitsPerPixel * unitsPerPixel);
+        sample.areOwned[i] = verdict.edges[i].accepts;
+    }
+    return sample;
+}
+
+Containment ArithmeticBound::containmentWithin(const Sample &sample,
+                                               const std::array<double, 3> &errors,
+                                               const std::optional<BoundaryRule> &rule)
+{
+    Containment found = Containment::Inside;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (sample.functions[i] < -errors[i])
+            return Containment::Outside;
+        if (sample.functions[i] > errors[i])
+            continue;
+        const bool isDecided = rule && errors[i] == 0;
+        if (isDecided && !sample.areOwned[i])
+            return Containment::Outside;
+        if (!isDecided)
+            found = Containment::Undecided;
+    }
+    return found;
+}
+
+/// Whether each weight, also as 1 − α − β, has its edge function's sign in every rounding.
+bool ArithmeticBound::hasThirdWeights(const Sample &sample) const
+{
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (std::abs(sample.functions[i]) > 8 * m_unit * m_area)
+            continue;
+        const double alpha = sample.functions[(i + 1) % 3];
+        const double beta = sample.functions[(i + 2) % 3];
+        const bool isSingle = m_unit > std::ldexp(1.0, -53);
+        if (!hasSignOf<double>(sample.functions[i], alpha, beta, m_area)
+            || (isSingle && !hasSignOf<float>(sample.functions[i], alpha, beta, m_area)))
+            return false;
+    }
+    return true;
+}
+
+Containment ArithmeticBound::byFunctions(const Sample &sample,
+                                         const std::optional<BoundaryRule> &rule) const
+{
+    if (m_hasExactFunctions)
+        return hasThirdWeights(sample) ? containmentWithin(sample, {}, rule)
+                                       : Containment::Undecided;
+    if (m_area <= 2 * m_functionError)
+        return Containment::Undecided;
+    const double error = 2 * m_functionError + 4 * m_unit * m_area; // of the third weight, too
+    return containmentWithin(sample, {error, error, error}, rule);
 }
 
 SampleBox ArithmeticBound::reachIn(const FrameSpec &frame) const
@@ -118,24 +245,16 @@ double ArithmeticBound::spanLevelError(double rate) const
         + (m_extent[1] + 7) * m_unit * levels;
 }
 
-Containment ArithmeticBound::containmentOf(std::int64_t x, std::int64_t y) const
+Containment ArithmeticBound::containmentOf(std::int64_t x, std::int64_t y,
+                                           const std::optional<BoundaryRule> &rule) const
 {
     if (!m_isProved)
         return Containment::Undecided;
-    const oracle::SampleVerdict verdict = oracle::judge(m_triangle, FillRule::Closed, x, y);
-    std::array<double, 3> functions = {};
-    for (std::size_t i = 0; i < 3; ++i)
-        functions[i]
-            = double(verdict.edges[i].edgeFunction) / double(unitsPerPixel * unitsPerPixel);
-    const double least = *std::ranges::min_element(functions);
-    const bool isAreaSure = m_area > 2 * m_functionError;
-    Containment found = Containment::Undecided; // by edge functions
-    if (isAreaSure && least < -m_functionError)
-        found = Containment::Outside;
-    else if (isAreaSure && least > m_functionError)
-        found = Containment::Inside;
-    const bool isAgreed = containmentAlong(functions, SpanAxis::Column) == found
-        && containmentAlong(functions, SpanAxis::Row) == found;
+    const Sample sample = sampleAt(x, y, rule);
+    const Containment found = byFunctions(sample, rule);
+    const bool isAgreed = std::ranges::all_of(m_walkErrors, [&](const auto &errors) {
+        return containmentWithin(sample, errors, rule) == found;
+    });
     return isAgreed ? found : Containment::Undecided;
 }
 

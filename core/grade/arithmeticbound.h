@@ -2,12 +2,14 @@
 #pragma once
 
 #include "core/geometry/triangle.h"
+#include "core/scan/boundaryrule.h"
 #include "core/scan/edgeteststate.h"
 #include "core/scan/scansettings.h"
 #include "core/scan/spanaxis.h"
 
 #include <array>
 #include <optional>
+#include <utility>
 
 namespace pixelplumb {
 
@@ -17,6 +19,14 @@ enum class Containment { Inside, Outside, Undecided };
 struct LevelRange {
     double least = 0;
     double most = 0;
+
+    /// The least and the largest byte to which a level within the range is rounded.
+    std::pair<int, int> bytes(ByteRounding rounding) const;
+    bool hasByte(int byte, ByteRounding rounding) const
+    {
+        const auto [first, last] = bytes(rounding);
+        return first <= byte && byte <= last;
+    }
 };
 
 /// The largest error of a right program on one triangle, in sample coordinates, if it walks between
@@ -29,7 +39,15 @@ public:
 
     /// False without area and for vertices beyond 2^16 px, which float32 does not hold.
     bool isProved() const { return m_isProved; }
-    Containment containmentOf(std::int64_t x, std::int64_t y) const;
+    /// A sample on an edge where nothing rounds is decided by the fill rule; none: undecided.
+    Containment containmentOf(std::int64_t x, std::int64_t y,
+                              const std::optional<BoundaryRule> &rule) const;
+    /// The same of programs that evaluate edge functions alone.
+    Containment containmentByFunctions(std::int64_t x, std::int64_t y,
+                                       const std::optional<BoundaryRule> &rule) const
+    {
+        return m_isProved ? byFunctions(sampleAt(x, y, rule), rule) : Containment::Undecided;
+    }
     /// The frame's samples that a right program may write; it never writes any other.
     SampleBox reachIn(const FrameSpec &frame) const;
     /// The error of y_B and y_T of a column, or x_L and x_R of a row, px; infinite for vertices
@@ -51,8 +69,19 @@ public:
     double spanLevelError(double rate) const;
 
 private:
-    /// The containment that a walk by columns, or by rows, guarantees.
-    Containment containmentAlong(const std::array<double, 3> &edgeFunctions, SpanAxis walk) const;
+    struct Sample {
+        std::array<double, 3> functions = {}; ///< px²
+        std::array<bool, 3> areOwned = {}; ///< by the fill rule, on the edge's line
+    };
+    Sample sampleAt(std::int64_t x, std::int64_t y, const std::optional<BoundaryRule> &rule) const;
+    /// The containment by edge functions with these errors, px².
+    static Containment containmentWithin(const Sample &sample, const std::array<double, 3> &errors,
+                                         const std::optional<BoundaryRule> &rule);
+    Containment byFunctions(const Sample &sample, const std::optional<BoundaryRule> &rule) const;
+    void setWalkErrors();
+    bool isWalkedExactly(std::size_t edge, SpanAxis walk) const;
+    bool areFunctionsExact() const;
+    bool hasThirdWeights(const Sample &sample) const;
 
     Triangle m_triangle;
     Triangle m_exchanged; ///< with x and y exchanged
@@ -62,6 +91,10 @@ private:
     double m_columnError = 0; ///< of y_B and y_T, px
     double m_rowError = 0; ///< of x_L and x_R, px
     double m_functionError = 0; ///< of an edge function, px²
+    bool m_hasExactFunctions = false; ///< nothing rounds in them but a division by the area
+    /// Errors of walks by columns and by rows as those of edge functions, px²: 0 where nothing
+    /// rounds.
+    std::array<std::array<double, 3>, 2> m_walkErrors = {};
     double m_columnLevelError = 0; ///< of a level along an edge
     double m_rowLevelError = 0;
     std::array<double, 2> m_extent = {}; ///< in x and y, px

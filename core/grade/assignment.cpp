@@ -2,6 +2,7 @@
 #include "core/grade/assignment.h"
 
 #include "core/grade/showntext.h"
+#include "core/scan/choicenames.h"
 #include "core/scene/scenefile.h"
 
 #include <QJsonArray>
@@ -63,38 +64,22 @@ QString nameOf(HintLevel level)
     return QStringLiteral("full");
 }
 
-QString nameOf(Leeway leeway)
+QString nameOf(Winding winding)
 {
-    switch (leeway) {
-    case Leeway::None:
-        return QStringLiteral("none");
-    case Leeway::Edges:
-        return QStringLiteral("edges");
-    case Leeway::Float32:
-        return QStringLiteral("float32");
-    case Leeway::Float64:
+    switch (winding) {
+    case Winding::Any:
+        return QStringLiteral("any");
+    case Winding::CounterClockwise:
+        return QStringLiteral("counter-clockwise");
+    case Winding::Clockwise:
         break;
     }
-    return QStringLiteral("float64");
+    return QStringLiteral("clockwise");
 }
 
 QString nameOf(Credit credit)
 {
     return credit == Credit::Whole ? QStringLiteral("whole") : QStringLiteral("share");
-}
-
-Arithmetic toleranceOf(Leeway leeway)
-{
-    switch (leeway) {
-    case Leeway::None:
-    case Leeway::Edges:
-        return Arithmetic::Exact;
-    case Leeway::Float32:
-        return Arithmetic::Float32;
-    case Leeway::Float64:
-        break;
-    }
-    return Arithmetic::Float64;
 }
 
 QString nameOf(ProgramInput input)
@@ -121,7 +106,9 @@ QByteArray writeAssignment(const Assignment &assignment)
     QJsonObject object{{QStringLiteral("pixelplumbAssignment"), assignmentFormat},
                        {QStringLiteral("name"), assignment.name},
                        {QStringLiteral("hint"), nameOf(assignment.hint)},
-                       {QStringLiteral("leeway"), nameOf(assignment.leeway)},
+                       {QStringLiteral("leeway"), nameText(nameOf(assignment.margin.leeway))},
+                       {QStringLiteral("tolerance"), nameText(nameOf(assignment.margin.tolerance))},
+                       {QStringLiteral("winding"), nameOf(assignment.winding)},
                        {QStringLiteral("credit"), nameOf(assignment.credit)},
                        {QStringLiteral("scenes"), scenes}};
     if (assignment.program)

@@ -35,18 +35,11 @@ inline constexpr std::array allHintLevels
     = {HintLevel::Class, HintLevel::Hint, HintLevel::Pixels, HintLevel::Full};
 QString nameOf(HintLevel level); ///< "class", "hint", "pixels", "full"
 
-/// Which pixels may be either way.
-enum class Leeway {
-    None, ///< none: the scene's fill rule decides all
-    Edges, ///< those whose sample lies on an edge, where rules differ
-    Float32, ///< also those that a right program computing in it may draw differently
-    Float64,
-};
-inline constexpr std::array allLeeways
-    = {Leeway::None, Leeway::Edges, Leeway::Float32, Leeway::Float64};
-QString nameOf(Leeway leeway); ///< "none", "edges", "float32", "float64"
-/// The arithmetic that a right program may compute in; exact where it needs exact numbers.
-Arithmetic toleranceOf(Leeway leeway);
+/// How all triangles of the scenes wind, as seen on the screen; those without area do not.
+enum class Winding { Any, CounterClockwise, Clockwise };
+inline constexpr std::array allWindings
+    = {Winding::Any, Winding::CounterClockwise, Winding::Clockwise};
+QString nameOf(Winding winding); ///< "any", "counter-clockwise", "clockwise"
 
 /// What a failed check still earns.
 enum class Credit {
@@ -87,7 +80,8 @@ struct Assignment {
     QString name; ///< "Assignment 2: column scan"
     std::vector<AssignedScene> scenes; ///< at least one; their names differ
     HintLevel hint = HintLevel::Hint;
-    Leeway leeway = Leeway::Float32;
+    Margin margin;
+    Winding winding = Winding::Any; ///< that is promised to programs
     Credit credit = Credit::Whole;
     std::optional<AssignedProgram> program; ///< none: only pictures are graded, nothing is run
 

@@ -2,6 +2,7 @@
 #include "core/grade/assignment.h"
 #include "core/grade/defect.h"
 #include "core/runs/sceneplan.h"
+#include "core/scan/choicenames.h"
 #include "core/scene/choicereader.h"
 #include "core/scene/fileaccess.h"
 #include "core/scene/scenefile.h"
@@ -31,12 +32,16 @@ public:
     {
         const JsonNode &root = m_json.root();
         readFormat(root);
-        m_json.expectObject(
-            root, {formatKey, "name", "hint", "leeway", "credit", "points", "scenes", "program"});
+        m_json.expectObject(root,
+                            {formatKey, "name", "hint", "leeway", "tolerance", "winding", "credit",
+                             "points", "scenes", "program"});
         Assignment assignment;
         assignment.name = m_json.string(root["name"]);
         readWord(root["hint"], allHintLevels, assignment.hint);
-        readWord(root["leeway"], allLeeways, assignment.leeway);
+        readWord(root["leeway"], allLeeways, assignment.margin.leeway);
+        readWord(root["tolerance"], allTolerances, assignment.margin.tolerance);
+        readWord(root["winding"], allWindings, m_winding);
+        assignment.winding = m_winding;
         readWord(root["credit"], allCredits, assignment.credit);
         readPoints(root["points"], m_points);
         readScenes(root["scenes"], assignment.scenes);
@@ -57,6 +62,9 @@ private:
                 QStringLiteral("\"%1\": %2").arg(formatKey, QString::number(assignmentFormat)));
     }
 
+    static QString wordOf(const QString &name) { return name; }
+    static QString wordOf(std::string_view name) { return nameText(name); }
+
     template <class Choice, std::size_t Count>
     void readWord(const JsonNode &node, const std::array<Choice, Count> &choices, Choice &choice)
     {
@@ -64,7 +72,7 @@ private:
             return;
         QStringList words;
         for (const Choice each : choices)
-            words += nameOf(each);
+            words += wordOf(nameOf(each));
         const qsizetype place = words.indexOf(node.toString());
         if (place < 0)
             m_json.fail(node, describe(node), anyOf(words));
@@ -125,7 +133,28 @@ private:
         scene.points = m_points;
         readPoints(node["points"], scene.points);
         readContent(content, scene.scene);
+        checkWinding(content, scene.scene);
         return scene;
+    }
+
+    void checkWinding(const JsonNode &node, const Scene &scene)
+    {
+        if (m_json.hasFailed() || m_winding == Winding::Any)
+            return;
+        const bool isUpward = scene.frame.origin == FrameOrigin::BottomLeft;
+        for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
+            const Int128 area = doubledArea(scene.triangles[i]);
+            const bool isOther = m_winding == Winding::Clockwise ? isUpward ? area > 0 : area < 0
+                : isUpward                                       ? area < 0
+                                                                 : area > 0;
+            if (!isOther)
+                continue;
+            m_json.fail(node,
+                        QStringLiteral("triangle %1, counted from 0, is not %2")
+                            .arg(QString::number(i), nameOf(m_winding)),
+                        QStringLiteral("what “winding” promises: exchange two of its vertices"));
+            return;
+        }
     }
 
     void readContent(const JsonNode &node, Scene &scene)
@@ -188,6 +217,7 @@ private:
 
     JsonReader &m_json;
     QString m_folder;
+    Winding m_winding = Winding::Any;
     CheckPoints m_points = AssignedScene().points; ///< for scenes without their own
 };
 

@@ -30,7 +30,7 @@ PictureSource sourceOf(const Contender &contender);
 /// Draws as `of` does, with the defect of this id; a scene to which it does not apply is drawn
 /// right.
 PictureSource sourceOf(const QString &defect, const Contender &of);
-/// Draws what a program prints of the scene under the terms; their tolerance is ignored.
+/// Draws what a program prints of the scene under the terms; their margin is ignored.
 PictureSource sourceOf(const StudentProgram &student, const TrialTerms &terms = {});
 
 /// A small scene of which two sources draw different pictures.

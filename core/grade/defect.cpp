@@ -2,8 +2,8 @@
 #include "core/grade/defect.h"
 
 #include "core/grade/leveldefect.h"
+#include "core/grade/linechoice.h"
 #include "core/grade/picturecause.h"
-#include "core/grade/programline.h"
 #include "core/grade/redrawing.h"
 #include "core/grade/scenedefect.h"
 #include "core/grade/spandefect.h"
@@ -28,7 +28,7 @@ void appendVariants(std::vector<Defect> &defects, const Scene &scene)
                           changed.settings.variants = changed.settings.variants.with(variant);
                           return true;
                       }};
-        if (variant == Variant::StayAtZero && hasDecisions(scene)) {
+        if (variant == Variant::StayAtZero && drawsNearestPixels(scene)) {
             defect.forAssistant
                 += QStringLiteral(" Both pixels are equally near: that alone is no mistake.");
             defect.isRightAlone = true;

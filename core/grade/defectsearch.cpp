@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/defectsearch.h"
 
+#include "core/grade/linechoice.h"
+
 #include <algorithm>
 
 namespace pixelplumb {
@@ -13,6 +15,11 @@ constexpr std::size_t nearestTried = 64; // sets that are tested for whether rou
 constexpr std::size_t nearestPaired = 64; // single defects that are paired with another one
 constexpr auto unknown = PictureMatcher::unknown;
 
+bool isNoMistake(const Defect &defect)
+{
+    return defect.isRightAlone || defect.choice == QLatin1String(arithmeticChoice);
+}
+
 } // namespace
 
 DefectSearch::DefectSearch(DefectPictures &pictures, PictureMatcher &matcher,
@@ -23,6 +30,7 @@ DefectSearch::DefectSearch(DefectPictures &pictures, PictureMatcher &matcher,
     , m_listener(listener)
     , m_differing(diagnosis.differing)
     , m_isExplained(diagnosis.verdict == DiagnosisVerdict::Undecidable)
+    , m_areRightLines(m_isExplained && drawsNearestPixels(pictures.scenes().front()))
     , m_mostOpen(matcher.coveredPixels() / 8 + 8)
 {
     const auto count = std::int64_t(m_defects.size());
@@ -34,11 +42,12 @@ std::vector<DiagnosisCandidate> DefectSearch::candidates() const
     std::vector<SetMatch> matches = m_exact;
     matches.insert(matches.end(), m_open.begin(), m_open.end());
     matches.insert(matches.end(), m_completed.begin(), m_completed.end());
+    std::erase_if(matches, [this](const SetMatch &match) { return isByChance(match.set); });
     if (matches.empty() && !m_isExplained) {
         // A set that leaves more than nine tenths does not count as near.
         for (const SetMatch &near : m_nearest) {
             const bool isNear = 10 * near.distance <= 9 * m_differing && needsSecond(near);
-            if (isNear && !m_matcher.isDrawnAllTheSame(near.set))
+            if (isNear && !m_matcher.isDrawnAllTheSame(near.set) && !isByChance(near.set))
                 matches.push_back(near);
         }
         std::ranges::stable_sort(matches, {}, [this](const SetMatch &near) {
@@ -70,6 +79,21 @@ std::int64_t DefectSearch::rankOf(const SetMatch &near) const
     const std::int64_t alone = leastAlone(near.set);
     const bool isHardlyLess = alone - near.distance <= 1 || 10 * (alone - near.distance) < alone;
     return isHardlyLess ? alone : near.distance;
+}
+
+/// Whether a smaller set, or none, leaves so little that the rest of this one proves nothing.
+bool DefectSearch::isByChance(const DefectSet &set) const
+{
+    const auto isLeftLittle = [&](const std::optional<std::size_t> &part) {
+        DefectSet smaller;
+        smaller.first = part;
+        smaller.arithmetic = set.arithmetic;
+        return m_matcher.leavesFewLevels(smaller);
+    };
+    if (!set.first)
+        return false;
+    return isLeftLittle(std::nullopt)
+        || (set.second && (isLeftLittle(set.first) || isLeftLittle(set.second)));
 }
 
 DiagnosisCandidate DefectSearch::candidateOf(const SetMatch &match) const
@@ -171,7 +195,8 @@ void DefectSearch::tryRules()
 bool DefectSearch::trySingles()
 {
     for (std::size_t i = 0; i < m_defects.size(); ++i) {
-        m_alone.push_back(distanceUpTo({i}, m_differing));
+        const bool isNamed = !m_areRightLines || isNoMistake(m_defects[i]);
+        m_alone.push_back(isNamed ? distanceUpTo({i}, m_differing) : unknown);
         if (m_alone.back() == 0)
             m_exact.push_back({{i}});
         else if (m_exact.empty())

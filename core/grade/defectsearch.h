@@ -9,18 +9,19 @@ namespace pixelplumb {
 class DefectSearch {
 public:
     /// The diagnosis says how many pixels differ, and whether they need an explanation: undecidable
-    /// ones do not.
+    /// ones do not, and of those of lines only what alone is no mistake is named.
     DefectSearch(DefectPictures &pictures, PictureMatcher &matcher, const Diagnosis &diagnosis,
                  const ProgressListener &listener);
 
     /// False where the listener ended it.
-    bool run() { return trySingles() && tryPairs(); }
+    bool run() { return trySingles() && (m_areRightLines || tryPairs()); }
 
     std::vector<DiagnosisCandidate> candidates() const;
 
 private:
     bool needsSecond(const SetMatch &near) const;
     std::int64_t rankOf(const SetMatch &near) const;
+    bool isByChance(const DefectSet &set) const;
     DiagnosisCandidate candidateOf(const SetMatch &match) const;
     bool goesOnTrying() { return goesOn(m_listener, {JobPhase::Judging, ++m_tried, m_sets}); }
     std::int64_t distanceUpTo(const DefectSet &set, std::int64_t limit);
@@ -45,6 +46,7 @@ private:
     const ProgressListener &m_listener;
     std::int64_t m_differing;
     bool m_isExplained; ///< by the right pictures up to open pixels, or by a set
+    bool m_areRightLines; ///< by the right pictures of lines
     bool m_hasSingle = false; ///< one defect explains the pictures
     std::int64_t m_mostOpen; ///< pixels: more are never due to rounding alone
     std::int64_t m_sets = 0, m_tried = 0;

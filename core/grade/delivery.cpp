@@ -207,7 +207,7 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
     }
     const AssignedProgram &program = *assignment.program;
     TrialTerms terms;
-    terms.tolerance = toleranceOf(assignment.leeway);
+    terms.margin = assignment.margin;
     terms.input = program.input;
     terms.limits = limits;
     terms.limits.time = std::chrono::seconds(program.seconds);

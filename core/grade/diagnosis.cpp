@@ -13,15 +13,15 @@ namespace pixelplumb {
 
 namespace {
 
-/// How many of the differing pixels lie on ties or within the tolerance's bound.
+/// How many of the differing pixels lie on ties or within the margin.
 std::int64_t undecidableIn(DefectPictures &pictures, std::span<const FoundPicture> found,
-                           Arithmetic tolerance)
+                           const Margin &margin)
 {
     std::int64_t undecidable = 0;
     for (const FoundPicture &each : found) {
         const Picture &right = *pictures.picture(each.scene, {});
         const auto open
-            = undecidablePixels(pictures.scenes()[each.scene], right, each.picture, tolerance);
+            = undecidablePixels(pictures.scenes()[each.scene], right, each.picture, margin);
         undecidable += differenceOf(right, each.picture, open).count(PixelVerdict::Undecidable);
     }
     return undecidable;
@@ -29,17 +29,16 @@ std::int64_t undecidableIn(DefectPictures &pictures, std::span<const FoundPictur
 
 /// False where the listener ended it.
 bool diagnoseOnItsBackground(DefectPictures &pictures, std::span<const FoundPicture> found,
-                             const ProgressListener &listener, std::optional<Arithmetic> tolerance,
+                             const ProgressListener &listener, const Margin &margin,
                              Diagnosis &diagnosis)
 {
-    PictureMatcher matcher(pictures, found, tolerance);
+    PictureMatcher matcher(pictures, found, margin);
     diagnosis.differing = matcher.distance({});
     if (diagnosis.differing == 0) {
         diagnosis.verdict = DiagnosisVerdict::Right;
         return true;
     }
-    if (tolerance)
-        diagnosis.undecidable = undecidableIn(pictures, found, *tolerance);
+    diagnosis.undecidable = undecidableIn(pictures, found, margin);
     if (diagnosis.undecidable == diagnosis.differing)
         diagnosis.verdict = DiagnosisVerdict::Undecidable;
     DefectSearch search(pictures, matcher, diagnosis, listener);
@@ -108,10 +107,10 @@ Defect drawnOnOther(const Colour &other, const QString &backgrounds)
 
 /// False where the listener ended it.
 bool diagnoseOnAnyBackground(DefectPictures &pictures, std::span<const FoundPicture> found,
-                             const ProgressListener &listener, std::optional<Arithmetic> tolerance,
+                             const ProgressListener &listener, const Margin &margin,
                              Diagnosis &diagnosis)
 {
-    if (!diagnoseOnItsBackground(pictures, found, listener, tolerance, diagnosis))
+    if (!diagnoseOnItsBackground(pictures, found, listener, margin, diagnosis))
         return false;
     const bool isUnexplained
         = diagnosis.verdict == DiagnosisVerdict::Wrong && !diagnosis.isExplained();
@@ -120,7 +119,7 @@ bool diagnoseOnAnyBackground(DefectPictures &pictures, std::span<const FoundPict
         return true;
     Diagnosis beside;
     if (!diagnoseOnItsBackground(pictures, onRightBackground(pictures, found, *other), listener,
-                                 tolerance, beside))
+                                 margin, beside))
         return false;
     if (beside.candidates.empty())
         beside.candidates.push_back(
@@ -191,8 +190,7 @@ QString undecidableText(std::int64_t pixels)
 }
 
 std::optional<Diagnosis> diagnose(std::span<const Submission> submissions,
-                                  const ProgressListener &listener,
-                                  std::optional<Arithmetic> tolerance)
+                                  const ProgressListener &listener, const Margin &margin)
 {
     std::vector<Scene> scenes;
     std::vector<FoundPicture> found;
@@ -201,17 +199,16 @@ std::optional<Diagnosis> diagnose(std::span<const Submission> submissions,
         scenes.push_back(submission.scene);
     }
     DefectPictures pictures(std::move(scenes));
-    return diagnose(pictures, found, listener, tolerance);
+    return diagnose(pictures, found, listener, margin);
 }
 
 std::optional<Diagnosis> diagnose(DefectPictures &pictures, std::span<const FoundPicture> found,
-                                  const ProgressListener &listener,
-                                  std::optional<Arithmetic> tolerance)
+                                  const ProgressListener &listener, const Margin &margin)
 {
     Diagnosis diagnosis;
     bool isDone = true;
     diagnosis.failure = failureOf(
-        [&] { isDone = diagnoseOnAnyBackground(pictures, found, listener, tolerance, diagnosis); });
+        [&] { isDone = diagnoseOnAnyBackground(pictures, found, listener, margin, diagnosis); });
     return isDone ? std::optional(std::move(diagnosis)) : std::nullopt;
 }
 

@@ -74,18 +74,16 @@ struct Diagnosis {
     bool isExplained() const { return !candidates.empty() && candidates.front().distance == 0; }
 };
 
-/// Judges all pictures together: one cause for all. Undecidable means that a right program
-/// computing in arithmetic up to the tolerance may have the same differences (undecidablePixels;
-/// exact: only on ties; none: nowhere). None where the listener, who hears how many sets of defects
-/// are tried, ended it. An exception ends only the search (Diagnosis::failure).
+/// Judges all pictures together: one cause for all. Undecidable means that a right program may have
+/// the same differences, by the margin (undecidablePixels). None where the listener, who hears how
+/// many sets of defects are tried, ended it. An exception ends only the search
+/// (Diagnosis::failure).
 std::optional<Diagnosis> diagnose(std::span<const Submission> submissions,
-                                  const ProgressListener &listener = {},
-                                  std::optional<Arithmetic> tolerance = Arithmetic::Float32);
+                                  const ProgressListener &listener = {}, const Margin &margin = {});
 
 /// Like diagnose() above, for judging many programs' pictures of the same scenes.
 std::optional<Diagnosis> diagnose(DefectPictures &pictures, std::span<const FoundPicture> found,
-                                  const ProgressListener &listener = {},
-                                  std::optional<Arithmetic> tolerance = Arithmetic::Float32);
+                                  const ProgressListener &listener = {}, const Margin &margin = {});
 
 /// None where the runs are equal.
 std::optional<PartingStep> partingStepOf(const Scene &right, const Scene &defective);

@@ -124,10 +124,8 @@ Grader::Grader(Assignment assignment)
 
 std::vector<std::uint8_t> Grader::leftOpen(std::size_t scene, const Picture &found) const
 {
-    if (m_assignment.leeway == Leeway::None)
-        return {};
     return undecidablePixels(m_assignment.scenes[scene].scene, m_expected[scene], found,
-                             toleranceOf(m_assignment.leeway));
+                             m_assignment.margin);
 }
 
 GradedScene Grader::judge(std::size_t scene, const Delivery &delivery) const

@@ -59,10 +59,9 @@ std::optional<FirstDivergence> Grader::partingOf(const DiagnosisCandidate &candi
 std::optional<Diagnosis> Grader::diagnosisOf(std::span<const FoundPicture> found,
                                              const std::stop_token &stop)
 {
-    const bool isLenient = m_assignment.leeway != Leeway::None;
     return diagnose(
         m_pictures, found, [&stop](const JobProgress &) { return !stop.stop_requested(); },
-        isLenient ? std::optional(toleranceOf(m_assignment.leeway)) : std::nullopt);
+        m_assignment.margin);
 }
 
 GradedCandidate Grader::gradedOf(const DiagnosisCandidate &candidate,

@@ -128,7 +128,7 @@ private:
                      return true;
                  const bool covers = view.covers(x, y);
                  return covers == there.covers(x + shift, y + shift)
-                     && (!covers || view.colourAt(x, y) == there.colourAt(x + shift, y + shift));
+                     && (!covers || there.hasColourAt(x + shift, y + shift, view.colourAt(x, y)));
              }),
              scene);
     }

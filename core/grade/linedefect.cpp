@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/bresenhamdefect.h"
 #include "core/grade/drawnline.h"
+#include "core/grade/linechoice.h"
 #include "core/grade/spandefect.h"
 #include "core/methods/method.h"
 #include "core/runs/sceneplan.h"
+#include "core/scan/linestep.h"
 
 #include <algorithm>
 #include <iterator>
@@ -74,6 +76,44 @@ void truncateAcross(DrawnLine &line)
     }
 }
 
+/// Of two equally near pixels the lower one, ⌈v − ½⌉, or of a steep line the left one.
+void roundHalvesDown(DrawnLine &line, LineAxis axis)
+{
+    const bool isSteep = axis == LineAxis::Y;
+    Lattice LatticePoint::*alongOf = isSteep ? &LatticePoint::y : &LatticePoint::x;
+    Lattice LatticePoint::*acrossOf = isSteep ? &LatticePoint::x : &LatticePoint::y;
+    const Lattice run = line.to.*alongOf - line.from.*alongOf;
+    if (run == 0)
+        return;
+    for (LinePixel &pixel : line.pixels) {
+        std::int64_t &across = isSteep ? pixel.x : pixel.y;
+        const Lattice step = (isSteep ? pixel.y : pixel.x) * unitsPerPixel - line.from.*alongOf;
+        const Int128 above = Int128(line.from.*acrossOf - across * unitsPerPixel) * run
+            + Int128(step) * (line.to.*acrossOf - line.from.*acrossOf);
+        if (2 * above == -Int128(run) * unitsPerPixel)
+            --across;
+    }
+}
+
+/// What alone is no mistake, for both pixels are equally near.
+void appendHalvesDown(std::vector<Defect> &defects, const Scene &scene)
+{
+    const bool isEquation = scene.method == "line-slope-intercept";
+    const auto redraw = [isEquation](const Scene &drawn) {
+        return redrawnLines(drawn, [isEquation](DrawnLine &line) {
+            roundHalvesDown(line, isEquation ? LineAxis::X : lineAxisOf(line.from, line.to));
+        });
+    };
+    defects.push_back({.id = QStringLiteral("rounds-halves-down"),
+                       .forStudent = QStringLiteral("Which of two equally near pixels is drawn?"),
+                       .forAssistant = QStringLiteral(
+                           "Halves are rounded down, ⌈v − ½⌉ in place of ⌊v + ½⌋. Both pixels are "
+                           "equally near: that alone is no mistake."),
+                       .redraw = redraw,
+                       .choice = QStringLiteral("lines"),
+                       .isRightAlone = true});
+}
+
 void exchangeSteep(DrawnLine &line)
 {
     if (!line.isSteep())
@@ -142,6 +182,8 @@ std::vector<Defect> lineDefectsFor(const Scene &scene)
                omitGreatest);
     if (method.supports(Variant::StayAtZero))
         std::ranges::move(bresenhamDefects(), std::back_inserter(defects));
+    else if (drawsNearestPixels(scene))
+        appendHalvesDown(defects, scene);
     if (method.id != QStringLiteral("line-slope-intercept"))
         append(defects, "one-pixel-a-column", octants,
                "Steep lines, too, have one pixel a column: x and y are not exchanged.",

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <set>
 
 namespace pixelplumb {
 
@@ -25,18 +27,19 @@ bool isSameAt(const Picture &one, const Picture &other, std::size_t place)
 } // namespace
 
 PictureMatcher::PictureMatcher(DefectPictures &pictures, std::span<const FoundPicture> found,
-                               std::optional<Arithmetic> tolerance)
+                               const Margin &margin)
     : m_pictures(pictures)
     , m_found(found)
-    , m_tolerance(tolerance)
+    , m_margin(margin)
 {
 }
 
 bool PictureMatcher::isTolerated(Arithmetic arithmetic) const
 {
     // What float32 may do, float64 may do too.
-    return m_tolerance == arithmetic
-        || (m_tolerance == Arithmetic::Float32 && arithmetic == Arithmetic::Float64);
+    return !m_margin.isStrict()
+        && (m_margin.tolerance == arithmetic
+            || (m_margin.tolerance == Arithmetic::Float32 && arithmetic == Arithmetic::Float64));
 }
 
 std::int64_t PictureMatcher::distance(const DefectSet &set, std::int64_t limit)
@@ -90,7 +93,7 @@ std::optional<std::int64_t> PictureMatcher::openPixels(const DefectSet &set,
         if (isDrawn)
             continue;
         if (!range)
-            range = m_pictures.range(each.scene, set, *m_tolerance);
+            range = m_pictures.range(each.scene, set, m_margin.tolerance);
         if (!range || !range->contains(each.picture, place))
             return std::nullopt;
     }
@@ -152,9 +155,34 @@ bool PictureMatcher::isDrawnAllTheSame(const DefectSet &set)
     return false;
 }
 
+bool PictureMatcher::leavesFewLevels(const DefectSet &set)
+{
+    constexpr std::size_t handful = 4;
+    std::set<std::pair<std::uint8_t, std::uint8_t>> changes; // of a level to another
+    for (const FoundPicture &each : m_found) {
+        const auto picture = m_pictures.picture(each.scene, set);
+        if (!picture || !each.picture.hasColours)
+            return false;
+        for (std::size_t place = 0; place < picture->size(); ++place) {
+            const Colour &is = each.picture.colours[place];
+            const Colour &should = picture->colours[place];
+            for (std::size_t i = 0; i < 3; ++i) {
+                const int error = std::abs(int(is.channels[i]) - int(should.channels[i]));
+                if (error > 1)
+                    return false;
+                if (error == 1)
+                    changes.emplace(should.channels[i], is.channels[i]);
+            }
+            if (changes.size() > handful)
+                return false;
+        }
+    }
+    return !changes.empty();
+}
+
 std::optional<SetMatch> PictureMatcher::allowedMatch(const DefectSet &set)
 {
-    if (!m_tolerance)
+    if (m_margin.isStrict())
         return std::nullopt;
     for (const auto &[arithmetic, defect] : m_pictures.arithmetics()) {
         const DefectSet computed = computedIn(set, arithmetic);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/grade/defectpictures.h"
+#include "core/grade/margin.h"
 
 #include <cstdint>
 #include <span>
@@ -23,13 +24,13 @@ struct SetMatch {
 };
 
 /// Compares sets of defects with pictures found of some scenes. A program may compute in arithmetic
-/// up to the tolerance; exact: samples on an edge are open; none: nothing is.
+/// up to the margin's tolerance, unless that is strict.
 class PictureMatcher {
 public:
     static constexpr std::int64_t unknown = std::numeric_limits<std::int64_t>::max();
 
     PictureMatcher(DefectPictures &pictures, std::span<const FoundPicture> found,
-                   std::optional<Arithmetic> tolerance);
+                   const Margin &margin);
 
     /// Differing pixels in all found pictures, up to a limit; unknown where a scene cannot be drawn
     /// so. A limit of 1 only tests equality.
@@ -47,6 +48,10 @@ public:
     /// picture differs from the set's at one of these.
     bool isDrawnAllTheSame(const DefectSet &set);
 
+    /// Whether what the set leaves is a handful of levels that are off by one: so little is
+    /// explained by many another defect, by chance.
+    bool leavesFewLevels(const DefectSet &set);
+
     bool isTolerated(Arithmetic arithmetic) const;
 
 private:
@@ -56,7 +61,7 @@ private:
 
     DefectPictures &m_pictures;
     std::span<const FoundPicture> m_found;
-    std::optional<Arithmetic> m_tolerance;
+    Margin m_margin;
 };
 
 } // namespace pixelplumb

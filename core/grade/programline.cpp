@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/programline.h"
 
-#include "core/methods/method.h"
 #include "core/number/commonfraction.h"
 
 #include <algorithm>
@@ -208,20 +207,6 @@ private:
 };
 
 } // namespace
-
-bool hasDecisions(const Scene &scene)
-{
-    return isOfLines(scene)
-        && methodNamed(QString::fromStdString(scene.method))->supports(Variant::StayAtZero);
-}
-
-Scene withOtherTies(Scene scene)
-{
-    VariantSet &variants = scene.settings.variants;
-    variants = variants.contains(Variant::StayAtZero) ? variants.without(Variant::StayAtZero)
-                                                      : variants.with(Variant::StayAtZero);
-    return scene;
-}
 
 Picture drawnBy(const ProgramLine &program, const Scene &scene)
 {

@@ -83,12 +83,6 @@ struct ProgramLine {
     LineColours colours = LineColours::Right;
 };
 
-/// Whether the scene has only lines, drawn by a method that tests p, and p = 0 can go either way.
-bool hasDecisions(const Scene &scene);
-
-/// The scene with the other choice at p = 0: across or not.
-Scene withOtherTies(Scene scene);
-
 /// The scene of lines as drawn by this program; lines not between samples are unchanged.
 Picture drawnBy(const ProgramLine &program, const Scene &scene);
 

@@ -25,7 +25,7 @@ Picture boundedPicture(const Scene &alone, const RoundingSide &side)
     const SampleBox box = bound.reachIn(frame);
     for (std::int64_t y = box.firstY; y < box.endY; ++y) {
         for (std::int64_t x = box.firstX; x < box.endX; ++x) {
-            const Containment sample = bound.containmentOf(x, y);
+            const Containment sample = bound.containmentOf(x, y, std::nullopt);
             const bool isDrawn = sample == Containment::Inside
                 || (sample == Containment::Undecided && side.isOutward);
             if (!isDrawn)

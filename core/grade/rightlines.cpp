@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/rightlines.h"
 
-#include "core/grade/arithmeticbound.h"
+#include "core/grade/trianglemargin.h"
 #include "core/oracle/oracle.h"
 #include "core/runs/sceneplan.h"
 
@@ -16,10 +16,15 @@ namespace {
 /// The error that rounding allows in a primitive's numbers: none in exact arithmetic.
 class Drift {
 public:
-    Drift(const TracedScene &run, std::size_t primitive, Arithmetic tolerance)
+    Drift(const TracedScene &run, std::size_t primitive, const Margin &margin)
     {
-        if (tolerance != Arithmetic::Exact && run.primitives.isTriangle(primitive))
-            m_bound.emplace(run.primitives.triangles[primitive], tolerance);
+        const bool isNone = margin.isStrict() || margin.tolerance == Arithmetic::Exact
+            || !run.primitives.isTriangle(primitive);
+        if (isNone)
+            return;
+        const Triangle &triangle = run.primitives.triangles[primitive];
+        m_bound.emplace(triangle, margin.tolerance);
+        m_margin.emplace(triangle, run.scene, margin);
     }
 
     double ofEnds(SpanAxis axis) const { return m_bound ? m_bound->endError(axis) : 0; }
@@ -36,7 +41,7 @@ public:
     /// False where drawing is optional.
     bool isDecided(std::int64_t x, std::int64_t y) const
     {
-        return !m_bound || m_bound->containmentOf(x, y) != Containment::Undecided;
+        return !m_margin || m_margin->containmentOf(x, y) != Containment::Undecided;
     }
 
     /// The frame's samples that may be drawn although the exact run does not draw them.
@@ -49,6 +54,7 @@ public:
 
 private:
     std::optional<ArithmeticBound> m_bound;
+    std::optional<TriangleMargin> m_margin;
 };
 
 /// False where a right program may draw none of the span's samples, and so may leave out its line.
@@ -159,12 +165,12 @@ std::shared_ptr<const TracedScene> rightRunOf(Scene scene, const LineKinds &kind
 }
 
 std::vector<RightLine> rightLinesOf(const TracedScene &run, const LineKinds &kinds,
-                                    Arithmetic tolerance)
+                                    const Margin &margin)
 {
     const ScanTrace &trace = *run.trace;
     std::vector<RightLine> lines;
     for (std::size_t primitive = 0; primitive < trace.primitiveCount(); ++primitive) {
-        const Drift drift(run, primitive, tolerance);
+        const Drift drift(run, primitive, margin);
         const std::size_t own = lines.size();
         for (std::size_t i = trace.firstSpanOf(primitive); i < trace.endSpanOf(primitive); ++i) {
             const SpanRecord span = trace.span(i);

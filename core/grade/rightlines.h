@@ -28,8 +28,8 @@ struct RightLine {
 std::shared_ptr<const TracedScene> rightRunOf(Scene scene, const LineKinds &kinds);
 
 /// The lines that a program should print of that run, in its order, and after each primitive's
-/// lines those that are optional; `tolerance`: see traceDifferenceOf().
+/// lines those that are optional.
 std::vector<RightLine> rightLinesOf(const TracedScene &run, const LineKinds &kinds,
-                                    Arithmetic tolerance);
+                                    const Margin &margin);
 
 } // namespace pixelplumb

@@ -39,7 +39,7 @@ bool SampleView::isWithinBoxOf(const Triangle &triangle) const
 bool SampleView::isWithinLevelsOf(const Triangle &triangle) const
 {
     const std::array<Vertex, 3> &vertices = triangle.vertices;
-    return holdsEverywhere([&](int x, int y) {
+    return !m_picture.hasColours || holdsEverywhere([&](int x, int y) {
         for (std::size_t i = 0; i < 3 && covers(x, y); ++i) {
             const auto [least, most]
                 = std::minmax({vertices[0].colour.channels[i], vertices[1].colour.channels[i],
@@ -58,7 +58,7 @@ bool SampleView::hasCornersOf(const Triangle &triangle) const
         const int x = int(floorPixel(vertex.position.x));
         const int y = int(floorPixel(vertex.position.y));
         return latticePixel(x, y) != vertex.position || !covers(x, y)
-            || colourAt(x, y) == vertex.colour;
+            || hasColourAt(x, y, vertex.colour);
     });
 }
 

@@ -24,6 +24,11 @@ public:
         return x >= 0 && y >= 0 && x < side && y < side && m_picture.covered[placeOf(x, y)] != 0;
     }
     const Colour &colourAt(int x, int y) const { return m_picture.colours[placeOf(x, y)]; }
+    /// A raster has no colours that could differ.
+    bool hasColourAt(int x, int y, const Colour &colour) const
+    {
+        return !m_picture.hasColours || colourAt(x, y) == colour;
+    }
 
     bool hasRuns() const; ///< each row and column has at most one covered run
     bool isWithinBoxOf(const Triangle &triangle) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/grade/margin.h"
 #include "core/grade/writtentrace.h"
 #include "core/scene/scene.h"
 
@@ -32,11 +33,11 @@ struct TraceDifference {
 ///
 /// A number is right if it is the right one rounded to the digits printed: within half a unit of
 /// the last digit. Beyond that it may differ by ArithmeticBound's error of a right program in the
-/// tolerance, float32 or float64; a pixel that this leaves undecided is optional. Exact: only the
-/// rounding of the printed digits.
+/// margin's tolerance; a pixel that the margin leaves undecided is optional. Strict: only the
+/// rounding of the printed digits. Once: a sample that triangles share comes once.
 Result<std::optional<TraceDifference>> traceDifferenceOf(const Scene &scene,
                                                          const ProgramTrace &trace,
-                                                         Arithmetic tolerance = Arithmetic::Float32,
+                                                         const Margin &margin = {},
                                                          TraceExtent extent = TraceExtent::Whole);
 
 } // namespace pixelplumb

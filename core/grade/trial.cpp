@@ -12,7 +12,7 @@ namespace {
 /// The first difference in the whole lines printed before a bad end; the first wrong number often
 /// explains it. Partial pictures are ignored.
 std::optional<TraceDifference> differenceBeforeEnd(const QByteArray &output, const Scene &scene,
-                                                   Arithmetic tolerance)
+                                                   const Margin &margin)
 {
     constexpr qsizetype longestRead = qsizetype(1) << 20; // bytes
     const QByteArray whole = output.left(longestRead);
@@ -22,7 +22,7 @@ std::optional<TraceDifference> differenceBeforeEnd(const QByteArray &output, con
     const Result<StudentOutput> read = readStudentOutput(lines, scene);
     if (!read || !read->hasLines())
         return std::nullopt;
-    const auto difference = traceDifferenceOf(scene, *read->trace, tolerance, TraceExtent::CutOff);
+    const auto difference = traceDifferenceOf(scene, *read->trace, margin, TraceExtent::CutOff);
     return difference ? *difference : std::nullopt;
 }
 
@@ -75,7 +75,7 @@ Result<Trial> tryProgram(const StudentProgram &student, const Scene &scene, cons
     std::optional<Result<StudentOutput>> read = outputOf(trial.run, scene);
     if (!read) {
         trial.fault = InputError{{}, trial.run.told, {}};
-        trial.trace = differenceBeforeEnd(trial.run.output, scene, terms.tolerance);
+        trial.trace = differenceBeforeEnd(trial.run.output, scene, terms.margin);
         return trial;
     }
     Result<StudentOutput> &output = *read;
@@ -88,12 +88,12 @@ Result<Trial> tryProgram(const StudentProgram &student, const Scene &scene, cons
         const Picture right = pictureOf(scene);
         const Picture &found = *trial.output.picture;
         trial.picture
-            = differenceOf(right, found, undecidablePixels(scene, right, found, terms.tolerance));
+            = differenceOf(right, found, undecidablePixels(scene, right, found, terms.margin));
     }
     if (!trial.output.trace)
         return trial;
     Result<std::optional<TraceDifference>> difference
-        = traceDifferenceOf(scene, *trial.output.trace, terms.tolerance);
+        = traceDifferenceOf(scene, *trial.output.trace, terms.margin);
     if (difference)
         trial.trace = std::move(*difference);
     else

@@ -15,7 +15,7 @@ enum class ProgramInput { Json, Lines };
 struct TrialTerms {
     ProgramInput input = ProgramInput::Json;
     ProgramLimits limits;
-    Arithmetic tolerance = Arithmetic::Float32; ///< of a right program; or exact
+    Margin margin; ///< of a right program
 };
 
 /// The result of one run of a student's program on one scene.

@@ -37,9 +37,7 @@ std::shared_ptr<const PictureJudgement> judgementOf(const Scene &scene, Picture 
     if (found.hasColours)
         coverAllBut(scene.frame.background, found);
     Picture expected = pictureOf(scene);
-    // The default of diff and grade: a right program may compute in float32.
-    PictureDiff diff = differenceOf(expected, found,
-                                    undecidablePixels(scene, expected, found, Arithmetic::Float32));
+    PictureDiff diff = differenceOf(expected, found, undecidablePixels(scene, expected, found));
     return std::make_shared<const PictureJudgement>(
         PictureJudgement{scene.frame, std::move(expected), std::move(found), std::move(diff)});
 }

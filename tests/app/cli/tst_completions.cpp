@@ -115,7 +115,8 @@ private slots:
             {"smooth-colour=on", "smooth-colour=off"});
         row("what a program reads", {"try", "--input", ""}, {"json", "lines"});
         row("what another program reads", {"counterexample", "--inp"}, {"--input"});
-        row("tolerances", {"try", "--tolerance", ""}, {"float32", "float64", "exact"});
+        row("tolerances", {"try", "--tolerance", ""}, {"float32", "float64"});
+        row("leeways", {"diagnose", "--leeway", ""}, {"strict", "rule", "edges", "once"});
         row("contenders", {"compare", "--methods", "line-b"},
             {"line-bresenham", "line-bresenham-symmetric"});
         row("arithmetics of a check", {"check", "--arithmetic", "a"}, {"all"});

@@ -202,7 +202,7 @@ private slots:
         const auto scenes = probeScenes();
         const QByteArrayList pair{"unsorted-colours", "half-pixel-down"};
         const auto submissions = submissionsIn(Arithmetic::Float32, scenes, pair);
-        const auto strict = diagnose(submissions, {}, std::nullopt);
+        const auto strict = diagnose(submissions, {}, {Leeway::Strict});
         QVERIFY(strict->isExplained());
         const DiagnosisCandidate &told = strict->candidates.front();
         QCOMPARE(idsOf(told), "arithmetic-float32 and unsorted-colours and half-pixel-down");
@@ -267,10 +267,10 @@ private slots:
             = {{0, *pictures.picture(0, {placeOf("colour-divisor-samples")})}};
         const std::vector<FoundPicture> with = {{0, *pictures.picture(0, set)}};
 
-        PictureMatcher matcher(pictures, without, Arithmetic::Float32);
+        PictureMatcher matcher(pictures, without, Margin{});
         QVERIFY(matcher.distance(set) > 0);
         QVERIFY(!matcher.allowedMatch(set));
-        QVERIFY(PictureMatcher(pictures, with, Arithmetic::Float32).allowedMatch(set));
+        QVERIFY(PictureMatcher(pictures, with, Margin{}).allowedMatch(set));
     }
 
     void nothingDrawnIsNotDiagnosedWherePixelsAreDrawn()
@@ -282,14 +282,14 @@ private slots:
         const DefectSet set{std::size_t(nothing - all.begin())};
         Picture found = *pictures.picture(0, set);
         const std::vector<FoundPicture> blank = {{0, found}};
-        QVERIFY(!PictureMatcher(pictures, blank, Arithmetic::Float32).isDrawnAllTheSame(set));
+        QVERIFY(!PictureMatcher(pictures, blank, Margin{}).isDrawnAllTheSame(set));
         const Picture right = pictureOf(scene);
         const auto drawn = std::size_t(std::ranges::find(right.covered, 1) - right.covered.begin());
         found.covered[drawn] = 1;
         found.colours[drawn] = Colour{{1, 2, 3}};
         const std::vector<FoundPicture> dotted = {{0, found}};
 
-        QVERIFY(PictureMatcher(pictures, dotted, Arithmetic::Float32).isDrawnAllTheSame(set));
+        QVERIFY(PictureMatcher(pictures, dotted, Margin{}).isDrawnAllTheSame(set));
         const auto diagnosis = diagnose(std::vector{Submission{scene, found}});
         for (const DiagnosisCandidate &candidate : diagnosis->candidates)
             QVERIFY2(!candidate.ids().contains(QStringLiteral("nothing-drawn")),

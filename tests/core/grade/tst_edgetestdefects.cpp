@@ -302,15 +302,14 @@ private slots:
     }
 
     /// Some samples on an edge are drawn, because the third weight is rounded.
-    void aStrictTestIsToldThoughRoundingDecidesSomeSamples_data() { addMethods(); }
-    void aStrictTestIsToldThoughRoundingDecidesSomeSamples()
+    void aStrictTestIsWrongThoughRoundingDecidesSomeSamples_data() { addMethods(); }
+    void aStrictTestIsWrongThoughRoundingDecidesSomeSamples()
     {
         QFETCH(QString, method);
 
         const Diagnosis diagnosis = diagnosed(method, TestMistake::StrictByWeights);
 
-        QCOMPARE(nameOf(diagnosis.verdict), QStringLiteral("undecidable"));
-        QCOMPARE(diagnosis.candidates.size(), std::size_t(1));
+        QCOMPARE(nameOf(diagnosis.verdict), QStringLiteral("wrong"));
         const DiagnosisCandidate &named = diagnosis.candidates.front();
         QCOMPARE(named.ids(), QStringList(QStringLiteral("rule-open")));
         QVERIFY(named.undecidable > 0);

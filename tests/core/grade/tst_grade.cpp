@@ -93,7 +93,7 @@ class TestGrade : public QObject {
     {
         Assignment assignment = exampleAssignment();
         assignment.credit = credit;
-        assignment.leeway = leeway;
+        assignment.margin.leeway = leeway;
         assignment.scenes.resize(1);
         AssignedScene &square = assignment.scenes[0];
         square.name = QStringLiteral("square");
@@ -301,7 +301,7 @@ private slots:
     void sharesAreExactHundredths()
     {
         const QTemporaryDir folder;
-        const Assignment assignment = pointsOfASquare(Credit::Share, Leeway::None);
+        const Assignment assignment = pointsOfASquare(Credit::Share, Leeway::Strict);
         QImage picture = pictureOf(assignment);
         QList<QPoint> inside;
         for (int line = 0; line < picture.height(); ++line) {

@@ -64,7 +64,7 @@ private slots:
     {
         QFETCH(QByteArray, program);
         const auto assignment = readAssignment(assignmentWith(
-            R"("hint": "full", "leeway": "none", "credit": "share", "points": { "coverage": 2.5 },
+            R"("hint": "full", "leeway": "once", "tolerance": "float64", "winding": "counter-clockwise", "credit": "share", "points": { "coverage": 2.5 },
                "program": )"
             + program + ", "));
         QVERIFY2(assignment.isOk(), assignment ? "" : qPrintable(assignment.error().message()));

@@ -54,6 +54,19 @@ private slots:
         QVERIFY2(std::size_t(unseen.size()) <= most, qPrintable(unseen.join(u' ')));
     }
 
+    void aRasterHasNoColoursThatCouldBeWrong()
+    {
+        const PictureSource raster{QStringLiteral("raster"), [](const Scene &scene) {
+                                       Picture picture = pictureOf(scene);
+                                       picture.hasColours = false;
+                                       std::ranges::fill(picture.colours, Colour{{1, 2, 3}});
+                                       return Result<Picture>(picture);
+                                   }};
+        const auto report = checkInvariants(raster, Scene(), 1, 60);
+        QVERIFY(report.checked > 0);
+        QVERIFY(report.broken.empty());
+    }
+
     void theTruthKeepsEveryInvariantUnderEveryRule_data()
     {
         QTest::addColumn<FillRule>("rule");

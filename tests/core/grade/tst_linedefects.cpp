@@ -124,7 +124,7 @@ private slots:
             QCOMPARE(diagnosis.candidates.front().rightAlone(),
                      QStringList(QStringLiteral("stay-at-zero")));
         // A diagnosis without leeway calls it wrong.
-        const Diagnosis strict = *diagnose(submissions, {}, std::nullopt);
+        const Diagnosis strict = *diagnose(submissions, {}, {Leeway::Strict});
         QCOMPARE(nameOf(strict.verdict), QStringLiteral("wrong"));
         if (isSorted) {
             QCOMPARE(strict.candidates.front().ids(), QStringList(QStringLiteral("stay-at-zero")));

@@ -193,7 +193,8 @@ private slots:
             for (qsizetype j = 0; j < i; ++j) {
                 const std::array submissions = {Submission{scenes[i], noise(scenes[i].frame)},
                                                 Submission{scenes[j], noise(scenes[j].frame)}};
-                const auto diagnosis = diagnose(submissions, {}, Arithmetic::Exact);
+                const auto diagnosis
+                    = diagnose(submissions, {}, {Leeway::Edges, Arithmetic::Exact});
                 QVERIFY(diagnosis && !diagnosis->failure);
                 QCOMPARE(nameOf(diagnosis->verdict), QStringLiteral("wrong"));
             }

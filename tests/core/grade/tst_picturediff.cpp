@@ -47,11 +47,10 @@ Picture readBack(const Scene &scene, Picture picture)
     return picture;
 }
 
-PictureDiff judged(const Scene &scene, const Picture &found,
-                   Arithmetic tolerance = Arithmetic::Float32)
+PictureDiff judged(const Scene &scene, const Picture &found, const Margin &margin = {Leeway::Edges})
 {
     const Picture right = pictureOf(scene);
-    return differenceOf(right, found, undecidablePixels(scene, right, found, tolerance));
+    return differenceOf(right, found, undecidablePixels(scene, right, found, margin));
 }
 
 } // namespace
@@ -146,7 +145,7 @@ private slots:
                 found.colours[place] = colour;
         }
 
-        const PictureDiff diff = judged(scene, readBack(scene, found), tolerance);
+        const PictureDiff diff = judged(scene, readBack(scene, found), {Leeway::Edges, tolerance});
 
         QCOMPARE(std::ranges::count(ties, 1), std::ptrdiff_t(27));
         QCOMPARE(diff.count(verdict), std::int64_t(verdict == PixelVerdict::Same ? 144 : 27));

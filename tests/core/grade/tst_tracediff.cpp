@@ -138,8 +138,8 @@ private slots:
         const QStringList lines = steppedInFloats(scene, Form::Bytes);
         const auto written = parseWrittenTrace(lines.join(u'\n').toUtf8(), m_scene.frame);
 
-        QVERIFY(!traceDifferenceOf(scene, *written, Arithmetic::Float32).value());
-        QVERIFY(traceDifferenceOf(scene, *written, Arithmetic::Float64).value());
+        QVERIFY(!traceDifferenceOf(scene, *written).value());
+        QVERIFY(traceDifferenceOf(scene, *written, {.tolerance = Arithmetic::Float64}).value());
     }
 
     void pixelsThatFloatsMayAddOrMissAreMatchedByTheirNumbers()
@@ -160,8 +160,8 @@ private slots:
         // triangle draws it.
         QCOMPARE(lines.removeAll(QStringLiteral("pixel 8 8 255 0 0")), 1);
 
-        const auto difference
-            = traceDifferenceOf(scene, *parseWrittenTrace(lines.join(u'\n').toUtf8(), scene.frame));
+        const auto difference = traceDifferenceOf(
+            scene, *parseWrittenTrace(lines.join(u'\n').toUtf8(), scene.frame), {Leeway::Edges});
 
         QVERIFY(difference.isOk());
         QCOMPARE(*difference ? (*difference)->text : QString(), QString());
@@ -236,12 +236,12 @@ private slots:
         QCOMPARE(run->trace->placeOf(step.span).coordinate, 12);
     }
 
-    void exactToleranceTakesTheDigitsAlone()
+    void strictlyTheDigitsAloneCount()
     {
         const QStringList lines = {"column 4 5.00001 5"};
 
         QVERIFY(differenceOf(lines).startsWith(QStringLiteral("column 5")));
-        QCOMPARE(differenceOf(lines, Arithmetic::Exact),
+        QCOMPARE(differenceOf(lines, {Leeway::Strict}),
                  QStringLiteral("column 4, y_B: 5.00001, should be 5"));
     }
 
@@ -325,12 +325,12 @@ private slots:
 private:
     enum class Form { Levels, Bytes };
 
-    QString differenceOf(const QStringList &lines, Arithmetic tolerance = Arithmetic::Float32) const
+    QString differenceOf(const QStringList &lines, const Margin &margin = {}) const
     {
         const auto written = parseWrittenTrace(lines.join(u'\n').toUtf8(), m_scene.frame);
         if (!written)
             return written.error().message();
-        const auto difference = traceDifferenceOf(m_scene, *written, tolerance);
+        const auto difference = traceDifferenceOf(m_scene, *written, margin);
         if (!difference)
             return difference.error().message();
         return *difference ? (*difference)->text : QString();

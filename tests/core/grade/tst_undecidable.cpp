@@ -2,6 +2,7 @@
 #include "core/geometry/seededrandom.h"
 #include "core/grade/picturediff.h"
 #include "core/grade/undecidable.h"
+#include "core/scan/choicenames.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>
@@ -18,15 +19,22 @@ private slots:
     void aRightProgramIsNeverWrong_data()
     {
         QTest::addColumn<Arithmetic>("arithmetic");
+        QTest::addColumn<Leeway>("leeway");
         for (const char *method :
              {"column-scan", "row-walk", "edge-equations", "barycentric-rectangle"}) {
-            QTest::addRow("%s float32", method) << Arithmetic::Float32;
-            QTest::addRow("%s float64", method) << Arithmetic::Float64;
+            for (const Leeway leeway : {Leeway::Rule, Leeway::Edges, Leeway::Once}) {
+                const QByteArray name = nameText(nameOf(leeway)).toLatin1();
+                QTest::addRow("%s float32 %s", method, name.data())
+                    << Arithmetic::Float32 << leeway;
+                QTest::addRow("%s float64 %s", method, name.data())
+                    << Arithmetic::Float64 << leeway;
+            }
         }
     }
     void aRightProgramIsNeverWrong()
     {
         QFETCH(Arithmetic, arithmetic);
+        QFETCH(Leeway, leeway);
         const QByteArray method = QByteArray(QTest::currentDataTag()).split(' ').front();
         SeededRandom random(7);
         std::int64_t differing = 0;
@@ -51,7 +59,7 @@ private slots:
             scene.settings.arithmetic = arithmetic;
             const Picture found = pictureOf(scene);
             scene.settings.arithmetic = Arithmetic::Exact;
-            const auto undecidable = undecidablePixels(scene, right, found, arithmetic);
+            const auto undecidable = undecidablePixels(scene, right, found, {leeway, arithmetic});
             differing += differingPixels(right, found);
             wrong += differenceOf(right, found, undecidable).differing();
         }
@@ -86,7 +94,7 @@ private slots:
             }
             coverAllBut(scene.frame.background, found);
             wrong += differenceOf(right, found,
-                                  undecidablePixels(scene, right, found, Arithmetic::Float32))
+                                  undecidablePixels(scene, right, found, {Leeway::Edges}))
                          .differing();
         }
         QVERIFY(changed > 5000);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/triangleleeway.h"
+#include "core/grade/trianglemargin.h"
 
 #include "core/frame/framebuffer.h"
 #include "core/oracle/oracle.h"
@@ -10,14 +10,6 @@
 namespace pixelplumb {
 
 namespace {
-
-bool isWithin(const LevelRange &range, int byte, ByteRounding rounding)
-{
-    const double shift = rounding == ByteRounding::Nearest ? 0.5 : 0;
-    const auto byteOf
-        = [shift](double level) { return int(std::clamp(std::floor(level + shift), 0.0, 255.0)); };
-    return byteOf(range.least) <= byte && byte <= byteOf(range.most);
-}
 
 LevelRange levelsOf(const Triangle &triangle, std::size_t channel)
 {
@@ -30,52 +22,64 @@ LevelRange levelsOf(const Triangle &triangle, std::size_t channel)
 
 } // namespace
 
-TriangleLeeway::TriangleLeeway(const Triangle &triangle, Arithmetic arithmetic,
-                               ByteRounding rounding)
+TriangleMargin::TriangleMargin(const Triangle &triangle, const Scene &scene, const Margin &margin)
     : m_triangle(triangle)
-    , m_rounding(rounding)
+    , m_rounding(scene.settings.rounding)
     , m_hasArea(doubledArea(triangle) != 0)
 {
-    if (arithmetic != Arithmetic::Float32 && arithmetic != Arithmetic::Float64)
+    if (margin.isStrict() || margin.leeway == Leeway::Rule)
+        m_rule = BoundaryRule(scene.settings, windowOf(scene.frame));
+    if (margin.isStrict() || margin.tolerance == Arithmetic::Exact)
         return;
-    const ArithmeticBound bound(triangle, arithmetic);
+    const ArithmeticBound bound(triangle, margin.tolerance);
     if (std::isfinite(bound.endError(SpanAxis::Column)))
         m_bound = bound;
+    else
+        m_rule.reset();
 }
 
-SampleBox TriangleLeeway::reachIn(const FrameSpec &frame) const
+SampleBox TriangleMargin::reachIn(const FrameSpec &frame) const
 {
     return m_bound ? m_bound->reachIn(frame)
                    : intersection(boundingBoxOf(m_triangle), samplesOf(windowOf(frame)));
 }
 
-Containment TriangleLeeway::containmentOf(std::int64_t x, std::int64_t y) const
+Containment TriangleMargin::containmentOf(std::int64_t x, std::int64_t y) const
 {
     if (m_bound && m_hasArea)
-        return m_bound->containmentOf(x, y);
+        return m_bound->containmentOf(x, y, m_rule);
     if (m_bound)
         return mayBeOfSegment(x, y) ? Containment::Undecided : Containment::Outside;
+    if (m_rule)
+        return oracle::covers(m_triangle, *m_rule, x, y) ? Containment::Inside
+                                                         : Containment::Outside;
     if (!oracle::covers(m_triangle, FillRule::Closed, x, y))
         return Containment::Outside;
     return oracle::covers(m_triangle, FillRule::Open, x, y) ? Containment::Inside
                                                             : Containment::Undecided;
 }
 
-bool TriangleLeeway::mayHave(const Colour &colour, std::int64_t x, std::int64_t y) const
+bool TriangleMargin::isDrawnByFunctions(std::int64_t x, std::int64_t y) const
+{
+    return m_bound && m_hasArea
+        && m_bound->containmentByFunctions(x, y, m_rule) == Containment::Inside;
+}
+
+bool TriangleMargin::mayHave(const Colour &colour, std::int64_t x, std::int64_t y) const
 {
     if (!m_bound && m_hasArea)
         return colour == oracle::byteColourAt(m_triangle, x, y, m_rounding);
     for (std::size_t channel = 0; channel < 3; ++channel) {
         const auto levels = m_bound ? m_bound->levelsAt(x, y, channel)
                                     : std::optional(levelsOf(m_triangle, channel));
-        if (levels && !isWithin(*levels, colour.channels[channel], m_rounding))
+        if (levels && !levels->hasByte(colour.channels[channel], m_rounding))
             return false;
     }
     return true;
 }
 
 /// A walk may draw samples on the triangle's segment, or closer to it than its error.
-bool TriangleLeeway::mayBeOfSegment(std::int64_t x, std::int64_t y) const
+bool TriangleMargin::mayBeOfSegment(std::int64_t x, std::int64_t y) const
 {
     const auto order = sortedByColumn(m_triangle);
     const auto pixels = [](Lattice coordinate) { return double(coordinate) / unitsPerPixel; };
