@@ -4,6 +4,7 @@
 #include "app/cli/files.h"
 #include "app/cli/options.h"
 #include "core/compare/contest.h"
+#include "core/scene/inputrecord.h"
 
 #include <QImage>
 
@@ -96,6 +97,8 @@ ExitCode compare(const Command &command, const QStringList &arguments)
         refuseIf(refusalOf(sceneFor(scene, contender), QStringLiteral("--methods")));
     }
 
+    if (line.isSet(drawingOption))
+        refuseIf(refusalToWrite(line.value(drawingOption)));
     const auto contest = withProgress([&](const ProgressListener &listener) {
         ContestOptions options;
         options.progress = listener;

@@ -6,6 +6,7 @@
 #include "core/grade/drawntwice.h"
 #include "core/grade/undecidable.h"
 #include "core/scene/colourtext.h"
+#include "core/scene/inputrecord.h"
 
 #include <QJsonArray>
 
@@ -182,6 +183,8 @@ ExitCode diff(const Command &command, const QStringList &arguments)
         refuse(QStringLiteral("standard input can be only one of the two"));
     Side expected = readSide(line.argument(0));
     Side found = readSide(line.argument(1));
+    if (line.isSet(markedOption))
+        refuseIf(refusalToWrite(line.value(markedOption)));
     const auto sizeOf = [](const Picture &picture) { return QSize(picture.width, picture.height); };
     refuseOtherSizes({line.argument(0), sizeOf(expected.picture)},
                      {line.argument(1), sizeOf(found.picture)});

@@ -166,6 +166,18 @@ SceneReading sceneIn(const QByteArray &text, const QString &path)
 
 SceneReading readSceneAt(const QString &path) { return sceneIn(readInput(path), path); }
 
+namespace {
+
+/// What neither the scene nor an option names.
+OpenSettings openUnder(const CommandLine &line, const OpenSettings &inScene)
+{
+    return {inScene.method && !line.isSet(methodOption),
+            inScene.arithmetic && !line.isSet(arithmeticOption),
+            inScene.fillRule && !line.isSet(fillRuleOption)};
+}
+
+} // namespace
+
 Scene underOptions(const CommandLine &line, SceneReading reading, const QString &path)
 {
     Scene scene = std::move(reading.scene);
@@ -175,16 +187,14 @@ Scene underOptions(const CommandLine &line, SceneReading reading, const QString 
     const auto forced = chosenForcing(line);
     // Before the method is chosen, which must draw what is forced on.
     scene.appearance.forced = forced;
-    OpenSettings open = reading.open;
-    open.arithmetic = open.arithmetic && !line.isSet(arithmeticOption);
-    open.fillRule = open.fillRule && !line.isSet(fillRuleOption);
+    const OpenSettings open = openUnder(line, reading.open);
     scene.settings.arithmetic = arithmetic;
     scene.settings.fillRule = fillRule;
-    if (open.method && !line.isSet(methodOption))
+    scene.settings.variants = chosenVariants(line, scene.settings.variants);
+    if (open.method)
         method = &methodFor(scene, open);
     scene.settings = settledFor(*method, scene.settings, open);
     const auto rounding = chosen(line, roundingOption, allByteRoundings, scene.settings.rounding);
-    const auto variants = chosenVariants(line, scene.settings.variants);
     if (line.isSet(frameOption)) {
         if (!scene.motion)
             refuse({QStringLiteral("--") + frameOption,
@@ -197,7 +207,6 @@ Scene underOptions(const CommandLine &line, SceneReading reading, const QString 
     }
     scene.method = method->id.toStdString();
     scene.settings.rounding = rounding;
-    scene.settings.variants = variants;
     return scene;
 }
 
@@ -208,7 +217,12 @@ Scene readSceneForAnyMethod(const CommandLine &line, const QString &path)
 
 Scene readScene(const CommandLine &line, const QString &path)
 {
-    Scene scene = readSceneForAnyMethod(line, path);
+    SceneReading reading = readSceneAt(path);
+    const OpenSettings open = openUnder(line, reading.open);
+    Scene scene = underOptions(line, std::move(reading), path);
+    if (const QString refusal = open.method ? refusalOfAll(scene, open) : QString();
+        !refusal.isEmpty())
+        refuse({path, refusal, {}});
     refuseIf(refusalOf(scene, path));
     // A scene may name a method for things yet to be drawn; this explains the empty picture.
     if (!drawsAnyOf(scene))

@@ -53,29 +53,34 @@ QString askerText(const EffectPlan &plan, const std::vector<Effect> &effects)
 }
 
 /// "interpolate-plane can": which methods of the kind do the effects under the settings; where none
-/// does, those that do under the fill rule alone, and what else is in the way.
+/// does, those that do with the fewest changes, and what is in their way.
 template <class IsOfKind>
 QString ableText(const std::vector<Effect> &effects, const ScanSettings &settings,
                  const IsOfKind &isOfKind)
 {
-    const auto keepsRule = [&](const Method &method) {
-        return isOfKind(method) && method.supports(settings.fillRule);
-    };
     const auto computes = [&settings](const Method &method) {
         return method.supports(settings.arithmetic)
             && (method.shadingArithmetics.empty()
                 || std::ranges::count(method.shadingArithmetics, settings.arithmetic) > 0);
     };
-    QStringList able = methodsThatDo(
-        effects, [&](const Method &method) { return keepsRule(method) && computes(method); });
+    QStringList able;
     QStringList hindrances;
-    if (able.isEmpty()) {
-        able = methodsThatDo(effects, keepsRule);
-        hindrances += QStringLiteral("in ") + quoted(nameOf(settings.arithmetic));
-    }
-    if (able.isEmpty())
-        return QStringLiteral("no method that keeps the fill rule %1 can")
-            .arg(quoted(nameOf(settings.fillRule)));
+    const auto ask = [&](bool asksForRule, bool asksForArithmetic) {
+        able = methodsThatDo(effects, [&](const Method &method) {
+            return isOfKind(method) && (!asksForRule || method.supports(settings.fillRule))
+                && (!asksForArithmetic || computes(method));
+        });
+        hindrances.clear();
+        if (!asksForRule)
+            hindrances
+                += QStringLiteral("under the fill rule ") + quoted(nameOf(settings.fillRule));
+        if (!asksForArithmetic)
+            hindrances += QStringLiteral("in ") + quoted(nameOf(settings.arithmetic));
+        return !able.isEmpty();
+    };
+    const bool isAny = ask(true, true) || ask(true, false) || ask(false, true) || ask(false, false);
+    if (!isAny)
+        return QStringLiteral("no method can");
     // Effects are never run with variants.
     if (!settings.variants.isEmpty())
         hindrances += QStringLiteral("with variants");
@@ -94,23 +99,27 @@ QString lackText(const std::vector<Effect> &missing, const QString &asker, const
         .arg(namesOf(missing).join(QStringLiteral(", ")), asker, able);
 }
 
-/// The ids of the methods that accept the variant.
-QStringList methodsThatKnow(Variant variant)
+/// The ids of the methods that accept the variant: under the other settings, else under any.
+QStringList methodsThatKnow(Variant variant, const ScanSettings &settings)
 {
-    QStringList ids;
+    QStringList knowing;
+    QStringList keeping;
     for (const Method &method : methods()) {
-        if (method.supports(variant))
-            ids.append(method.id);
+        if (!method.supports(variant))
+            continue;
+        knowing.append(method.id);
+        if (method.supports(settings.fillRule) && method.supports(settings.arithmetic))
+            keeping.append(method.id);
     }
-    return ids;
+    return keeping.isEmpty() ? knowing : keeping;
 }
 
-QString unknownVariantText(const Method &method, Variant variant)
+QString unknownVariantText(const Method &method, Variant variant, const ScanSettings &settings)
 {
     const QString separator = QStringLiteral(", ");
     const QString text
         = QStringLiteral("knows no variant %1; that one is for %2")
-              .arg(quoted(nameOf(variant)), methodsThatKnow(variant).join(separator));
+              .arg(quoted(nameOf(variant)), methodsThatKnow(variant, settings).join(separator));
     return method.variants.empty() ? text
                                    : text + QStringLiteral("; its own variants are ")
             + namesOf(method.variants).join(separator);
@@ -142,7 +151,7 @@ QString Method::objection(const ScanSettings &settings) const
                  namesOf(fillRules).join(QStringLiteral(", ")));
     for (const Variant variant : variantsIn(settings.variants)) {
         if (!supports(variant))
-            return unknownVariantText(*this, variant);
+            return unknownVariantText(*this, variant, settings);
     }
     return {};
 }

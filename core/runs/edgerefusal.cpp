@@ -66,8 +66,11 @@ QString untestedText(const PixelAttempt &attempt, const TracedScene &traced)
 QString ownReasonText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
                       std::int64_t y)
 {
-    if (isDecidedByOutline(attempt, *traced.trace))
-        return stepBesideText(attempt, *traced.trace, x, y);
+    if (isDecidedByOutline(attempt, *traced.trace)) {
+        const QString decided = stepBesideText(attempt, *traced.trace, x, y);
+        return decided.isEmpty() ? QStringLiteral(" The outline has no pixel in this column.")
+                                 : decided;
+    }
     if (attempt.written || !mayDecideOtherwise(traced))
         return {};
     if (attempt.sample)

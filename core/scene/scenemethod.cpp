@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/method.h"
+#include "core/scan/choicenames.h"
 #include "core/scene/scenefile.h"
 
 #include <algorithm>
@@ -57,6 +58,15 @@ bool canEffects(const Method &method, const Scene &scene, const ScanSettings &se
                 || std::ranges::find(shading, settings.arithmetic) != shading.end()));
 }
 
+/// Whether any method that draws the scene's first primitive keeps the settings that are named.
+bool isKeptByAny(const Scene &scene, const OpenSettings &open)
+{
+    return std::ranges::any_of(methods(), [&](const Method &method) {
+        return drawsFirst(method, scene)
+            && method.objection(settledFor(method, scene.settings, open)).isEmpty();
+    });
+}
+
 } // namespace
 
 ScanSettings settledFor(const Method &method, ScanSettings settings, const OpenSettings &open)
@@ -98,6 +108,38 @@ const Method &methodFor(const Scene &scene, const OpenSettings &open)
             return *method;
     }
     return methods().front();
+}
+
+QString refusalOfAll(const Scene &scene, const OpenSettings &open)
+{
+    if (isKeptByAny(scene, open))
+        return {};
+    QStringList named;
+    QStringList ways;
+    const auto ask = [&](const QString &setting, std::string_view name, const Scene &without,
+                         const OpenSettings &opened) {
+        named += QStringLiteral("%1 “%2”").arg(setting, nameText(name));
+        if (isKeptByAny(without, opened))
+            ways += QStringLiteral("without ") + setting;
+    };
+    OpenSettings opened = open;
+    opened.fillRule = true;
+    if (!open.fillRule)
+        ask(QStringLiteral("the fill rule"), nameOf(scene.settings.fillRule), scene, opened);
+    opened = open;
+    opened.arithmetic = true;
+    if (!open.arithmetic)
+        ask(QStringLiteral("the arithmetic"), nameOf(scene.settings.arithmetic), scene, opened);
+    for (const Variant variant : variantsIn(scene.settings.variants)) {
+        Scene without = scene;
+        without.settings.variants = without.settings.variants.without(variant);
+        ask(QStringLiteral("the variant"), nameOf(variant), without, open);
+    }
+    const QString text = QStringLiteral("no method that draws its first primitive keeps ")
+        + named.join(QStringLiteral(" and "));
+    return ways.isEmpty()
+        ? text
+        : text + QStringLiteral("; one does ") + ways.join(QStringLiteral(", or "));
 }
 
 } // namespace pixelplumb

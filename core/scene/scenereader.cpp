@@ -129,6 +129,12 @@ private:
         open = {node.isMissing(), root["arithmetic"].isMissing(), root["fillRule"].isMissing()};
         const Method *method = nullptr;
         if (open.method) {
+            if (const QString refusal = refusalOfAll(scene, open); !refusal.isEmpty()) {
+                m_json.fail(
+                    root[open.fillRule ? QStringLiteral("arithmetic") : QStringLiteral("fillRule")],
+                    refusal, {});
+                return;
+            }
             method = &methodFor(scene, open);
         } else {
             method = methodNamed(m_json.string(node));

@@ -177,6 +177,11 @@ void SceneExports::copyRaster()
 {
     if (!hasTrace())
         return;
+    if (m_playhead->isAheadHidden()) {
+        emit notice(tr("The finished picture's raster is copied when the run has come to its end "
+                       "(F5), or Predict is closed."));
+        return;
+    }
     const CoverageMask coverage = coverageOf(m_playhead->traced()->scene);
     QApplication::clipboard()->setText(asciiRaster(coverage));
     const QString frame = frameText(*m_document);
