@@ -10,15 +10,9 @@ namespace pixelplumb {
 namespace {
 
 constexpr std::size_t nearestListed = 5;
-constexpr std::size_t nearestTried = 64; // sets that are tested for whether rounding explains the
-                                         // rest
+constexpr std::size_t nearestTried = 64; // whether rounding explains the rest of these sets
 constexpr std::size_t nearestPaired = 64; // single defects that are paired with another one
 constexpr auto unknown = PictureMatcher::unknown;
-
-bool isNoMistake(const Defect &defect)
-{
-    return defect.isRightAlone || defect.choice == QLatin1String(arithmeticChoice);
-}
 
 } // namespace
 
@@ -42,12 +36,13 @@ std::vector<DiagnosisCandidate> DefectSearch::candidates() const
     std::vector<SetMatch> matches = m_exact;
     matches.insert(matches.end(), m_open.begin(), m_open.end());
     matches.insert(matches.end(), m_completed.begin(), m_completed.end());
-    std::erase_if(matches, [this](const SetMatch &match) { return isByChance(match.set); });
+    std::erase_if(matches,
+                  [this](const SetMatch &match) { return m_matcher.isByChance(match.set); });
     if (matches.empty() && !m_isExplained) {
         // A set that leaves more than nine tenths does not count as near.
         for (const SetMatch &near : m_nearest) {
             const bool isNear = 10 * near.distance <= 9 * m_differing && needsSecond(near);
-            if (isNear && !m_matcher.isDrawnAllTheSame(near.set) && !isByChance(near.set))
+            if (isNear && !m_matcher.isDrawnAllTheSame(near.set) && !m_matcher.isByChance(near.set))
                 matches.push_back(near);
         }
         std::ranges::stable_sort(matches, {}, [this](const SetMatch &near) {
@@ -79,21 +74,6 @@ std::int64_t DefectSearch::rankOf(const SetMatch &near) const
     const std::int64_t alone = leastAlone(near.set);
     const bool isHardlyLess = alone - near.distance <= 1 || 10 * (alone - near.distance) < alone;
     return isHardlyLess ? alone : near.distance;
-}
-
-/// Whether a smaller set, or none, leaves so little that the rest of this one proves nothing.
-bool DefectSearch::isByChance(const DefectSet &set) const
-{
-    const auto isLeftLittle = [&](const std::optional<std::size_t> &part) {
-        DefectSet smaller;
-        smaller.first = part;
-        smaller.arithmetic = set.arithmetic;
-        return m_matcher.leavesFewLevels(smaller);
-    };
-    if (!set.first)
-        return false;
-    return isLeftLittle(std::nullopt)
-        || (set.second && (isLeftLittle(set.first) || isLeftLittle(set.second)));
 }
 
 DiagnosisCandidate DefectSearch::candidateOf(const SetMatch &match) const
@@ -195,7 +175,7 @@ void DefectSearch::tryRules()
 bool DefectSearch::trySingles()
 {
     for (std::size_t i = 0; i < m_defects.size(); ++i) {
-        const bool isNamed = !m_areRightLines || isNoMistake(m_defects[i]);
+        const bool isNamed = !m_areRightLines || m_defects[i].isRightAlone;
         m_alone.push_back(isNamed ? distanceUpTo({i}, m_differing) : unknown);
         if (m_alone.back() == 0)
             m_exact.push_back({{i}});

@@ -21,7 +21,6 @@ public:
 private:
     bool needsSecond(const SetMatch &near) const;
     std::int64_t rankOf(const SetMatch &near) const;
-    bool isByChance(const DefectSet &set) const;
     DiagnosisCandidate candidateOf(const SetMatch &match) const;
     bool goesOnTrying() { return goesOn(m_listener, {JobPhase::Judging, ++m_tried, m_sets}); }
     std::int64_t distanceUpTo(const DefectSet &set, std::int64_t limit);

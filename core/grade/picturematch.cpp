@@ -180,6 +180,16 @@ bool PictureMatcher::leavesFewLevels(const DefectSet &set)
     return !changes.empty();
 }
 
+bool PictureMatcher::isByChance(const DefectSet &set)
+{
+    const auto isLeftLittle = [&](const std::optional<std::size_t> &part) {
+        return leavesFewLevels({.first = part, .arithmetic = set.arithmetic});
+    };
+    return set.first
+        && (isLeftLittle(std::nullopt)
+            || (set.second && (isLeftLittle(set.first) || isLeftLittle(set.second))));
+}
+
 std::optional<SetMatch> PictureMatcher::allowedMatch(const DefectSet &set)
 {
     if (m_margin.isStrict())

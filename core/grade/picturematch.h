@@ -48,14 +48,15 @@ public:
     /// picture differs from the set's at one of these.
     bool isDrawnAllTheSame(const DefectSet &set);
 
-    /// Whether what the set leaves is a handful of levels that are off by one: so little is
-    /// explained by many another defect, by chance.
-    bool leavesFewLevels(const DefectSet &set);
+    /// Whether a smaller set, or none, leaves only a handful of levels that are off by one: so
+    /// little is explained by many a defect, and proves none.
+    bool isByChance(const DefectSet &set);
 
     bool isTolerated(Arithmetic arithmetic) const;
 
 private:
     std::optional<std::int64_t> openPixels(const DefectSet &set, const FoundPicture &each);
+    bool leavesFewLevels(const DefectSet &set);
     bool hasUnseenPart(const DefectSet &set);
     bool isUnseen(const DefectSet &part, const DefectSet &set);
 
