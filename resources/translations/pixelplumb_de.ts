@@ -5879,6 +5879,10 @@
         <source>Export the Steps</source>
         <translation>Schritte exportieren</translation>
     </message>
+    <message>
+        <source>The finished picture&apos;s raster is copied when the run has come to its end (F5), or Predict is closed.</source>
+        <translation>Das Raster des fertigen Bildes wird kopiert, wenn der Lauf am Ende ist (F5) oder Vorhersagen geschlossen wird.</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::SceneFiles</name>
