@@ -365,11 +365,11 @@ private slots:
         QVERIFY(text->toPlainText().contains(QStringLiteral("▶")));
         const QString atSpan
             = named<MethodPanel>(*m_window, "methodPanel")->accessibleDescription();
-        QVERIFY(atSpan.contains(QStringLiteral("else: y_B ← y_B + m_B")));
+        QVERIFY(atSpan.contains(QStringLiteral("else: y₀₂ ← y₀₂ + m₀₂")));
         m_playhead->step(StepUnit::Sample, StepDirection::Forward);
         const QString atFirst
             = named<MethodPanel>(*m_window, "methodPanel")->accessibleDescription();
-        QVERIFY(atFirst.contains(QStringLiteral("the first: R, G, B")));
+        QVERIFY(atFirst.contains(QStringLiteral("the first: R ← R_B")));
         m_playhead->step(StepUnit::Sample, StepDirection::Forward);
         QVERIFY(named<MethodPanel>(*m_window, "methodPanel")
                     ->accessibleDescription()
