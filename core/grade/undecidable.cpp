@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <ranges>
 
 namespace pixelplumb {
 
@@ -106,13 +105,17 @@ public:
         const auto isBare = [this](std::size_t place) {
             return m_pixels[place] == PixelState::Open && isBackground(place);
         };
-        const auto places = std::views::iota(std::size_t(0), m_pixels.size());
-        if (leeway == Leeway::Edges || std::ranges::none_of(places, isBare))
+        std::vector<std::size_t> bare;
+        for (std::size_t place = 0; place < m_pixels.size(); ++place) {
+            if (isBare(place))
+                bare.push_back(place);
+        }
+        if (leeway == Leeway::Edges || bare.empty())
             return;
         const std::vector<std::uint8_t> shared = sharedSamples(m_scene);
-        for (const std::size_t place : places) {
+        for (const std::size_t place : bare) {
             const bool isHole = leeway == Leeway::Once || m_areDrawnByFunctions[place] != 0;
-            if (shared[place] != 0 && isHole && isBare(place))
+            if (shared[place] != 0 && isHole)
                 m_pixels[place] = PixelState::Refused;
         }
     }
@@ -257,8 +260,8 @@ void takeOffLines(const Scene &scene, Arithmetic tolerance, LayeredMargin &margi
     std::vector<LineChoice> choices;
     for (const Shape &line : primitivesOnSamples(scene).shapes)
         std::ranges::move(lineChoices(line, scene, tolerance), std::back_inserter(choices));
-    for (const LineChoice &choice : choices | std::views::reverse)
-        margins.takeOff(choice);
+    std::for_each(choices.rbegin(), choices.rend(),
+                  [&margins](const LineChoice &choice) { margins.takeOff(choice); });
     margins.refuseAllButOne(choices);
 }
 
