@@ -37,21 +37,21 @@ constexpr Panel::Kind kind
 template <class Widget>
 constexpr Panel::Kind follower = kind<Widget, &WindowParts::playhead>;
 
-constexpr auto document = &WindowParts::document;
-constexpr auto playhead = &WindowParts::playhead;
+constexpr auto theDocument = &WindowParts::document;
+constexpr auto thePlayhead = &WindowParts::playhead;
 constexpr Qt::DockWidgetArea leftArea = Qt::LeftDockWidgetArea;
 constexpr Qt::DockWidgetArea rightArea = Qt::RightDockWidgetArea;
 constexpr Qt::DockWidgetArea bottomArea = Qt::BottomDockWidgetArea;
 constexpr auto shownAtFirst = Panel::AtFirst::Shown;
 constexpr auto behindAtFirst = Panel::AtFirst::Behind;
 constexpr auto hiddenAtFirst = Panel::AtFirst::Hidden;
-constexpr auto finished = Panel::Tells::Finished;
+constexpr auto tellsFinished = Panel::Tells::Finished;
 
 constexpr Panel table[] = {
     {"formulaDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Formula"), follower<FormulaPanel>,
      Workspace::Step, rightArea, shownAtFirst},
     {"pixelGridDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Pixel grid"),
-     kind<PixelGrid, playhead, &WindowParts::options>, Workspace::Step, rightArea, shownAtFirst},
+     kind<PixelGrid, thePlayhead, &WindowParts::options>, Workspace::Step, rightArea, shownAtFirst},
     {"pixelHistoryDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Pixel"),
      follower<PixelHistoryPanel>, Workspace::Step, rightArea, shownAtFirst},
     {"columnsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Columns"),
@@ -61,7 +61,7 @@ constexpr Panel table[] = {
     {"precisionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Precision"),
      follower<PrecisionPanel>, Workspace::Compare, bottomArea, behindAtFirst},
     {"hardCasesDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Hard cases"),
-     follower<HardCasesPanel>, Workspace::Compare, leftArea, shownAtFirst, finished},
+     follower<HardCasesPanel>, Workspace::Compare, leftArea, shownAtFirst, tellsFinished},
     {"performanceDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Performance"),
      follower<PerformancePanel>, Workspace::Measure, bottomArea, behindAtFirst},
     {"operationsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Operations"),
@@ -69,21 +69,21 @@ constexpr Panel table[] = {
     {"accuracyLabDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Accuracy lab"),
      follower<AccuracyLab>, Workspace::Measure, bottomArea, shownAtFirst},
     {"projectionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Projection"),
-     kind<ProjectionPanel, document, playhead>, Workspace::Step, bottomArea, hiddenAtFirst},
+     kind<ProjectionPanel, theDocument, thePlayhead>, Workspace::Step, bottomArea, hiddenAtFirst},
     {"effectsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Effects"),
-     kind<EffectsPanel, document, &WindowParts::effects>, Workspace::Measure, bottomArea,
+     kind<EffectsPanel, theDocument, &WindowParts::effects>, Workspace::Measure, bottomArea,
      behindAtFirst},
     {"methodDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "This method"),
      follower<MethodPanel>, Workspace::Step, leftArea, hiddenAtFirst},
     {"predictDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Predict"),
-     kind<PredictPanel, document, playhead>, Workspace::Step, leftArea, hiddenAtFirst},
+     kind<PredictPanel, theDocument, thePlayhead>, Workspace::Step, leftArea, hiddenAtFirst},
     {"motionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Motion"),
-     kind<MotionPanel, document>, Workspace::Compare, bottomArea, behindAtFirst, finished},
+     kind<MotionPanel, theDocument>, Workspace::Compare, bottomArea, behindAtFirst, tellsFinished},
     {"primitivesDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Primitives"),
-     kind<PrimitivesPanel, document>, Workspace::Step, leftArea, hiddenAtFirst},
+     kind<PrimitivesPanel, theDocument>, Workspace::Step, leftArea, hiddenAtFirst},
     {"submissionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Submission"),
-     kind<SubmissionPanel, &WindowParts::student, playhead>, Workspace::Grade, leftArea,
-     shownAtFirst, finished},
+     kind<SubmissionPanel, &WindowParts::student, thePlayhead>, Workspace::Grade, leftArea,
+     shownAtFirst, tellsFinished},
     {"gradingDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Grading"), kind<GradingPanel>,
      Workspace::Grade, bottomArea, shownAtFirst},
 };
