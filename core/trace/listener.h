@@ -13,6 +13,8 @@ namespace pixelplumb {
 /// which the listener keeps no longer than the call. Its type is known to the run's KernelStates.
 class Listener {
 public:
+    virtual ~Listener() = default;
+
     virtual void primitiveBegun(const void *setUp) = 0;
     virtual void primitiveRejected(const Rejection &rejection) = 0;
     virtual void spanEntered(const void *span) = 0;
@@ -20,9 +22,6 @@ public:
     virtual void pixelWritten(std::int64_t x, std::int64_t y, QRgb before, QRgb after,
                               const void *sample)
         = 0;
-
-protected:
-    ~Listener() = default;
 };
 
 /// The observer that announces a kernel's events to a listener.
