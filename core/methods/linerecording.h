@@ -7,6 +7,7 @@
 #include "core/trace/statesof.h"
 
 #include <cmath>
+#include <concepts>
 
 namespace pixelplumb {
 
@@ -15,6 +16,13 @@ template <class Step>
 const LinePlace &placeIn(const Step &step)
 {
     return step.place;
+}
+
+/// Whether a coordinate lies half-way between two pixels.
+inline bool isHalfWay(const Quantity &coordinate)
+{
+    return coordinate.isRational() ? coordinate.denominator() == 2
+                                   : std::abs(std::remainder(coordinate.toDouble(), 1)) == 0.5;
 }
 
 /// Whether two pixels are equally near in the numbers of the kernel.
@@ -26,12 +34,12 @@ inline bool isTie(const SymmetricStep &step) { return !step.isFirst && step.deci
 template <class Step>
 bool isTie(const Step &step)
 {
-    if constexpr (requires { step.ordinate; }) {
-        const Quantity ordinate = quantityOf(step.ordinate);
-        return ordinate.isRational() ? ordinate.denominator() == 2
-                                     : std::abs(std::remainder(ordinate.toDouble(), 1)) == 0.5;
+    if constexpr (std::derived_from<Step, SymmetricStep>) {
+        return isTie(static_cast<const SymmetricStep &>(step));
+    } else if constexpr (requires { step.ordinate; }) {
+        return isHalfWay(quantityOf(step.ordinate));
     } else {
-        return false; // a point of P(t) has two coordinates to be rounded
+        return isHalfWay(quantityOf(step.x)) || isHalfWay(quantityOf(step.y));
     }
 }
 

@@ -125,8 +125,9 @@ Method lineDdaMethod()
     method.source = QStringLiteral("Rasterization slides, “DDA Line-Drawing Algorithm”");
     method.pseudocode = {
         {0,
-         QStringLiteral("u along the longer side, v across: of a steep line exchange x and y, here "
-                        "and where a pixel is written; the ends in the order of u"),
+         QStringLiteral(
+             "u along the longer side, v across: if |y₁ − y₀| ≥ |x₁ − x₀| exchange x and "
+             "y, here and where a pixel is written; the ends in the order of u"),
          {Moment::SetUp}},
         {0,
          QStringLiteral("if Δu > 0: m ← Δv/Δu; ΔR, ΔG and ΔB likewise"),

@@ -131,7 +131,10 @@ QString smoothColourObjection(const Method &method, const EffectPlan &plan,
 {
     const bool isLeftOut = plan.verdicts[Effect::SmoothColour].verdict == Verdict::CalledFor
         && !plan.runs(Effect::SmoothColour);
-    if (!isLeftOut || method.supports(Effect::Blending))
+    const bool shades = method.supports(Effect::Blending)
+        && (method.shadingArithmetics.empty()
+            || std::ranges::count(method.shadingArithmetics, settings.arithmetic) > 0);
+    if (!isLeftOut || (shades && settings.variants.isEmpty()))
         return {};
     return QStringLiteral("cannot leave out smooth colour, which is forced off; %1")
         .arg(ableText({Effect::Blending}, settings, drawsTriangles));

@@ -143,9 +143,13 @@ QString stepBesideText(const PixelAttempt &attempt, const ScanTrace &trace, std:
     if (isWalkedAlong(attempt, trace))
         return stepsNextToText(trace, attempt.primitive, x, y);
     const auto step = trace.spanNear(attempt.primitive, x, y);
+    // Steps along its edges.
+    const bool isOutline = attempt.kind == PrimitiveKind::Polygon
+        && std::ranges::count(trace.numbers().span, QStringLiteral("p_k"), &NumberDescription::id)
+            > 0;
     const bool isTold = attempt.kind == PrimitiveKind::Line || isDecidedByOutline(attempt, trace)
         || (step && !attempt.sample && attempt.kind != PrimitiveKind::Triangle
-            && trace.placeOf(*step).axis == SpanAxis::Row);
+            && (trace.placeOf(*step).axis == SpanAxis::Row || isOutline));
     return step && isTold ? stepText(trace, *step) : QString();
 }
 

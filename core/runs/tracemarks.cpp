@@ -111,6 +111,29 @@ std::set<std::int64_t> tieRowsOf(const Shape &polygon, const FrameSpec &frame)
     return rows;
 }
 
+/// Whether the spans are steps that a decision parameter leads: p_k, or those of an outline's
+/// pixels.
+bool hasDecisions(const ScanTrace &trace)
+{
+    return std::ranges::any_of(trace.numbers().span, [](const NumberDescription &number) {
+        return number.id == QStringLiteral("p_k") || number.id == QStringLiteral("p_low");
+    });
+}
+
+/// Whether a step passes half-way between two pixels; of an outline's column, that of either bound.
+bool isUndecided(const ScanTrace &trace, std::size_t span)
+{
+    const SpanRecord record = trace.span(span);
+    const auto &numbers = trace.numbers().span;
+    bool isTie = record.isTie;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const bool decides
+            = numbers[i].id == QStringLiteral("p_low") || numbers[i].id == QStringLiteral("p_high");
+        isTie = isTie || (decides && record.cells[i] == Quantity::integer(0));
+    }
+    return isTie;
+}
+
 /// The first and last span of each part, those at vertices, and the spans with a tie.
 void appendSpanMarks(std::vector<TraceMark> &marks, const TracedScene &traced,
                      std::size_t primitive)
@@ -121,8 +144,10 @@ void appendSpanMarks(std::vector<TraceMark> &marks, const TracedScene &traced,
     if (first == end)
         return;
     const bool isTriangle = traced.primitives.isTriangle(primitive);
-    const bool isLine = traced.primitives.kindOf(primitive) == PrimitiveKind::Line;
-    const auto tieRows = traced.primitives.kindOf(primitive) == PrimitiveKind::Polygon
+    // Steps along a line or an outline tell by themselves whether they pass between two pixels.
+    const bool isStepped
+        = traced.primitives.kindOf(primitive) == PrimitiveKind::Line || hasDecisions(trace);
+    const auto tieRows = !isStepped && traced.primitives.kindOf(primitive) == PrimitiveKind::Polygon
         ? tieRowsOf(traced.primitives.shape(primitive), traced.scene.frame)
         : std::set<std::int64_t>();
     const Triangle upright = isTriangle ? traced.primitives.triangles[primitive] : Triangle();
@@ -138,8 +163,8 @@ void appendSpanMarks(std::vector<TraceMark> &marks, const TracedScene &traced,
         }
         part = place.part;
         const auto hasTie = [&] {
-            if (isLine)
-                return trace.span(span).isTie;
+            if (isStepped)
+                return isUndecided(trace, span);
             if (place.axis == SpanAxis::Row && tieRows.contains(place.coordinate))
                 return true;
             return isTriangle && place.axis != SpanAxis::Free

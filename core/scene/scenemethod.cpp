@@ -28,6 +28,14 @@ Appearance withNothingOff(Appearance appearance)
     return appearance;
 }
 
+bool hasSmoothTriangle(const Scene &scene)
+{
+    return std::ranges::any_of(scene.triangles, [](const Triangle &triangle) {
+        const auto &[a, b, c] = triangle.vertices;
+        return a.colour != b.colour || b.colour != c.colour;
+    });
+}
+
 /// Whether a plan of the scene's triangles may run more than the method does plainly.
 bool mayRunMore(const Method &method, const Scene &scene)
 {
@@ -39,7 +47,8 @@ bool mayRunMore(const Method &method, const Scene &scene)
         = {Effect::Depth, Effect::Perspective, Effect::Blending, Effect::Antialiasing};
     const auto isForcedOn = [&forced](Effect effect) { return forced[effect] == Forcing::On; };
     // Only methods that shade by a plan can leave colours out.
-    return mayCallForEffects(unforced) || forced[Effect::SmoothColour] == Forcing::Off
+    return mayCallForEffects(unforced)
+        || (forced[Effect::SmoothColour] == Forcing::Off && hasSmoothTriangle(scene))
         || std::ranges::any_of(forceable, isForcedOn)
         || (isForcedOn(Effect::SmoothColour) && !method.supports(Effect::SmoothColour));
 }

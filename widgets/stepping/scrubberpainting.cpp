@@ -191,7 +191,11 @@ void Scrubber::paintTrack(QPainter &painter) const
     if (trace.spanCount() > 0 && toScreen.width / double(trace.spanCount()) >= leastSpanWidth) {
         painter.setPen(QPen(faint(palette()), 1));
         for (std::size_t span = 0; span < trace.spanCount(); ++span) {
-            const double x = toScreen.xOf(trace.indexOfSpan(span) + 1);
+            const std::size_t position = trace.indexOfSpan(span) + 1;
+            // How far apart those ahead are tells how many samples they have.
+            if (m_playhead->isAheadHidden() && position > m_playhead->position())
+                break;
+            const double x = toScreen.xOf(position);
             painter.drawLine(QPointF(x, trackTop + 3), QPointF(x, trackTop + 11));
         }
     }
