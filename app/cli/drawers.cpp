@@ -89,7 +89,7 @@ constexpr QLatin1String programPrefix("program:");
 bool namesContender(const QString &word)
 {
     const QString first = word.section(u':', 0, 0);
-    return first == QStringLiteral("truth") || methodNamed(first) != nullptr;
+    return first == truthWord || methodNamed(first) != nullptr;
 }
 
 /// The program in a word of the command line; `place` is for errors.

@@ -220,9 +220,9 @@ Scene readScene(const CommandLine &line, const QString &path)
     SceneReading reading = readSceneAt(path);
     const OpenSettings open = openUnder(line, reading.open);
     Scene scene = underOptions(line, std::move(reading), path);
-    if (const QString refusal = open.method ? refusalOfAll(scene, open) : QString();
-        !refusal.isEmpty())
-        refuse({path, refusal, {}});
+    const Method &method = *methodNamed(QString::fromStdString(scene.method));
+    if (open.method && !method.objection(scene.settings).isEmpty())
+        refuse({path, refusalOfAll(scene, open), {}});
     refuseIf(refusalOf(scene, path));
     // A scene may name a method for things yet to be drawn; this explains the empty picture.
     if (!drawsAnyOf(scene))

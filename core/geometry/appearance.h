@@ -103,12 +103,13 @@ struct Appearance {
     std::array<Attribute, 3> viewer = {0, 0, -attributeOne};
     EffectForcing forced;
 
-    /// Whether it asks for more than colours, whatever triangles carry.
-    bool asksForEffects() const
+    /// Whether it asks for more than colours, whatever triangles carry and is forced.
+    bool namesEffects() const
     {
-        return depth == DepthUse::On || antialiasing != Antialiasing::None
-            || forced != EffectForcing{};
+        return depth == DepthUse::On || antialiasing != Antialiasing::None;
     }
+    /// The same, or something is forced.
+    bool asksForEffects() const { return namesEffects() || forced != EffectForcing{}; }
 
     friend bool operator==(const Appearance &, const Appearance &) = default;
 };

@@ -80,11 +80,9 @@ std::array<LevelRange, 3> levelsAt(const Vertex &from, const Vertex &to, double 
 {
     constexpr double ownError = 1e-9; // of these doubles
     std::array<LevelRange, 3> found;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double level = from.colour.channels[i]
-            + share * (double(to.colour.channels[i]) - from.colour.channels[i]);
-        found[i] = {level - error - ownError, level + error + ownError};
-    }
+    const std::array<double, 3> level = levelsBetween(from, to, share);
+    for (std::size_t i = 0; i < 3; ++i)
+        found[i] = {level[i] - error - ownError, level[i] + error + ownError};
     return found;
 }
 
@@ -171,6 +169,15 @@ std::vector<LineChoice> stepsByParameter(const Vertex &from, const Vertex &to, c
 }
 
 } // namespace
+
+std::array<double, 3> levelsBetween(const Vertex &from, const Vertex &to, double share)
+{
+    std::array<double, 3> levels = {};
+    for (std::size_t i = 0; i < 3; ++i)
+        levels[i] = from.colour.channels[i]
+            + share * (double(to.colour.channels[i]) - from.colour.channels[i]);
+    return levels;
+}
 
 bool LineChoice::mayHave(const Colour &colour, ByteRounding rounding) const
 {

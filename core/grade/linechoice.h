@@ -19,6 +19,9 @@ struct LineChoice {
     bool mayHave(const Colour &colour, ByteRounding rounding) const;
 };
 
+/// The levels at a share of the way between two vertices, without an error.
+std::array<double, 3> levelsBetween(const Vertex &from, const Vertex &to, double share);
+
 /// Whether a scene consists of lines only, each step of which draws the nearest pixel.
 bool drawsNearestPixels(const Scene &scene);
 

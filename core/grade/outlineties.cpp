@@ -2,7 +2,7 @@
 #include "core/grade/outlineties.h"
 
 #include "core/frame/framebuffer.h"
-#include "core/grade/arithmeticbound.h"
+#include "core/grade/linechoice.h"
 #include "core/runs/sceneplan.h"
 #include "core/scan/errorlimit.h"
 #include "core/scan/outlinefill.h"
@@ -25,15 +25,6 @@ struct OutlineColumn {
     std::int64_t low = 0, high = 0; ///< px
     Levels ofLow = {}, ofHigh = {};
 };
-
-Levels between(const Vertex &from, const Vertex &to, double share)
-{
-    Levels levels = {};
-    for (std::size_t i = 0; i < 3; ++i)
-        levels[i] = from.colour.channels[i]
-            + share * (double(to.colour.channels[i]) - from.colour.channels[i]);
-    return levels;
-}
 
 void add(std::map<std::int64_t, OutlineColumn> &columns, const LinePlace &place,
          const Levels &levels)
@@ -63,7 +54,7 @@ std::map<std::int64_t, OutlineColumn> outlineOf(const Triangle &triangle, unsign
         BresenhamStep step = bresenhamStepAt(line, 0);
         for (std::int64_t number = 0; number <= line.deltaX; ++number) {
             const double share = line.deltaX > 0 ? double(number) / double(line.deltaX) : 0;
-            add(columns, step.place, between(setUp.corners[from], setUp.corners[to], share));
+            add(columns, step.place, levelsBetween(setUp.corners[from], setUp.corners[to], share));
             advance(line, step);
         }
     }

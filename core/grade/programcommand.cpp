@@ -207,9 +207,10 @@ QStringList limitedCommand(const StudentProgram &student, const ProgramLimits &l
 QStringList sandboxedCommand(const StudentProgram &student, const ProgramLimits &limits,
                              const ProgramUser &user, int filter)
 {
+    static const QStringList rootsFiles = rootsFilesOfProc(); // the same for every program
     // The program could trace the sandbox's first process and make it work for it.
     return limitWords(limits, std::nullopt) + QStringList{bubblewrapPath()} + separationWords(user)
-        + viewWords(student.shown, user.isOwn ? rootsFilesOfProc() : QStringList(), limits.files)
+        + viewWords(student.shown, user.isOwn ? rootsFiles : QStringList(), limits.files)
         + QStringList{QStringLiteral("--seccomp"), QString::number(filter), QStringLiteral("--")}
     + firstProcessWords(limits, user) + limitWords(limits, rlim_t(limits.processes))
         + user.command() + wordsOf(student);

@@ -44,8 +44,7 @@ void drawSamples(const LayerMoment &moment, LayerDrawing &drawing)
 /// Whether the method computes addresses, which a question may ask for.
 bool computesAddresses(const ScanTrace &trace)
 {
-    return std::ranges::count(trace.numbers().span, QStringLiteral("addr"), &NumberDescription::id)
-        > 0;
+    return hasNumber(trace.numbers().span, QStringLiteral("addr"));
 }
 
 /// The pixels that the run has visited.

@@ -68,11 +68,4 @@ QPointF placeOf(const LatticePoint &point)
     return {double(point.x) / unitsPerPixel, double(point.y) / unitsPerPixel};
 }
 
-Quantity NamedNumbers::operator[](const QString &id) const
-{
-    const auto found = std::ranges::find(m_descriptions, id, &NumberDescription::id);
-    const auto place = std::size_t(found - m_descriptions.begin());
-    return place < m_cells.size() ? m_cells[place] : Quantity();
-}
-
 } // namespace pixelplumb

@@ -5,6 +5,7 @@
 #include "core/runs/ahead.h"
 #include "core/runs/tracedscene.h"
 #include "core/scan/edgeteststate.h"
+#include "core/trace/namednumbers.h"
 
 #include <QPoint>
 #include <QPointF>
@@ -57,24 +58,5 @@ struct LayerMoment {
 
 /// Where a lattice point is, px.
 QPointF placeOf(const LatticePoint &point);
-
-/// The numbers of a record by their ids (NumberDescription::id).
-class NamedNumbers {
-public:
-    /// Both must outlive it.
-    NamedNumbers(const std::vector<NumberDescription> &descriptions,
-                 const std::vector<Quantity> &cells)
-        : m_descriptions(descriptions)
-        , m_cells(cells)
-    {
-    }
-
-    /// None if the record has no such number.
-    Quantity operator[](const QString &id) const;
-
-private:
-    const std::vector<NumberDescription> &m_descriptions;
-    const std::vector<Quantity> &m_cells;
-};
 
 } // namespace pixelplumb

@@ -26,9 +26,7 @@ const std::array<NumberIds, 3> &decisionIds()
 const NumberIds *decisionsOf(const ScanTrace &trace)
 {
     const auto &described = trace.numbers().sample;
-    const auto isThere = [&](const QString &id) {
-        return std::ranges::count(described, id, &NumberDescription::id) > 0;
-    };
+    const auto isThere = [&](const QString &id) { return hasNumber(described, id); };
     const auto found = std::ranges::find_if(
         decisionIds(), [&](const NumberIds &ids) { return std::ranges::all_of(ids, isThere); });
     return found == decisionIds().end() ? nullptr : &*found;

@@ -79,6 +79,12 @@ bool Method::supports(Effect effect) const
     return std::ranges::find(effects, effect) != effects.end();
 }
 
+bool Method::shadesIn(Arithmetic arithmetic) const
+{
+    return shadingArithmetics.empty()
+        || std::ranges::find(shadingArithmetics, arithmetic) != shadingArithmetics.end();
+}
+
 bool Method::supports(Variant variant) const
 {
     return std::ranges::find(variants, variant) != variants.end();

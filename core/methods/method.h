@@ -75,6 +75,8 @@ struct Method {
     bool supports(Arithmetic arithmetic) const;
     bool supports(FillRule rule) const;
     bool supports(Effect effect) const;
+    /// Whether it has in this arithmetic all effects that it supports.
+    bool shadesIn(Arithmetic arithmetic) const;
     bool supports(Variant variant) const;
     bool draws(PrimitiveKind kind) const;
     bool draws(const Shape &shape) const;

@@ -59,9 +59,7 @@ QString ableText(const std::vector<Effect> &effects, const ScanSettings &setting
                  const IsOfKind &isOfKind)
 {
     const auto computes = [&settings](const Method &method) {
-        return method.supports(settings.arithmetic)
-            && (method.shadingArithmetics.empty()
-                || std::ranges::count(method.shadingArithmetics, settings.arithmetic) > 0);
+        return method.supports(settings.arithmetic) && method.shadesIn(settings.arithmetic);
     };
     QStringList able;
     QStringList hindrances;
@@ -131,9 +129,7 @@ QString smoothColourObjection(const Method &method, const EffectPlan &plan,
 {
     const bool isLeftOut = plan.verdicts[Effect::SmoothColour].verdict == Verdict::CalledFor
         && !plan.runs(Effect::SmoothColour);
-    const bool shades = method.supports(Effect::Blending)
-        && (method.shadingArithmetics.empty()
-            || std::ranges::count(method.shadingArithmetics, settings.arithmetic) > 0);
+    const bool shades = method.supports(Effect::Blending) && method.shadesIn(settings.arithmetic);
     if (!isLeftOut || (shades && settings.variants.isEmpty()))
         return {};
     return QStringLiteral("cannot leave out smooth colour, which is forced off; %1")
@@ -178,8 +174,7 @@ QString Method::objection(const EffectPlan &plan, const ScanSettings &settings) 
         return QStringLiteral("cannot do %1, %2, with variants: they depart from its colours alone")
             .arg(namesOf(run).join(separator), askerText(plan, run));
     const Arithmetic arithmetic = settings.arithmetic;
-    if (!shadingArithmetics.empty()
-        && std::ranges::find(shadingArithmetics, arithmetic) == shadingArithmetics.end())
+    if (!shadesIn(arithmetic))
         return QStringLiteral("cannot do %1, %2, in %3; it can in %4")
             .arg(namesOf(run).join(separator), askerText(plan, run), quoted(nameOf(arithmetic)),
                  namesOf(shadingArithmetics).join(separator));

@@ -48,6 +48,14 @@ struct OutlineFillRecording : OutlineFillNumbers<A> {
         record.firstDrawn = span.column.firstDrawnRow;
         record.endDrawn = span.column.endDrawnRow;
     }
+    /// A column is a tie where a decision parameter that led to one of its bounds was 0.
+    static void record(const CurrentSpan<SetUp, Span> &step, SpanRecord &record)
+    {
+        const auto isTie = [&step](const OutlinePixel &bound) {
+            return outlineDecisionOf(step.setUp, bound).parameter == Quantity::integer(0);
+        };
+        record.isTie = isTie(step.span.low) || isTie(step.span.high);
+    }
     static void record(const Sample &fragment, SampleRecord &record)
     {
         record.colour = quantitiesOf(fragment.colour);

@@ -6,6 +6,7 @@
 #include "core/runs/segmenttext.h"
 #include "core/runs/shapereason.h"
 #include "core/scan/choicenames.h"
+#include "core/trace/namednumbers.h"
 
 #include <algorithm>
 
@@ -24,37 +25,36 @@ QString distanceText(const oracle::EdgeVerdict &edge, const ScanTrace &trace)
              QString::number(edge.distance, 'g', 6));
 }
 
-/// A number of the set-up; none where the method has no such number.
-Quantity setUpNumber(const ScanTrace &trace, std::size_t primitive, const QString &id)
+/// Of the samples along the loop that passes the pixel's column or row, the first and the last; if
+/// none does, of the columns or rows that have loops.
+struct TestedExtent {
+    QString samples; ///< "rows"
+    Quantity first, last;
+};
+TestedExtent testedExtentOf(const PixelAttempt &attempt, const ScanTrace &trace)
 {
-    const auto &numbers = trace.numbers().setUp;
-    const auto found = std::ranges::find(numbers, id, &NumberDescription::id);
-    return found == numbers.end()
-        ? Quantity()
-        : trace.setUp(primitive).cells[std::size_t(found - numbers.begin())];
+    const QString rows = QStringLiteral("rows");
+    const QString columns = QStringLiteral("columns");
+    if (attempt.span)
+        return {attempt.span->place.axis == SpanAxis::Row ? columns : rows,
+                Quantity::integer(attempt.span->firstDrawn),
+                Quantity::integer(attempt.span->endDrawn - 1)};
+    const SetUpRecord setUp = trace.setUp(attempt.primitive);
+    const NamedNumbers numbers(trace.numbers().setUp, setUp.cells);
+    const bool isByRows = !numbers[QStringLiteral("y_min")].isNone();
+    return isByRows
+        ? TestedExtent{rows, numbers[QStringLiteral("y_min")], numbers[QStringLiteral("y_max")]}
+        : TestedExtent{columns, numbers[QStringLiteral("x_min")], numbers[QStringLiteral("x_max")]};
 }
 
 /// That the sample lies outside of the samples that are tested, and which these are.
 QString untestedText(const PixelAttempt &attempt, const TracedScene &traced)
 {
-    const ScanTrace &trace = *traced.trace;
     const QString box = traced.scene.settings.variants.contains(Variant::RoundedBox)
         ? QStringLiteral("rounded box")
         : QStringLiteral("box");
-    const bool isByRows = attempt.span
-        ? attempt.span->place.axis == SpanAxis::Row
-        : !setUpNumber(trace, attempt.primitive, QStringLiteral("y_min")).isNone();
-    // The loops go along the span, or do not come to it.
-    const QString samples
-        = isByRows != attempt.span.has_value() ? QStringLiteral("rows") : QStringLiteral("columns");
-    const QString axis = isByRows ? QStringLiteral("y") : QStringLiteral("x");
-    const Quantity first = attempt.span
-        ? Quantity::integer(attempt.span->firstDrawn)
-        : setUpNumber(trace, attempt.primitive, axis + QStringLiteral("_min"));
-    const Quantity last = attempt.span
-        ? Quantity::integer(attempt.span->endDrawn - 1)
-        : setUpNumber(trace, attempt.primitive, axis + QStringLiteral("_max"));
     QString text = QStringLiteral("Not tested: it lies outside of the %1 of the vertices").arg(box);
+    const auto [samples, first, last] = testedExtentOf(attempt, *traced.trace);
     if (first.toDouble() <= last.toDouble())
         text += QStringLiteral(", which has the %1 %2 … %3")
                     .arg(samples, toText(first), toText(last));
@@ -111,6 +111,15 @@ ScanDistance scanDistance(const oracle::EdgeVerdict &edge, const ScanTrace &trac
     return scanned.exact.isNone() ? (isByRows ? alongColumn : alongRow) : scanned;
 }
 
+std::size_t refusingEdge(const oracle::SampleVerdict &verdict)
+{
+    const auto refusing = std::ranges::min_element(
+        verdict.edges, [](const oracle::EdgeVerdict &a, const oracle::EdgeVerdict &b) {
+            return std::pair(a.accepts, a.distance) < std::pair(b.accepts, b.distance);
+        });
+    return std::size_t(refusing - verdict.edges.begin());
+}
+
 bool mayDecideOtherwise(const TracedScene &traced)
 {
     return !traced.method->isStableUnder(traced.scene.settings);
@@ -160,15 +169,13 @@ QString triangleRefusalText(const PixelAttempt &attempt, const TracedScene &trac
                                       : QStringLiteral("The triangle has no area, and %1."));
     if (!noPartText(traced).isEmpty() && !attempt.isCentreRefused())
         return noPartText(traced);
-    const auto refusing = std::ranges::min_element(
-        attempt.verdict.edges, [](const oracle::EdgeVerdict &a, const oracle::EdgeVerdict &b) {
-            return std::pair(a.accepts, a.distance) < std::pair(b.accepts, b.distance);
-        });
-    const QString &edge = attempt.edgeNames[std::size_t(refusing - attempt.verdict.edges.begin())];
+    const std::size_t index = refusingEdge(attempt.verdict);
+    const oracle::EdgeVerdict &refusing = attempt.verdict.edges[index];
+    const QString &edge = attempt.edgeNames[index];
     if (!noPartText(traced).isEmpty())
-        return partlyRefusedText(attempt, traced, *refusing, edge, x, y);
+        return partlyRefusedText(attempt, traced, refusing, edge, x, y);
     const QString own = ownReasonText(attempt, traced, x, y);
-    if (refusing->edgeFunction == 0) {
+    if (refusing.edgeFunction == 0) {
         const QString ties = tiesText(attempt, traced, x, y, TieSide::Other);
         return QStringLiteral("The sample lies %1.").arg(ties)
             + (own.contains(ties) ? QString() : own);
@@ -177,7 +184,7 @@ QString triangleRefusalText(const PixelAttempt &attempt, const TracedScene &trac
         + QStringLiteral("%1 %2: the sample is at %3, under the rule %4.")
               .arg(isOfTruthAlone ? QStringLiteral("The truth refuses it by")
                                   : QStringLiteral("Refused by"),
-                   edge, distanceText(*refusing, *traced.trace),
+                   edge, distanceText(refusing, *traced.trace),
                    nameText(nameOf(traced.scene.settings.fillRule)))
         + own;
 }

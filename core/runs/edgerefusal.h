@@ -13,6 +13,9 @@ struct ScanDistance {
 };
 ScanDistance scanDistance(const oracle::EdgeVerdict &edge, const ScanTrace &trace);
 
+/// The index of the edge that rejects the sample most strongly.
+std::size_t refusingEdge(const oracle::SampleVerdict &verdict);
+
 /// Whether another edge may have decided in the run than in truth: its numbers round, or a variant
 /// departs from the algorithm.
 bool mayDecideOtherwise(const TracedScene &traced);

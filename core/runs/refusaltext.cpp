@@ -6,6 +6,7 @@
 #include "core/runs/segmenttext.h"
 #include "core/scan/choicenames.h"
 #include "core/scan/edgeline.h"
+#include "core/trace/namednumbers.h"
 
 #include <algorithm>
 
@@ -43,21 +44,7 @@ Quantity edgeFunctionAt(const LatticePoint &from, const LatticePoint &to, const 
 /// Whether the method's set-up has its own number of this kind for each edge: "s_0".
 bool hasForEachEdge(const TracedScene &traced, const char *id)
 {
-    return std::ranges::count(traced.trace->numbers().setUp,
-                              QString::fromLatin1(id) + QStringLiteral("_0"),
-                              &NumberDescription::id)
-        > 0;
-}
-
-/// A number of the set-up without rounding.
-Quantity exactSetUpNumber(const TracedScene &traced, std::size_t primitive, const QString &id)
-{
-    const ScanTrace &exact = traced.exactTrace ? *traced.exactTrace : *traced.trace;
-    const auto &numbers = exact.numbers().setUp;
-    const auto found = std::ranges::find(numbers, id, &NumberDescription::id);
-    return found == numbers.end()
-        ? Quantity()
-        : exact.setUp(primitive).cells[std::size_t(found - numbers.begin())];
+    return hasNumber(traced.trace->numbers().setUp, QString::fromLatin1(id) + QStringLiteral("_0"));
 }
 
 /// On which sides of an edge the off-screen point and the triangle lie, in the method's numbers:
@@ -83,10 +70,12 @@ QString sidesText(const TracedScene &traced, std::size_t index, const oracle::Ed
     // A solved system's equations are scaled differently, each edge on its own.
     if (hasForEachEdge(traced, "q")) {
         const int line = (edge.from + 1) % 3 == edge.to ? edge.from : edge.to;
-        const auto number
-            = [&](const QString &id) { return exactSetUpNumber(traced, index, id.arg(line)); };
-        return text(number(QStringLiteral("E_%1_r")), number(QStringLiteral("F_%1")),
-                    number(QStringLiteral("tie_product_%1")));
+        const ScanTrace &exact = traced.exactTrace ? *traced.exactTrace : *traced.trace;
+        const SetUpRecord setUp = exact.setUp(index);
+        const NamedNumbers numbers(exact.numbers().setUp, setUp.cells);
+        return text(numbers[QStringLiteral("E_%1_r").arg(line)],
+                    numbers[QStringLiteral("F_%1").arg(line)],
+                    numbers[QStringLiteral("tie_product_%1").arg(line)]);
     }
     // Swapped sides make a function positive inside.
     const bool isExchanged = hasForEachEdge(traced, "s") && functionAt(facing).numerator() < 0;

@@ -15,11 +15,10 @@ namespace {
 /// Whether the method supports everything: then it does not matter what the scene calls for.
 bool canAll(const Method &method, const ScanSettings &settings)
 {
-    const std::vector<Arithmetic> &shading = method.shadingArithmetics;
     return settings.variants.isEmpty()
         && std::ranges::all_of(allEffects,
                                [&method](Effect effect) { return method.supports(effect); })
-        && (shading.empty() || std::ranges::find(shading, settings.arithmetic) != shading.end());
+        && method.shadesIn(settings.arithmetic);
 }
 
 /// The objection to those shapes that reach the frame.

@@ -5,6 +5,7 @@
 #include "core/polygons/contours.h"
 #include "core/runs/spanheadings.h"
 #include "core/scan/choicenames.h"
+#include "core/trace/namednumbers.h"
 
 #include <algorithm>
 #include <array>
@@ -122,17 +123,15 @@ QString stepsNextToText(const ScanTrace &trace, std::size_t primitive, std::int6
 bool isDecidedByOutline(const PixelAttempt &attempt, const ScanTrace &trace)
 {
     return attempt.kind == PrimitiveKind::Triangle
-        && std::ranges::count(trace.numbers().span, QStringLiteral("edge_low"),
-                              &NumberDescription::id)
-        > 0;
+        && hasNumber(trace.numbers().span, QStringLiteral("edge_low"));
 }
 
 bool isUntested(const PixelAttempt &attempt, const ScanTrace &trace)
 {
-    const auto isOfBox = [](const NumberDescription &number) {
-        return number.id == QStringLiteral("x_min") || number.id == QStringLiteral("y_min");
-    };
-    return !attempt.sample && !trace.isCut() && std::ranges::any_of(trace.numbers().span, isOfBox);
+    const auto &numbers = trace.numbers().span;
+    const bool isOfBox = hasNumber(numbers, QStringLiteral("x_min"))
+        || hasNumber(numbers, QStringLiteral("y_min"));
+    return !attempt.sample && !trace.isCut() && isOfBox;
 }
 
 QString stepBesideText(const PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x,
@@ -145,8 +144,7 @@ QString stepBesideText(const PixelAttempt &attempt, const ScanTrace &trace, std:
     const auto step = trace.spanNear(attempt.primitive, x, y);
     // Steps along its edges.
     const bool isOutline = attempt.kind == PrimitiveKind::Polygon
-        && std::ranges::count(trace.numbers().span, QStringLiteral("p_k"), &NumberDescription::id)
-            > 0;
+        && hasNumber(trace.numbers().span, QStringLiteral("p_k"));
     const bool isTold = attempt.kind == PrimitiveKind::Line || isDecidedByOutline(attempt, trace)
         || (step && !attempt.sample && attempt.kind != PrimitiveKind::Triangle
             && (trace.placeOf(*step).axis == SpanAxis::Row || isOutline));
@@ -183,18 +181,14 @@ QString approximationText(const ScanTrace &trace, std::size_t primitive)
 {
     if (primitive >= trace.primitiveCount())
         return {};
-    const std::vector<Quantity> cells = trace.setUp(primitive).cells;
-    const auto &numbers = trace.numbers().setUp;
-    const auto cellOf = [&](const char *id) {
-        const auto found
-            = std::ranges::find(numbers, QString::fromLatin1(id), &NumberDescription::id);
-        return found == numbers.end() ? Quantity() : cells[std::size_t(found - numbers.begin())];
-    };
-    if (const Quantity moved = cellOf("moved"); !moved.isNone() && moved.toDouble() > 0)
+    const SetUpRecord setUp = trace.setUp(primitive);
+    const NamedNumbers numbers(trace.numbers().setUp, setUp.cells);
+    if (const Quantity moved = numbers[QStringLiteral("moved")];
+        !moved.isNone() && moved.toDouble() > 0)
         return QStringLiteral(" Its crossings were moved to multiples of 1/256 px, by %1 px at "
                               "most, and tilt the edges that meet there.")
             .arg(moved.toDouble(), 0, 'g', 3);
-    if (!cellOf("curves").isNone())
+    if (!numbers[QStringLiteral("curves")].isNone())
         return QStringLiteral(" What was filled are its chords, which leave the curves by 1/32 px "
                               "at most.");
     return {};

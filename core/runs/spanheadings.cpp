@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/spanheadings.h"
 
+#include "core/trace/namednumbers.h"
+
 #include <algorithm>
 
 namespace pixelplumb {
@@ -23,9 +25,7 @@ QString placeText(const SpanPlace &place)
 /// The noun by which a span's numbers count the parts of a primitive; empty if none does.
 QString countedPart(const ScanTrace &trace)
 {
-    const auto has = [&trace](const QString &id) {
-        return std::ranges::count(trace.numbers().span, id, &NumberDescription::id) > 0;
-    };
+    const auto has = [&trace](const QString &id) { return hasNumber(trace.numbers().span, id); };
     if (has(QStringLiteral("polygon")) && has(QStringLiteral("triangle")))
         return QStringLiteral("triangle");
     return has(QStringLiteral("edge")) ? QStringLiteral("edge") : QString();

@@ -3,6 +3,7 @@
 
 #include "core/oracle/oracle.h"
 #include "core/polygons/contours.h"
+#include "core/trace/namednumbers.h"
 
 #include <algorithm>
 #include <set>
@@ -115,23 +116,8 @@ std::set<std::int64_t> tieRowsOf(const Shape &polygon, const FrameSpec &frame)
 /// pixels.
 bool hasDecisions(const ScanTrace &trace)
 {
-    return std::ranges::any_of(trace.numbers().span, [](const NumberDescription &number) {
-        return number.id == QStringLiteral("p_k") || number.id == QStringLiteral("p_low");
-    });
-}
-
-/// Whether a step passes half-way between two pixels; of an outline's column, that of either bound.
-bool isUndecided(const ScanTrace &trace, std::size_t span)
-{
-    const SpanRecord record = trace.span(span);
     const auto &numbers = trace.numbers().span;
-    bool isTie = record.isTie;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const bool decides
-            = numbers[i].id == QStringLiteral("p_low") || numbers[i].id == QStringLiteral("p_high");
-        isTie = isTie || (decides && record.cells[i] == Quantity::integer(0));
-    }
-    return isTie;
+    return hasNumber(numbers, QStringLiteral("p_k")) || hasNumber(numbers, QStringLiteral("p_low"));
 }
 
 /// The first and last span of each part, those at vertices, and the spans with a tie.
@@ -164,7 +150,7 @@ void appendSpanMarks(std::vector<TraceMark> &marks, const TracedScene &traced,
         part = place.part;
         const auto hasTie = [&] {
             if (isStepped)
-                return isUndecided(trace, span);
+                return trace.span(span).isTie;
             if (place.axis == SpanAxis::Row && tieRows.contains(place.coordinate))
                 return true;
             return isTriangle && place.axis != SpanAxis::Free

@@ -71,8 +71,8 @@ ScanSettings settledFor(const Method &method, ScanSettings settings, const OpenS
 /// that draws the primitive under the settings, or at all.
 const Method &methodFor(const Scene &scene, const OpenSettings &open);
 
-/// Why no method draws the first primitive of a scene that names none under the settings that are
-/// named, and without which one a method does; empty where one does.
+/// Where methodFor() refuses the settings that are named, so that no method draws the scene's first
+/// primitive under them: which these are, and without which one a method does.
 QString refusalOfAll(const Scene &scene, const OpenSettings &open);
 
 /// A scene file as it was read.

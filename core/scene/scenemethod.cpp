@@ -39,15 +39,15 @@ bool hasSmoothTriangle(const Scene &scene)
 /// Whether a plan of the scene's triangles may run more than the method does plainly.
 bool mayRunMore(const Method &method, const Scene &scene)
 {
-    Scene unforced = scene;
-    unforced.appearance.forced = {};
+    const bool mayCallForMore
+        = !scene.attributes.empty() || scene.hasSolids() || scene.appearance.namesEffects();
     const EffectForcing &forced = scene.appearance.forced;
     // Texture and light run only where triangles carry something for them.
     constexpr std::array forceable
         = {Effect::Depth, Effect::Perspective, Effect::Blending, Effect::Antialiasing};
     const auto isForcedOn = [&forced](Effect effect) { return forced[effect] == Forcing::On; };
     // Only methods that shade by a plan can leave colours out.
-    return mayCallForEffects(unforced)
+    return mayCallForMore
         || (forced[Effect::SmoothColour] == Forcing::Off && hasSmoothTriangle(scene))
         || std::ranges::any_of(forceable, isForcedOn)
         || (isForcedOn(Effect::SmoothColour) && !method.supports(Effect::SmoothColour));
@@ -60,19 +60,16 @@ bool canEffects(const Method &method, const Scene &scene, const ScanSettings &se
         return scene.isEmpty()
             || method.objection(scene.shapes.front(), withNothingOff(scene.appearance), settings)
                    .isEmpty();
-    const std::vector<Arithmetic> &shading = method.shadingArithmetics;
     return !mayRunMore(method, scene)
-        || (method.drawEffects
-            && (shading.empty()
-                || std::ranges::find(shading, settings.arithmetic) != shading.end()));
+        || (method.drawEffects && method.shadesIn(settings.arithmetic));
 }
 
-/// Whether any method that draws the scene's first primitive keeps the settings that are named.
-bool isKeptByAny(const Scene &scene, const OpenSettings &open)
+/// Whether any method that draws the scene's first primitive keeps the settings, but for open ones.
+bool isKeptByAny(const Scene &scene, const ScanSettings &settings, const OpenSettings &open)
 {
     return std::ranges::any_of(methods(), [&](const Method &method) {
         return drawsFirst(method, scene)
-            && method.objection(settledFor(method, scene.settings, open)).isEmpty();
+            && method.objection(settledFor(method, settings, open)).isEmpty();
     });
 }
 
@@ -121,27 +118,24 @@ const Method &methodFor(const Scene &scene, const OpenSettings &open)
 
 QString refusalOfAll(const Scene &scene, const OpenSettings &open)
 {
-    if (isKeptByAny(scene, open))
-        return {};
+    const ScanSettings &settings = scene.settings;
     QStringList named;
     QStringList ways;
-    const auto ask = [&](const QString &setting, std::string_view name, const Scene &without,
+    const auto ask = [&](const QString &setting, std::string_view name, const ScanSettings &without,
                          const OpenSettings &opened) {
         named += QStringLiteral("%1 “%2”").arg(setting, nameText(name));
-        if (isKeptByAny(without, opened))
+        if (isKeptByAny(scene, without, opened))
             ways += QStringLiteral("without ") + setting;
     };
-    OpenSettings opened = open;
-    opened.fillRule = true;
     if (!open.fillRule)
-        ask(QStringLiteral("the fill rule"), nameOf(scene.settings.fillRule), scene, opened);
-    opened = open;
-    opened.arithmetic = true;
+        ask(QStringLiteral("the fill rule"), nameOf(settings.fillRule), settings,
+            {open.method, open.arithmetic, true});
     if (!open.arithmetic)
-        ask(QStringLiteral("the arithmetic"), nameOf(scene.settings.arithmetic), scene, opened);
-    for (const Variant variant : variantsIn(scene.settings.variants)) {
-        Scene without = scene;
-        without.settings.variants = without.settings.variants.without(variant);
+        ask(QStringLiteral("the arithmetic"), nameOf(settings.arithmetic), settings,
+            {open.method, true, open.fillRule});
+    for (const Variant variant : variantsIn(settings.variants)) {
+        ScanSettings without = settings;
+        without.variants = without.variants.without(variant);
         ask(QStringLiteral("the variant"), nameOf(variant), without, open);
     }
     const QString text = QStringLiteral("no method that draws its first primitive keeps ")

@@ -129,12 +129,6 @@ private:
         open = {node.isMissing(), root["arithmetic"].isMissing(), root["fillRule"].isMissing()};
         const Method *method = nullptr;
         if (open.method) {
-            if (const QString refusal = refusalOfAll(scene, open); !refusal.isEmpty()) {
-                m_json.fail(
-                    root[open.fillRule ? QStringLiteral("arithmetic") : QStringLiteral("fillRule")],
-                    refusal, {});
-                return;
-            }
             method = &methodFor(scene, open);
         } else {
             method = methodNamed(m_json.string(node));
@@ -148,7 +142,12 @@ private:
         }
         scene.method = method->id.toStdString();
         scene.settings = settledFor(*method, scene.settings, open);
-        if (const QString refusal = method->refusal(scene.settings); !refusal.isEmpty())
+        const QString refusal = method->refusal(scene.settings);
+        if (!refusal.isEmpty() && open.method)
+            m_json.fail(
+                root[open.fillRule ? QStringLiteral("arithmetic") : QStringLiteral("fillRule")],
+                refusalOfAll(scene, open), {});
+        else if (!refusal.isEmpty())
             m_json.fail(refusedNode(*method, root), refusal, {});
     }
 

@@ -23,8 +23,8 @@
 ///   walk(setUp, span, settings, observer)
 ///                          calls the kernel's own loop again for one span, in SpanPixels; where
 ///                          there is no such function the samples themselves are kept;
-///   record(currentSample, sampleRecord)
-///                          fills what a sample's record takes from its span and set-up;
+///   record(currentSpan, spanRecord), record(currentSample, sampleRecord)
+///                          fill what a record takes from the set-up, or from span and set-up;
 ///   stateOf(currentStep)   what the rows read instead of the step itself;
 ///   tell(words, state)     adds the words of a step that only this family has.
 namespace pixelplumb {

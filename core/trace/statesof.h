@@ -63,6 +63,8 @@ public:
     void read(const StatePlace &place, SpanRecord &record) const override
     {
         R::record(m_spans[place.span], record);
+        if constexpr (requires(const CurrentSpanOf<R> &step) { R::record(step, record); })
+            R::record(currentSpan(place), record);
     }
     void read(const StatePlace &place, const SampleVisit &visit,
               SampleRecord &record) const override

@@ -76,22 +76,24 @@ SpanRecord ScanTrace::span(std::size_t span) const
     SpanRecord record;
     record.primitive = primitiveOf(span);
     record.place = placeOf(span);
-    m_states->read(stateOfSpan(span), record);
-    record.cells = m_states->spanCells(stateOfSpan(span));
+    const StatePlace place = stateOfSpan(span);
+    m_states->read(place, record);
+    record.cells = m_states->spanCells(place);
     return record;
 }
 
 std::vector<SampleRecord> ScanTrace::samplesWith(std::size_t span, SampleCells cells) const
 {
+    const StatePlace place = stateOfSpan(span);
     std::vector<SampleRecord> records;
     visitSamples(span, [&](const SampleVisit &visit) {
         SampleRecord &record = records.emplace_back();
         record.x = visit.x;
         record.y = visit.y;
         record.fate = visit.fate;
-        m_states->read(stateOfSpan(span), visit, record);
+        m_states->read(place, visit, record);
         if (cells == SampleCells::Filled)
-            record.cells = m_states->sampleCells(stateOfSpan(span), visit);
+            record.cells = m_states->sampleCells(place, visit);
     });
     return records;
 }

@@ -51,7 +51,8 @@ struct SpanRecord {
     std::optional<LongEdge> longEdge;
     std::int64_t firstSample = 0, endSample = 0; ///< along the span, unclipped
     std::int64_t firstDrawn = 0, endDrawn = 0; ///< along the span, clipped to the frame
-    /// For a step of a line: it passes half-way between two pixels, of which a rule picks one.
+    /// A step of a line or an outline passes half-way between two pixels, of which a rule picks
+    /// one; of a column of an outline, that at either bound.
     bool isTie = false;
     std::vector<Quantity> cells; ///< by TraceNumbers::span
 

@@ -34,16 +34,6 @@ bool isOfBase(const PixelAttempt &attempt)
     return false;
 }
 
-/// The edge that rejects the sample most strongly.
-std::size_t refusingEdge(const oracle::SampleVerdict &verdict)
-{
-    const auto refusing = std::ranges::min_element(
-        verdict.edges, [](const oracle::EdgeVerdict &a, const oracle::EdgeVerdict &b) {
-            return std::pair(a.accepts, a.distance) < std::pair(b.accepts, b.distance);
-        });
-    return std::size_t(refusing - verdict.edges.begin());
-}
-
 } // namespace
 
 QString PixelHistoryModel::attemptText(const PixelAttempt &attempt, int column) const
