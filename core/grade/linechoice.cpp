@@ -172,11 +172,11 @@ std::vector<LineChoice> stepsByParameter(const Vertex &from, const Vertex &to, c
 
 std::array<double, 3> levelsBetween(const Vertex &from, const Vertex &to, double share)
 {
-    std::array<double, 3> levels = {};
+    std::array<double, 3> between = {};
     for (std::size_t i = 0; i < 3; ++i)
-        levels[i] = from.colour.channels[i]
+        between[i] = from.colour.channels[i]
             + share * (double(to.colour.channels[i]) - from.colour.channels[i]);
-    return levels;
+    return between;
 }
 
 bool LineChoice::mayHave(const Colour &colour, ByteRounding rounding) const
