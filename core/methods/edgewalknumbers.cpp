@@ -133,7 +133,7 @@ void appendStart(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &nam
                        .toolTip = QStringLiteral("The first drawn {across}, where the colours "
                                                  "start: the first covered one, or the frame's."),
                        .formula = QStringLiteral("{a}_start = max(first {across}, {a}_frame)"),
-                       .group = Group::Span}),
+                       .group = Group::EdgeColours}),
          [](const EdgeWalkSpanState &state) {
              return state.drawnSamples() > 0 ? Quantity::integer(state.column.firstDrawnRow)
                                              : Quantity();

@@ -282,10 +282,6 @@
         <translation>Kantenfarben</translation>
     </message>
     <message>
-        <source>Show the levels at both edges</source>
-        <translation>Die Farbwerte an beiden Kanten zeigen</translation>
-    </message>
-    <message>
         <source>ΔR ΔG ΔB</source>
         <translation>ΔR ΔG ΔB</translation>
     </message>
@@ -332,6 +328,10 @@
     <message>
         <source>Beside each number</source>
         <translation>Neben jeder Zahl</translation>
+    </message>
+    <message>
+        <source>Show the levels at both edges and where the colours start</source>
+        <translation>Die Farbwerte an beiden Kanten zeigen und wo die Farben beginnen</translation>
     </message>
 </context>
 <context>

@@ -27,6 +27,7 @@ namespace {
 
 constexpr int rowPadding = 2;
 constexpr int measuredRows = 256; // enough for all rows of a usual run
+constexpr int usualRows = 8; // in sight
 
 /// Rows spread evenly over the table, including the first and the last: in between, numbers change
 /// evenly and denominators repeat.
@@ -78,6 +79,14 @@ ColumnTable::ColumnTable(Playhead *playhead, QWidget *parent)
 }
 
 ColumnTable::~ColumnTable() = default;
+
+QSize ColumnTable::sizeHint() const
+{
+    const int row = verticalHeader()->defaultSectionSize();
+    // The top of a ninth row says that there are more.
+    return {QTableView::sizeHint().width(),
+            m_header->sizeHint().height() + usualRows * row + row / 3};
+}
 
 void ColumnTable::takeColumns()
 {

@@ -32,6 +32,7 @@ public:
     QString selectionAsTsv() const;
 
     int shownRows() const { return model()->rowCount(); }
+    QSize sizeHint() const override; ///< with eight rows
 
 public slots:
     void copySelection() const;

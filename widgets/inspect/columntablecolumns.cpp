@@ -23,12 +23,13 @@ void ColumnTable::createActions()
         addToggle("showPosition", tr("Position"), tr("Show the column and its half")),
         addToggle("showSpan", tr("Span"), tr("Show where the edges meet the column, and its rows")),
         addToggle("showDecision", tr("Decision"), tr("Show the numbers that decide the samples")),
-        addToggle("showEdgeColours", tr("Edge colours"), tr("Show the levels at both edges")),
+        addToggle("showEdgeColours", tr("Edge colours"), tr("Show the levels at both edges and where the colours start")),
         addToggle("showColourRates", tr("ΔR ΔG ΔB"), tr("Show the change from sample to sample")),
         addToggle("showFirstColour", tr("First R G B"), tr("Show the levels at the first pixel")),
     };
+    // All others have room in a small window.
     for (QAction *action : std::as_const(m_groupActions))
-        action->setChecked(true);
+        action->setChecked(action != m_groupActions[int(NumberGroup::EdgeColours)]);
     m_exactAction = addToggle("showExact", tr("Exact"), tr("Show the exact number beside each"));
     m_errorAction = addToggle("showError", tr("Error"), tr("Show used minus exact beside each"));
     for (QAction *action : std::as_const(m_columnActions))

@@ -13,8 +13,8 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int leftPadding = 12; // room for the sign of a change
-constexpr int rightPadding = 6;
+constexpr int leftPadding = 10; // room for the sign of a change
+constexpr int rightPadding = 5;
 constexpr float currentTint = 0.16F;
 constexpr float selectionTint = 0.22F;
 constexpr float aheadFade = 0.38F; // keeps 4.5:1 on black and white

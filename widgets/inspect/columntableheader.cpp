@@ -11,7 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int cellPadding = 6;
+constexpr int cellPadding = 5;
 constexpr int barHeight = 2;
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "widgets/inspect/rowmarkheader.h"
 
 #include "widgets/look/blend.h"
+#include "widgets/look/numbertooltip.h"
 #include "widgets/look/signs.h"
 #include "widgets/model/columntablemodel.h"
 
@@ -27,7 +28,11 @@ RowMarkHeader::RowMarkHeader(QWidget *parent)
 
 QSize RowMarkHeader::sizeHint() const
 {
-    return {fontMetrics().horizontalAdvance(QStringLiteral("▶ △ 000")) + 2 * markPadding,
+    const auto *table = qobject_cast<const ColumnTableModel *>(model());
+    const bool tellsPrimitives = table && table->hasSeveralPrimitives();
+    const QString widest
+        = tellsPrimitives ? QStringLiteral("▶ △ 000") : withoutMarkup(QStringLiteral("▶ L_00"));
+    return {fontMetrics().horizontalAdvance(widest) + 2 * markPadding,
             QHeaderView::sizeHint().height()};
 }
 

@@ -201,7 +201,9 @@ void FirstArrangement::resizeStep()
     const int height = m_window->height();
     const int right = std::min(std::max(width * 37 / 100, m_usual.formulaWidth), width * 45 / 100);
     m_window->resizeDocks({m_usual.formula}, {right}, Qt::Horizontal);
-    m_window->resizeDocks({m_usual.columns}, {height * 22 / 100}, Qt::Vertical);
+    const int columns
+        = std::clamp(m_usual.columns->sizeHint().height(), height * 22 / 100, height * 36 / 100);
+    m_window->resizeDocks({m_usual.columns}, {columns}, Qt::Vertical);
     if (sharing() == Sharing::Spread)
         m_window->resizeDocks({m_usual.columns, m_usual.pixelHistory}, {width - right, right},
                               Qt::Horizontal);

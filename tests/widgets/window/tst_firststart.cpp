@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/testprogram.h"
+#include "widgets/canvas/canvas.h"
+
+#include <QAction>
+#include <QHeaderView>
+#include <QScrollBar>
+#include <QTableView>
+#include <QTest>
+
+#include <memory>
+
+namespace tst_firststart {
+
+using namespace pixelplumb;
+
+/// What a student sees who starts the program for the first time on a screen of 1366 × 768.
+class TestFirstStart : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        m_settings.clear();
+        m_window = windowOf(QSize(1358, 728)); // the rest is the frame and the title bar
+    }
+    void cleanup() { m_window.reset(); }
+
+    void theNumbersOfTheAssignmentAreInSightInEightRows()
+    {
+        QTRY_COMPARE(table().horizontalScrollBar()->maximum(), 0);
+        const int rowHeight = table().verticalHeader()->defaultSectionSize();
+        QTRY_VERIFY2(table().viewport()->height() >= 8 * rowHeight,
+                     qPrintable(QStringLiteral("%1 px for rows of %2 px")
+                                    .arg(table().viewport()->height())
+                                    .arg(rowHeight)));
+        for (const char *title : {"x", "y_B", "y_T", "⌈y_B⌉", "⌊y_T⌋", "px", "ΔR", "ΔG", "ΔB",
+                                  "first R", "first G", "first B"})
+            QVERIFY2(shownTitles().contains(QString::fromUtf8(title)), title);
+    }
+
+    void theLevelsAtTheEdgesAreOneClickAway()
+    {
+        QVERIFY(!shownTitles().contains(QStringLiteral("R_B")));
+        named<QAction>(*m_window, "showEdgeColours")->trigger();
+        QVERIFY(shownTitles().contains(QStringLiteral("R_B")));
+    }
+
+    void theCanvasHasHalfOfTheWidth()
+    {
+        QTRY_VERIFY(2 * m_window->parts().canvas->width() >= m_window->width());
+    }
+
+private:
+    const QTableView &table() const { return *named<QTableView>(*m_window, "columnTable"); }
+
+    QStringList shownTitles() const
+    {
+        QStringList titles;
+        for (int column = 0; column < table().model()->columnCount(); ++column) {
+            if (!table().isColumnHidden(column))
+                titles += table().model()->headerData(column, Qt::Horizontal).toString();
+        }
+        return titles;
+    }
+
+    IsolatedSettings m_settings;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+PIXELPLUMB_TEST(TestFirstStart)
+
+} // namespace tst_firststart
+
+#include "tst_firststart.moc"
