@@ -244,6 +244,7 @@ int main(int argc, char *argv[])
         window.palettes()->setForThisRun(*palette);
     open(window, parser, options);
     window.show();
+    window.greet();
     window.offerRecovery();
     return QApplication::exec();
 }

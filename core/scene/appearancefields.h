@@ -4,11 +4,13 @@
 #include "core/geometry/appearance.h"
 #include "core/scene/appearancenames.h"
 #include "core/scene/jsonfields.h"
+#include "core/space/camera.h"
 
 #include <QStringList>
 
-/// The names of an appearance's fields in files: one list for each part, used to read and to write
-/// it, in this order. A field that is left out has its default, and defaults are left out.
+/// The names of an appearance's and a camera's fields in files: one list for each part, used to
+/// read and to write it, and by forms, in this order. A field that is left out has its default, and
+/// defaults are left out.
 namespace pixelplumb {
 
 /// A number in [first, last].
@@ -51,6 +53,22 @@ void eachField(Self &self, const Visit &visit)
     visit("depth", ChoiceOf{self.depth, allDepthUses});
     visit("depthBits", ChoiceOf{self.depthFormat, allDepthFormats});
     visit("antialiasing", ChoiceOf{self.antialiasing, allAntialiasings});
+}
+
+/// Without the field of the other projection.
+template <PartOf<Camera> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("projection", ChoiceOf{self.projection, allProjections});
+    visit("eye", self.eye);
+    visit("target", self.target);
+    visit("up", self.up);
+    if (self.projection == Projection::Perspective)
+        visit("fieldOfView", self.fieldOfView);
+    else
+        visit("height", self.height);
+    visit("near", self.near);
+    visit("far", self.far);
 }
 
 template <class Part>

@@ -34,6 +34,13 @@ QByteArray textOf(const std::shared_ptr<const Texture> &texture, const QString &
     return texture ? quotedText(nameInFolder(texture->name, folder).toUtf8()) : QByteArray();
 }
 
+QByteArray textOf(double number, const QString & /*folder*/) { return jsonRealText(number); }
+
+QByteArray textOf(const Vector3 &vector, const QString & /*folder*/)
+{
+    return jsonRealsText(vector);
+}
+
 /// The fields that differ from their defaults, each after a separator.
 template <class Part>
 QByteArray fieldsText(const Part &part, const QByteArray &separator, const QString &folder);
@@ -86,6 +93,87 @@ QByteArray fieldsText(const Part &part, const QByteArray &separator, const QStri
 }
 
 } // namespace
+
+namespace {
+
+QString withoutQuotes(const QByteArray &text)
+{
+    const QString whole = QString::fromUtf8(text);
+    return whole.startsWith(u'"') ? whole.sliced(1).chopped(1) : whole;
+}
+
+template <class Value>
+QStringList choicesOf(const Value & /*value*/)
+{
+    return {};
+}
+template <class Choice, class Choices>
+QStringList choicesOf(const ChoiceOf<Choice, Choices> &field)
+{
+    QStringList names;
+    for (const auto each : field.all)
+        names.append(nameText(nameOf(each)));
+    return names;
+}
+
+template <class Part>
+std::vector<FieldText> fieldTextsOf(const Part &part, Part byDefault, const QString &folder)
+{
+    std::vector<FieldText> fields;
+    const auto add = [&](const char *name, const auto &value) {
+        fields.push_back(
+            {QLatin1String(name), withoutQuotes(textOf(value, folder)), {}, choicesOf(value)});
+    };
+    eachField(part, add);
+    auto field = fields.begin();
+    eachField(std::as_const(byDefault), [&](const char *, const auto &value) {
+        field++->byDefault = withoutQuotes(textOf(value, folder));
+    });
+    return fields;
+}
+
+} // namespace
+
+std::vector<FieldText> fieldTexts(const Camera &camera)
+{
+    Camera byDefault;
+    byDefault.projection = camera.projection; // the same fields
+    std::vector<FieldText> fields = fieldTextsOf(camera, byDefault, {});
+    fields.front().byDefault = nameText(nameOf(Camera().projection));
+    return fields;
+}
+
+std::vector<FieldText> fieldTexts(const Light &light)
+{
+    const bool isDirectional = light.kind == Light::Kind::Directional;
+    const QString at = QString::fromUtf8(jsonAttributeText(light.at));
+    return {{QStringLiteral("direction"), isDirectional ? at : QString(), {}},
+            {QStringLiteral("position"), isDirectional ? QString() : at, {}},
+            {QStringLiteral("color"), colourText(light.colour), colourText(Light().colour)}};
+}
+
+std::vector<FieldText> fieldTexts(const Material &material, const QString &folder)
+{
+    return fieldTextsOf(material, Material(), folder);
+}
+
+std::vector<FieldText> fieldTexts(const Appearance &appearance)
+{
+    std::vector<FieldText> fields = fieldTextsOf(appearance, Appearance(), {});
+    std::erase_if(fields, [](const FieldText &field) {
+        return field.name == QLatin1String("materials") || field.name == QLatin1String("lights");
+    });
+    return fields;
+}
+
+QByteArray cameraText(const Camera &camera)
+{
+    QByteArrayList fields;
+    eachField(camera, [&](const char *name, const auto &value) {
+        fields.append('"' + QByteArray(name) + "\": " + textOf(value, {}));
+    });
+    return "{ " + fields.join(", ") + " }";
+}
 
 QByteArray appearanceText(const Appearance &appearance, const QString &folder)
 {

@@ -4,6 +4,7 @@
 #include "core/scene/attributereader.h"
 #include "core/scene/colourtext.h"
 #include "core/scene/coordinatetext.h"
+#include "core/scene/jsonreader.h"
 #include "core/scene/shapenames.h"
 
 #include <span>
@@ -154,6 +155,16 @@ QByteArray primitiveText(const HiddenPrimitive &hidden, const std::vector<Materi
     }
     text.chop(2); // " }"
     return text + ", \"hidden\": true }";
+}
+
+QByteArray jsonRealText(double value) { return numberText(value).toUtf8(); }
+
+QByteArray jsonRealsText(std::span<const double> values)
+{
+    QByteArray text = "[";
+    for (const double value : values)
+        text += (text.size() > 1 ? ", " : "") + jsonRealText(value);
+    return text + ']';
 }
 
 QByteArray quotedText(const QByteArray &utf8)

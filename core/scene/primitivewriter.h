@@ -25,6 +25,11 @@ QByteArray jsonAttributeText(Attribute value);
 /// "[1, "1/3"]".
 QByteArray jsonAttributeText(std::span<const Attribute> values);
 
+/// The shortest decimal for the same double.
+QByteArray jsonRealText(double value);
+/// "[1, 0.5]".
+QByteArray jsonRealsText(std::span<const double> values);
+
 /// A text in quotation marks, escaped for JSON.
 QByteArray quotedText(const QByteArray &utf8);
 

@@ -14,17 +14,6 @@ namespace pixelplumb {
 
 namespace {
 
-/// The shortest decimal for the same double.
-QByteArray realText(double value) { return numberText(value).toUtf8(); }
-
-QByteArray realsText(std::span<const double> values)
-{
-    QByteArray text = "[";
-    for (const double value : values)
-        text += (text.size() > 1 ? ", " : "") + realText(value);
-    return text + ']';
-}
-
 QByteArray member(const char *key, const QByteArray &value)
 {
     return QByteArray(", \"") + key + "\": " + value;
@@ -47,7 +36,7 @@ QByteArray cornersText(std::span<const SolidCorner> corners, const Text &text)
 QByteArray positionsText(std::span<const SolidCorner> corners)
 {
     return cornersText(corners,
-                       [](const SolidCorner &corner) { return realsText(corner.position); });
+                       [](const SolidCorner &corner) { return jsonRealsText(corner.position); });
 }
 
 /// What each corner of a triangle3 or polygon3 carries.
@@ -68,11 +57,11 @@ QByteArray cornerValuesText(const std::vector<SolidCorner> &corners)
     };
     if (hasAny(&SolidCorner::texture))
         text += member("uv", cornersText(corners, [](const SolidCorner &corner) {
-                           return realsText(corner.texture);
+                           return jsonRealsText(corner.texture);
                        }));
     if (hasAny(&SolidCorner::normal))
         text += member("normals", cornersText(corners, [](const SolidCorner &corner) {
-                           return realsText(corner.normal);
+                           return jsonRealsText(corner.normal);
                        }));
     return text;
 }
@@ -103,14 +92,14 @@ QByteArray valueText(const Solid &solid, const QString &folder)
     case SolidKind::Plane:
         break;
     case SolidKind::Sphere:
-        return realsText(solid.corners.front().position) + member("radius", realText(solid.radius))
-            + segmentsText(solid) + colour;
+        return jsonRealsText(solid.corners.front().position)
+            + member("radius", jsonRealText(solid.radius)) + segmentsText(solid) + colour;
     case SolidKind::Patch:
         return patchText(solid) + segmentsText(solid) + colour;
     case SolidKind::Mesh:
         return quotedText(nameInFolder(solid.mesh->name, folder).toUtf8())
-            + member("at", realsText(solid.at)) + member("scale", realText(solid.scale))
-            + member("rotate", realsText(solid.rotate)) + colour;
+            + member("at", jsonRealsText(solid.at)) + member("scale", jsonRealText(solid.scale))
+            + member("rotate", jsonRealsText(solid.rotate)) + colour;
     }
     return positionsText(solid.corners) + colour;
 }
@@ -123,17 +112,6 @@ QByteArray primitiveText(const Solid &solid, const std::vector<Material> &materi
     return "{ \"" + nameText(nameOf(solid.kind)).toUtf8() + "\": " + valueText(solid, folder)
         + materialText(solid.material, materials)
         + (solid.isHidden ? QByteArray(", \"hidden\": true") : QByteArray()) + " }";
-}
-
-QByteArray cameraText(const Camera &camera)
-{
-    const QByteArray opening = camera.projection == Projection::Perspective
-        ? member("fieldOfView", realText(camera.fieldOfView))
-        : member("height", realText(camera.height));
-    return "{ \"projection\": \"" + nameText(nameOf(camera.projection)).toUtf8() + '"'
-        + member("eye", realsText(camera.eye)) + member("target", realsText(camera.target))
-        + member("up", realsText(camera.up)) + opening + member("near", realText(camera.near))
-        + member("far", realText(camera.far)) + " }";
 }
 
 } // namespace pixelplumb

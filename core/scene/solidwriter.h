@@ -12,7 +12,4 @@ namespace pixelplumb {
 QByteArray primitiveText(const Solid &solid, const std::vector<Material> &materials,
                          const QString &folder);
 
-/// "{ \"projection\": \"perspective\", … }".
-QByteArray cameraText(const Camera &camera);
-
 } // namespace pixelplumb

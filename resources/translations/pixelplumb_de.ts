@@ -1658,6 +1658,10 @@
         <source>Copies the last note shown over the canvas, even after it has gone</source>
         <translation>Was zuletzt über der Zeichenfläche gemeldet wurde, auch wenn es verschwunden ist</translation>
     </message>
+    <message>
+        <source>Camera, li&amp;ght and materials…</source>
+        <translation>Kamera, &amp;Licht und Materialien …</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::EffectsPanel</name>
@@ -3523,6 +3527,37 @@
     </message>
 </context>
 <context>
+    <name>pixelplumb::LookDialog</name>
+    <message>
+        <source>Camera, Light and Materials</source>
+        <translation>Kamera, Licht und Materialien</translation>
+    </message>
+    <message>
+        <source>The keys of a scene file. A value left empty is the default.</source>
+        <translation>Die Schlüssel einer Szenendatei. Ein leerer Wert steht für den Standardwert.</translation>
+    </message>
+    <message>
+        <source>Keys and their values</source>
+        <translation>Schlüssel und ihre Werte</translation>
+    </message>
+    <message>
+        <source>Add a &amp;light</source>
+        <translation>&amp;Licht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a &amp;material</source>
+        <translation>&amp;Material hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the selected light, or the selected material if no primitive names it or one after it</source>
+        <translation>Entfernt das gewählte Licht, oder das gewählte Material, wenn kein Primitiv dieses oder ein späteres nennt</translation>
+    </message>
+</context>
+<context>
     <name>pixelplumb::MainWindow</name>
     <message>
         <source>Method</source>
@@ -3579,6 +3614,22 @@
     <message>
         <source>&amp;Later</source>
         <translation>&amp;Später</translation>
+    </message>
+    <message>
+        <source>F10: the next column</source>
+        <translation>F10: die nächste Spalte</translation>
+    </message>
+    <message>
+        <source>F11: the next pixel</source>
+        <translation>F11: das nächste Pixel</translation>
+    </message>
+    <message>
+        <source>P: draw; a click places a vertex</source>
+        <translation>P: Zeichnen; ein Klick setzt eine Ecke</translation>
+    </message>
+    <message>
+        <source>V: inspect; a click picks a pixel</source>
+        <translation>V: Untersuchen; ein Klick wählt ein Pixel</translation>
     </message>
 </context>
 <context>
@@ -5765,6 +5816,10 @@
         <source>With one sample a pixel, lines have stairs and differ from the truth, which is the nearest pixels: Effects ▸ exact area makes them even.</source>
         <translation>Mit einem Abtastpunkt je Pixel haben Linien Treppen und weichen von der Wahrheit ab, den nächsten Pixeln: Effekte ▸ genaue Fläche macht sie gleichmäßig.</translation>
     </message>
+    <message>
+        <source>change camera, light and materials</source>
+        <translation>Kamera, Licht und Materialien ändern</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::SceneExports</name>
@@ -5949,6 +6004,29 @@
     <message>
         <source>Go on working</source>
         <translation>Weiterarbeiten</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::SceneLook</name>
+    <message>
+        <source>key</source>
+        <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>default</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>The material&apos;s name, by which primitives name it</source>
+        <translation>Der Name des Materials, mit dem Primitive es nennen</translation>
+    </message>
+    <message>
+        <source>material %1</source>
+        <translation>Material %1</translation>
     </message>
 </context>
 <context>
@@ -6827,6 +6905,10 @@
     <message>
         <source>Colour of %1</source>
         <translation>Farbe von %1</translation>
+    </message>
+    <message>
+        <source>&amp;Depth, texture and normals</source>
+        <translation>&amp;Tiefe, Textur und Normalen</translation>
     </message>
 </context>
 <context>

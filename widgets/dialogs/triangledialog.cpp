@@ -6,6 +6,7 @@
 #include "widgets/model/runnotes.h"
 
 #include <QBoxLayout>
+#include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QLabel>
@@ -46,8 +47,11 @@ TriangleDialog::TriangleDialog(QWidget *parent)
     grid->addWidget(new QLabel(tr("x"), this), 0, 1);
     grid->addWidget(new QLabel(tr("y"), this), 0, 2);
     grid->addWidget(new QLabel(tr("colour"), this), 0, 3);
-    for (std::size_t i = 0; i < carriedCount; ++i)
-        grid->addWidget(new QLabel(axisName(i), this), 0, firstCarriedColumn + int(i));
+    for (std::size_t i = 0; i < carriedCount; ++i) {
+        auto *title = new QLabel(axisName(i), this);
+        m_carried += title;
+        grid->addWidget(title, 0, firstCarriedColumn + int(i));
+    }
     addVertex(grid, 0, {{255, 0, 0}});
     addVertex(grid, 1, {{0, 255, 0}});
     addVertex(grid, 2, {{0, 0, 255}});
@@ -62,10 +66,20 @@ TriangleDialog::TriangleDialog(QWidget *parent)
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 
+    m_more = new QCheckBox(tr("&Depth, texture and normals"), this);
+    m_more->setObjectName(QStringLiteral("triangleCarries"));
+    const auto showCarried = [this](bool shown) {
+        for (QWidget *part : std::as_const(m_carried))
+            part->setVisible(shown);
+    };
+    connect(m_more, &QCheckBox::toggled, this, showCarried);
+    showCarried(false);
+
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 16, 16, 16);
     layout->setSpacing(16);
     layout->addLayout(grid);
+    layout->addWidget(m_more);
     layout->addWidget(m_verdict);
     layout->addWidget(m_buttons);
     judge();
@@ -97,6 +111,8 @@ void TriangleDialog::show(const TypedTriangle &shown)
             const bool isShown = j >= 4 ? hasNormal : value != carriedIn(standard, j);
             QLineEdit *field = m_rows[i].carried[j];
             field->setText(isShown ? numberText(value, attributeFormat) : QString());
+            if (isShown)
+                m_more->setChecked(true);
             field->setCursorPosition(0); // show the first digits of a long number
         }
     }
@@ -201,6 +217,7 @@ void TriangleDialog::addVertex(QGridLayout *grid, int vertex, const Colour &colo
         field->setMinimumWidth(field->fontMetrics().averageCharWidth()
                                * (i == 0 ? depthWidth : carriedWidth));
         row.carried[i] = field;
+        m_carried += field;
     }
 }
 

@@ -10,6 +10,7 @@
 
 #include <array>
 
+class QCheckBox;
 class QDialogButtonBox;
 class QGridLayout;
 class QLabel;
@@ -62,6 +63,8 @@ private:
     std::array<Row, 3> m_rows;
     int m_material = noMaterial;
     std::array<std::uint8_t, 3> m_alpha = {255, 255, 255};
+    QList<QWidget *> m_carried; ///< titles and fields of what vertices carry, behind m_more
+    QCheckBox *m_more = nullptr;
     QLabel *m_verdict = nullptr;
     QDialogButtonBox *m_buttons = nullptr;
 };

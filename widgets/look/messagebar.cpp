@@ -116,7 +116,7 @@ void MessageBar::place()
     const QSize room = parentWidget()->size();
     const QMargins margins = layout()->contentsMargins();
     const int beside = sizeHint().width() - m_text->sizeHint().width();
-    const int asked = beside + m_text->fontMetrics().horizontalAdvance(m_text->text())
+    const int asked = beside + m_text->fontMetrics().size(0, m_text->text()).width()
         + margins.left() + margins.right();
     const int width = std::min({asked, widest, room.width() - 2 * sideMargin});
     const int frame = 2 * frameWidth();

@@ -123,6 +123,8 @@ public slots:
     void moveSolid(std::size_t index, int places);
     void deleteSolid(std::size_t index);
     void setAppearance(const pixelplumb::Appearance &appearance);
+    void setLook(const std::optional<pixelplumb::Camera> &camera,
+                 const pixelplumb::Appearance &appearance);
     void setMotion(const std::optional<pixelplumb::Motion> &motion);
     /// Moves the point of the rule off-screen-point. Moves with the same drag number are one edit.
     void moveOffScreenPoint(const pixelplumb::LatticePoint &position, int drag);

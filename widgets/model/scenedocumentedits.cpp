@@ -248,6 +248,16 @@ void SceneDocument::setAppearance(const Appearance &appearance)
     edit(tr("change appearance"), pieceAtEnd(), after);
 }
 
+void SceneDocument::setLook(const std::optional<Camera> &camera, const Appearance &appearance)
+{
+    if (m_scene.camera == camera && m_scene.appearance == appearance)
+        return;
+    ScenePiece after = pieceAtEnd();
+    after.camera = camera;
+    after.appearance = appearance;
+    edit(tr("change camera, light and materials"), pieceAtEnd(), after);
+}
+
 void SceneDocument::setMotion(const std::optional<Motion> &motion)
 {
     if (m_scene.motion == motion)

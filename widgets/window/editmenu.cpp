@@ -3,8 +3,10 @@
 
 #include "widgets/canvas/canvas.h"
 #include "widgets/dialogs/framedialog.h"
+#include "widgets/dialogs/lookdialog.h"
 #include "widgets/dialogs/triangledialog.h"
 #include "widgets/files/sceneexports.h"
+#include "widgets/files/scenefiles.h"
 #include "widgets/files/studentpicturefiles.h"
 #include "widgets/look/colourbutton.h"
 #include "widgets/look/menuaction.h"
@@ -15,6 +17,7 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QClipboard>
+#include <QFileInfo>
 
 namespace pixelplumb {
 
@@ -198,6 +201,15 @@ void EditMenu::addFrameAndSnap(QWidget *window)
         if (dialog.exec() == QDialog::Accepted)
             document->setFrame(dialog.frame());
     });
+    SceneFiles *files = m_parts.files;
+    addMenuAction(this, "editLook", tr("Camera, li&ght and materials…"), Qt::CTRL | Qt::Key_L,
+                  [document, files, window] {
+                      const QString path = files->path();
+                      const QString folder = path.isEmpty() ? path : QFileInfo(path).absolutePath();
+                      LookDialog dialog(document->scene(), folder, window);
+                      if (dialog.exec() == QDialog::Accepted)
+                          document->setLook(dialog.look().camera, dialog.look().appearance);
+                  });
     QMenu *snaps = addMenu(tr("&Snap to"));
     snaps->setObjectName(QStringLiteral("snapMenu"));
     auto *group = new QActionGroup(snaps);

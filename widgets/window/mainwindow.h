@@ -43,6 +43,8 @@ public:
     void openResults(const QString &folder);
     /// Offers to recover what an earlier run, which did not end cleanly, left unsaved.
     void offerRecovery();
+    /// The first time that the program is started: tells the keys that a student needs.
+    void greet();
     /// Sets the playhead's place for when the scene being opened has been traced.
     void setOpeningPlace(const OpeningPlace &place);
 

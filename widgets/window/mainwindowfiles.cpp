@@ -19,6 +19,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSessionManager>
+#include <QSettings>
 
 /// How scenes and grades come into the window, and what happens to them when it closes.
 namespace pixelplumb {
@@ -103,6 +104,19 @@ void MainWindow::offerRecovery()
         }
     });
     box->open();
+}
+
+void MainWindow::greet()
+{
+    QSettings settings;
+    const QLatin1String key("window/greeted");
+    if (settings.value(key).toBool())
+        return;
+    settings.setValue(key, true);
+    m_parts.messageBar->tell(QStringList{tr("F10: the next column"), tr("F11: the next pixel"),
+                                         tr("P: draw; a click places a vertex"),
+                                         tr("V: inspect; a click picks a pixel")}
+                                 .join(u'\n'));
 }
 
 void MainWindow::recover(const UnsavedScene &left)

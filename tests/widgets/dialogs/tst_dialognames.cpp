@@ -55,6 +55,7 @@ QMap<QString, Way> ways()
 {
     return {
         {"frameDialog", byAction("editFrame")},
+        {"lookDialog", byAction("editLook")},
         {"triangleDialog", byAction("addTriangle")},
         {"vertexDialog",
          [](MainWindow &window) {

@@ -152,7 +152,7 @@ private slots:
     {
         QTest::addColumn<QString>("opener");
         for (const char *opener :
-             {"editFrame", "addTriangle", "goTo", "showKeys", "showAbout", "showExamples"})
+             {"editFrame", "editLook", "addTriangle", "goTo", "showKeys", "showAbout", "showExamples"})
             QTest::newRow(opener) << opener;
     }
     void everyTextOfADialogComesThroughTheTranslator()

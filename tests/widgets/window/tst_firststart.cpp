@@ -3,6 +3,7 @@
 #include "tests/support/openwindow.h"
 #include "tests/support/testprogram.h"
 #include "widgets/canvas/canvas.h"
+#include "widgets/look/messagebar.h"
 
 #include <QAction>
 #include <QHeaderView>
@@ -51,6 +52,22 @@ private slots:
     void theCanvasHasHalfOfTheWidth()
     {
         QTRY_VERIFY(2 * m_window->parts().canvas->width() >= m_window->width());
+    }
+
+    void theKeysAreToldOnceUntilTheFirstKey()
+    {
+        MessageBar &bar = *m_window->parts().messageBar;
+        m_window->greet();
+        QVERIFY(bar.isVisible());
+        for (const char *key : {"F10", "F11", "P", "V"})
+            QVERIFY2(bar.text().contains(QLatin1String(key)), key);
+        QCOMPARE(bar.text().count(u'\n'), 3);
+
+        settle();
+        QTest::keyClick(m_window->parts().canvas, Qt::Key_F10);
+        QVERIFY(!bar.isVisible());
+        m_window->greet();
+        QVERIFY(!bar.isVisible());
     }
 
 private:

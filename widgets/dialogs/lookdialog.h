@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/dialogs/scenelook.h"
+
+#include <QDialog>
+
+class QBoxLayout;
+class QDialogButtonBox;
+class QLabel;
+class QPushButton;
+class QTreeView;
+
+namespace pixelplumb {
+
+/// Camera, lights and materials of a scene: a form over the keys of its file.
+class LookDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    LookDialog(const Scene &scene, const QString &folder, QWidget *parent = nullptr);
+
+    /// Once the dialog is accepted: what was chosen.
+    const Look &look() const { return m_chosen; }
+
+private:
+    void addButtons(QBoxLayout *row);
+    void show(const QModelIndex &part);
+    void judge();
+
+    SceneLook *m_look;
+    Look m_chosen;
+    QTreeView *m_tree;
+    QPushButton *m_removal = nullptr;
+    QLabel *m_verdict;
+    QDialogButtonBox *m_buttons;
+};
+
+} // namespace pixelplumb

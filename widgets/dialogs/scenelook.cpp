@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/dialogs/scenelook.h"
+
+#include "core/scene/appearancewriter.h"
+#include "core/scene/primitivewriter.h"
+#include "core/scene/scenefile.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+/// A value as a scene file has it: arrays and numbers as they are, all else as text.
+QByteArray jsonText(const QString &key, const QString &value)
+{
+    static const QRegularExpression bare(
+        QStringLiteral("^(\\[[^\\[\\]{}:]*\\]|-?\\d+(\\.\\d+)?([eE][-+]?\\d+)?)$"));
+    const bool isBare = key != QLatin1String("texture") && bare.match(value).hasMatch();
+    return isBare ? value.toUtf8() : quotedText(value.toUtf8());
+}
+
+void addField(QStandardItem *parent, const FieldText &field)
+{
+    auto *key = new QStandardItem(field.name);
+    auto *value = new QStandardItem(field.value == field.byDefault ? QString() : field.value);
+    auto *byDefault = new QStandardItem(field.byDefault);
+    value->setData(field.choices, SceneLook::choicesRole);
+    key->setEditable(false);
+    byDefault->setEditable(false);
+    byDefault->setEnabled(false); // pale
+    parent->appendRow({key, value, byDefault});
+}
+
+void addFields(QStandardItem *parent, const std::vector<FieldText> &fields)
+{
+    for (const FieldText &field : fields)
+        addField(parent, field);
+}
+
+/// "\"near\": 2, …": the fields that have a value.
+QByteArray fieldsText(const QStandardItem &part)
+{
+    QByteArrayList fields;
+    for (int row = 0; row < part.rowCount(); ++row) {
+        const QString key = part.child(row, SceneLook::Key)->text();
+        const QStandardItem *cell = part.child(row, SceneLook::Value);
+        const QString value = cell ? cell->text().trimmed() : QString();
+        if (!value.isEmpty())
+            fields.append(quotedText(key.toUtf8()) + ": " + jsonText(key, value));
+    }
+    return fields.join(", ");
+}
+
+/// How many of the first materials the scene's primitives name.
+std::size_t usedMaterialsOf(const Scene &scene)
+{
+    int used = 0;
+    for (const TriangleAttributes &attributes : scene.attributes)
+        used = std::max(used, attributes.material + 1);
+    for (const Solid &solid : scene.solids)
+        used = std::max(used, solid.material + 1);
+    return scene.hidden.empty() ? std::size_t(used) : scene.appearance.materials.size();
+}
+
+} // namespace
+
+SceneLook::SceneLook(const Scene &scene, const QString &folder, QObject *parent)
+    : QStandardItemModel(0, 3, parent)
+    , m_folder(folder)
+    , m_forced(scene.appearance.forced)
+    , m_usedMaterials(usedMaterialsOf(scene))
+{
+    setHorizontalHeaderLabels({tr("key"), tr("value"), tr("default")});
+    m_camera = addPart(invisibleRootItem(), QStringLiteral("camera"));
+    m_camera->setCheckState(scene.camera ? Qt::Checked : Qt::Unchecked);
+    m_camera->setCheckable(scene.solids.empty()); // these need a camera
+    addFields(m_camera, fieldTexts(scene.camera.value_or(Camera())));
+    m_materials = addPart(invisibleRootItem(), QStringLiteral("materials"));
+    for (const Material &material : scene.appearance.materials)
+        addMaterial(material);
+    m_lights = addPart(invisibleRootItem(), QStringLiteral("lights"));
+    for (const Light &light : scene.appearance.lights)
+        addFields(addPart(m_lights, {}), fieldTexts(light));
+    nameLights();
+    addFields(invisibleRootItem(), fieldTexts(scene.appearance));
+}
+
+QStandardItem *SceneLook::addPart(QStandardItem *parent, const QString &name)
+{
+    auto *part = new QStandardItem(name);
+    part->setEditable(false);
+    parent->appendRow(part);
+    return part;
+}
+
+void SceneLook::addMaterial(const Material &material)
+{
+    QStandardItem *part = addPart(m_materials, QString::fromStdString(material.name));
+    part->setEditable(true);
+    part->setToolTip(tr("The material's name, by which primitives name it"));
+    addFields(part, fieldTexts(material, m_folder));
+}
+
+QModelIndex SceneLook::addLight()
+{
+    QStandardItem *part = addPart(m_lights, {});
+    Light fromAbove;
+    fromAbove.at = {0, -attributeOne, -attributeOne};
+    addFields(part, fieldTexts(fromAbove));
+    nameLights();
+    return part->index();
+}
+
+QModelIndex SceneLook::addMaterial()
+{
+    const auto isTaken = [this](const QString &name) {
+        for (int row = 0; row < m_materials->rowCount(); ++row) {
+            if (m_materials->child(row)->text() == name)
+                return true;
+        }
+        return false;
+    };
+    int number = 1;
+    while (isTaken(tr("material %1").arg(number)))
+        ++number;
+    Material material;
+    material.name = tr("material %1").arg(number).toStdString();
+    addMaterial(material);
+    return m_materials->child(m_materials->rowCount() - 1)->index();
+}
+
+void SceneLook::nameLights()
+{
+    for (int row = 0; row < m_lights->rowCount(); ++row)
+        m_lights->child(row)->setText(QStringLiteral("[%1]").arg(row));
+}
+
+bool SceneLook::canRemove(const QModelIndex &index) const
+{
+    const QModelIndex parent = index.parent();
+    return parent == m_lights->index()
+        || (parent == m_materials->index() && std::size_t(index.row()) >= m_usedMaterials);
+}
+
+void SceneLook::remove(const QModelIndex &index)
+{
+    removeRow(index.row(), index.parent());
+    nameLights();
+}
+
+/// A scene file that has the look and no primitive.
+QByteArray SceneLook::text() const
+{
+    QByteArrayList fields = {"\"pixelplumb\": " + QByteArray::number(sceneFormat),
+                             "\"frame\": { \"width\": 1, \"height\": 1 }"};
+    if (m_camera->checkState() == Qt::Checked)
+        fields.append("\"camera\": { " + fieldsText(*m_camera) + " }");
+    QByteArrayList materials;
+    for (int row = 0; row < m_materials->rowCount(); ++row) {
+        const QStandardItem &part = *m_materials->child(row);
+        materials.append(quotedText(part.text().toUtf8()) + ": { " + fieldsText(part) + " }");
+    }
+    fields.append("\"materials\": { " + materials.join(", ") + " }");
+    QByteArrayList lights;
+    for (int row = 0; row < m_lights->rowCount(); ++row)
+        lights.append("{ " + fieldsText(*m_lights->child(row)) + " }");
+    fields.append("\"lights\": [ " + lights.join(", ") + " ]");
+    if (const QByteArray rest = fieldsText(*invisibleRootItem()); !rest.isEmpty())
+        fields.append(rest);
+    return "{ " + fields.join(", ") + ", \"primitives\": [] }";
+}
+
+Result<Look> SceneLook::look() const
+{
+    const Result<SceneReading> read = readScene(text(), {}, m_folder);
+    if (!read)
+        return read.error();
+    Look look = {read->scene.camera, read->scene.appearance};
+    look.appearance.forced = m_forced;
+    // Primitives name materials by their place; a file has them by name.
+    for (int row = 0; row < m_materials->rowCount(); ++row) {
+        const auto named = std::ranges::find(look.appearance.materials,
+                                             m_materials->child(row)->text().toStdString(),
+                                             &Material::name);
+        std::iter_swap(look.appearance.materials.begin() + row, named);
+    }
+    return look;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/result.h"
+#include "core/scene/scene.h"
+
+#include <QStandardItemModel>
+
+namespace pixelplumb {
+
+/// How a scene is seen, apart from its primitives.
+struct Look {
+    std::optional<Camera> camera;
+    Appearance appearance;
+};
+
+/// The camera, the lights, the materials and the other fields of a scene's look as rows to edit:
+/// key, value, default, as they stand in a scene file. An empty value is the default.
+class SceneLook : public QStandardItemModel {
+    Q_OBJECT
+
+public:
+    enum Column { Key, Value, Default };
+    static constexpr int choicesRole = Qt::UserRole; ///< QStringList: what a value can be
+
+    /// `folder`: the scene's, in which textures are looked up.
+    SceneLook(const Scene &scene, const QString &folder, QObject *parent = nullptr);
+
+    /// What the rows say, or what is wrong with them.
+    Result<Look> look() const;
+
+    QModelIndex addLight();
+    QModelIndex addMaterial();
+    /// False for rows that are no light or material, and for materials that the scene uses.
+    bool canRemove(const QModelIndex &index) const;
+    void remove(const QModelIndex &index);
+
+private:
+    QStandardItem *addPart(QStandardItem *parent, const QString &name);
+    void addMaterial(const Material &material);
+    QByteArray text() const;
+    void nameLights();
+
+    QString m_folder;
+    EffectForcing m_forced; ///< kept: a file does not have it
+    std::size_t m_usedMaterials = 0; ///< the first ones, which cannot be removed
+    QStandardItem *m_camera = nullptr;
+    QStandardItem *m_lights = nullptr;
+    QStandardItem *m_materials = nullptr;
+};
+
+} // namespace pixelplumb
