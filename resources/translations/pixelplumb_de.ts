@@ -1659,8 +1659,8 @@
         <translation>Was zuletzt über der Zeichenfläche gemeldet wurde, auch wenn es verschwunden ist</translation>
     </message>
     <message>
-        <source>Camera, li&amp;ght and materials…</source>
-        <translation>Kamera, &amp;Licht und Materialien …</translation>
+        <source>Ca&amp;mera, light and materials…</source>
+        <translation>Kamera, Licht &amp;und Materialien …</translation>
     </message>
 </context>
 <context>
@@ -3625,11 +3625,11 @@
     </message>
     <message>
         <source>P: draw; a click places a vertex</source>
-        <translation>P: Zeichnen; ein Klick setzt eine Ecke</translation>
+        <translation>P: Zeichnen; ein Klick setzt einen Eckpunkt</translation>
     </message>
     <message>
         <source>V: inspect; a click picks a pixel</source>
-        <translation>V: Untersuchen; ein Klick wählt ein Pixel</translation>
+        <translation>V: Prüfen; ein Klick wählt ein Pixel</translation>
     </message>
 </context>
 <context>

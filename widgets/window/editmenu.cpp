@@ -202,7 +202,7 @@ void EditMenu::addFrameAndSnap(QWidget *window)
             document->setFrame(dialog.frame());
     });
     SceneFiles *files = m_parts.files;
-    addMenuAction(this, "editLook", tr("Camera, li&ght and materials…"), Qt::CTRL | Qt::Key_L,
+    addMenuAction(this, "editLook", tr("Ca&mera, light and materials…"), Qt::CTRL | Qt::Key_L,
                   [document, files, window] {
                       const QString path = files->path();
                       const QString folder = path.isEmpty() ? path : QFileInfo(path).absolutePath();
