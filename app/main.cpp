@@ -4,9 +4,9 @@
 #include "core/scan/choicenames.h"
 #include "version.h"
 #include "widgets/files/scenefiles.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/look/paletteswitch.h"
-#include "widgets/look/translation.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/window/mainwindow.h"
 

@@ -7,21 +7,21 @@ QString nameOf(Disagreement reason)
 {
     switch (reason) {
     case Disagreement::None:
-        return QStringLiteral("agreed");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "agreed"));
     case Disagreement::TieRule:
-        return QStringLiteral("tie rule");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "tie rule"));
     case Disagreement::Undrawn:
-        return QStringLiteral("kind not drawn");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "kind not drawn"));
     case Disagreement::Rounding:
-        return QStringLiteral("rounding");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "rounding"));
     case Disagreement::Drift:
-        return QStringLiteral("drift");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "drift"));
     case Disagreement::Precision:
-        return QStringLiteral("precision");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "precision"));
     case Disagreement::Method:
-        return QStringLiteral("method");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "method"));
     case Disagreement::NotRecorded:
-        return QStringLiteral("not recorded");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "not recorded"));
     }
     return {};
 }

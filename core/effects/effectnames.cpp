@@ -8,11 +8,11 @@ std::string_view nameOf(Verdict verdict)
 {
     switch (verdict) {
     case Verdict::NotCalledFor:
-        return "not called for";
+        return QT_TRANSLATE_NOOP("core", "not called for");
     case Verdict::CalledFor:
-        return "called for";
+        return QT_TRANSLATE_NOOP("core", "called for");
     case Verdict::NotRuledOut:
-        return "not ruled out";
+        return QT_TRANSLATE_NOOP("core", "not ruled out");
     }
     return {};
 }

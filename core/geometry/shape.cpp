@@ -22,21 +22,21 @@ QString nameOf(PrimitiveKind kind)
 {
     switch (kind) {
     case PrimitiveKind::Triangle:
-        return QStringLiteral("triangle");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "triangle"));
     case PrimitiveKind::Point:
-        return QStringLiteral("point");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "point"));
     case PrimitiveKind::Line:
-        return QStringLiteral("line");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "line"));
     case PrimitiveKind::Circle:
-        return QStringLiteral("circle");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "circle"));
     case PrimitiveKind::Ellipse:
-        return QStringLiteral("ellipse");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "ellipse"));
     case PrimitiveKind::Bezier:
-        return QStringLiteral("bezier");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "bezier"));
     case PrimitiveKind::Polygon:
-        return QStringLiteral("polygon");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "polygon"));
     case PrimitiveKind::Text:
-        return QStringLiteral("text");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "text"));
     }
     return {};
 }

@@ -109,15 +109,15 @@ QString nameOf(GradeVerdict verdict)
 {
     switch (verdict) {
     case GradeVerdict::Right:
-        return QStringLiteral("right");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "right"));
     case GradeVerdict::Undecidable:
         return QStringLiteral("undecidable");
     case GradeVerdict::Wrong:
-        return QStringLiteral("wrong");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "wrong"));
     case GradeVerdict::Nothing:
         break;
     }
-    return QStringLiteral("nothing");
+    return QStringLiteral(QT_TRANSLATE_NOOP("core", "nothing"));
 }
 
 QString nameOf(PictureLack lack)
@@ -232,7 +232,7 @@ QStringList ungradedLines(const GradeReport &report)
 QString verdictText(const GradedSubmission &submission)
 {
     if (submission.gradingError)
-        return QStringLiteral("cannot be graded");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "cannot be graded"));
     const QString name = nameOf(submission.verdict);
     return submission.lacksColours() ? name + QStringLiteral(" in coverage") : name;
 }

@@ -75,7 +75,7 @@ QString nameOf(PixelVerdict verdict)
 {
     switch (verdict) {
     case PixelVerdict::Same:
-        return QStringLiteral("same");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "same"));
     case PixelVerdict::Missing:
         return nameOf(Difference::Missing);
     case PixelVerdict::Extra:
@@ -85,7 +85,7 @@ QString nameOf(PixelVerdict verdict)
     case PixelVerdict::Undecidable:
         break;
     }
-    return QStringLiteral("undecidable");
+    return QStringLiteral(QT_TRANSLATE_NOOP("core", "undecidable"));
 }
 
 std::int64_t differingPixels(const Picture &expected, const Picture &found, std::int64_t limit)

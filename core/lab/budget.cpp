@@ -103,7 +103,7 @@ QString textOf(Budget budget)
     case Budget::Exact:
         return QStringLiteral("exact");
     case Budget::OneLevel:
-        return QStringLiteral("at most one level");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "at most one level"));
     case Budget::TenPerMillion:
         return QStringLiteral("at most 10 wrong pixels per million");
     case Budget::SixteenMilliseconds:

@@ -133,29 +133,30 @@ bool makeHardCases(LabFamily &family, const FamilyRequest &request)
 }
 
 constexpr LabFamilyInfo infos[] = {
-    {"random-integer", "Random, whole pixels",
+    {"random-integer", QT_TRANSLATE_NOOP("core", "Random, whole pixels"),
      "Vertices on samples, as three clicks make them: many ties.", makeRandomInteger},
     {"random-subpixel", "Random, 1/256 px", "Vertices between samples: hardly any ties.",
      makeRandomSubpixel},
-    {"slivers", "Slivers",
+    {"slivers", QT_TRANSLATE_NOOP("core", "Slivers"),
      "As long as the frame and 1 to 3 px thick: colours change by levels "
      "from pixel to pixel across.",
      makeSlivers},
-    {"ties", "Ties", "Edges along small whole vectors: each passes exactly through samples.",
-     makeTies},
-    {"far", "Far from the origin",
+    {"ties", QT_TRANSLATE_NOOP("core", "Ties"),
+     "Edges along small whole vectors: each passes exactly through samples.", makeTies},
+    {"far", QT_TRANSLATE_NOOP("core", "Far from the origin"),
      "Triangles of 8 to 60 px at (30000, 30000): products of coordinates cancel.", makeFar},
-    {"small", "Small triangles", "Boxes of 3 to 12 px: set-up is most of the work.", makeSmall},
-    {"large", "Large triangles", "A quarter of the frame and more: increments add up longest.",
-     makeLarge},
-    {"mesh", "Mesh",
+    {"small", QT_TRANSLATE_NOOP("core", "Small triangles"),
+     "Boxes of 3 to 12 px: set-up is most of the work.", makeSmall},
+    {"large", QT_TRANSLATE_NOOP("core", "Large triangles"),
+     "A quarter of the frame and more: increments add up longest.", makeLarge},
+    {"mesh", QT_TRANSLATE_NOOP("core", "Mesh"),
      "Triangles that share all edges, at 1/256 px, under a rule that gives every "
      "sample one owner.",
      makeMesh},
-    {"own-scene", "Own scene", "The triangles of the current scene under its own rule.",
-     makeOwnScene},
-    {"hard-cases", "Hard cases", "The cases that were collected because methods fail in them.",
-     makeHardCases},
+    {"own-scene", QT_TRANSLATE_NOOP("core", "Own scene"),
+     "The triangles of the current scene under its own rule.", makeOwnScene},
+    {"hard-cases", QT_TRANSLATE_NOOP("core", "Hard cases"),
+     "The cases that were collected because methods fail in them.", makeHardCases},
 };
 
 } // namespace

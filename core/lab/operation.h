@@ -3,6 +3,8 @@
 
 #include "core/scan/workstage.h"
 
+#include <QtGlobal>
+
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -34,21 +36,21 @@ constexpr std::string_view nameOf(Operation operation)
 {
     switch (operation) {
     case Operation::Division:
-        return "divisions";
+        return QT_TRANSLATE_NOOP("core", "divisions");
     case Operation::Rounding:
-        return "roundings";
+        return QT_TRANSLATE_NOOP("core", "roundings");
     case Operation::FloatAddition:
-        return "float additions";
+        return QT_TRANSLATE_NOOP("core", "float additions");
     case Operation::IntegerAddition:
-        return "integer additions";
+        return QT_TRANSLATE_NOOP("core", "integer additions");
     case Operation::Multiplication:
-        return "multiplications";
+        return QT_TRANSLATE_NOOP("core", "multiplications");
     case Operation::Comparison:
-        return "comparisons";
+        return QT_TRANSLATE_NOOP("core", "comparisons");
     case Operation::Conversion:
-        return "conversions";
+        return QT_TRANSLATE_NOOP("core", "conversions");
     case Operation::Function:
-        return "functions";
+        return QT_TRANSLATE_NOOP("core", "functions");
     }
     return {};
 }

@@ -27,7 +27,7 @@ std::vector<OperationTableRow> operationTable(const OperationCounts &counts)
     const OperationRow totals = counts.totals();
     std::vector<OperationTableRow> rows;
     OperationTableRow sum;
-    sum.name = QStringLiteral("all");
+    sum.name = QStringLiteral(QT_TRANSLATE_NOOP("core", "all"));
     for (const Operation operation : allOperations) {
         OperationTableRow row;
         row.name = QString::fromLatin1(nameOf(operation).data());
@@ -59,7 +59,7 @@ QString countsText(const OperationCounts &counts)
                    QStringLiteral("samples refused")),
            countOf(counts.total(), QStringLiteral("operation"), QStringLiteral("operations"))};
     if (counts.edgesOfRows > 0)
-        texts.append(QStringLiteral("%1 of %2 edges looked at")
+        texts.append(QStringLiteral(QT_TRANSLATE_NOOP("core", "%1 of %2 edges looked at"))
                          .arg(counts.edgesLookedAt)
                          .arg(counts.edgesOfRows));
     return texts.join(QStringLiteral(", "));

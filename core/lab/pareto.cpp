@@ -17,23 +17,24 @@ std::optional<double> share(std::int64_t count, const Figures &figures)
 }
 
 constexpr ErrorAxis axes[] = {
-    {"wrong-pixels", "wrong pixels", "ppm",
+    {"wrong-pixels", QT_TRANSLATE_NOOP("core", "wrong pixels"), "ppm",
      [](const Figures &figures) { return share(figures.wrongPixels(), figures); }},
-    {"wrong-coverage", "wrong coverage", "ppm",
+    {"wrong-coverage", QT_TRANSLATE_NOOP("core", "wrong coverage"), "ppm",
      [](const Figures &figures) { return share(figures.wrongCoverage(), figures); }},
-    {"wrong-bytes", "wrong colours", "ppm",
+    {"wrong-bytes", QT_TRANSLATE_NOOP("core", "wrong colours"), "ppm",
      [](const Figures &figures) { return share(figures.wrongBytes, figures); }},
-    {"byte-error", "largest error of a byte", "levels",
+    {"byte-error", QT_TRANSLATE_NOOP("core", "largest error of a byte"),
+     QT_TRANSLATE_NOOP("core", "levels"),
      [](const Figures &figures) -> std::optional<double> { return figures.largestByteError; }},
-    {"level-max", "largest error before rounding", "levels",
+    {"level-max", QT_TRANSLATE_NOOP("core", "largest error before rounding"), "levels",
      [](const Figures &figures) -> std::optional<double> {
          return figures.levels ? std::optional(figures.levels->largest) : std::nullopt;
      }},
-    {"level-rms", "RMS error before rounding", "levels",
+    {"level-rms", QT_TRANSLATE_NOOP("core", "RMS error before rounding"), "levels",
      [](const Figures &figures) -> std::optional<double> {
          return figures.levels ? std::optional(figures.levels->rms) : std::nullopt;
      }},
-    {"miss-distance", "farthest missed sample", "px",
+    {"miss-distance", QT_TRANSLATE_NOOP("core", "farthest missed sample"), "px",
      [](const Figures &figures) -> std::optional<double> {
          return std::max(figures.farthestMissing, figures.farthestExtra);
      }},

@@ -19,7 +19,8 @@ constexpr int mostRounds = 7;
 
 QString SceneCost::text() const
 {
-    return QStringLiteral("plain kernel %1 ns a pixel").arg(perPixel.median, 0, 'f', 2);
+    return QStringLiteral(QT_TRANSLATE_NOOP("core", "plain kernel %1 ns a pixel"))
+        .arg(perPixel.median, 0, 'f', 2);
 }
 
 QString SceneCost::details() const

@@ -201,7 +201,7 @@ void drawAffineMap(const LayerMoment &moment, LayerDrawing &drawing)
 Layer affineMapLayer()
 {
     return {.id = QStringLiteral("affine-map"),
-            .title = QStringLiteral("Affine map: weights stay"),
+            .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Affine map: weights stay")),
             .toolTip = QStringLiteral(
                 "The triangle's image under an affine map, with the images of the lines between "
                 "cells, of every second, fourth … where they are many, and the weights of the "

@@ -115,7 +115,7 @@ Layer barycentricAxesLayer()
 {
     return {
         .id = QStringLiteral("barycentric-axes"),
-        .title = QStringLiteral("Barycentric axes and points"),
+        .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Barycentric axes and points")),
         .toolTip = QStringLiteral(
             "The oblique axes from a: β towards b, γ towards c, the lines of their whole values, "
             "and (α, β, γ) of the vertices, the middles of the edges and the centroid; exact. "

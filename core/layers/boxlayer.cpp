@@ -147,7 +147,7 @@ Layer boxLayer()
 {
     return {
         .id = QStringLiteral("box"),
-        .title = QStringLiteral("Bounding box"),
+        .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Bounding box")),
         .toolTip = QStringLiteral(
             "The box around the vertices (dashed), clipped to the frame and rounded as the slides "
             "print it for samples in the middle of pixels, from (int)(bbox + .5) to "

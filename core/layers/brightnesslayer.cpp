@@ -115,7 +115,7 @@ void drawBrightness(const LayerMoment &moment, LayerDrawing &drawing)
 Layer brightnessLayer()
 {
     return {.id = QStringLiteral("brightness"),
-            .title = QStringLiteral("Brightness by direction"),
+            .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Brightness by direction")),
             .toolTip = QStringLiteral(
                 "Of a line, its pixels for each pixel of its length, from the first to the last: 1 "
                 "on the level, 1/√2 at 45°; beside it a line of even brightness, one pixel wide."),

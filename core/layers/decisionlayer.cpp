@@ -119,7 +119,7 @@ Layer decisionsLayer()
 {
     return {
         .id = QStringLiteral("decisions"),
-        .title = QStringLiteral("Decision of the step"),
+        .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Decision of the step")),
         .toolTip = QStringLiteral(
             "Of a line or an edge by Bresenham, d_lower to the pixel that stays and d_upper to "
             "the one across, at the current step, measured beside it; of a circle, the "

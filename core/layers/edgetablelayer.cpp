@@ -142,7 +142,7 @@ Layer edgeTableLayer()
 {
     return {
         .id = QStringLiteral("edge-table"),
-        .title = QStringLiteral("Edge table"),
+        .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Edge table")),
         .toolTip = QStringLiteral(
             "Each edge with the row in whose bucket it stands, the first that it crosses; of the "
             "current row the active edges, their crossings x₀, x₁, … as the method computed "

@@ -83,7 +83,7 @@ void drawMemory(const LayerMoment &moment, LayerDrawing &drawing)
 Layer samplesLayer()
 {
     return {.id = QStringLiteral("samples"),
-            .title = QStringLiteral("Sampling points"),
+            .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Sampling points")),
             .toolTip = QStringLiteral("Where each pixel is sampled, and with antialiasing the 4 or "
                                       "16 samples around it."),
             .source = QStringLiteral("Triangle Rasterization slides, “Rasterization of triangles”"),
@@ -93,7 +93,7 @@ Layer samplesLayer()
 Layer memoryLayer()
 {
     return {.id = QStringLiteral("memory"),
-            .title = QStringLiteral("Addresses in memory"),
+            .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Addresses in memory")),
             .toolTip = QStringLiteral("The address of each pixel, y·width + x, counted in pixels "
                                       "from the frame's first one; the same under every method."),
             .source = QStringLiteral("Rasterization slides, “Point Plotting”"),

@@ -205,7 +205,7 @@ Layer halfPlaneLayer()
 Layer halfPlanesLayer()
 {
     return {.id = QStringLiteral("half-planes"),
-            .title = QStringLiteral("Half-planes and normals"),
+            .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Half-planes and normals")),
             .toolTip = QStringLiteral(
                 "Where each edge function A·x + B·y + C is positive (tinted, the inside thrice) "
                 "and its normal ⟨A, B⟩: the numbers of the set-up; exact ones where the method "

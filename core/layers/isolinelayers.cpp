@@ -127,15 +127,18 @@ Layer isolinesLayer(const QString &id, const QString &title)
 
 Layer redIsolinesLayer()
 {
-    return isolinesLayer<0>(QStringLiteral("isolines-red"), QStringLiteral("Contour lines of R"));
+    return isolinesLayer<0>(QStringLiteral("isolines-red"),
+                            QStringLiteral(QT_TRANSLATE_NOOP("core", "Contour lines of R")));
 }
 Layer greenIsolinesLayer()
 {
-    return isolinesLayer<1>(QStringLiteral("isolines-green"), QStringLiteral("Contour lines of G"));
+    return isolinesLayer<1>(QStringLiteral("isolines-green"),
+                            QStringLiteral(QT_TRANSLATE_NOOP("core", "Contour lines of G")));
 }
 Layer blueIsolinesLayer()
 {
-    return isolinesLayer<2>(QStringLiteral("isolines-blue"), QStringLiteral("Contour lines of B"));
+    return isolinesLayer<2>(QStringLiteral("isolines-blue"),
+                            QStringLiteral(QT_TRANSLATE_NOOP("core", "Contour lines of B")));
 }
 
 } // namespace pixelplumb

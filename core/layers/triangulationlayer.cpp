@@ -93,7 +93,7 @@ void drawInnerEdges(const LayerMoment &moment, LayerDrawing &drawing)
 Layer innerEdgesLayer()
 {
     return {.id = QStringLiteral("inner-edges"),
-            .title = QStringLiteral("Triangles of a polygon"),
+            .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Triangles of a polygon")),
             .toolTip = QStringLiteral(
                 "The inner edges of the fan or the triangulation that the method fills, its "
                 "triangles by number, the current one tinted, and of a Delaunay triangulation the "

@@ -60,7 +60,7 @@ void drawVertices(const LayerMoment &moment, LayerDrawing &drawing)
 Layer verticesLayer()
 {
     return {.id = QStringLiteral("vertices"),
-            .title = QStringLiteral("Vertices and edges"),
+            .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Vertices and edges")),
             .toolTip = QStringLiteral("The vertices by the names that the method gives them, with "
                                       "the scene's number where it "
                                       "sorts them, their coordinates, and "

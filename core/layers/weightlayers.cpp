@@ -93,7 +93,7 @@ void drawLevels(const LayerMoment &moment, LayerDrawing &drawing)
 Layer weightsLayer()
 {
     return {.id = QStringLiteral("weights"),
-            .title = QStringLiteral("Weights in the cells"),
+            .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Weights in the cells")),
             .toolTip = QStringLiteral(
                 "What decides each sample that the method has visited: α β γ, u v w or E₀ E₁ E₂, "
                 "one below the other, as it computed them; exact α β γ where it has none. α β γ "
@@ -106,7 +106,7 @@ Layer weightsLayer()
 Layer levelsLayer()
 {
     return {.id = QStringLiteral("levels"),
-            .title = QStringLiteral("R G B in the cells"),
+            .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "R G B in the cells")),
             .toolTip = QStringLiteral("The levels of each sample, one below the other, before they "
                                       "are rounded to a byte, as the method computed them."),
             .source

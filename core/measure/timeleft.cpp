@@ -15,8 +15,9 @@ constexpr double secondsOfTrust = 2; ///< that the job would have to go on other
 QString aboutText(double seconds)
 {
     if (seconds < 120)
-        return QStringLiteral("about %1 s").arg(std::max(1L, std::lround(std::ceil(seconds))));
-    return QStringLiteral("about %1 min").arg(std::lround(seconds / 60));
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "about %1 s"))
+            .arg(std::max(1L, std::lround(std::ceil(seconds))));
+    return QStringLiteral(QT_TRANSLATE_NOOP("core", "about %1 min")).arg(std::lround(seconds / 60));
 }
 
 void TimeLeft::tell(const JobProgress &progress, Clock::time_point now)
@@ -43,8 +44,9 @@ double TimeLeft::seconds() const
 
 QString TimeLeft::text() const
 {
-    const std::string_view phase
-        = m_progress ? nameOf(m_progress->phase) : std::string_view("waiting");
+    const std::string_view phase = m_progress
+        ? nameOf(m_progress->phase)
+        : std::string_view(QT_TRANSLATE_NOOP("core", "waiting"));
     return QStringLiteral("%1: %2 %, %3 left")
         .arg(QString::fromUtf8(phase.data(), qsizetype(phase.size())))
         .arg(std::lround(100 * share()))

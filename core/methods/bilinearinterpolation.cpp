@@ -8,10 +8,12 @@ Method bilinearInterpolationMethod()
 {
     Method method = interpolationMethod<InterpolationForm::Bilinear, ShadedMethod::Bilinear>();
     method.id = QStringLiteral("interpolate-bilinear");
-    method.title = QStringLiteral("Bilinear interpolation");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Bilinear interpolation"));
     method.source = QStringLiteral("Scan Conversion slides, “1. Bilinear Interpolation”");
-    method.summary = QStringLiteral("Interpolates along both edges and then along the column, each "
-                                    "by adding a rate; what is covered is exact.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Interpolates along both edges and then along the column, each "
+                          "by adding a rate; what is covered is exact."));
     return method;
 }
 
@@ -19,11 +21,13 @@ Method bilinearRowsInterpolationMethod()
 {
     Method method = plainInterpolationMethod<InterpolationForm::BilinearRows>();
     method.id = QStringLiteral("interpolate-bilinear-rows");
-    method.title = QStringLiteral("Bilinear interpolation by rows");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Bilinear interpolation by rows"));
     method.source = QStringLiteral("Scan Conversion slides, “1. Bilinear Interpolation” (“along "
                                    "LH and RH edges, as a function of y”)");
-    method.summary = QStringLiteral("Interpolates along the left and the right edge and then along "
-                                    "the row, each by adding a rate; what is covered is exact.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Interpolates along the left and the right edge and then along "
+                          "the row, each by adding a rate; what is covered is exact."));
     return method;
 }
 

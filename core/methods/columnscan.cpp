@@ -20,12 +20,14 @@ Method columnScanMethod()
 {
     Method method = edgeWalkMethod<ColumnScanKernel>();
     method.id = QStringLiteral("column-scan");
-    method.title = QStringLiteral("Column scan");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Column scan"));
     method.source = QStringLiteral("Assignment (Borst), “The Triangle Awakens” and “Smoothly "
                                    "shading the triangle”");
-    method.summary = QStringLiteral("Walks the columns between two edges and colours the samples "
-                                    "from y_B to y_T that the fill rule takes, all by adding "
-                                    "increments.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Walks the columns between two edges and colours the samples "
+                          "from y_B to y_T that the fill rule takes, all by adding "
+                          "increments."));
     method.shadedPseudocode = pixelplumb::shadedPseudocode(InterpolationForm::Bilinear);
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
     method.effects.assign(allEffects.begin(), allEffects.end());

@@ -93,7 +93,7 @@ Method circleExplicitMethod()
 {
     Method method = outlineMethod<ExplicitKernel>();
     method.id = QStringLiteral("circle-explicit");
-    method.title = QStringLiteral("Circle: y = ±√(r² − x²)");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Circle: y = ±√(r² − x²)"));
     method.source = QStringLiteral("Scan Conversion slides, “Lines and Curves: Explicit”");
     method.pseudocode
         = {{0, QStringLiteral("(x_c, y_c), r_x, r_y ← of the shape"), {Moment::SetUp}},
@@ -108,8 +108,10 @@ Method circleExplicitMethod()
            {1,
             QStringLiteral("pixel (x, ⌈y_c − h − ½⌉) ← colour — the same one at the ends"),
             {Moment::Next}}};
-    method.summary = QStringLiteral("Computes y = ±√(r² − x²) for each column; there are gaps "
-                                    "where the curve is steep.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Computes y = ±√(r² − x²) for each column; there are gaps "
+                          "where the curve is steep."));
     method.remarks += QStringLiteral("gaps where the curve is steep");
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64};
     return method;
@@ -119,7 +121,7 @@ Method circleParametricMethod()
 {
     Method method = outlineMethod<ParametricKernel>();
     method.id = QStringLiteral("circle-parametric");
-    method.title = QStringLiteral("Circle: (r cos θ, r sin θ)");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Circle: (r cos θ, r sin θ)"));
     method.source = QStringLiteral("Scan Conversion slides, “Lines and Curves: Parametric”");
     method.pseudocode
         = {{0,
@@ -134,8 +136,10 @@ Method circleParametricMethod()
             QStringLiteral("θ ← i·Δθ; u, v ← x_c + r_x·cos θ, y_c + r_y·sin θ"),
             {Moment::Begin, Moment::Span}},
            {1, QStringLiteral("pixel (⌊u + ½⌋, ⌊v + ½⌋) ← colour"), {Moment::First}}};
-    method.summary = QStringLiteral("Goes round in steps of one pixel of arc and writes the pixel "
-                                    "nearest to each point (r cos θ, r sin θ).");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Goes round in steps of one pixel of arc and writes the pixel "
+                          "nearest to each point (r cos θ, r sin θ)."));
     method.arithmetics = {Arithmetic::Float64, Arithmetic::Float32};
     return method;
 }
@@ -144,15 +148,16 @@ Method circleMidpointMethod()
 {
     Method method = outlineMethod<MidpointKernel>();
     method.id = QStringLiteral("circle-midpoint");
-    method.title = QStringLiteral("Circle: midpoint");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Circle: midpoint"));
     method.source = QStringLiteral("Rasterization slides, “Bresenham's Line Algorithm”, "
                                    "“Résumé” (adaptable to circles); Scan Conversion slides, "
                                    "“Lines and Curves: Implicit”");
     method.pseudocode = midpointPseudocode();
-    method.summary
-        = QStringLiteral("Steps through an octant by the sign of F at midpoints, a "
-                         "whole number of quarters, and mirrors each pixel into the other seven; "
-                         "of unequal radii through two arcs of a quarter, each into three.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Steps through an octant by the sign of F at midpoints, a "
+                          "whole number of quarters, and mirrors each pixel into the other seven; "
+                          "of unequal radii through two arcs of a quarter, each into three."));
     method.remarks += QStringLiteral("whole-pixel centre and radii");
     method.variants = {Variant::StayAtZero};
     return method;
@@ -162,7 +167,7 @@ Method circleFillMethod()
 {
     Method method = outlineMethod<FillKernel>();
     method.id = QStringLiteral("circle-fill");
-    method.title = QStringLiteral("Circle: filled by spans");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Circle: filled by spans"));
     method.source = QStringLiteral("Rasterization slides, “Output Primitives” (also filled); "
                                    "Scan Conversion slides, “Edge Walking”");
     method.pseudocode = {
@@ -177,8 +182,10 @@ Method circleFillMethod()
          {Moment::Begin, Moment::Span}},
         {1, QStringLiteral("for each x from ⌈x_L⌉ to ⌊x_R⌋:"), {Moment::First, Moment::Next}},
         {2, QStringLiteral("pixel (x, y) ← colour"), {Moment::First, Moment::Next}}};
-    method.summary = QStringLiteral("On each row, writes the samples between the two places where "
-                                    "the row meets the curve.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "On each row, writes the samples between the two places where "
+                          "the row meets the curve."));
     method.stableArithmetics = {Arithmetic::Exact};
     method.fills = {ShapeFill::EvenOdd, ShapeFill::NonZero};
     return method;
@@ -188,7 +195,7 @@ Method bezierSubdivisionMethod()
 {
     Method method = curveMethod<BezierKernel>();
     method.id = QStringLiteral("bezier-subdivision");
-    method.title = QStringLiteral("Bézier: subdivision");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Bézier: subdivision"));
     method.source = QStringLiteral("Rasterization slides, “Output Primitives” (other curves); "
                                    "Scan Conversion slides, “Polygons” (splines)");
     method.pseudocode
@@ -207,9 +214,11 @@ Method bezierSubdivisionMethod()
            {1,
             QStringLiteral("each pixel that was not the last one ← colour"),
             {Moment::First, Moment::Next}}};
-    method.summary = QStringLiteral("Halves the curve by de Casteljau's algorithm until each piece "
-                                    "has no pixels but those of its two ends, and writes these: "
-                                    "thin as a line, the pixels nearer than ½ px by |Δx| + |Δy|.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Halves the curve by de Casteljau's algorithm until each piece "
+                          "has no pixels but those of its two ends, and writes these: "
+                          "thin as a line, the pixels nearer than ½ px by |Δx| + |Δy|."));
     method.kinds = {PrimitiveKind::Bezier};
     method.fills = {ShapeFill::Outline};
     method.stableArithmetics = {Arithmetic::Exact};
@@ -220,7 +229,7 @@ Method pointAddressMethod()
 {
     Method method = curveMethod<PointKernel>();
     method.id = QStringLiteral("point-address");
-    method.title = QStringLiteral("Points by address");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Points by address"));
     method.family = MethodFamily::Others;
     method.source = QStringLiteral("Rasterization slides, “Point Plotting”");
     method.pseudocode
@@ -234,8 +243,10 @@ Method pointAddressMethod()
             {Moment::Begin, Moment::Span}},
            {2, QStringLiteral("addr ← (y − y₀)·width + (x − x₀)"), {Moment::First}},
            {2, QStringLiteral("frame[addr] ← colour"), {Moment::First}}};
-    method.summary = QStringLiteral("Writes the colour of each point to the address "
-                                    "addr = y·width + x, counted from the frame's first pixel.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Writes the colour of each point to the address "
+                          "addr = y·width + x, counted from the frame's first pixel."));
     method.kinds = {PrimitiveKind::Point};
     method.fillRuleReason = QStringLiteral("a point has no edges");
     method.stableArithmetics = {Arithmetic::Exact};

@@ -210,7 +210,7 @@ void tellCurve(StepWords &words, const BezierStep &step)
 {
     const BezierPiece &piece = step.piece;
     words.moment = step.verdict == BezierVerdict::Undecided ? Moment::Halve : Moment::Span;
-    words.heading = QStringLiteral("Piece %1").arg(step.number);
+    words.heading = QStringLiteral(QT_TRANSLATE_NOOP("core", "Piece %1")).arg(step.number);
     words.sentence = QStringLiteral("From t = %1 to t = %2 the curve %3")
                          .arg(parameterText(piece.part, piece.depth),
                               parameterText(piece.part + 1, piece.depth), verdictText(step));

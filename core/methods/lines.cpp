@@ -54,7 +54,7 @@ Method lineSlopeInterceptMethod()
 {
     Method method = lineMethod<SlopeInterceptKernel>();
     method.id = QStringLiteral("line-slope-intercept");
-    method.title = QStringLiteral("Line: y = m·x + b");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Line: y = m·x + b"));
     method.source = QStringLiteral("Rasterization slides, “Line-Drawing Algorithms” and "
                                    "“Example”; Scan Conversion slides, “Lines and Curves: "
                                    "Explicit”");
@@ -70,8 +70,10 @@ Method lineSlopeInterceptMethod()
          QStringLiteral("R ← R₀ + (x − x₀)·(R₁ − R₀)/(x₁ − x₀); G and B likewise"),
          {Moment::Begin, Moment::Span}},
         {1, QStringLiteral("pixel (x, (int)(y + ½)) ← the bytes of R, G, B"), {Moment::First}}};
-    method.summary = QStringLiteral("Computes y = m·x + b for each column and rounds it by "
-                                    "(int)(y + ½): steep lines have gaps, vertical ones no m.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Computes y = m·x + b for each column and rounds it by "
+                          "(int)(y + ½): steep lines have gaps, vertical ones no m."));
     method.remarks += QStringLiteral("gaps where |m| > 1");
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64};
     return method;
@@ -81,7 +83,7 @@ Method lineParametricMethod()
 {
     Method method = lineMethod<ParametricLineKernel>();
     method.id = QStringLiteral("line-parametric");
-    method.title = QStringLiteral("Line: P(t)");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Line: P(t)"));
     method.source = QStringLiteral("Scan Conversion slides, “Lines and Curves: Parametric”");
     const VariantSet twice = VariantSet().with(Variant::TwiceT);
     const VariantSet five = VariantSet().with(Variant::FiveT);
@@ -109,9 +111,11 @@ Method lineParametricMethod()
              {five, point.arg(QChar(u'5'))},
              {both, point.arg("10")}}},
            {1, QStringLiteral("pixel (⌊u + ½⌋, ⌊v + ½⌋) ← the bytes of R, G, B"), {Moment::First}}};
-    method.summary = QStringLiteral("Computes P(t) = P₀ + t·(P₁ − P₀) for t in steps of one pixel "
-                                    "of the longer side, or less, and writes the pixel nearest to "
-                                    "each point.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Computes P(t) = P₀ + t·(P₁ − P₀) for t in steps of one pixel "
+                          "of the longer side, or less, and writes the pixel nearest to "
+                          "each point."));
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
     method.variants = {Variant::TwiceT, Variant::FiveT};
     return method;
@@ -121,7 +125,7 @@ Method lineDdaMethod()
 {
     Method method = lineMethod<DdaKernel>();
     method.id = QStringLiteral("line-dda");
-    method.title = QStringLiteral("Line: DDA");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Line: DDA"));
     method.source = QStringLiteral("Rasterization slides, “DDA Line-Drawing Algorithm”");
     method.pseudocode = {
         {0,
@@ -149,8 +153,10 @@ Method lineDdaMethod()
            QStringLiteral("the first: v ← v₀; R ← R₀; G and B likewise")}}},
         {1, QStringLiteral("else: v ← v + m; R ← R + ΔR; G and B likewise"), {Moment::Span}},
         {1, QStringLiteral("pixel (u, ⌊v + ½⌋) ← the bytes of R, G, B"), {Moment::First}}};
-    method.summary = QStringLiteral("Walks along the longer side and adds the slope at each step; "
-                                    "the pixel is the nearest one.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Walks along the longer side and adds the slope at each step; "
+                          "the pixel is the nearest one."));
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
     method.variants = {Variant::NoEdgePreStep, Variant::DivisorMinusOne, Variant::DivisorPlusOne};
     method.stableArithmetics = {Arithmetic::Exact};
@@ -161,7 +167,7 @@ Method lineBresenhamMethod()
 {
     Method method = lineMethod<BresenhamKernel>();
     method.id = QStringLiteral("line-bresenham");
-    method.title = QStringLiteral("Line: Bresenham");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Line: Bresenham"));
     method.source = QStringLiteral("Rasterization slides, “Bresenham's Line Algorithm (1/4)” to "
                                    "“(4/4)” and “Bresenham: Example”");
     method.pseudocode = {
@@ -187,9 +193,10 @@ Method lineBresenhamMethod()
         {1, QStringLiteral("else: y ← y + s; p ← p + 2Δy − 2Δx"), {Moment::Cross}},
         coloursAlongLine(),
         {1, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {Moment::First}}};
-    method.summary
-        = QStringLiteral("Steps from the end of smaller x (of a steep line, of smaller y) by the "
-                         "sign of an integer; p_k < 0 stays, so that a tie steps across.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Steps from the end of smaller x (of a steep line, of smaller y) by the "
+                          "sign of an integer; p_k < 0 stays, so that a tie steps across."));
     method.remarks += QStringLiteral("whole-pixel end points");
     method.variants = {Variant::StayAtZero, Variant::OneStepShort};
     return method;
@@ -199,7 +206,7 @@ Method lineSymmetricMethod()
 {
     Method method = lineMethod<SymmetricKernel>();
     method.id = QStringLiteral("line-bresenham-symmetric");
-    method.title = QStringLiteral("Line: Bresenham, sub-pixel ends");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Line: Bresenham, sub-pixel ends"));
     method.source = QStringLiteral("stable form of the Rasterization slides, “Bresenham's Line "
                                    "Algorithm”");
     method.pseudocode = {
@@ -219,9 +226,10 @@ Method lineSymmetricMethod()
         {1, QStringLiteral("else: y ← y + s; p ← p + 2Δy − 2Δx"), {Moment::Cross}},
         coloursAlongLine(),
         {1, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {Moment::First}}};
-    method.summary
-        = QStringLiteral("Bresenham's decisions from any lattice point to any other, "
-                         "ties to the pixel of larger y or x whether the line rises or falls.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Bresenham's decisions from any lattice point to any other, "
+                          "ties to the pixel of larger y or x whether the line rises or falls."));
     method.stableArithmetics = {Arithmetic::Exact};
     return method;
 }

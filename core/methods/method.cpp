@@ -110,19 +110,19 @@ QString titleOf(MethodFamily family)
 {
     switch (family) {
     case MethodFamily::Triangles:
-        return QStringLiteral("Triangles");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "Triangles"));
     case MethodFamily::StableForms:
-        return QStringLiteral("Triangles, stable forms");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "Triangles, stable forms"));
     case MethodFamily::Interpolation:
-        return QStringLiteral("Interpolation");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "Interpolation"));
     case MethodFamily::Lines:
-        return QStringLiteral("Lines");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "Lines"));
     case MethodFamily::Curves:
-        return QStringLiteral("Curves");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "Curves"));
     case MethodFamily::Polygons:
-        return QStringLiteral("Polygons");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "Polygons"));
     case MethodFamily::Others:
-        return QStringLiteral("Points and text");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "Points and text"));
     }
     return {};
 }

@@ -7,7 +7,7 @@ Method outlineFillMethod()
 {
     Method method = methodOf<OutlineFillKernel>();
     method.id = QStringLiteral("midpoint-outline-fill");
-    method.title = QStringLiteral("Midpoint outline, filled");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Midpoint outline, filled"));
     method.source = QStringLiteral("Triangles slides, “Use Midpoint Algorithm for edges and fill "
                                    "in?”; Rasterization slides, “Bresenham's Line Algorithm”");
     method.pseudocode = {
@@ -29,10 +29,12 @@ Method outlineFillMethod()
         {2, QStringLiteral("the first: R ← R_low; G and B likewise"), {Moment::First}},
         {2, QStringLiteral("else: R ← R + ΔR; G and B likewise"), {Moment::Next}},
         {2, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {Moment::First, Moment::Next}}};
-    method.summary = QStringLiteral("Draws the three edges as lines of whole pixels and fills each "
-                                    "column from the smallest to the largest y of them: pixels "
-                                    "nearest to an edge are painted on whichever side of it they "
-                                    "lie, those of a shared edge twice.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Draws the three edges as lines of whole pixels and fills each "
+                          "column from the smallest to the largest y of them: pixels "
+                          "nearest to an edge are painted on whichever side of it they "
+                          "lie, those of a shared edge twice."));
     method.remarks += QStringLiteral("whole-pixel vertices");
     method.effects = {Effect::SmoothColour, Effect::Clipping};
     method.arithmetics = {Arithmetic::Exact};

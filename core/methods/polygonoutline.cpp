@@ -8,7 +8,7 @@ Method polygonOutlineMethod()
 {
     Method method = polygonMethod(methodOf<PolygonOutlineKernel>());
     method.id = QStringLiteral("polygon-outline");
-    method.title = QStringLiteral("Polygon outline");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Polygon outline"));
     method.source = QStringLiteral("Rasterization slides, “Output Primitives” and “Bresenham's "
                                    "Line Algorithm”; Scan Conversion slides, “Polygons”");
     method.pseudocode = {
@@ -36,9 +36,11 @@ Method polygonOutlineMethod()
         {2, QStringLiteral("else if p < 0, or p = 0 and s < 0: p ← p + 2Δy"), {Moment::Stay}},
         {2, QStringLiteral("else: y ← y + s; p ← p + 2Δy − 2Δx"), {Moment::Cross}},
         {2, QStringLiteral("pixel (x, y) ← colour"), {Moment::First}}};
-    method.summary = QStringLiteral("Draws each edge as a line by Bresenham's decisions between "
-                                    "any two points of the lattice; a pixel in which two edges "
-                                    "meet is written by both.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Draws each edge as a line by Bresenham's decisions between "
+                          "any two points of the lattice; a pixel in which two edges "
+                          "meet is written by both."));
     method.remarks
         = {QStringLiteral("concave"), QStringLiteral("self-crossing"), QStringLiteral("holes")};
     method.fills = {ShapeFill::Outline};

@@ -81,12 +81,14 @@ Method polygonParityMethod()
 {
     Method method = polygonMethod(methodOf<ParityKernel>());
     method.id = QStringLiteral("polygon-parity");
-    method.title = QStringLiteral("Polygon by parity");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Polygon by parity"));
     method.source = QStringLiteral("Scan Conversion slides, “Scan Conversion: A General "
                                    "Algorithm”");
     method.pseudocode = parityPseudocode();
-    method.summary = QStringLiteral("Intersects each row with the active edges, sorts the "
-                                    "crossings in x, and fills by their parity or winding number.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Intersects each row with the active edges, sorts the "
+                          "crossings in x, and fills by their parity or winding number."));
     method.remarks
         = {QStringLiteral("concave"), QStringLiteral("self-crossing"), QStringLiteral("holes"),
            QStringLiteral("even-odd"), QStringLiteral("non-zero")};

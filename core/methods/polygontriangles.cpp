@@ -35,10 +35,12 @@ Method polygonFanMethod()
     Method method = triangulatingMethod<TriangulationKernel<fanOf>>(
         QStringLiteral("triangles ← the first vertex with each edge that it is not on"));
     method.id = QStringLiteral("polygon-fan");
-    method.title = QStringLiteral("Convex polygon as a fan");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Convex polygon as a fan"));
     method.source = QStringLiteral("Scan Conversion slides, “From Polygons to Triangles”");
-    method.summary = QStringLiteral("Breaks a convex polygon into the triangles that its first "
-                                    "vertex makes with its edges, and fills each row by row.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Breaks a convex polygon into the triangles that its first "
+                          "vertex makes with its edges, and fills each row by row."));
     method.remarks = {QStringLiteral("convex"), QStringLiteral("shared edges")};
     return method;
 }
@@ -48,12 +50,14 @@ Method polygonDelaunayMethod()
     Method method = triangulatingMethod<TriangulationKernel<delaunayOf>>(
         QStringLiteral("triangles ← of the constrained Delaunay triangulation that are inside"));
     method.id = QStringLiteral("polygon-delaunay");
-    method.title = QStringLiteral("Polygon by Delaunay triangulation");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Polygon by Delaunay triangulation"));
     method.source = QStringLiteral("Rasterization slides, “Triangulation”; Scan Conversion "
                                    "slides, “From Polygons to Triangles”");
-    method.summary = QStringLiteral("Breaks a polygon that does not cross itself into the "
-                                    "triangles of its constrained Delaunay triangulation, and "
-                                    "fills each row by row.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Breaks a polygon that does not cross itself into the "
+                          "triangles of its constrained Delaunay triangulation, and "
+                          "fills each row by row."));
     method.remarks
         = {QStringLiteral("concave"), QStringLiteral("holes"), QStringLiteral("even-odd"),
            QStringLiteral("non-zero"), QStringLiteral("shared edges")};
@@ -66,12 +70,14 @@ Method polygonTessellationMethod()
         QStringLiteral("triangles ← of the constrained Delaunay triangulation that are inside, "
                        "with a vertex, to 1/256 px, where edges cross"));
     method.id = QStringLiteral("polygon-tessellation");
-    method.title = QStringLiteral("Polygon by tessellation");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Polygon by tessellation"));
     method.source = QStringLiteral("Scan Conversion slides, “From Polygons to Triangles”");
-    method.summary = QStringLiteral("Breaks any polygon into triangles, also one that crosses "
-                                    "itself: crossings become vertices, moved to the nearest "
-                                    "multiple of 1/256 px, by which a sample beside an edge may "
-                                    "change its side.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Breaks any polygon into triangles, also one that crosses "
+                          "itself: crossings become vertices, moved to the nearest "
+                          "multiple of 1/256 px, by which a sample beside an edge may "
+                          "change its side."));
     method.remarks = {QStringLiteral("concave"),  QStringLiteral("self-crossing"),
                       QStringLiteral("holes"),    QStringLiteral("even-odd"),
                       QStringLiteral("non-zero"), QStringLiteral("shared edges")};

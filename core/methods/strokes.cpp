@@ -47,7 +47,7 @@ Method strokeCoverageMethod()
 {
     Method method;
     method.id = QStringLiteral("stroke-coverage");
-    method.title = QStringLiteral("Line or curve: one pixel wide");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Line or curve: one pixel wide"));
     method.family = MethodFamily::Curves;
     method.source
         = QStringLiteral("Rasterization slides, “Output Primitives” (lines, circles, other "
@@ -68,12 +68,13 @@ Method strokeCoverageMethod()
         {2,
          QStringLiteral("pixel (x, y) ← so much of the colour over what stands there"),
          {Moment::First, Moment::Next}}};
-    method.summary
-        = QStringLiteral("Takes a line as the rectangle one pixel wide, a curve as a strip of "
-                         "quadrilaterals, and blends it by the area that it has of each pixel, "
-                         "equally bright in every direction, or by 4 or 16 samples, as the scene's "
-                         "antialiasing asks. Where it asks for none, one sample decides a pixel: "
-                         "stairs.");
+    method.summary = QStringLiteral(QT_TRANSLATE_NOOP(
+        "core",
+        "Takes a line as the rectangle one pixel wide, a curve as a strip of "
+        "quadrilaterals, and blends it by the area that it has of each pixel, "
+        "equally bright in every direction, or by 4 or 16 samples, as the scene's "
+        "antialiasing asks. Where it asks for none, one sample decides a pixel: "
+        "stairs."));
     method.effects = {Effect::SmoothColour, Effect::Clipping, Effect::Antialiasing};
     method.remarks += QStringLiteral("butt ends");
     method.kinds = {PrimitiveKind::Line, PrimitiveKind::Circle, PrimitiveKind::Ellipse,

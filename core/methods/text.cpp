@@ -10,7 +10,7 @@ Method textOutlinesMethod()
 {
     Method method = polygonMethod(methodOf<TextKernel>());
     method.id = QStringLiteral("text-outlines");
-    method.title = QStringLiteral("Text as outlines");
+    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Text as outlines"));
     method.family = MethodFamily::Others;
     method.source = QStringLiteral("Rasterization slides, “Output Primitives” (characters); "
                                    "Scan Conversion slides, “Scan Conversion: A General "
@@ -19,8 +19,10 @@ Method textOutlinesMethod()
     method.pseudocode.insert(
         method.pseudocode.begin(),
         {0, QStringLiteral("contours ← the outlines of the glyphs in the font"), {Moment::SetUp}});
-    method.summary = QStringLiteral("Takes the outlines of the glyphs from a font and fills them "
-                                    "as one polygon by winding number.");
+    method.summary = QStringLiteral(
+        QT_TRANSLATE_NOOP("core",
+                          "Takes the outlines of the glyphs from a font and fills them "
+                          "as one polygon by winding number."));
     method.remarks = {QStringLiteral("text"), QStringLiteral("non-zero")};
     method.kinds = {PrimitiveKind::Text};
     method.fills = {};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QtGlobal>
+
 #include <cstdint>
 #include <functional>
 #include <string_view>
@@ -26,25 +28,25 @@ constexpr std::string_view nameOf(JobPhase phase)
 {
     switch (phase) {
     case JobPhase::Reading:
-        return "reading";
+        return QT_TRANSLATE_NOOP("core", "reading");
     case JobPhase::Projecting:
-        return "projecting";
+        return QT_TRANSLATE_NOOP("core", "projecting");
     case JobPhase::Drawing:
-        return "drawing";
+        return QT_TRANSLATE_NOOP("core", "drawing");
     case JobPhase::Recording:
-        return "recording";
+        return QT_TRANSLATE_NOOP("core", "recording");
     case JobPhase::RecordingExactly:
-        return "recording in exact numbers";
+        return QT_TRANSLATE_NOOP("core", "recording in exact numbers");
     case JobPhase::Judging:
-        return "judging";
+        return QT_TRANSLATE_NOOP("core", "judging");
     case JobPhase::Explaining:
-        return "explaining";
+        return QT_TRANSLATE_NOOP("core", "explaining");
     case JobPhase::Measuring:
-        return "measuring";
+        return QT_TRANSLATE_NOOP("core", "measuring");
     case JobPhase::Writing:
-        return "writing";
+        return QT_TRANSLATE_NOOP("core", "writing");
     case JobPhase::Checking:
-        return "checking";
+        return QT_TRANSLATE_NOOP("core", "checking");
     case JobPhase::Shrinking:
         return "shrinking";
     }

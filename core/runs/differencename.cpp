@@ -9,11 +9,11 @@ QString nameOf(Difference difference)
     case Difference::None:
         break;
     case Difference::Missing:
-        return QStringLiteral("missing");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "missing"));
     case Difference::Extra:
-        return QStringLiteral("extra");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "extra"));
     case Difference::Colour:
-        return QStringLiteral("colour");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "colour"));
     }
     return QStringLiteral("none");
 }

@@ -198,10 +198,11 @@ Explanation explainSample(const TracedScene &traced, const TraceStep &step)
                   place > 0 ? std::optional(samples[place - 1].colour[channel]) : std::nullopt);
     names.add(words.numbers, sample.cells, place > 0 ? &samples[place - 1].cells : nullptr);
 
-    explanation.heading = (isWritten ? QStringLiteral("Pixel (%1, %2)")
-                                     : QStringLiteral("Sample (%1, %2), refused"))
-                              .arg(sample.x)
-                              .arg(sample.y);
+    explanation.heading
+        = (isWritten ? QStringLiteral(QT_TRANSLATE_NOOP("core", "Pixel (%1, %2)"))
+                     : QStringLiteral(QT_TRANSLATE_NOOP("core", "Sample (%1, %2), refused")))
+              .arg(sample.x)
+              .arg(sample.y);
     explanation.sentence = words.sentence;
     if (words.sentence.isEmpty())
         explanation.sentence = isWritten

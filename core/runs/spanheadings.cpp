@@ -13,13 +13,14 @@ QString placeText(const SpanPlace &place)
 {
     switch (place.axis) {
     case SpanAxis::Column:
-        return withMinus(QStringLiteral("Column %1").arg(place.coordinate));
+        return withMinus(
+            QStringLiteral(QT_TRANSLATE_NOOP("core", "Column %1")).arg(place.coordinate));
     case SpanAxis::Row:
-        return withMinus(QStringLiteral("Row %1").arg(place.coordinate));
+        return withMinus(QStringLiteral(QT_TRANSLATE_NOOP("core", "Row %1")).arg(place.coordinate));
     case SpanAxis::Free:
         break;
     }
-    return QStringLiteral("Step %1").arg(place.coordinate);
+    return QStringLiteral(QT_TRANSLATE_NOOP("core", "Step %1")).arg(place.coordinate);
 }
 
 /// The noun by which a span's numbers count the parts of a primitive; empty if none does.
@@ -51,7 +52,7 @@ QString partName(const ScanTrace &trace, std::size_t span)
 {
     const int part = trace.placeOf(span).part;
     const QString counted = countedPart(trace);
-    return counted.isEmpty() ? QStringLiteral("part %1").arg(part + 1)
+    return counted.isEmpty() ? QStringLiteral(QT_TRANSLATE_NOOP("core", "part %1")).arg(part + 1)
                              : QStringLiteral("%1 %2").arg(counted).arg(part);
 }
 

@@ -4,6 +4,8 @@
 #include "core/geometry/appearance.h"
 #include "core/space/solid.h"
 
+#include <QtGlobal>
+
 #include <array>
 #include <string_view>
 
@@ -76,7 +78,9 @@ constexpr std::string_view nameOf(Projection projection)
 constexpr std::string_view nameOf(SolidKind kind)
 {
     constexpr std::array<std::string_view, 6> names
-        = {"triangle3", "polygon3", "plane", "sphere", "patch", "mesh"};
+        = {QT_TRANSLATE_NOOP("core", "triangle3"), QT_TRANSLATE_NOOP("core", "polygon3"),
+           QT_TRANSLATE_NOOP("core", "plane"),     QT_TRANSLATE_NOOP("core", "sphere"),
+           QT_TRANSLATE_NOOP("core", "patch"),     QT_TRANSLATE_NOOP("core", "mesh")};
     return names[std::size_t(kind)];
 }
 

@@ -105,12 +105,13 @@ QString nameOf(ProjectionLoss loss)
 {
     switch (loss) {
     case ProjectionLoss::NoView:
-        return QStringLiteral(
-            "is not seen: the camera's eye is at its target, or up is where it looks");
+        return QStringLiteral(QT_TRANSLATE_NOOP(
+            "core", "is not seen: the camera's eye is at its target, or up is where it looks"));
     case ProjectionLoss::BehindNearPlane:
-        return QStringLiteral("has no part beyond the near plane");
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "has no part beyond the near plane"));
     case ProjectionLoss::NotFinite:
-        return QStringLiteral("has a corner that the camera takes nowhere");
+        return QStringLiteral(
+            QT_TRANSLATE_NOOP("core", "has a corner that the camera takes nowhere"));
     case ProjectionLoss::OutsideCoordinates:
         return QStringLiteral("has a corner beyond ±2^30 px");
     case ProjectionLoss::OutsideAttributes:

@@ -2,6 +2,965 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de">
 <context>
+    <name>core</name>
+    <message>
+        <source>triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>bezier</source>
+        <translation>Bézierkurve</translation>
+    </message>
+    <message>
+        <source>polygon</source>
+        <translation>Polygon</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>triangle3</source>
+        <translation>3D-Dreieck</translation>
+    </message>
+    <message>
+        <source>polygon3</source>
+        <translation>3D-Polygon</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>patch</source>
+        <translation>Flächenstück</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>Row %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>Step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>part %1</source>
+        <translation>Teil %1</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>Kante %1</translation>
+    </message>
+    <message>
+        <source>triangle %1</source>
+        <translation>Dreieck %1</translation>
+    </message>
+    <message>
+        <source>same</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>extra</source>
+        <translation>überzählig</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>undecidable</source>
+        <translation>unentscheidbar</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>richtig</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>falsch</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>smooth colour</source>
+        <translation>Farbverlauf</translation>
+    </message>
+    <message>
+        <source>clipping</source>
+        <translation>Clipping</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>texture</source>
+        <translation>Textur</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>blending</source>
+        <translation>Überblendung</translation>
+    </message>
+    <message>
+        <source>antialiasing</source>
+        <translation>Kantenglättung</translation>
+    </message>
+    <message>
+        <source>called for</source>
+        <translation>gefordert</translation>
+    </message>
+    <message>
+        <source>not called for</source>
+        <translation>nicht gefordert</translation>
+    </message>
+    <message>
+        <source>not ruled out</source>
+        <translation>nicht ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>tie rule</source>
+        <translation>Grenzfallregel</translation>
+    </message>
+    <message>
+        <source>kind not drawn</source>
+        <translation>Art nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>rounding</source>
+        <translation>Rundung</translation>
+    </message>
+    <message>
+        <source>drift</source>
+        <translation>Drift</translation>
+    </message>
+    <message>
+        <source>precision</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Triangles, stable forms</source>
+        <translation>Dreiecke, stabile Formen</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>Interpolation</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Polygons</source>
+        <translation>Polygone</translation>
+    </message>
+    <message>
+        <source>Points and text</source>
+        <translation>Punkte und Text</translation>
+    </message>
+    <message>
+        <source>Vertices and edges</source>
+        <translation>Eckpunkte und Kanten</translation>
+    </message>
+    <message>
+        <source>Bounding box</source>
+        <translation>Umschließendes Rechteck</translation>
+    </message>
+    <message>
+        <source>Half-planes and normals</source>
+        <translation>Halbebenen und Normalen</translation>
+    </message>
+    <message>
+        <source>Half-plane of E₀</source>
+        <translation>Halbebene von E₀</translation>
+    </message>
+    <message>
+        <source>Half-plane of E₁</source>
+        <translation>Halbebene von E₁</translation>
+    </message>
+    <message>
+        <source>Half-plane of E₂</source>
+        <translation>Halbebene von E₂</translation>
+    </message>
+    <message>
+        <source>Weights in the cells</source>
+        <translation>Gewichte in den Zellen</translation>
+    </message>
+    <message>
+        <source>R G B in the cells</source>
+        <translation>R G B in den Zellen</translation>
+    </message>
+    <message>
+        <source>Barycentric axes and points</source>
+        <translation>Baryzentrische Achsen und Punkte</translation>
+    </message>
+    <message>
+        <source>Affine map: weights stay</source>
+        <translation>Affine Abbildung: Gewichte bleiben</translation>
+    </message>
+    <message>
+        <source>Contour lines of R</source>
+        <translation>Höhenlinien von R</translation>
+    </message>
+    <message>
+        <source>Contour lines of G</source>
+        <translation>Höhenlinien von G</translation>
+    </message>
+    <message>
+        <source>Contour lines of B</source>
+        <translation>Höhenlinien von B</translation>
+    </message>
+    <message>
+        <source>Triangles of a polygon</source>
+        <translation>Dreiecke eines Polygons</translation>
+    </message>
+    <message>
+        <source>Edge table</source>
+        <translation>Kantentabelle</translation>
+    </message>
+    <message>
+        <source>Decision of the step</source>
+        <translation>Entscheidung des Schritts</translation>
+    </message>
+    <message>
+        <source>Brightness by direction</source>
+        <translation>Helligkeit nach Richtung</translation>
+    </message>
+    <message>
+        <source>Sampling points</source>
+        <translation>Abtastpunkte</translation>
+    </message>
+    <message>
+        <source>Addresses in memory</source>
+        <translation>Adressen im Speicher</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>projecting</source>
+        <translation>Projizieren</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>recording in exact numbers</source>
+        <translation>Aufzeichnen in exakten Zahlen</translation>
+    </message>
+    <message>
+        <source>judging</source>
+        <translation>Beurteilen</translation>
+    </message>
+    <message>
+        <source>explaining</source>
+        <translation>Erklären</translation>
+    </message>
+    <message>
+        <source>measuring</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>checking</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>divisions</source>
+        <translation>Divisionen</translation>
+    </message>
+    <message>
+        <source>roundings</source>
+        <translation>Rundungen</translation>
+    </message>
+    <message>
+        <source>float additions</source>
+        <translation>Gleitkomma-Additionen</translation>
+    </message>
+    <message>
+        <source>integer additions</source>
+        <translation>ganzzahlige Additionen</translation>
+    </message>
+    <message>
+        <source>multiplications</source>
+        <translation>Multiplikationen</translation>
+    </message>
+    <message>
+        <source>comparisons</source>
+        <translation>Vergleiche</translation>
+    </message>
+    <message>
+        <source>conversions</source>
+        <translation>Umwandlungen</translation>
+    </message>
+    <message>
+        <source>functions</source>
+        <translation>Funktionen</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>%1 set-up</source>
+        <translation>%1 Vorbereitung</translation>
+    </message>
+    <message>
+        <source>%1 set-ups</source>
+        <translation>%1 Vorbereitungen</translation>
+    </message>
+    <message>
+        <source>%1 span</source>
+        <translation>%1 Spanne</translation>
+    </message>
+    <message>
+        <source>%1 spans</source>
+        <translation>%1 Spannen</translation>
+    </message>
+    <message>
+        <source>%1 pixel</source>
+        <translation>%1 Pixel</translation>
+    </message>
+    <message>
+        <source>%1 pixels</source>
+        <translation>%1 Pixel</translation>
+    </message>
+    <message>
+        <source>%1 sample refused</source>
+        <translation>%1 Abtastpunkt abgewiesen</translation>
+    </message>
+    <message>
+        <source>%1 samples refused</source>
+        <translation>%1 Abtastpunkte abgewiesen</translation>
+    </message>
+    <message>
+        <source>%1 operation</source>
+        <translation>%1 Operation</translation>
+    </message>
+    <message>
+        <source>%1 operations</source>
+        <translation>%1 Operationen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 edges looked at</source>
+        <translation>%1 von %2 Kanten angesehen</translation>
+    </message>
+    <message>
+        <source>wrong pixels</source>
+        <translation>falsche Pixel</translation>
+    </message>
+    <message>
+        <source>wrong coverage</source>
+        <translation>falsche Überdeckung</translation>
+    </message>
+    <message>
+        <source>wrong colours</source>
+        <translation>falsche Farben</translation>
+    </message>
+    <message>
+        <source>largest error of a byte</source>
+        <translation>größter Fehler eines Bytes</translation>
+    </message>
+    <message>
+        <source>largest error before rounding</source>
+        <translation>größter Fehler vor dem Runden</translation>
+    </message>
+    <message>
+        <source>RMS error before rounding</source>
+        <translation>mittlerer quadratischer Fehler vor dem Runden</translation>
+    </message>
+    <message>
+        <source>farthest missed sample</source>
+        <translation>fernster verfehlter Abtastpunkt</translation>
+    </message>
+    <message>
+        <source>levels</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Random, whole pixels</source>
+        <translation>Zufällig, ganze Pixel</translation>
+    </message>
+    <message>
+        <source>Random, %1/%2 px</source>
+        <translation>Zufällig, %1/%2 px</translation>
+    </message>
+    <message>
+        <source>Slivers</source>
+        <translation>Splitter</translation>
+    </message>
+    <message>
+        <source>Ties</source>
+        <translation>Grenzfälle</translation>
+    </message>
+    <message>
+        <source>Far from the origin</source>
+        <translation>Fern vom Ursprung</translation>
+    </message>
+    <message>
+        <source>Small triangles</source>
+        <translation>Kleine Dreiecke</translation>
+    </message>
+    <message>
+        <source>Large triangles</source>
+        <translation>Große Dreiecke</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Own scene</source>
+        <translation>Eigene Szene</translation>
+    </message>
+    <message>
+        <source>Hard cases</source>
+        <translation>Schwierige Fälle</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
+    <message>
+        <source>at most one level</source>
+        <translation>höchstens eine Stufe</translation>
+    </message>
+    <message>
+        <source>at most %1 wrong pixels per million</source>
+        <translation>höchstens %1 falsche Pixel von einer Million</translation>
+    </message>
+    <message>
+        <source>%1 ms a frame</source>
+        <translation>%1 ms je Bild</translation>
+    </message>
+    <message>
+        <source>plain kernel %1 ns a pixel</source>
+        <translation>einfach %1 ns je Pixel</translation>
+    </message>
+    <message>
+        <source>The time is that of the plain kernel, the one that is stepped through, on one thread:</source>
+        <translation>Die Zeit ist die des einfachen Kerns, den die Schritte durchgehen, auf einem Thread:</translation>
+    </message>
+    <message>
+        <source>median of %1 rounds %2 ns a pixel, the middle half %3 … %4, over %5 px of triangles, each as often as it is written.</source>
+        <translation>Median von %1 Runden %2 ns je Pixel, mittlere Hälfte %3 … %4, über %5 px von Dreiecken, jedes so oft gezählt, wie es geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>about %1 s</source>
+        <translation>etwa %1 s</translation>
+    </message>
+    <message>
+        <source>about %1 min</source>
+        <translation>etwa %1 min</translation>
+    </message>
+    <message>
+        <source>%1 %, about %2 s left</source>
+        <translation>%1 %, noch etwa %2 s</translation>
+    </message>
+    <message>
+        <source>%1 %, about %2 min left</source>
+        <translation>%1 %, noch etwa %2 min</translation>
+    </message>
+    <message>
+        <source>Triangle %1</source>
+        <translation>Dreieck %1</translation>
+    </message>
+    <message>
+        <source>Point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>Linie %1</translation>
+    </message>
+    <message>
+        <source>Circle %1</source>
+        <translation>Kreis %1</translation>
+    </message>
+    <message>
+        <source>Ellipse %1</source>
+        <translation>Ellipse %1</translation>
+    </message>
+    <message>
+        <source>Bezier %1</source>
+        <translation>Bézierkurve %1</translation>
+    </message>
+    <message>
+        <source>Polygon %1</source>
+        <translation>Polygon %1</translation>
+    </message>
+    <message>
+        <source>Text %1</source>
+        <translation>Text %1</translation>
+    </message>
+    <message>
+        <source>set-up</source>
+        <translation>Vorbereitung</translation>
+    </message>
+    <message>
+        <source>Pixel (%1, %2)</source>
+        <translation>Pixel (%1, %2)</translation>
+    </message>
+    <message>
+        <source>Sample (%1, %2), refused</source>
+        <translation>Abtastpunkt (%1, %2), abgewiesen</translation>
+    </message>
+    <message>
+        <source>is not seen: the camera&apos;s eye is at its target, or up is where it looks</source>
+        <translation>wird nicht gesehen: Das Auge der Kamera ist an ihrem Ziel, oder oben ist, wohin sie blickt</translation>
+    </message>
+    <message>
+        <source>has no part beyond the near plane</source>
+        <translation>hat keinen Teil hinter der vorderen Ebene</translation>
+    </message>
+    <message>
+        <source>has a corner that the camera takes nowhere</source>
+        <translation>hat eine Ecke, die die Kamera nirgendwohin bringt</translation>
+    </message>
+    <message>
+        <source>has a corner beyond ±%1^%2 px</source>
+        <translation>hat eine Ecke jenseits von ±%1^%2 px</translation>
+    </message>
+    <message>
+        <source>has a corner with a number beyond ±%1^%2</source>
+        <translation>hat eine Ecke mit einer Zahl jenseits von ±%1^%2</translation>
+    </message>
+    <message>
+        <source>agreed</source>
+        <translation>einig</translation>
+    </message>
+    <message>
+        <source>right in coverage</source>
+        <translation>richtig in der Abdeckung</translation>
+    </message>
+    <message>
+        <source>undecidable in coverage</source>
+        <translation>unentscheidbar in der Abdeckung</translation>
+    </message>
+    <message>
+        <source>cannot be graded</source>
+        <translation>nicht zu bewerten</translation>
+    </message>
+    <message>
+        <source>Piece %1</source>
+        <translation>Stück %1</translation>
+    </message>
+    <message>
+        <source>piece %1</source>
+        <translation>Stück %1</translation>
+    </message>
+    <message>
+        <source>Walks the columns between two edges and colours the samples from y_B to y_T that the fill rule takes, all by adding increments.</source>
+        <translation>Geht durch die Spalten zwischen zwei Kanten und färbt die Abtastpunkte von y_B bis y_T, die die Füllregel nimmt, alles durch Addieren von Zuwächsen.</translation>
+    </message>
+    <message>
+        <source>Walks the rows between two edges, the largest y first, switches in the third edge at the middle vertex, and colours the samples from x_L to x_R that the fill rule takes, trapezoid by trapezoid, all by adding increments.</source>
+        <translation>Geht zwischen zwei Kanten durch die Zeilen, das größte y zuerst, wechselt am mittleren Eckpunkt auf die dritte Kante und färbt die Abtastpunkte von x_L bis x_R, die die Füllregel nimmt, ein Trapez nach dem anderen, alles durch Addieren von Zuwächsen.</translation>
+    </message>
+    <message>
+        <source>Evaluates E = a·x + b·y + c of the three edges at every sample of the clipped bounding box, with the sides flipped to be positive inside; where the slide draws E &gt; 0 alone, E = 0 is left to the fill rule.</source>
+        <translation>Wertet E = a·x + b·y + c der drei Kanten an jedem Abtastpunkt des beschnittenen umschließenden Rechtecks aus, die Seiten so gedreht, dass sie innen positiv sind; wo die Folie nur bei E &gt; 0 zeichnet, entscheidet über E = 0 die Füllregel.</translation>
+    </message>
+    <message>
+        <source>Adds a to each edge function along a row and b from row to row, so that a sample costs three additions and rounding errors add up.</source>
+        <translation>Addiert in einer Zeile a zu jeder Kantenfunktion und von Zeile zu Zeile b: Ein Abtastpunkt kostet drei Additionen, und Rundungsfehler summieren sich.</translation>
+    </message>
+    <message>
+        <source>Solves A and B of each edge from its two points with C = −1 chosen; an edge whose line passes through (0, 0) has no such solution and gets C = 0.</source>
+        <translation>Berechnet A und B jeder Kante aus ihren zwei Punkten mit gewähltem C = −1; eine Kante, deren Gerade durch (0, 0) geht, hat keine solche Lösung und bekommt C = 0.</translation>
+    </message>
+    <message>
+        <source>Computes α, β and γ for every pixel of the frame and draws it if all three lie within [0, 1]; a sample on an edge is left to the fill rule.</source>
+        <translation>Berechnet α, β und γ für jedes Pixel der Bildfläche und zeichnet es, wenn alle drei in [0, 1] liegen; ein Abtastpunkt auf einer Kante bleibt der Füllregel überlassen.</translation>
+    </message>
+    <message>
+        <source>The same for the samples between the smallest and the largest x and y of the vertices alone.</source>
+        <translation>Dasselbe nur für die Abtastpunkte zwischen dem kleinsten und dem größten x und y der Eckpunkte.</translation>
+    </message>
+    <message>
+        <source>Adds to the weights and to the colour from sample to sample, and tests them against 0 alone.</source>
+        <translation>Addiert von Abtastpunkt zu Abtastpunkt zu den Gewichten und zur Farbe und prüft die Gewichte nur gegen 0.</translation>
+    </message>
+    <message>
+        <source>Solves P = C + u·(A − C) + v·(B − C) by determinants and draws if u ≥ 0, v ≥ 0 and u + v ≤ 1; a sample on an edge is left to the fill rule.</source>
+        <translation>Löst P = C + u·(A − C) + v·(B − C) mit Determinanten und zeichnet, wenn u ≥ 0, v ≥ 0 und u + v ≤ 1; ein Abtastpunkt auf einer Kante bleibt der Füllregel überlassen.</translation>
+    </message>
+    <message>
+        <source>Gives a sample exactly on an edge to the triangle on the side of the off-screen point r: f_bc(a)·f_bc(r) &gt; 0; an edge whose line passes through r is given to neither side.</source>
+        <translation>Gibt einen Abtastpunkt genau auf einer Kante dem Dreieck auf der Seite des Punktes r außerhalb des Bildes: f_bc(a)·f_bc(r) &gt; 0; eine Kante, deren Gerade durch r geht, bekommt keine der beiden Seiten.</translation>
+    </message>
+    <message>
+        <source>Draws the three edges as lines of whole pixels and fills each column from the smallest to the largest y of them: pixels nearest to an edge are painted on whichever side of it they lie, those of a shared edge twice.</source>
+        <translation>Zeichnet die drei Kanten als Linien aus ganzen Pixeln und füllt jede Spalte vom kleinsten bis zum größten y davon: Die Pixel nächst einer Kante werden gemalt, auf welcher Seite auch immer sie liegen, die einer gemeinsamen Kante zweimal.</translation>
+    </message>
+    <message>
+        <source>Computes y₀ + (x − x₀)·m and the plane&apos;s colours in float64 and moves them by half the distance between their possible values before rounding: no wrong pixel, proved for triangles in boxes of up to 2^24 px², such as 4096 × 4096; beyond, integers take over and the set-up says so.</source>
+        <translation>Berechnet y₀ + (x − x₀)·m und die Farben der Ebene in float64 und verschiebt sie vor dem Runden um den halben Abstand ihrer möglichen Werte: kein falsches Pixel, bewiesen für Dreiecke in Rechtecken bis 2^24 px², etwa 4096 × 4096; darüber übernehmen ganze Zahlen, und die Vorbereitung sagt es.</translation>
+    </message>
+    <message>
+        <source>The assignment&apos;s increments with ΔR computed once from the plane through the three vertices, so that slivers cannot blow it up.</source>
+        <translation>Die Zuwächse der Aufgabe, aber ΔR einmal aus der Ebene durch die drei Eckpunkte berechnet, so dass schmale Dreiecke es nicht aufblähen.</translation>
+    </message>
+    <message>
+        <source>Walks the rows between two edges, the largest y first, with ΔR computed once from the plane through the three vertices, so that short rows cannot blow it up.</source>
+        <translation>Geht zwischen zwei Kanten durch die Zeilen, das größte y zuerst, mit ΔR einmal aus der Ebene durch die drei Eckpunkte berechnet, so dass kurze Zeilen es nicht aufblähen.</translation>
+    </message>
+    <message>
+        <source>Evaluates every edge from its end point that is smaller in (x, y) order and flips the sign, so that the two triangles of a shared edge see the same number in any arithmetic; in exact arithmetic all are integers.</source>
+        <translation>Wertet jede Kante von ihrem in der Ordnung (x, y) kleineren Endpunkt aus und dreht das Vorzeichen, so dass die zwei Dreiecke einer gemeinsamen Kante in jeder Arithmetik dieselbe Zahl sehen; in exakter Arithmetik sind alle ganz.</translation>
+    </message>
+    <message>
+        <source>Evaluates each edge function from one of its vertices, so that the products stay small far from the origin; in float64 they are exact up to 2^15 px.</source>
+        <translation>Wertet jede Kantenfunktion von einem ihrer Eckpunkte aus, so dass die Produkte auch fern vom Ursprung klein bleiben; in float64 sind sie bis 2^15 px exakt.</translation>
+    </message>
+    <message>
+        <source>Interpolates along both edges and then along the column, each by adding a rate; what is covered is exact.</source>
+        <translation>Interpoliert entlang beider Kanten und dann entlang der Spalte, beides durch Addieren einer Rate; die Überdeckung ist exakt.</translation>
+    </message>
+    <message>
+        <source>Interpolates along the left and the right edge and then along the row, each by adding a rate; what is covered is exact.</source>
+        <translation>Interpoliert entlang der linken und der rechten Kante und dann entlang der Zeile, beides durch Addieren einer Rate; die Überdeckung ist exakt.</translation>
+    </message>
+    <message>
+        <source>Evaluates v = a·x + b·y + c of the plane through the three values at each sample; what is covered is exact.</source>
+        <translation>Wertet v = a·x + b·y + c der Ebene durch die drei Werte an jedem Abtastpunkt aus; die Überdeckung ist exakt.</translation>
+    </message>
+    <message>
+        <source>Weights the three vertices&apos; values with α, β and γ at each sample; what is covered is exact.</source>
+        <translation>Gewichtet an jedem Abtastpunkt die Werte der drei Eckpunkte mit α, β und γ; die Überdeckung ist exakt.</translation>
+    </message>
+    <message>
+        <source>Walks along the longer side and adds the slope at each step; the pixel is the nearest one.</source>
+        <translation>Geht die längere Seite entlang und addiert bei jedem Schritt die Steigung; gezeichnet wird das nächste Pixel.</translation>
+    </message>
+    <message>
+        <source>Computes y = m·x + b for each column and rounds it by (int)(y + ½): steep lines have gaps, vertical ones no m.</source>
+        <translation>Berechnet y = m·x + b für jede Spalte und rundet mit (int)(y + ½): Steile Linien haben Lücken, senkrechte kein m.</translation>
+    </message>
+    <message>
+        <source>Computes P(t) = P₀ + t·(P₁ − P₀) for t in steps of one pixel of the longer side, or less, and writes the pixel nearest to each point.</source>
+        <translation>Berechnet P(t) = P₀ + t·(P₁ − P₀) für t in Schritten von einem Pixel der längeren Seite oder weniger und schreibt das Pixel, das jedem Punkt am nächsten ist.</translation>
+    </message>
+    <message>
+        <source>Steps from the end of smaller x (of a steep line, of smaller y) by the sign of an integer; p_k &lt; 0 stays, so that a tie steps across.</source>
+        <translation>Geht vom Ende mit kleinerem x (einer steilen Linie: mit kleinerem y) nach dem Vorzeichen einer ganzen Zahl; p_k &lt; 0 bleibt, so dass ein Grenzfall quer weitergeht.</translation>
+    </message>
+    <message>
+        <source>Bresenham&apos;s decisions from any lattice point to any other, ties to the pixel of larger y or x whether the line rises or falls.</source>
+        <translation>Bresenhams Entscheidungen zwischen beliebigen Gitterpunkten; Grenzfälle gehen zum Pixel mit größerem y oder x, ob die Linie steigt oder fällt.</translation>
+    </message>
+    <message>
+        <source>Steps through an octant by the sign of F at midpoints, a whole number of quarters, and mirrors each pixel into the other seven; of unequal radii through two arcs of a quarter, each into three.</source>
+        <translation>Geht durch einen Oktanten nach dem Vorzeichen von F an Mittelpunkten, einer ganzen Zahl von Vierteln, und spiegelt jedes Pixel in die anderen sieben; bei ungleichen Radien durch zwei Bögen eines Viertels, je in drei.</translation>
+    </message>
+    <message>
+        <source>Computes y = ±√(r² − x²) for each column; there are gaps where the curve is steep.</source>
+        <translation>Berechnet y = ±√(r² − x²) für jede Spalte; wo die Kurve steil ist, bleiben Lücken.</translation>
+    </message>
+    <message>
+        <source>Goes round in steps of one pixel of arc and writes the pixel nearest to each point (r cos θ, r sin θ).</source>
+        <translation>Geht in Schritten von einem Pixel Bogenlänge herum und schreibt das Pixel, das jedem Punkt (r cos θ, r sin θ) am nächsten ist.</translation>
+    </message>
+    <message>
+        <source>On each row, writes the samples between the two places where the row meets the curve.</source>
+        <translation>Schreibt in jeder Zeile die Abtastpunkte zwischen den zwei Stellen, an denen die Zeile die Kurve trifft.</translation>
+    </message>
+    <message>
+        <source>Halves the curve by de Casteljau&apos;s algorithm until each piece has no pixels but those of its two ends, and writes these: thin as a line, the pixels nearer than ½ px by |Δx| + |Δy|.</source>
+        <translation>Halbiert die Kurve nach de Casteljau, bis jedes Stück keine Pixel als die seiner beiden Enden hat, und schreibt diese: dünn wie eine Linie, die Pixel, die näher als ½ px sind, gemessen als |Δx| + |Δy|.</translation>
+    </message>
+    <message>
+        <source>Closes a path of Bézier pieces, takes each as a chain of chords, and fills these by parity or winding number; the truth is that of the curves themselves.</source>
+        <translation>Schließt einen Pfad aus Béziers, nimmt jede als Kette von Sehnen und füllt diese nach Parität oder Windungszahl; die Wahrheit ist die der Kurven selbst.</translation>
+    </message>
+    <message>
+        <source>Intersects each row with the active edges, sorts the crossings in x, and fills by their parity or winding number.</source>
+        <translation>Schneidet jede Zeile mit den aktiven Kanten, ordnet die Schnittpunkte nach x und füllt nach ihrer Parität oder Windungszahl.</translation>
+    </message>
+    <message>
+        <source>Breaks a convex polygon into the triangles that its first vertex makes with its edges, and fills each row by row.</source>
+        <translation>Zerlegt ein konvexes Polygon in die Dreiecke, die sein erster Eckpunkt mit seinen Kanten bildet, und füllt jedes Zeile für Zeile.</translation>
+    </message>
+    <message>
+        <source>Breaks a polygon that does not cross itself into the triangles of its constrained Delaunay triangulation, and fills each row by row.</source>
+        <translation>Zerlegt ein Polygon, das sich nicht selbst schneidet, in die Dreiecke seiner Delaunay-Triangulierung mit erzwungenen Kanten und füllt jedes Zeile für Zeile.</translation>
+    </message>
+    <message>
+        <source>Breaks any polygon into triangles, also one that crosses itself: crossings become vertices, moved to the nearest multiple of 1/256 px, by which a sample beside an edge may change its side.</source>
+        <translation>Zerlegt jedes Polygon in Dreiecke, auch eines, das sich selbst schneidet: Schnittpunkte werden Eckpunkte, verschoben auf das nächste Vielfache von 1/256 px, wodurch ein Abtastpunkt neben einer Kante die Seite wechseln kann.</translation>
+    </message>
+    <message>
+        <source>Draws each edge as a line by Bresenham&apos;s decisions between any two points of the lattice; a pixel in which two edges meet is written by both.</source>
+        <translation>Zeichnet jede Kante als Linie mit Bresenhams Entscheidungen zwischen beliebigen Gitterpunkten; ein Pixel, in dem zwei Kanten zusammentreffen, schreiben beide.</translation>
+    </message>
+    <message>
+        <source>Takes the outlines of the glyphs from a font and fills them as one polygon by winding number.</source>
+        <translation>Nimmt die Umrisse der Zeichen aus einer Schrift und füllt sie als ein Polygon nach der Windungszahl.</translation>
+    </message>
+    <message>
+        <source>Takes a line as the rectangle one pixel wide, a curve as a strip of quadrilaterals, and blends it by the area that it has of each pixel, equally bright in every direction, or by 4 or 16 samples, as the scene&apos;s antialiasing asks. Where it asks for none, one sample decides a pixel: stairs.</source>
+        <translation>Nimmt eine Linie als das Rechteck von einem Pixel Breite, eine Kurve als Streifen von Vierecken, und mischt sie nach der Fläche, die sie von jedem Pixel hat, in jeder Richtung gleich hell, oder nach 4 oder 16 Abtastpunkten, wie das Antialiasing der Szene es verlangt. Verlangt sie keines, entscheidet ein Abtastpunkt über ein Pixel: Treppen.</translation>
+    </message>
+    <message>
+        <source>Writes the colour of each point to the address addr = y·width + x, counted from the frame&apos;s first pixel.</source>
+        <translation>Schreibt die Farbe jedes Punktes an die Adresse addr = y·width + x, vom ersten Pixel des Rahmens an gezählt.</translation>
+    </message>
+    <message>
+        <source>Column scan</source>
+        <translation>Spaltenrasterung</translation>
+    </message>
+    <message>
+        <source>Row edge walking</source>
+        <translation>Kantenlauf zeilenweise</translation>
+    </message>
+    <message>
+        <source>Edge equations</source>
+        <translation>Kantengleichungen</translation>
+    </message>
+    <message>
+        <source>Edge equations, incremental</source>
+        <translation>Kantengleichungen, inkrementell</translation>
+    </message>
+    <message>
+        <source>Edge equations, solved system</source>
+        <translation>Kantengleichungen, gelöstes System</translation>
+    </message>
+    <message>
+        <source>Barycentric, all pixels</source>
+        <translation>Baryzentrisch, alle Pixel</translation>
+    </message>
+    <message>
+        <source>Barycentric, bounding rectangle</source>
+        <translation>Baryzentrisch, umgebendes Rechteck</translation>
+    </message>
+    <message>
+        <source>Barycentric, incremental</source>
+        <translation>Baryzentrisch, inkrementell</translation>
+    </message>
+    <message>
+        <source>Barycentric, Cramer&apos;s rule</source>
+        <translation>Baryzentrisch, Cramersche Regel</translation>
+    </message>
+    <message>
+        <source>Barycentric, off-screen point</source>
+        <translation>Baryzentrisch, Punkt außerhalb</translation>
+    </message>
+    <message>
+        <source>Midpoint outline, filled</source>
+        <translation>Umriss mit Mittelpunktverfahren, gefüllt</translation>
+    </message>
+    <message>
+        <source>Column scan, half-quantum bias</source>
+        <translation>Spaltenrasterung, um ein halbes Quant versetzt</translation>
+    </message>
+    <message>
+        <source>Column scan, constant ΔR</source>
+        <translation>Spaltenrasterung, konstantes ΔR</translation>
+    </message>
+    <message>
+        <source>Row edge walking, constant ΔR</source>
+        <translation>Kantenlauf zeilenweise, konstantes ΔR</translation>
+    </message>
+    <message>
+        <source>Edge equations, canonical end</source>
+        <translation>Kantengleichungen, kanonisches Ende</translation>
+    </message>
+    <message>
+        <source>Barycentric, relative</source>
+        <translation>Baryzentrisch, relativ</translation>
+    </message>
+    <message>
+        <source>Bilinear interpolation</source>
+        <translation>Bilineare Interpolation</translation>
+    </message>
+    <message>
+        <source>Bilinear interpolation by rows</source>
+        <translation>Bilineare Interpolation nach Zeilen</translation>
+    </message>
+    <message>
+        <source>Plane equation</source>
+        <translation>Ebenengleichung</translation>
+    </message>
+    <message>
+        <source>Barycentric interpolation</source>
+        <translation>Baryzentrische Interpolation</translation>
+    </message>
+    <message>
+        <source>Line: DDA</source>
+        <translation>Linie: DDA</translation>
+    </message>
+    <message>
+        <source>Line: y = m·x + b</source>
+        <translation>Linie: y = m·x + b</translation>
+    </message>
+    <message>
+        <source>Line: P(t)</source>
+        <translation>Linie: P(t)</translation>
+    </message>
+    <message>
+        <source>Line: Bresenham</source>
+        <translation>Linie: Bresenham</translation>
+    </message>
+    <message>
+        <source>Line: Bresenham, sub-pixel ends</source>
+        <translation>Linie: Bresenham, Enden zwischen Pixeln</translation>
+    </message>
+    <message>
+        <source>Circle: midpoint</source>
+        <translation>Kreis: Mittelpunktverfahren</translation>
+    </message>
+    <message>
+        <source>Circle: y = ±√(r² − x²)</source>
+        <translation>Kreis: y = ±√(r² − x²)</translation>
+    </message>
+    <message>
+        <source>Circle: (r cos θ, r sin θ)</source>
+        <translation>Kreis: (r cos θ, r sin θ)</translation>
+    </message>
+    <message>
+        <source>Circle: filled by spans</source>
+        <translation>Kreis: in Zeilen gefüllt</translation>
+    </message>
+    <message>
+        <source>Bézier: subdivision</source>
+        <translation>Bézier: Unterteilung</translation>
+    </message>
+    <message>
+        <source>Bézier path: filled</source>
+        <translation>Bézierpfad: gefüllt</translation>
+    </message>
+    <message>
+        <source>Line or curve: one pixel wide</source>
+        <translation>Linie oder Kurve: ein Pixel breit</translation>
+    </message>
+    <message>
+        <source>Polygon by parity</source>
+        <translation>Polygon nach Parität</translation>
+    </message>
+    <message>
+        <source>Convex polygon as a fan</source>
+        <translation>Konvexes Polygon als Fächer</translation>
+    </message>
+    <message>
+        <source>Polygon by Delaunay triangulation</source>
+        <translation>Polygon mit Delaunay-Triangulierung</translation>
+    </message>
+    <message>
+        <source>Polygon by tessellation</source>
+        <translation>Polygon mit Tessellation</translation>
+    </message>
+    <message>
+        <source>Polygon outline</source>
+        <translation>Polygonumriss</translation>
+    </message>
+    <message>
+        <source>Points by address</source>
+        <translation>Punkte nach Adresse</translation>
+    </message>
+    <message>
+        <source>Text as outlines</source>
+        <translation>Text als Umrisse</translation>
+    </message>
+    <message>
+        <source>first half</source>
+        <translation>erste Hälfte</translation>
+    </message>
+    <message>
+        <source>second half</source>
+        <translation>zweite Hälfte</translation>
+    </message>
+    <message>
+        <source>first trapezoid</source>
+        <translation>erstes Trapez</translation>
+    </message>
+    <message>
+        <source>second trapezoid</source>
+        <translation>zweites Trapez</translation>
+    </message>
+</context>
+<context>
     <name>main</name>
     <message>
         <source>Colours: light, dark or system.</source>
@@ -562,749 +1521,6 @@
     <message>
         <source>Pixel (%1, %2): all agree.</source>
         <translation>Pixel (%1, %2): Alle stimmen überein.</translation>
-    </message>
-</context>
-<context>
-    <name>pixelplumb::CoreWords</name>
-    <message>
-        <source>triangle</source>
-        <translation>Dreieck</translation>
-    </message>
-    <message>
-        <source>point</source>
-        <translation>Punkt</translation>
-    </message>
-    <message>
-        <source>line</source>
-        <translation>Linie</translation>
-    </message>
-    <message>
-        <source>circle</source>
-        <translation>Kreis</translation>
-    </message>
-    <message>
-        <source>ellipse</source>
-        <translation>Ellipse</translation>
-    </message>
-    <message>
-        <source>bezier</source>
-        <translation>Bézierkurve</translation>
-    </message>
-    <message>
-        <source>polygon</source>
-        <translation>Polygon</translation>
-    </message>
-    <message>
-        <source>text</source>
-        <translation>Text</translation>
-    </message>
-    <message>
-        <source>triangle3</source>
-        <translation>3D-Dreieck</translation>
-    </message>
-    <message>
-        <source>polygon3</source>
-        <translation>3D-Polygon</translation>
-    </message>
-    <message>
-        <source>plane</source>
-        <translation>Ebene</translation>
-    </message>
-    <message>
-        <source>sphere</source>
-        <translation>Kugel</translation>
-    </message>
-    <message>
-        <source>patch</source>
-        <translation>Flächenstück</translation>
-    </message>
-    <message>
-        <source>mesh</source>
-        <translation>Netz</translation>
-    </message>
-    <message>
-        <source>Column %1</source>
-        <translation>Spalte %1</translation>
-    </message>
-    <message>
-        <source>Column %1, first half</source>
-        <translation>Spalte %1, erste Hälfte</translation>
-    </message>
-    <message>
-        <source>Column %1, second half</source>
-        <translation>Spalte %1, zweite Hälfte</translation>
-    </message>
-    <message>
-        <source>Column %1, part %2</source>
-        <translation>Spalte %1, Teil %2</translation>
-    </message>
-    <message>
-        <source>Row %1</source>
-        <translation>Zeile %1</translation>
-    </message>
-    <message>
-        <source>Row %1, first trapezoid</source>
-        <translation>Zeile %1, erstes Trapez</translation>
-    </message>
-    <message>
-        <source>Row %1, second trapezoid</source>
-        <translation>Zeile %1, zweites Trapez</translation>
-    </message>
-    <message>
-        <source>Row %1, part %2</source>
-        <translation>Zeile %1, Teil %2</translation>
-    </message>
-    <message>
-        <source>Row %1, triangle %2</source>
-        <translation>Zeile %1, Dreieck %2</translation>
-    </message>
-    <message>
-        <source>Step %1</source>
-        <translation>Schritt %1</translation>
-    </message>
-    <message>
-        <source>Step %1, part %2</source>
-        <translation>Schritt %1, Teil %2</translation>
-    </message>
-    <message>
-        <source>Step %1, edge %2</source>
-        <translation>Schritt %1, Kante %2</translation>
-    </message>
-    <message>
-        <source>column %1</source>
-        <translation>Spalte %1</translation>
-    </message>
-    <message>
-        <source>column %1, first half</source>
-        <translation>Spalte %1, erste Hälfte</translation>
-    </message>
-    <message>
-        <source>column %1, second half</source>
-        <translation>Spalte %1, zweite Hälfte</translation>
-    </message>
-    <message>
-        <source>column %1, part %2</source>
-        <translation>Spalte %1, Teil %2</translation>
-    </message>
-    <message>
-        <source>row %1</source>
-        <translation>Zeile %1</translation>
-    </message>
-    <message>
-        <source>row %1, first trapezoid</source>
-        <translation>Zeile %1, erstes Trapez</translation>
-    </message>
-    <message>
-        <source>row %1, second trapezoid</source>
-        <translation>Zeile %1, zweites Trapez</translation>
-    </message>
-    <message>
-        <source>row %1, part %2</source>
-        <translation>Zeile %1, Teil %2</translation>
-    </message>
-    <message>
-        <source>row %1, triangle %2</source>
-        <translation>Zeile %1, Dreieck %2</translation>
-    </message>
-    <message>
-        <source>step %1</source>
-        <translation>Schritt %1</translation>
-    </message>
-    <message>
-        <source>step %1, part %2</source>
-        <translation>Schritt %1, Teil %2</translation>
-    </message>
-    <message>
-        <source>step %1, edge %2</source>
-        <translation>Schritt %1, Kante %2</translation>
-    </message>
-    <message>
-        <source>part %1</source>
-        <translation>Teil %1</translation>
-    </message>
-    <message>
-        <source>edge %1</source>
-        <translation>Kante %1</translation>
-    </message>
-    <message>
-        <source>triangle %1</source>
-        <translation>Dreieck %1</translation>
-    </message>
-    <message>
-        <source>same</source>
-        <translation>gleich</translation>
-    </message>
-    <message>
-        <source>missing</source>
-        <translation>fehlt</translation>
-    </message>
-    <message>
-        <source>extra</source>
-        <translation>überzählig</translation>
-    </message>
-    <message>
-        <source>colour</source>
-        <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>undecidable</source>
-        <translation>unentscheidbar</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>richtig</translation>
-    </message>
-    <message>
-        <source>wrong</source>
-        <translation>falsch</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>nichts</translation>
-    </message>
-    <message>
-        <source>smooth colour</source>
-        <translation>Farbverlauf</translation>
-    </message>
-    <message>
-        <source>clipping</source>
-        <translation>Clipping</translation>
-    </message>
-    <message>
-        <source>depth</source>
-        <translation>Tiefe</translation>
-    </message>
-    <message>
-        <source>perspective</source>
-        <translation>Perspektive</translation>
-    </message>
-    <message>
-        <source>texture</source>
-        <translation>Textur</translation>
-    </message>
-    <message>
-        <source>light</source>
-        <translation>Licht</translation>
-    </message>
-    <message>
-        <source>blending</source>
-        <translation>Überblendung</translation>
-    </message>
-    <message>
-        <source>antialiasing</source>
-        <translation>Kantenglättung</translation>
-    </message>
-    <message>
-        <source>called for</source>
-        <translation>gefordert</translation>
-    </message>
-    <message>
-        <source>not called for</source>
-        <translation>nicht gefordert</translation>
-    </message>
-    <message>
-        <source>not ruled out</source>
-        <translation>nicht ausgeschlossen</translation>
-    </message>
-    <message>
-        <source>tie rule</source>
-        <translation>Grenzfallregel</translation>
-    </message>
-    <message>
-        <source>kind not drawn</source>
-        <translation>Art nicht gezeichnet</translation>
-    </message>
-    <message>
-        <source>rounding</source>
-        <translation>Rundung</translation>
-    </message>
-    <message>
-        <source>drift</source>
-        <translation>Drift</translation>
-    </message>
-    <message>
-        <source>precision</source>
-        <translation>Genauigkeit</translation>
-    </message>
-    <message>
-        <source>method</source>
-        <translation>Verfahren</translation>
-    </message>
-    <message>
-        <source>not recorded</source>
-        <translation>nicht aufgezeichnet</translation>
-    </message>
-    <message>
-        <source>Triangles</source>
-        <translation>Dreiecke</translation>
-    </message>
-    <message>
-        <source>Triangles, stable forms</source>
-        <translation>Dreiecke, stabile Formen</translation>
-    </message>
-    <message>
-        <source>Interpolation</source>
-        <translation>Interpolation</translation>
-    </message>
-    <message>
-        <source>Lines</source>
-        <translation>Linien</translation>
-    </message>
-    <message>
-        <source>Curves</source>
-        <translation>Kurven</translation>
-    </message>
-    <message>
-        <source>Polygons</source>
-        <translation>Polygone</translation>
-    </message>
-    <message>
-        <source>Points and text</source>
-        <translation>Punkte und Text</translation>
-    </message>
-    <message>
-        <source>Vertices and edges</source>
-        <translation>Eckpunkte und Kanten</translation>
-    </message>
-    <message>
-        <source>Bounding box</source>
-        <translation>Umschließendes Rechteck</translation>
-    </message>
-    <message>
-        <source>Half-planes and normals</source>
-        <translation>Halbebenen und Normalen</translation>
-    </message>
-    <message>
-        <source>Half-plane of E₀</source>
-        <translation>Halbebene von E₀</translation>
-    </message>
-    <message>
-        <source>Half-plane of E₁</source>
-        <translation>Halbebene von E₁</translation>
-    </message>
-    <message>
-        <source>Half-plane of E₂</source>
-        <translation>Halbebene von E₂</translation>
-    </message>
-    <message>
-        <source>Weights in the cells</source>
-        <translation>Gewichte in den Zellen</translation>
-    </message>
-    <message>
-        <source>R G B in the cells</source>
-        <translation>R G B in den Zellen</translation>
-    </message>
-    <message>
-        <source>Barycentric axes and points</source>
-        <translation>Baryzentrische Achsen und Punkte</translation>
-    </message>
-    <message>
-        <source>Affine map: weights stay</source>
-        <translation>Affine Abbildung: Gewichte bleiben</translation>
-    </message>
-    <message>
-        <source>Contour lines of R</source>
-        <translation>Höhenlinien von R</translation>
-    </message>
-    <message>
-        <source>Contour lines of G</source>
-        <translation>Höhenlinien von G</translation>
-    </message>
-    <message>
-        <source>Contour lines of B</source>
-        <translation>Höhenlinien von B</translation>
-    </message>
-    <message>
-        <source>Triangles of a polygon</source>
-        <translation>Dreiecke eines Polygons</translation>
-    </message>
-    <message>
-        <source>Edge table</source>
-        <translation>Kantentabelle</translation>
-    </message>
-    <message>
-        <source>Decision of the step</source>
-        <translation>Entscheidung des Schritts</translation>
-    </message>
-    <message>
-        <source>Brightness by direction</source>
-        <translation>Helligkeit nach Richtung</translation>
-    </message>
-    <message>
-        <source>Sampling points</source>
-        <translation>Abtastpunkte</translation>
-    </message>
-    <message>
-        <source>Addresses in memory</source>
-        <translation>Adressen im Speicher</translation>
-    </message>
-    <message>
-        <source>reading</source>
-        <translation>Lesen</translation>
-    </message>
-    <message>
-        <source>projecting</source>
-        <translation>Projizieren</translation>
-    </message>
-    <message>
-        <source>drawing</source>
-        <translation>Zeichnen</translation>
-    </message>
-    <message>
-        <source>recording</source>
-        <translation>Aufzeichnen</translation>
-    </message>
-    <message>
-        <source>recording in exact numbers</source>
-        <translation>Aufzeichnen in exakten Zahlen</translation>
-    </message>
-    <message>
-        <source>judging</source>
-        <translation>Beurteilen</translation>
-    </message>
-    <message>
-        <source>explaining</source>
-        <translation>Erklären</translation>
-    </message>
-    <message>
-        <source>measuring</source>
-        <translation>Messen</translation>
-    </message>
-    <message>
-        <source>writing</source>
-        <translation>Schreiben</translation>
-    </message>
-    <message>
-        <source>checking</source>
-        <translation>Prüfen</translation>
-    </message>
-    <message>
-        <source>divisions</source>
-        <translation>Divisionen</translation>
-    </message>
-    <message>
-        <source>roundings</source>
-        <translation>Rundungen</translation>
-    </message>
-    <message>
-        <source>float additions</source>
-        <translation>Gleitkomma-Additionen</translation>
-    </message>
-    <message>
-        <source>integer additions</source>
-        <translation>ganzzahlige Additionen</translation>
-    </message>
-    <message>
-        <source>multiplications</source>
-        <translation>Multiplikationen</translation>
-    </message>
-    <message>
-        <source>comparisons</source>
-        <translation>Vergleiche</translation>
-    </message>
-    <message>
-        <source>conversions</source>
-        <translation>Umwandlungen</translation>
-    </message>
-    <message>
-        <source>functions</source>
-        <translation>Funktionen</translation>
-    </message>
-    <message>
-        <source>all</source>
-        <translation>alle</translation>
-    </message>
-    <message>
-        <source>%1 set-up</source>
-        <translation>%1 Vorbereitung</translation>
-    </message>
-    <message>
-        <source>%1 set-ups</source>
-        <translation>%1 Vorbereitungen</translation>
-    </message>
-    <message>
-        <source>%1 span</source>
-        <translation>%1 Spanne</translation>
-    </message>
-    <message>
-        <source>%1 spans</source>
-        <translation>%1 Spannen</translation>
-    </message>
-    <message>
-        <source>%1 pixel</source>
-        <translation>%1 Pixel</translation>
-    </message>
-    <message>
-        <source>%1 pixels</source>
-        <translation>%1 Pixel</translation>
-    </message>
-    <message>
-        <source>%1 sample refused</source>
-        <translation>%1 Abtastpunkt abgewiesen</translation>
-    </message>
-    <message>
-        <source>%1 samples refused</source>
-        <translation>%1 Abtastpunkte abgewiesen</translation>
-    </message>
-    <message>
-        <source>%1 operation</source>
-        <translation>%1 Operation</translation>
-    </message>
-    <message>
-        <source>%1 operations</source>
-        <translation>%1 Operationen</translation>
-    </message>
-    <message>
-        <source>%1 of %2 edges looked at</source>
-        <translation>%1 von %2 Kanten angesehen</translation>
-    </message>
-    <message>
-        <source>wrong pixels</source>
-        <translation>falsche Pixel</translation>
-    </message>
-    <message>
-        <source>wrong coverage</source>
-        <translation>falsche Überdeckung</translation>
-    </message>
-    <message>
-        <source>wrong colours</source>
-        <translation>falsche Farben</translation>
-    </message>
-    <message>
-        <source>largest error of a byte</source>
-        <translation>größter Fehler eines Bytes</translation>
-    </message>
-    <message>
-        <source>largest error before rounding</source>
-        <translation>größter Fehler vor dem Runden</translation>
-    </message>
-    <message>
-        <source>RMS error before rounding</source>
-        <translation>mittlerer quadratischer Fehler vor dem Runden</translation>
-    </message>
-    <message>
-        <source>farthest missed sample</source>
-        <translation>fernster verfehlter Abtastpunkt</translation>
-    </message>
-    <message>
-        <source>levels</source>
-        <translation>Stufen</translation>
-    </message>
-    <message>
-        <source>Random, whole pixels</source>
-        <translation>Zufällig, ganze Pixel</translation>
-    </message>
-    <message>
-        <source>Random, %1/%2 px</source>
-        <translation>Zufällig, %1/%2 px</translation>
-    </message>
-    <message>
-        <source>Slivers</source>
-        <translation>Splitter</translation>
-    </message>
-    <message>
-        <source>Ties</source>
-        <translation>Grenzfälle</translation>
-    </message>
-    <message>
-        <source>Far from the origin</source>
-        <translation>Fern vom Ursprung</translation>
-    </message>
-    <message>
-        <source>Small triangles</source>
-        <translation>Kleine Dreiecke</translation>
-    </message>
-    <message>
-        <source>Large triangles</source>
-        <translation>Große Dreiecke</translation>
-    </message>
-    <message>
-        <source>Mesh</source>
-        <translation>Netz</translation>
-    </message>
-    <message>
-        <source>Own scene</source>
-        <translation>Eigene Szene</translation>
-    </message>
-    <message>
-        <source>Hard cases</source>
-        <translation>Schwierige Fälle</translation>
-    </message>
-    <message>
-        <source>area</source>
-        <translation>Fläche</translation>
-    </message>
-    <message>
-        <source>triangles</source>
-        <translation>Dreiecke</translation>
-    </message>
-    <message>
-        <source>exact</source>
-        <translation>exakt</translation>
-    </message>
-    <message>
-        <source>at most one level</source>
-        <translation>höchstens eine Stufe</translation>
-    </message>
-    <message>
-        <source>at most %1 wrong pixels per million</source>
-        <translation>höchstens %1 falsche Pixel von einer Million</translation>
-    </message>
-    <message>
-        <source>%1 ms a frame</source>
-        <translation>%1 ms je Bild</translation>
-    </message>
-    <message>
-        <source>plain kernel %1 ns a pixel</source>
-        <translation>einfach %1 ns je Pixel</translation>
-    </message>
-    <message>
-        <source>The time is that of the plain kernel, the one that is stepped through, on one thread:</source>
-        <translation>Die Zeit ist die des einfachen Kerns, den die Schritte durchgehen, auf einem Thread:</translation>
-    </message>
-    <message>
-        <source>median of %1 rounds %2 ns a pixel, the middle half %3 … %4, over %5 px of triangles, each as often as it is written.</source>
-        <translation>Median von %1 Runden %2 ns je Pixel, mittlere Hälfte %3 … %4, über %5 px von Dreiecken, jedes so oft gezählt, wie es geschrieben wird.</translation>
-    </message>
-    <message>
-        <source>waiting</source>
-        <translation>wartet</translation>
-    </message>
-    <message>
-        <source>about %1 s</source>
-        <translation>etwa %1 s</translation>
-    </message>
-    <message>
-        <source>about %1 min</source>
-        <translation>etwa %1 min</translation>
-    </message>
-    <message>
-        <source>%1 %, about %2 s left</source>
-        <translation>%1 %, noch etwa %2 s</translation>
-    </message>
-    <message>
-        <source>%1 %, about %2 min left</source>
-        <translation>%1 %, noch etwa %2 min</translation>
-    </message>
-    <message>
-        <source>Triangle %1</source>
-        <translation>Dreieck %1</translation>
-    </message>
-    <message>
-        <source>Point %1</source>
-        <translation>Punkt %1</translation>
-    </message>
-    <message>
-        <source>Line %1</source>
-        <translation>Linie %1</translation>
-    </message>
-    <message>
-        <source>Circle %1</source>
-        <translation>Kreis %1</translation>
-    </message>
-    <message>
-        <source>Ellipse %1</source>
-        <translation>Ellipse %1</translation>
-    </message>
-    <message>
-        <source>Bezier %1</source>
-        <translation>Bézierkurve %1</translation>
-    </message>
-    <message>
-        <source>Polygon %1</source>
-        <translation>Polygon %1</translation>
-    </message>
-    <message>
-        <source>Text %1</source>
-        <translation>Text %1</translation>
-    </message>
-    <message>
-        <source>set-up</source>
-        <translation>Vorbereitung</translation>
-    </message>
-    <message>
-        <source>Pixel (%1, %2)</source>
-        <translation>Pixel (%1, %2)</translation>
-    </message>
-    <message>
-        <source>Sample (%1, %2), refused</source>
-        <translation>Abtastpunkt (%1, %2), abgewiesen</translation>
-    </message>
-    <message>
-        <source>is not seen: the camera&apos;s eye is at its target, or up is where it looks</source>
-        <translation>wird nicht gesehen: Das Auge der Kamera ist an ihrem Ziel, oder oben ist, wohin sie blickt</translation>
-    </message>
-    <message>
-        <source>has no part beyond the near plane</source>
-        <translation>hat keinen Teil hinter der vorderen Ebene</translation>
-    </message>
-    <message>
-        <source>has a corner that the camera takes nowhere</source>
-        <translation>hat eine Ecke, die die Kamera nirgendwohin bringt</translation>
-    </message>
-    <message>
-        <source>has a corner beyond ±%1^%2 px</source>
-        <translation>hat eine Ecke jenseits von ±%1^%2 px</translation>
-    </message>
-    <message>
-        <source>has a corner with a number beyond ±%1^%2</source>
-        <translation>hat eine Ecke mit einer Zahl jenseits von ±%1^%2</translation>
-    </message>
-    <message>
-        <source>agreed</source>
-        <translation>einig</translation>
-    </message>
-    <message>
-        <source>Column %1, edge %2</source>
-        <translation>Spalte %1, Kante %2</translation>
-    </message>
-    <message>
-        <source>Column %1, triangle %2</source>
-        <translation>Spalte %1, Dreieck %2</translation>
-    </message>
-    <message>
-        <source>Row %1, edge %2</source>
-        <translation>Zeile %1, Kante %2</translation>
-    </message>
-    <message>
-        <source>Step %1, triangle %2</source>
-        <translation>Schritt %1, Dreieck %2</translation>
-    </message>
-    <message>
-        <source>column %1, edge %2</source>
-        <translation>Spalte %1, Kante %2</translation>
-    </message>
-    <message>
-        <source>column %1, triangle %2</source>
-        <translation>Spalte %1, Dreieck %2</translation>
-    </message>
-    <message>
-        <source>row %1, edge %2</source>
-        <translation>Zeile %1, Kante %2</translation>
-    </message>
-    <message>
-        <source>step %1, triangle %2</source>
-        <translation>Schritt %1, Dreieck %2</translation>
-    </message>
-    <message>
-        <source>right in coverage</source>
-        <translation>richtig in der Abdeckung</translation>
-    </message>
-    <message>
-        <source>undecidable in coverage</source>
-        <translation>unentscheidbar in der Abdeckung</translation>
-    </message>
-    <message>
-        <source>cannot be graded</source>
-        <translation>nicht zu bewerten</translation>
-    </message>
-    <message>
-        <source>Piece %1</source>
-        <translation>Stück %1</translation>
-    </message>
-    <message>
-        <source>piece %1</source>
-        <translation>Stück %1</translation>
     </message>
 </context>
 <context>
@@ -3807,324 +4023,6 @@
     <message>
         <source>With the variant</source>
         <translation>Mit der Variante</translation>
-    </message>
-</context>
-<context>
-    <name>pixelplumb::MethodSummary</name>
-    <message>
-        <source>Walks the columns between two edges and colours the samples from y_B to y_T that the fill rule takes, all by adding increments.</source>
-        <translation>Geht durch die Spalten zwischen zwei Kanten und färbt die Abtastpunkte von y_B bis y_T, die die Füllregel nimmt, alles durch Addieren von Zuwächsen.</translation>
-    </message>
-    <message>
-        <source>Walks the rows between two edges, the largest y first, switches in the third edge at the middle vertex, and colours the samples from x_L to x_R that the fill rule takes, trapezoid by trapezoid, all by adding increments.</source>
-        <translation>Geht zwischen zwei Kanten durch die Zeilen, das größte y zuerst, wechselt am mittleren Eckpunkt auf die dritte Kante und färbt die Abtastpunkte von x_L bis x_R, die die Füllregel nimmt, ein Trapez nach dem anderen, alles durch Addieren von Zuwächsen.</translation>
-    </message>
-    <message>
-        <source>Evaluates E = a·x + b·y + c of the three edges at every sample of the clipped bounding box, with the sides flipped to be positive inside; where the slide draws E &gt; 0 alone, E = 0 is left to the fill rule.</source>
-        <translation>Wertet E = a·x + b·y + c der drei Kanten an jedem Abtastpunkt des beschnittenen umschließenden Rechtecks aus, die Seiten so gedreht, dass sie innen positiv sind; wo die Folie nur bei E &gt; 0 zeichnet, entscheidet über E = 0 die Füllregel.</translation>
-    </message>
-    <message>
-        <source>Adds a to each edge function along a row and b from row to row, so that a sample costs three additions and rounding errors add up.</source>
-        <translation>Addiert in einer Zeile a zu jeder Kantenfunktion und von Zeile zu Zeile b: Ein Abtastpunkt kostet drei Additionen, und Rundungsfehler summieren sich.</translation>
-    </message>
-    <message>
-        <source>Solves A and B of each edge from its two points with C = −1 chosen; an edge whose line passes through (0, 0) has no such solution and gets C = 0.</source>
-        <translation>Berechnet A und B jeder Kante aus ihren zwei Punkten mit gewähltem C = −1; eine Kante, deren Gerade durch (0, 0) geht, hat keine solche Lösung und bekommt C = 0.</translation>
-    </message>
-    <message>
-        <source>Computes α, β and γ for every pixel of the frame and draws it if all three lie within [0, 1]; a sample on an edge is left to the fill rule.</source>
-        <translation>Berechnet α, β und γ für jedes Pixel der Bildfläche und zeichnet es, wenn alle drei in [0, 1] liegen; ein Abtastpunkt auf einer Kante bleibt der Füllregel überlassen.</translation>
-    </message>
-    <message>
-        <source>The same for the samples between the smallest and the largest x and y of the vertices alone.</source>
-        <translation>Dasselbe nur für die Abtastpunkte zwischen dem kleinsten und dem größten x und y der Eckpunkte.</translation>
-    </message>
-    <message>
-        <source>Adds to the weights and to the colour from sample to sample, and tests them against 0 alone.</source>
-        <translation>Addiert von Abtastpunkt zu Abtastpunkt zu den Gewichten und zur Farbe und prüft die Gewichte nur gegen 0.</translation>
-    </message>
-    <message>
-        <source>Solves P = C + u·(A − C) + v·(B − C) by determinants and draws if u ≥ 0, v ≥ 0 and u + v ≤ 1; a sample on an edge is left to the fill rule.</source>
-        <translation>Löst P = C + u·(A − C) + v·(B − C) mit Determinanten und zeichnet, wenn u ≥ 0, v ≥ 0 und u + v ≤ 1; ein Abtastpunkt auf einer Kante bleibt der Füllregel überlassen.</translation>
-    </message>
-    <message>
-        <source>Gives a sample exactly on an edge to the triangle on the side of the off-screen point r: f_bc(a)·f_bc(r) &gt; 0; an edge whose line passes through r is given to neither side.</source>
-        <translation>Gibt einen Abtastpunkt genau auf einer Kante dem Dreieck auf der Seite des Punktes r außerhalb des Bildes: f_bc(a)·f_bc(r) &gt; 0; eine Kante, deren Gerade durch r geht, bekommt keine der beiden Seiten.</translation>
-    </message>
-    <message>
-        <source>Draws the three edges as lines of whole pixels and fills each column from the smallest to the largest y of them: pixels nearest to an edge are painted on whichever side of it they lie, those of a shared edge twice.</source>
-        <translation>Zeichnet die drei Kanten als Linien aus ganzen Pixeln und füllt jede Spalte vom kleinsten bis zum größten y davon: Die Pixel nächst einer Kante werden gemalt, auf welcher Seite auch immer sie liegen, die einer gemeinsamen Kante zweimal.</translation>
-    </message>
-    <message>
-        <source>Computes y₀ + (x − x₀)·m and the plane&apos;s colours in float64 and moves them by half the distance between their possible values before rounding: no wrong pixel, proved for triangles in boxes of up to 2^24 px², such as 4096 × 4096; beyond, integers take over and the set-up says so.</source>
-        <translation>Berechnet y₀ + (x − x₀)·m und die Farben der Ebene in float64 und verschiebt sie vor dem Runden um den halben Abstand ihrer möglichen Werte: kein falsches Pixel, bewiesen für Dreiecke in Rechtecken bis 2^24 px², etwa 4096 × 4096; darüber übernehmen ganze Zahlen, und die Vorbereitung sagt es.</translation>
-    </message>
-    <message>
-        <source>The assignment&apos;s increments with ΔR computed once from the plane through the three vertices, so that slivers cannot blow it up.</source>
-        <translation>Die Zuwächse der Aufgabe, aber ΔR einmal aus der Ebene durch die drei Eckpunkte berechnet, so dass schmale Dreiecke es nicht aufblähen.</translation>
-    </message>
-    <message>
-        <source>Walks the rows between two edges, the largest y first, with ΔR computed once from the plane through the three vertices, so that short rows cannot blow it up.</source>
-        <translation>Geht zwischen zwei Kanten durch die Zeilen, das größte y zuerst, mit ΔR einmal aus der Ebene durch die drei Eckpunkte berechnet, so dass kurze Zeilen es nicht aufblähen.</translation>
-    </message>
-    <message>
-        <source>Evaluates every edge from its end point that is smaller in (x, y) order and flips the sign, so that the two triangles of a shared edge see the same number in any arithmetic; in exact arithmetic all are integers.</source>
-        <translation>Wertet jede Kante von ihrem in der Ordnung (x, y) kleineren Endpunkt aus und dreht das Vorzeichen, so dass die zwei Dreiecke einer gemeinsamen Kante in jeder Arithmetik dieselbe Zahl sehen; in exakter Arithmetik sind alle ganz.</translation>
-    </message>
-    <message>
-        <source>Evaluates each edge function from one of its vertices, so that the products stay small far from the origin; in float64 they are exact up to 2^15 px.</source>
-        <translation>Wertet jede Kantenfunktion von einem ihrer Eckpunkte aus, so dass die Produkte auch fern vom Ursprung klein bleiben; in float64 sind sie bis 2^15 px exakt.</translation>
-    </message>
-    <message>
-        <source>Interpolates along both edges and then along the column, each by adding a rate; what is covered is exact.</source>
-        <translation>Interpoliert entlang beider Kanten und dann entlang der Spalte, beides durch Addieren einer Rate; die Überdeckung ist exakt.</translation>
-    </message>
-    <message>
-        <source>Interpolates along the left and the right edge and then along the row, each by adding a rate; what is covered is exact.</source>
-        <translation>Interpoliert entlang der linken und der rechten Kante und dann entlang der Zeile, beides durch Addieren einer Rate; die Überdeckung ist exakt.</translation>
-    </message>
-    <message>
-        <source>Evaluates v = a·x + b·y + c of the plane through the three values at each sample; what is covered is exact.</source>
-        <translation>Wertet v = a·x + b·y + c der Ebene durch die drei Werte an jedem Abtastpunkt aus; die Überdeckung ist exakt.</translation>
-    </message>
-    <message>
-        <source>Weights the three vertices&apos; values with α, β and γ at each sample; what is covered is exact.</source>
-        <translation>Gewichtet an jedem Abtastpunkt die Werte der drei Eckpunkte mit α, β und γ; die Überdeckung ist exakt.</translation>
-    </message>
-    <message>
-        <source>Walks along the longer side and adds the slope at each step; the pixel is the nearest one.</source>
-        <translation>Geht die längere Seite entlang und addiert bei jedem Schritt die Steigung; gezeichnet wird das nächste Pixel.</translation>
-    </message>
-    <message>
-        <source>Computes y = m·x + b for each column and rounds it by (int)(y + ½): steep lines have gaps, vertical ones no m.</source>
-        <translation>Berechnet y = m·x + b für jede Spalte und rundet mit (int)(y + ½): Steile Linien haben Lücken, senkrechte kein m.</translation>
-    </message>
-    <message>
-        <source>Computes P(t) = P₀ + t·(P₁ − P₀) for t in steps of one pixel of the longer side, or less, and writes the pixel nearest to each point.</source>
-        <translation>Berechnet P(t) = P₀ + t·(P₁ − P₀) für t in Schritten von einem Pixel der längeren Seite oder weniger und schreibt das Pixel, das jedem Punkt am nächsten ist.</translation>
-    </message>
-    <message>
-        <source>Steps from the end of smaller x (of a steep line, of smaller y) by the sign of an integer; p_k &lt; 0 stays, so that a tie steps across.</source>
-        <translation>Geht vom Ende mit kleinerem x (einer steilen Linie: mit kleinerem y) nach dem Vorzeichen einer ganzen Zahl; p_k &lt; 0 bleibt, so dass ein Grenzfall quer weitergeht.</translation>
-    </message>
-    <message>
-        <source>Bresenham&apos;s decisions from any lattice point to any other, ties to the pixel of larger y or x whether the line rises or falls.</source>
-        <translation>Bresenhams Entscheidungen zwischen beliebigen Gitterpunkten; Grenzfälle gehen zum Pixel mit größerem y oder x, ob die Linie steigt oder fällt.</translation>
-    </message>
-    <message>
-        <source>Steps through an octant by the sign of F at midpoints, a whole number of quarters, and mirrors each pixel into the other seven; of unequal radii through two arcs of a quarter, each into three.</source>
-        <translation>Geht durch einen Oktanten nach dem Vorzeichen von F an Mittelpunkten, einer ganzen Zahl von Vierteln, und spiegelt jedes Pixel in die anderen sieben; bei ungleichen Radien durch zwei Bögen eines Viertels, je in drei.</translation>
-    </message>
-    <message>
-        <source>Computes y = ±√(r² − x²) for each column; there are gaps where the curve is steep.</source>
-        <translation>Berechnet y = ±√(r² − x²) für jede Spalte; wo die Kurve steil ist, bleiben Lücken.</translation>
-    </message>
-    <message>
-        <source>Goes round in steps of one pixel of arc and writes the pixel nearest to each point (r cos θ, r sin θ).</source>
-        <translation>Geht in Schritten von einem Pixel Bogenlänge herum und schreibt das Pixel, das jedem Punkt (r cos θ, r sin θ) am nächsten ist.</translation>
-    </message>
-    <message>
-        <source>On each row, writes the samples between the two places where the row meets the curve.</source>
-        <translation>Schreibt in jeder Zeile die Abtastpunkte zwischen den zwei Stellen, an denen die Zeile die Kurve trifft.</translation>
-    </message>
-    <message>
-        <source>Halves the curve by de Casteljau&apos;s algorithm until each piece has no pixels but those of its two ends, and writes these: thin as a line, the pixels nearer than ½ px by |Δx| + |Δy|.</source>
-        <translation>Halbiert die Kurve nach de Casteljau, bis jedes Stück keine Pixel als die seiner beiden Enden hat, und schreibt diese: dünn wie eine Linie, die Pixel, die näher als ½ px sind, gemessen als |Δx| + |Δy|.</translation>
-    </message>
-    <message>
-        <source>Closes a path of Bézier pieces, takes each as a chain of chords, and fills these by parity or winding number; the truth is that of the curves themselves.</source>
-        <translation>Schließt einen Pfad aus Béziers, nimmt jede als Kette von Sehnen und füllt diese nach Parität oder Windungszahl; die Wahrheit ist die der Kurven selbst.</translation>
-    </message>
-    <message>
-        <source>Intersects each row with the active edges, sorts the crossings in x, and fills by their parity or winding number.</source>
-        <translation>Schneidet jede Zeile mit den aktiven Kanten, ordnet die Schnittpunkte nach x und füllt nach ihrer Parität oder Windungszahl.</translation>
-    </message>
-    <message>
-        <source>Breaks a convex polygon into the triangles that its first vertex makes with its edges, and fills each row by row.</source>
-        <translation>Zerlegt ein konvexes Polygon in die Dreiecke, die sein erster Eckpunkt mit seinen Kanten bildet, und füllt jedes Zeile für Zeile.</translation>
-    </message>
-    <message>
-        <source>Breaks a polygon that does not cross itself into the triangles of its constrained Delaunay triangulation, and fills each row by row.</source>
-        <translation>Zerlegt ein Polygon, das sich nicht selbst schneidet, in die Dreiecke seiner Delaunay-Triangulierung mit erzwungenen Kanten und füllt jedes Zeile für Zeile.</translation>
-    </message>
-    <message>
-        <source>Breaks any polygon into triangles, also one that crosses itself: crossings become vertices, moved to the nearest multiple of 1/256 px, by which a sample beside an edge may change its side.</source>
-        <translation>Zerlegt jedes Polygon in Dreiecke, auch eines, das sich selbst schneidet: Schnittpunkte werden Eckpunkte, verschoben auf das nächste Vielfache von 1/256 px, wodurch ein Abtastpunkt neben einer Kante die Seite wechseln kann.</translation>
-    </message>
-    <message>
-        <source>Draws each edge as a line by Bresenham&apos;s decisions between any two points of the lattice; a pixel in which two edges meet is written by both.</source>
-        <translation>Zeichnet jede Kante als Linie mit Bresenhams Entscheidungen zwischen beliebigen Gitterpunkten; ein Pixel, in dem zwei Kanten zusammentreffen, schreiben beide.</translation>
-    </message>
-    <message>
-        <source>Takes the outlines of the glyphs from a font and fills them as one polygon by winding number.</source>
-        <translation>Nimmt die Umrisse der Zeichen aus einer Schrift und füllt sie als ein Polygon nach der Windungszahl.</translation>
-    </message>
-    <message>
-        <source>Takes a line as the rectangle one pixel wide, a curve as a strip of quadrilaterals, and blends it by the area that it has of each pixel, equally bright in every direction, or by 4 or 16 samples, as the scene&apos;s antialiasing asks. Where it asks for none, one sample decides a pixel: stairs.</source>
-        <translation>Nimmt eine Linie als das Rechteck von einem Pixel Breite, eine Kurve als Streifen von Vierecken, und mischt sie nach der Fläche, die sie von jedem Pixel hat, in jeder Richtung gleich hell, oder nach 4 oder 16 Abtastpunkten, wie das Antialiasing der Szene es verlangt. Verlangt sie keines, entscheidet ein Abtastpunkt über ein Pixel: Treppen.</translation>
-    </message>
-    <message>
-        <source>Writes the colour of each point to the address addr = y·width + x, counted from the frame&apos;s first pixel.</source>
-        <translation>Schreibt die Farbe jedes Punktes an die Adresse addr = y·width + x, vom ersten Pixel des Rahmens an gezählt.</translation>
-    </message>
-</context>
-<context>
-    <name>pixelplumb::MethodTitle</name>
-    <message>
-        <source>Column scan</source>
-        <translation>Spaltenrasterung</translation>
-    </message>
-    <message>
-        <source>Row edge walking</source>
-        <translation>Kantenlauf zeilenweise</translation>
-    </message>
-    <message>
-        <source>Edge equations</source>
-        <translation>Kantengleichungen</translation>
-    </message>
-    <message>
-        <source>Edge equations, incremental</source>
-        <translation>Kantengleichungen, inkrementell</translation>
-    </message>
-    <message>
-        <source>Edge equations, solved system</source>
-        <translation>Kantengleichungen, gelöstes System</translation>
-    </message>
-    <message>
-        <source>Barycentric, all pixels</source>
-        <translation>Baryzentrisch, alle Pixel</translation>
-    </message>
-    <message>
-        <source>Barycentric, bounding rectangle</source>
-        <translation>Baryzentrisch, umgebendes Rechteck</translation>
-    </message>
-    <message>
-        <source>Barycentric, incremental</source>
-        <translation>Baryzentrisch, inkrementell</translation>
-    </message>
-    <message>
-        <source>Barycentric, Cramer&apos;s rule</source>
-        <translation>Baryzentrisch, Cramersche Regel</translation>
-    </message>
-    <message>
-        <source>Barycentric, off-screen point</source>
-        <translation>Baryzentrisch, Punkt außerhalb</translation>
-    </message>
-    <message>
-        <source>Midpoint outline, filled</source>
-        <translation>Umriss mit Mittelpunktverfahren, gefüllt</translation>
-    </message>
-    <message>
-        <source>Column scan, half-quantum bias</source>
-        <translation>Spaltenrasterung, um ein halbes Quant versetzt</translation>
-    </message>
-    <message>
-        <source>Column scan, constant ΔR</source>
-        <translation>Spaltenrasterung, konstantes ΔR</translation>
-    </message>
-    <message>
-        <source>Row edge walking, constant ΔR</source>
-        <translation>Kantenlauf zeilenweise, konstantes ΔR</translation>
-    </message>
-    <message>
-        <source>Edge equations, canonical end</source>
-        <translation>Kantengleichungen, kanonisches Ende</translation>
-    </message>
-    <message>
-        <source>Barycentric, relative</source>
-        <translation>Baryzentrisch, relativ</translation>
-    </message>
-    <message>
-        <source>Bilinear interpolation</source>
-        <translation>Bilineare Interpolation</translation>
-    </message>
-    <message>
-        <source>Bilinear interpolation by rows</source>
-        <translation>Bilineare Interpolation nach Zeilen</translation>
-    </message>
-    <message>
-        <source>Plane equation</source>
-        <translation>Ebenengleichung</translation>
-    </message>
-    <message>
-        <source>Barycentric interpolation</source>
-        <translation>Baryzentrische Interpolation</translation>
-    </message>
-    <message>
-        <source>Line: DDA</source>
-        <translation>Linie: DDA</translation>
-    </message>
-    <message>
-        <source>Line: y = m·x + b</source>
-        <translation>Linie: y = m·x + b</translation>
-    </message>
-    <message>
-        <source>Line: P(t)</source>
-        <translation>Linie: P(t)</translation>
-    </message>
-    <message>
-        <source>Line: Bresenham</source>
-        <translation>Linie: Bresenham</translation>
-    </message>
-    <message>
-        <source>Line: Bresenham, sub-pixel ends</source>
-        <translation>Linie: Bresenham, Enden zwischen Pixeln</translation>
-    </message>
-    <message>
-        <source>Circle: midpoint</source>
-        <translation>Kreis: Mittelpunktverfahren</translation>
-    </message>
-    <message>
-        <source>Circle: y = ±√(r² − x²)</source>
-        <translation>Kreis: y = ±√(r² − x²)</translation>
-    </message>
-    <message>
-        <source>Circle: (r cos θ, r sin θ)</source>
-        <translation>Kreis: (r cos θ, r sin θ)</translation>
-    </message>
-    <message>
-        <source>Circle: filled by spans</source>
-        <translation>Kreis: in Zeilen gefüllt</translation>
-    </message>
-    <message>
-        <source>Bézier: subdivision</source>
-        <translation>Bézier: Unterteilung</translation>
-    </message>
-    <message>
-        <source>Bézier path: filled</source>
-        <translation>Bézierpfad: gefüllt</translation>
-    </message>
-    <message>
-        <source>Line or curve: one pixel wide</source>
-        <translation>Linie oder Kurve: ein Pixel breit</translation>
-    </message>
-    <message>
-        <source>Polygon by parity</source>
-        <translation>Polygon nach Parität</translation>
-    </message>
-    <message>
-        <source>Convex polygon as a fan</source>
-        <translation>Konvexes Polygon als Fächer</translation>
-    </message>
-    <message>
-        <source>Polygon by Delaunay triangulation</source>
-        <translation>Polygon mit Delaunay-Triangulierung</translation>
-    </message>
-    <message>
-        <source>Polygon by tessellation</source>
-        <translation>Polygon mit Tessellation</translation>
-    </message>
-    <message>
-        <source>Polygon outline</source>
-        <translation>Polygonumriss</translation>
-    </message>
-    <message>
-        <source>Points by address</source>
-        <translation>Punkte nach Adresse</translation>
-    </message>
-    <message>
-        <source>Text as outlines</source>
-        <translation>Text als Umrisse</translation>
     </message>
 </context>
 <context>

@@ -3,7 +3,7 @@
 
 #include "core/grade/gradefile.h"
 #include "tests/support/openwindow.h"
-#include "widgets/studies/gradetablemodel.h"
+#include "widgets/studies/gradetable.h"
 
 #include <QImage>
 #include <QTemporaryDir>

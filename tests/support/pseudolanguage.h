@@ -16,7 +16,7 @@ public:
     bool isEmpty() const override { return false; }
     QString translate(const char *context, const char *sourceText, const char *, int) const override
     {
-        if (!QByteArray(context).startsWith("pixelplumb::"))
+        if (QByteArray(context) != "core" && !QByteArray(context).startsWith("pixelplumb::"))
             return {}; // Qt's own, such as the names of keys
         const QString text = QString::fromUtf8(sourceText);
         const QMutexLocker locker(&m_mutex); // background jobs translate too

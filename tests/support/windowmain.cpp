@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/testprogram.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/numberformat.h"
-#include "widgets/look/translation.h"
 
 #include <QApplication>
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/canvas/canvas.h"
 
-#include "widgets/canvas/canvasaccessible.h"
 #include "widgets/canvas/canvasoutlines.h"
 #include "widgets/canvas/imagehandles.h"
+#include "widgets/canvas/pointerreadout.h"
 #include "widgets/dialogs/vertexdialog.h"
 #include "widgets/look/displayoptions.h"
+#include "widgets/look/parts.h"
 #include "widgets/model/effectswitches.h"
 #include "widgets/model/playhead.h"
-#include "widgets/model/scenepreviewer.h"
+#include "widgets/model/scenetracer.h"
 #include "widgets/model/studentpicture.h"
 
 #include <QAccessible>
@@ -36,8 +37,7 @@ Canvas::Canvas(SceneDocument *document, Playhead *playhead, DisplayOptions *opti
     , m_follower(m_view, m_mouse, playhead)
 {
     installCanvasAccessible();
-    setObjectName(QStringLiteral("canvas"));
-    setAccessibleName(tr("Canvas"));
+    named(this, "canvas", tr("Canvas"));
     setAccessibleDescription(tr(
         "The frame with its triangles. A click places a vertex or, with the tool Inspect, picks a "
         "pixel. Arrows move the picked pixel, Enter places a vertex there, "

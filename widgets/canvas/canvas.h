@@ -2,14 +2,12 @@
 #pragma once
 
 #include "widgets/canvas/canvaskeys.h"
-#include "widgets/canvas/canvaslayers.h"
 #include "widgets/canvas/canvasmouse.h"
 #include "widgets/canvas/canvaspainter.h"
 #include "widgets/canvas/canvasscene.h"
 #include "widgets/canvas/canvasview.h"
 #include "widgets/canvas/imagehandles.h"
 #include "widgets/canvas/pointerreadout.h"
-#include "widgets/canvas/viewfollower.h"
 
 #include <QTimer>
 #include <QWidget>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/layers/affineimage.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QPointF>
@@ -10,6 +11,7 @@ namespace pixelplumb {
 class Canvas;
 class CanvasView;
 class Playhead;
+struct CanvasSources;
 
 /// What a press on the canvas begins and a release ends.
 class CanvasGesture {
@@ -136,6 +138,24 @@ public:
 private:
     const CanvasView &m_view;
     Playhead &m_playhead;
+};
+
+/// Moves a corner of the affine map's image; the scene stays as it is.
+class MoveImageCornerGesture final : public MovePointGesture {
+public:
+    MoveImageCornerGesture(const CanvasView &view, const CanvasSources &sources, std::size_t corner,
+                           const QPointF &press);
+    void cancel() override;
+
+protected:
+    void movePoint(const LatticePoint &place) override;
+
+private:
+    const CanvasSources &m_sources;
+    std::size_t m_corner;
+    std::optional<AffineImage> m_before; ///< the requested image
+    AffineImage m_image; ///< at the press
+    int m_drag;
 };
 
 } // namespace pixelplumb

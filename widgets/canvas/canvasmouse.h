@@ -2,6 +2,9 @@
 #pragma once
 
 #include "widgets/canvas/canvasgesture.h"
+#include "widgets/model/scenedocument.h"
+
+#include <QMenu>
 
 #include <memory>
 
@@ -80,6 +83,21 @@ private:
     std::optional<VertexRef> m_pressedVertex;
     std::optional<std::size_t> m_chosenCorner;
     int m_wheelRest = 0; ///< eighths of a degree short of a notch
+};
+
+/// The menu of a vertex.
+class CanvasMenu : public QMenu {
+    Q_OBJECT
+
+public:
+    CanvasMenu(SceneDocument *document, const VertexRef &ref, QWidget *parent = nullptr);
+
+signals:
+    void colourRequested(const pixelplumb::VertexRef &ref);
+    void coordinatesRequested(const pixelplumb::VertexRef &ref);
+
+private:
+    void askForText(SceneDocument *document, const VertexRef &ref);
 };
 
 } // namespace pixelplumb

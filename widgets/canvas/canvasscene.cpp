@@ -5,14 +5,14 @@
 #include "widgets/canvas/canvasoutlines.h"
 #include "widgets/canvas/canvasview.h"
 #include "widgets/canvas/imagehandles.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/displayoptions.h"
-#include "widgets/look/methodtitle.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/model/effectswitches.h"
-#include "widgets/model/frametext.h"
 #include "widgets/model/placinghint.h"
 #include "widgets/model/playhead.h"
-#include "widgets/model/scenepreviewer.h"
+#include "widgets/model/scenetracer.h"
+#include "widgets/model/steptext.h"
 #include "widgets/model/studentpicture.h"
 
 #include <QCoreApplication>

@@ -4,11 +4,19 @@
 #include "widgets/look/viewmapping.h"
 #include "widgets/model/scenedocument.h"
 
+#include <QObject>
+#include <QPoint>
 #include <QRectF>
+
+#include <optional>
 
 class QWidget;
 
 namespace pixelplumb {
+
+class CanvasMouse;
+class Playhead;
+struct TracedScene;
 
 /// Where the frame and its rulers are on the canvas, and at what zoom. A zoom or move is kept until
 /// the whole frame is asked for; from then on the frame fits the widget at any size.
@@ -62,6 +70,33 @@ private:
     QWidget *m_canvas;
     ViewMapping m_mapping;
     Fit m_fit = Fit::Following;
+};
+
+/// Moves the canvas's view when a step, a choice or a run leads to a pixel outside it. The run of
+/// an edited scene does not move the view under the pointer.
+class ViewFollower : public QObject {
+    Q_OBJECT
+
+public:
+    ViewFollower(CanvasView &view, const CanvasMouse &mouse, const Playhead *playhead);
+
+private:
+    /// What a person looks at.
+    struct Moment {
+        const TracedScene *traced = nullptr;
+        std::size_t position = 0;
+        std::optional<QPoint> picked;
+
+        bool operator==(const Moment &) const = default;
+    };
+
+    void follow();
+    std::optional<QPoint> pixelSince(const Moment &before) const;
+
+    CanvasView &m_view;
+    const CanvasMouse &m_mouse;
+    const Playhead *m_playhead;
+    Moment m_moment;
 };
 
 } // namespace pixelplumb

@@ -5,9 +5,11 @@
 #include "core/layers/layer.h"
 #include "widgets/canvas/canvasoutlines.h"
 #include "widgets/canvas/canvasview.h"
-#include "widgets/canvas/imageedit.h"
+#include "widgets/look/displayoptions.h"
 #include "widgets/model/playhead.h"
-#include "widgets/model/scenepreviewer.h"
+#include "widgets/model/scenetracer.h"
+
+#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +26,30 @@ HandleState stateOf(std::size_t corner, const CanvasHand &hand)
 }
 
 } // namespace
+
+ImageEdit::ImageEdit(DisplayOptions &options, const std::optional<AffineImage> &after,
+                     const std::optional<int> &drag)
+    : QUndoCommand(QCoreApplication::translate("pixelplumb::Canvas", "move image"))
+    , m_options(&options)
+    , m_before(options.affineImage())
+    , m_after(after)
+    , m_drag(drag)
+{
+}
+
+void ImageEdit::redo() { m_options->setAffineImage(m_after); }
+
+void ImageEdit::undo() { m_options->setAffineImage(m_before); }
+
+bool ImageEdit::mergeWith(const QUndoCommand *other)
+{
+    const auto &edit = static_cast<const ImageEdit &>(*other); // the ids are equal
+    if (edit.m_drag != m_drag)
+        return false;
+    m_after = edit.m_after;
+    setObsolete(m_after == m_before); // a drag that came back changed nothing
+    return true;
+}
 
 const TracedScene *runInView(const CanvasSources &sources)
 {

@@ -2,7 +2,7 @@
 #include "widgets/canvas/overdrawoverlay.h"
 
 #include "widgets/canvas/canvas.h"
-#include "widgets/canvas/canvaspicture.h"
+#include "widgets/canvas/canvaspainter.h"
 #include "widgets/look/framepainter.h"
 #include "widgets/look/signs.h"
 #include "widgets/model/playhead.h"

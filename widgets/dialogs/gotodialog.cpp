@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/dialogs/gotodialog.h"
 
+#include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/steptext.h"
-#include "widgets/model/typedpixel.h"
 
 #include <QBoxLayout>
 #include <QDialogButtonBox>
@@ -76,11 +76,9 @@ GoToDialog::GoToDialog(Playhead *playhead, QWidget *parent)
     setObjectName(QStringLiteral("goToDialog"));
     setWindowTitle(tr("Go To"));
     const SpanWords words = wordsFor(m_playhead->axis());
-    auto *label = new QLabel(words.title, this);
-    label->setObjectName(QStringLiteral("goToLabel"));
+    auto *label = named(new QLabel(words.title, this), "goToLabel");
     label->setBuddy(m_line);
-    m_line->setObjectName(QStringLiteral("goToLine"));
-    m_line->setAccessibleName(QString(words.title).remove(u'&'));
+    named(m_line, "goToLine", QString(words.title).remove(u'&'));
     m_line->setPlaceholderText(words.example);
     m_line->setMinimumWidth(m_line->fontMetrics().horizontalAdvance(m_line->placeholderText())
                             + 32);
@@ -90,13 +88,7 @@ GoToDialog::GoToDialog(Playhead *playhead, QWidget *parent)
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_line, &QLineEdit::textChanged, this, &GoToDialog::judge);
 
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 16, 16, 16);
-    layout->setSpacing(8);
-    layout->addWidget(label);
-    layout->addWidget(m_line);
-    layout->addWidget(m_verdict);
-    layout->addWidget(m_buttons);
+    withParts(new QVBoxLayout(this), {label, m_line, m_verdict, m_buttons}, 8, 16);
     judge();
 }
 

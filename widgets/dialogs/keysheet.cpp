@@ -3,6 +3,7 @@
 
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/menuaction.h"
+#include "widgets/look/parts.h"
 
 #include <QBoxLayout>
 #include <QDialogButtonBox>
@@ -93,17 +94,11 @@ KeySheet::KeySheet(const QList<QMenu *> &menus, QWidget *parent)
 {
     setObjectName(QStringLiteral("keySheet"));
     setWindowTitle(tr("Keys and mouse"));
-    auto *sheet = new QTextBrowser(this);
-    sheet->setObjectName(QStringLiteral("keySheetText"));
-    sheet->setAccessibleName(tr("Keys and mouse"));
+    auto *sheet = named(new QTextBrowser(this), "keySheetText", tr("Keys and mouse"));
     sheet->setHtml(keySheetHtml(menus));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 16, 16, 16);
-    layout->setSpacing(8);
-    layout->addWidget(sheet);
-    layout->addWidget(buttons);
+    withParts(new QVBoxLayout(this), {sheet, buttons}, 8, 16);
     resize(640, 560); // fits the lowest screen
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/dialogs/lookdialog.h"
 
-#include <QBoxLayout>
+#include "widgets/look/parts.h"
+
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QHeaderView>
@@ -64,8 +65,7 @@ LookDialog::LookDialog(const Scene &scene, const QString &folder, QWidget *paren
     auto *hint
         = new QLabel(tr("The keys of a scene file. A value left empty is the default."), this);
     hint->setWordWrap(true);
-    m_tree->setObjectName(QStringLiteral("lookTree"));
-    m_tree->setAccessibleName(tr("Keys and their values"));
+    named(m_tree, "lookTree", tr("Keys and their values"));
     m_tree->setModel(m_look);
     m_tree->setItemDelegate(new LookDelegate(m_tree));
     m_tree->setEditTriggers(QAbstractItemView::AllEditTriggers);
@@ -74,21 +74,13 @@ LookDialog::LookDialog(const Scene &scene, const QString &folder, QWidget *paren
     m_tree->header()->setStretchLastSection(true);
     m_tree->resizeColumnToContents(SceneLook::Key);
     m_tree->setColumnWidth(SceneLook::Value, usualSize.width() * 2 / 5);
-    m_verdict->setObjectName(QStringLiteral("lookVerdict"));
+    named(m_verdict, "lookVerdict");
     m_verdict->setWordWrap(true);
     m_verdict->setMinimumHeight(m_verdict->fontMetrics().lineSpacing() * 2);
     m_verdict->setAlignment(Qt::AlignTop);
-
     auto *parts = new QHBoxLayout;
     addButtons(parts);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 16, 16, 16);
-    layout->setSpacing(8);
-    layout->addWidget(hint);
-    layout->addWidget(m_tree);
-    layout->addLayout(parts);
-    layout->addWidget(m_verdict);
-    layout->addWidget(m_buttons);
+    withParts(new QVBoxLayout(this), {hint, m_tree, parts, m_verdict, m_buttons}, 8, 16);
     resize(usualSize);
 
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -100,9 +92,8 @@ LookDialog::LookDialog(const Scene &scene, const QString &folder, QWidget *paren
 
 void LookDialog::addButtons(QBoxLayout *row)
 {
-    const auto add = [this, row](const char *name, const QString &text) {
-        auto *button = new QPushButton(text, this);
-        button->setObjectName(QLatin1String(name));
+    const auto add = [this, row](const char *name, const QString &text, const QString &tip = {}) {
+        QPushButton *button = pushButton(name, text, tip, this);
         button->setAutoDefault(false);
         row->addWidget(button);
         return button;
@@ -111,9 +102,9 @@ void LookDialog::addButtons(QBoxLayout *row)
             [this] { show(m_look->addLight()); });
     connect(add("addMaterial", tr("Add a &material")), &QPushButton::clicked, this,
             [this] { show(m_look->addMaterial()); });
-    m_removal = add("removePart", tr("&Remove"));
-    m_removal->setToolTip(tr("Removes the selected light, or the selected material if no primitive "
-                             "names it or one after it"));
+    m_removal = add("removePart", tr("&Remove"),
+                    tr("Removes the selected light, or the selected material if no primitive names "
+                       "it or one after it"));
     connect(m_removal, &QPushButton::clicked, this,
             [this] { m_look->remove(m_tree->currentIndex()); });
     const auto update

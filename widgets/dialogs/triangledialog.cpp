@@ -3,6 +3,7 @@
 
 #include "core/scene/coordinatetext.h"
 #include "widgets/look/colourbutton.h"
+#include "widgets/look/parts.h"
 #include "widgets/model/runnotes.h"
 
 #include <QBoxLayout>
@@ -56,8 +57,7 @@ TriangleDialog::TriangleDialog(QWidget *parent)
     addVertex(grid, 1, {{0, 255, 0}});
     addVertex(grid, 2, {{0, 0, 255}});
 
-    m_verdict = new QLabel(this);
-    m_verdict->setObjectName(QStringLiteral("triangleVerdict"));
+    m_verdict = named(new QLabel(this), "triangleVerdict");
     m_verdict->setWordWrap(true);
     m_verdict->setMinimumHeight(m_verdict->fontMetrics().lineSpacing() * 2);
     m_verdict->setAlignment(Qt::AlignTop);
@@ -75,13 +75,7 @@ TriangleDialog::TriangleDialog(QWidget *parent)
     connect(m_more, &QCheckBox::toggled, this, showCarried);
     showCarried(false);
 
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 16, 16, 16);
-    layout->setSpacing(16);
-    layout->addLayout(grid);
-    layout->addWidget(m_more);
-    layout->addWidget(m_verdict);
-    layout->addWidget(m_buttons);
+    withParts(new QVBoxLayout(this), {grid, m_more, m_verdict, m_buttons}, 16, 16);
     judge();
 }
 

@@ -2,12 +2,18 @@
 #include "widgets/dialogs/vertexdialog.h"
 
 #include "core/scene/coordinatetext.h"
+#include "widgets/look/colourbutton.h"
+#include "widgets/look/numberformat.h"
+#include "widgets/look/parts.h"
 
+#include <QBoxLayout>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSpinBox>
 
 namespace pixelplumb {
 
@@ -22,8 +28,7 @@ VertexDialog::VertexDialog(SceneDocument *document, const VertexRef &ref, QWidge
     const LatticePoint position = document->vertexAt(ref)->position;
     m_x = addField(QStringLiteral("vertexX"), tr("&x, px"), position.x);
     m_y = addField(QStringLiteral("vertexY"), tr("&y, px"), position.y);
-    m_remark = new QLabel(this);
-    m_remark->setObjectName(QStringLiteral("vertexRemark"));
+    m_remark = named(new QLabel(this), "vertexRemark");
     m_remark->setWordWrap(true);
     m_remark->setMinimumWidth(m_remark->fontMetrics().averageCharWidth() * 48);
     m_remark->setMinimumHeight(m_remark->fontMetrics().lineSpacing() * 2);
@@ -70,6 +75,78 @@ void VertexDialog::accept()
         return;
     m_document->moveVertex(m_ref, *position, m_document->newDrag());
     QDialog::accept();
+}
+
+FrameDialog::FrameDialog(const FrameSpec &frame, QWidget *parent)
+    : QDialog(parent)
+    , m_frame(frame)
+{
+    setObjectName(QStringLiteral("frameDialog"));
+    setWindowTitle(tr("Frame"));
+    auto *form = new QFormLayout;
+    form->setHorizontalSpacing(16);
+    form->setVerticalSpacing(8);
+    m_width = addSide(form, QStringLiteral("frameWidth"), tr("&Width"), frame.width);
+    m_height = addSide(form, QStringLiteral("frameHeight"), tr("&Height"), frame.height);
+
+    m_background = named(new ColourButton(tr("Background"), this), "frameBackground");
+    m_background->setColour(frame.background);
+    form->addRow(tr("&Background"), m_background);
+
+    m_origin = named(new QComboBox(this), "frameOrigin");
+    m_origin->addItems({tr("lower left, y upward"), tr("upper left, y downward")});
+    m_origin->setCurrentIndex(int(frame.origin));
+    form->addRow(tr("&Origin"), m_origin);
+
+    m_pixelCentre = named(new QComboBox(this), "framePixelCentre");
+    m_pixelCentre->addItems({tr("at (x, y)"), tr("at (x + ½, y + ½)")});
+    m_pixelCentre->setCurrentIndex(int(frame.pixelCentre));
+    form->addRow(tr("&Pixels are sampled"), m_pixelCentre);
+
+    m_verdict = named(new QLabel(this), "frameVerdict");
+    m_verdict->setWordWrap(true);
+    m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+
+    withParts(new QVBoxLayout(this), {form, m_verdict, Room(), m_buttons}, 16, 16);
+    judge();
+}
+
+FrameSpec FrameDialog::frame() const
+{
+    FrameSpec frame = m_frame;
+    frame.width = m_width->value();
+    frame.height = m_height->value();
+    frame.background = m_background->colour();
+    frame.origin = FrameOrigin(m_origin->currentIndex());
+    frame.pixelCentre = PixelCentre(m_pixelCentre->currentIndex());
+    return frame;
+}
+
+QSpinBox *FrameDialog::addSide(QFormLayout *form, const QString &name, const QString &label,
+                               int value)
+{
+    auto *box = new QSpinBox(this);
+    box->setObjectName(name);
+    box->setRange(1, largestFrameSide);
+    box->setValue(value);
+    box->setSuffix(tr(" px"));
+    box->setAlignment(Qt::AlignRight);
+    box->setAccelerated(true);
+    connect(box, &QSpinBox::valueChanged, this, &FrameDialog::judge);
+    form->addRow(label, box);
+    return box;
+}
+
+void FrameDialog::judge()
+{
+    const std::int64_t area = std::int64_t(m_width->value()) * m_height->value();
+    const bool fits = area <= largestFrameArea;
+    m_verdict->setText(fits ? tr("%1 pixels", nullptr, int(area)).arg(groupedText(area))
+                            : tr("%1 pixels are too many: at most %2 fit. Make a side smaller.")
+                                  .arg(groupedText(area), groupedText(largestFrameArea)));
+    m_buttons->button(QDialogButtonBox::Ok)->setEnabled(fits);
 }
 
 } // namespace pixelplumb

@@ -2,7 +2,7 @@
 #include "widgets/files/autosave.h"
 
 #include "core/scene/fileaccess.h"
-#include "widgets/files/documentfile.h"
+#include "widgets/files/recentfiles.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QDir>

@@ -1,16 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/files/recentfiles.h"
 
-#include "widgets/look/shownname.h"
+#include "core/scene/fileaccess.h"
+#include "core/scene/scenefile.h"
+#include "widgets/look/parts.h"
+#include "widgets/look/typesetting.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QSettings>
+#include <QStandardPaths>
 
 namespace pixelplumb {
 
 namespace {
 
 constexpr auto key = "recentFiles";
+
+/// A third into the first span of the second part; else the middle of the run.
+std::size_t halfDrawn(const ScanTrace &trace)
+{
+    for (std::size_t span = 0; span < trace.spanCount(); ++span) {
+        const std::size_t samples = trace.endSampleOf(span) - trace.firstSampleOf(span);
+        if (trace.placeOf(span).part == 1 && samples > 0)
+            return trace.indexOfSpan(span) + 1 + samples / 3;
+    }
+    return trace.stepCount() / 2;
+}
+
+std::size_t justEntered(std::int64_t x, const ScanTrace &trace)
+{
+    for (std::size_t span = 0; span < trace.spanCount(); ++span) {
+        const SpanPlace &place = trace.placeOf(span);
+        if (place.axis == SpanAxis::Column && place.coordinate == x)
+            return trace.indexOfSpan(span) + 1;
+    }
+    return trace.stepCount();
+}
 
 } // namespace
 
@@ -22,8 +48,7 @@ RecentFiles::RecentFiles(QObject *parent)
 
 QMenu *RecentFiles::createMenu(QWidget *parent)
 {
-    auto *menu = new QMenu(tr("Open &recent"), parent);
-    menu->setObjectName(QStringLiteral("recentMenu"));
+    auto *menu = named(new QMenu(tr("Open &recent"), parent), "recentMenu");
     menu->setToolTipsVisible(true);
     connect(menu, &QMenu::aboutToShow, this, [this, menu] { fill(menu); });
     fill(menu);
@@ -61,6 +86,52 @@ void RecentFiles::fill(QMenu *menu)
     QAction *forget = menu->addAction(tr("&Clear the list"));
     forget->setEnabled(!m_paths.isEmpty());
     connect(forget, &QAction::triggered, this, &RecentFiles::clear);
+}
+
+std::size_t positionOf(const OpeningPlace &place, const ScanTrace &trace)
+{
+    if (const auto *position = std::get_if<std::size_t>(&place))
+        return std::min(*position, trace.stepCount());
+    if (const auto *column = std::get_if<OpeningColumn>(&place))
+        return justEntered(column->x, trace);
+    return std::get<OpeningMoment>(place) == OpeningMoment::HalfDrawn ? halfDrawn(trace)
+                                                                      : trace.stepCount();
+}
+
+FileWatch::FileWatch()
+{
+    connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, &FileWatch::look);
+}
+
+void FileWatch::follow(const QString &path)
+{
+    m_path = path;
+    if (const QStringList watched = m_watcher.files(); !watched.isEmpty())
+        m_watcher.removePaths(watched);
+    const bool isInFolder = !path.isEmpty() && !path.startsWith(u':');
+    m_writtenAt = isInFolder ? QFileInfo(path).lastModified() : QDateTime();
+    if (m_writtenAt.isValid())
+        m_watcher.addPath(path);
+}
+
+void FileWatch::look()
+{
+    const QDateTime writtenAt = QFileInfo(m_path).lastModified();
+    if (!writtenAt.isValid() || writtenAt == m_writtenAt)
+        return;
+    follow(m_path); // a file that replaced it is another file
+    emit written();
+}
+
+std::optional<InputError> writeDocument(const QString &path, const Scene &scene)
+{
+    return writeFile(path, writeScene(scene, QFileInfo(path).absolutePath()), WrittenAs::Document);
+}
+
+QString documentsFolder()
+{
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QFileInfo(documents).isDir() ? documents : QDir::homePath();
 }
 
 } // namespace pixelplumb

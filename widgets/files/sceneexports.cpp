@@ -9,9 +9,9 @@
 #include "core/scene/outputfile.h"
 #include "widgets/files/examplefolder.h"
 #include "widgets/files/svgexport.h"
-#include "widgets/look/shownname.h"
-#include "widgets/model/frametext.h"
+#include "widgets/look/typesetting.h"
 #include "widgets/model/playhead.h"
+#include "widgets/model/steptext.h"
 
 #include <QApplication>
 #include <QBuffer>

@@ -4,24 +4,58 @@
 #include "core/scene/inputrecord.h"
 #include "core/scene/referredfiles.h"
 #include "core/scene/scenefile.h"
-#include "widgets/files/documentsfolder.h"
 #include "widgets/files/recentfiles.h"
-#include "widgets/look/shownname.h"
+#include "widgets/look/typesetting.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMessageBox>
 
 namespace pixelplumb {
 
 namespace {
 
+struct ChangesQuestion {
+    Q_DECLARE_TR_FUNCTIONS(pixelplumb::UnsavedChanges)
+};
+
+UnsavedChanges ask(const QString &name, QMessageBox::StandardButtons answers, QWidget *window)
+{
+    QMessageBox box(QMessageBox::Question, ChangesQuestion::tr("Unsaved Changes"),
+                    ChangesQuestion::tr("“%1” has changes that are not saved.").arg(name), answers,
+                    window);
+    box.setObjectName(QStringLiteral("unsavedChanges"));
+    box.setTextFormat(Qt::PlainText); // a name may look like HTML
+    box.setInformativeText(ChangesQuestion::tr("Without saving they are lost."));
+    box.setDefaultButton(answers & QMessageBox::Save ? QMessageBox::Save : QMessageBox::Cancel);
+    switch (box.exec()) {
+    case QMessageBox::Save:
+        return UnsavedChanges::Save;
+    case QMessageBox::Discard:
+        return UnsavedChanges::Discard;
+    default:
+        return UnsavedChanges::Cancel;
+    }
+}
+
 /// Bytes. Larger files take too long to read in the GUI thread (about 16 µs per triangle).
 constexpr qint64 largestReadAtOnce = qint64(1) << 18;
 
 } // namespace
+
+UnsavedChanges askAboutChanges(const QString &name, QWidget *window)
+{
+    return ask(name, QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window);
+}
+
+UnsavedChanges askAboutRevert(const QString &name, QWidget *window)
+{
+    return ask(name, QMessageBox::Discard | QMessageBox::Cancel, window);
+}
 
 QString SceneFiles::defaultScenePath() { return QStringLiteral(":/scenes/default.json"); }
 

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/scene/scenefile.h"
-#include "widgets/files/filewatch.h"
-#include "widgets/files/unsavedchanges.h"
+#include "widgets/files/recentfiles.h"
 #include "widgets/model/job.h"
 
 #include <QObject>
@@ -18,6 +17,15 @@ namespace pixelplumb {
 
 class RecentFiles;
 class SceneDocument;
+
+/// What to do with changes that are not in a file yet.
+enum class UnsavedChanges { Save, Discard, Cancel };
+
+/// Asks in a box before the named scene is replaced: any of the three.
+UnsavedChanges askAboutChanges(const QString &name, QWidget *window);
+/// Asks before going back to the file: Discard or Cancel; saving first would leave nothing to go
+/// back to.
+UnsavedChanges askAboutRevert(const QString &name, QWidget *window);
 
 /// The document's life as a file: new, open, save, and the question before changes are lost. Large
 /// files are read in a worker thread; the old document stays until the new one is complete. Large

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/inputrecord.h"
-#include "widgets/files/documentfile.h"
-#include "widgets/files/documentsfolder.h"
 #include "widgets/files/examplefolder.h"
 #include "widgets/files/recentfiles.h"
 #include "widgets/files/scenefiles.h"
-#include "widgets/look/shownname.h"
+#include "widgets/look/typesetting.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QFileDialog>

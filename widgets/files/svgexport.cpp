@@ -6,7 +6,6 @@
 #include "widgets/canvas/ruler.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/framepainter.h"
-#include "widgets/look/layersurface.h"
 #include "widgets/model/playhead.h"
 
 #include <QBuffer>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/inspect/columntable.h"
 
-#include "widgets/inspect/columntabledelegate.h"
-#include "widgets/inspect/columntableheader.h"
-#include "widgets/inspect/rowmarkheader.h"
+#include "widgets/inspect/tableparts.h"
+#include "widgets/look/parts.h"
 #include "widgets/model/columntablemodel.h"
 #include "widgets/model/placinghint.h"
 #include "widgets/model/playhead.h"
@@ -49,8 +48,7 @@ ColumnTable::ColumnTable(Playhead *playhead, QWidget *parent)
     , m_delegate(new ColumnTableDelegate(this))
     , m_header(new ColumnTableHeader(this))
 {
-    setObjectName(QStringLiteral("columnTable"));
-    setAccessibleName(tr("Columns of the scan"));
+    named(this, "columnTable", tr("Columns of the scan"));
     setAccessibleDescription(
         tr("A row for each column; the highlighted row is the current column."));
     if (const QFont figures = tabularFont(font()); figures != font())

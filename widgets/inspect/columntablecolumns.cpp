@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/inspect/columntable.h"
+#include "widgets/look/parts.h"
 #include "widgets/model/columntablemodel.h"
 
 #include <QAction>
@@ -34,11 +35,9 @@ void ColumnTable::createActions()
     m_errorAction = addToggle("showError", tr("Error"), tr("Show used minus exact beside each"));
     for (QAction *action : std::as_const(m_columnActions))
         connect(action, &QAction::toggled, this, &ColumnTable::showChosenColumns);
-    m_copyAction = new QAction(tr("Copy rows"), this);
-    m_copyAction->setObjectName(QStringLiteral("copyRows"));
+    m_copyAction = named(new QAction(tr("Copy rows"), this), "copyRows");
     connect(m_copyAction, &QAction::triggered, this, &ColumnTable::copySelection);
-    m_copyAllAction = new QAction(tr("Copy all rows shown"), this);
-    m_copyAllAction->setObjectName(QStringLiteral("copyTable"));
+    m_copyAllAction = named(new QAction(tr("Copy all rows shown"), this), "copyTable");
     connect(m_copyAllAction, &QAction::triggered, this, &ColumnTable::copyAll);
     addActions({m_copyAction, m_copyAllAction});
     setContextMenuPolicy(Qt::ActionsContextMenu);

@@ -3,8 +3,8 @@
 
 #include "core/runs/spanheadings.h"
 #include "widgets/inspect/columntable.h"
-#include "widgets/look/elidedlabel.h"
-#include "widgets/look/elidingbox.h"
+#include "widgets/look/labels.h"
+#include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 
 #include <QAction>
@@ -26,9 +26,8 @@ ColumnTablePanel::ColumnTablePanel(Playhead *playhead, QWidget *parent)
     , m_summary(new ElidedLabel(this))
 {
     setObjectName(QStringLiteral("columnTablePanel"));
-    auto *switches = new QHBoxLayout;
+    auto *switches = withParts(new QHBoxLayout, {}, 4);
     switches->setContentsMargins(8, 0, 8, 0);
-    switches->setSpacing(4);
     for (QAction *action : m_table->columnActions()) {
         auto *button = new QToolButton(this);
         button->setDefaultAction(action);
@@ -48,11 +47,7 @@ ColumnTablePanel::ColumnTablePanel(Playhead *playhead, QWidget *parent)
     m_summary->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     switches->addWidget(m_summary, 1);
 
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
-    layout->addLayout(switches);
-    layout->addWidget(m_table);
+    withParts(new QVBoxLayout(this), {switches, m_table}, 2, 0);
     setFocusProxy(m_table);
 
     connect(playhead, &Playhead::tracedChanged, this, &ColumnTablePanel::describe);
@@ -63,10 +58,9 @@ void ColumnTablePanel::addFilter(QHBoxLayout *row)
 {
     auto *box = new ElidingBox(this);
     m_filter = box;
-    box->setObjectName(QStringLiteral("rowFilterBox"));
-    box->setAccessibleName(tr("Rows of the table"));
-    box->setToolTip(tr("Show all rows, or those in which a sample lies on an edge (=), a level "
-                       "went outside 0 … 255 (^), or a pixel differs from the truth (?, !, c)"));
+    named(box, "rowFilterBox", tr("Rows of the table"),
+          tr("Show all rows, or those in which a sample lies on an edge (=), a level "
+             "went outside 0 … 255 (^), or a pixel differs from the truth (?, !, c)"));
     box->addItems({tr("all rows"), tr("ties ="), tr("clamps ^"), tr("errors ? ! c")}); // RowFilter
     box->setMinimumWidth(leastFilterWidth); // narrower than its text: the canvas needs the room
     connect(box, &QComboBox::currentIndexChanged, this, [this](int index) {

@@ -2,10 +2,10 @@
 #include "widgets/inspect/formulapanel.h"
 
 #include "core/runs/formulaexplanation.h"
-#include "widgets/look/blend.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/formulahtml.h"
 #include "widgets/look/numberlayout.h"
+#include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 #include "widgets/look/typesetting.h"
 #include "widgets/model/placinghint.h"
@@ -75,8 +75,7 @@ FormulaPanel::FormulaPanel(Playhead *playhead, QWidget *parent)
     , m_sentence(new QLabel(this))
     , m_formulas(new QTextBrowser(this))
 {
-    setObjectName(QStringLiteral("formulaPanel"));
-    setAccessibleName(tr("Formulas of the current step"));
+    named(this, "formulaPanel", tr("Formulas of the current step"));
     const auto selectable = Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard;
 
     m_heading->setObjectName(QStringLiteral("formulaHeading"));
@@ -93,8 +92,7 @@ FormulaPanel::FormulaPanel(Playhead *playhead, QWidget *parent)
     m_sentence->setContentsMargins(4, 0, 4, 4);
     m_sentence->setTextInteractionFlags(selectable);
 
-    m_formulas->setObjectName(QStringLiteral("formulaText"));
-    m_formulas->setAccessibleName(tr("Formulas"));
+    named(m_formulas, "formulaText", tr("Formulas"));
     m_formulas->setFrameShape(QFrame::NoFrame);
     m_formulas->setOpenLinks(false);
     m_formulas->setMinimumHeight(fontMetrics().lineSpacing() * leastFormulaLines);
@@ -102,12 +100,8 @@ FormulaPanel::FormulaPanel(Playhead *playhead, QWidget *parent)
     if (const QFont figures = tabularFont(font()); figures != font())
         m_formulas->setFont(figures);
 
-    auto *layout = new QVBoxLayout(this);
+    auto *layout = withParts(new QVBoxLayout(this), {m_heading, m_sentence, {m_formulas, 1}}, 4);
     layout->setContentsMargins(8, 4, 0, 0);
-    layout->setSpacing(4);
-    layout->addWidget(m_heading);
-    layout->addWidget(m_sentence);
-    layout->addWidget(m_formulas, 1);
 
     m_measuring.setSingleShot(true);
     m_measuring.setInterval(0);

@@ -4,10 +4,9 @@
 #include "core/runs/stepmoment.h"
 #include "core/runs/tracedscene.h"
 #include "core/scan/choicenames.h"
-#include "widgets/look/blend.h"
-#include "widgets/look/methodsummary.h"
-#include "widgets/look/methodtitle.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/numberlayout.h"
+#include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 #include "widgets/look/typesetting.h"
 #include "widgets/model/playhead.h"
@@ -63,17 +62,13 @@ MethodPanel::MethodPanel(Playhead *playhead, QWidget *parent)
     , m_playhead(playhead)
     , m_text(new QTextBrowser(this))
 {
-    setObjectName(QStringLiteral("methodPanel"));
-    setAccessibleName(tr("This method"));
-    m_text->setObjectName(QStringLiteral("methodText"));
-    m_text->setAccessibleName(tr("What the method does, line by line"));
+    named(this, "methodPanel", tr("This method"));
+    named(m_text, "methodText", tr("What the method does, line by line"));
     m_text->setFrameShape(QFrame::NoFrame);
     m_text->setOpenLinks(false);
     m_text->document()->setDocumentMargin(8);
     m_text->setFont(tabularFont(font()));
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_text);
+    withParts(new QVBoxLayout(this), {m_text}, -1, 0);
     connect(playhead, &Playhead::positionChanged, this, &MethodPanel::schedulePresentation);
 }
 

@@ -6,6 +6,7 @@
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/look/numberlayout.h"
+#include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 
 #include <QFontInfo>
@@ -44,8 +45,7 @@ PixelGrid::PixelGrid(Playhead *playhead, DisplayOptions *options, QWidget *paren
     , m_playhead(playhead)
     , m_options(options)
 {
-    setObjectName(QStringLiteral("pixelGrid"));
-    setAccessibleName(tr("Pixel grid"));
+    named(this, "pixelGrid", tr("Pixel grid"));
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     connect(playhead, &Playhead::tracedChanged, this, &PixelGrid::announce);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/inspect/pixelgridmapping.h"
+#include "widgets/inspect/pixelgridscene.h"
 
 #include <QWidget>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/inspect/pixelgridpainter.h"
 
-#include "widgets/look/blend.h"
+#include "widgets/look/signs.h"
 
 #include <QFontMetricsF>
 #include <QPainter>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/inspect/pixelhistorypanel.h"
 
-#include "widgets/inspect/pixelhistorydelegate.h"
-#include "widgets/look/namedwidget.h"
+#include "widgets/inspect/delegates.h"
 #include "widgets/look/numberlayout.h"
+#include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 #include "widgets/look/typesetting.h"
 #include "widgets/model/pixelhistorymodel.h"
@@ -65,8 +65,7 @@ PixelHistoryPanel::PixelHistoryPanel(Playhead *playhead, QWidget *parent)
     , m_reason(new QLabel(m_reasonArea))
     , m_attempts(new QTreeView(this))
 {
-    setObjectName(QStringLiteral("pixelHistory"));
-    setAccessibleName(tr("History of the picked pixel"));
+    named(this, "pixelHistory", tr("History of the picked pixel"));
 
     m_heading->setObjectName(QStringLiteral("pixelHistoryHeading"));
     m_heading->setTextFormat(Qt::RichText);
@@ -92,8 +91,7 @@ PixelHistoryPanel::PixelHistoryPanel(Playhead *playhead, QWidget *parent)
     QToolButton *next = runButton("runToNextWrite", tr("Write ▶"),
                                   tr("Run on to the next write of the picked pixel"), this);
 
-    m_attempts->setObjectName(QStringLiteral("pixelHistoryTree"));
-    m_attempts->setAccessibleName(tr("Attempts of the triangles"));
+    named(m_attempts, "pixelHistoryTree", tr("Attempts of the triangles"));
     m_attempts->setFrameShape(QFrame::NoFrame);
     m_attempts->setHeaderHidden(true);
     m_attempts->setUniformRowHeights(true);
@@ -108,17 +106,9 @@ PixelHistoryPanel::PixelHistoryPanel(Playhead *playhead, QWidget *parent)
 
     setFocusProxy(m_attempts);
 
-    auto *headingRow = new QHBoxLayout;
-    headingRow->setSpacing(0);
-    headingRow->addWidget(m_heading, 1);
-    headingRow->addWidget(previous);
-    headingRow->addWidget(next);
-    auto *layout = new QVBoxLayout(this);
+    auto *headingRow = withParts(new QHBoxLayout, {{m_heading, 1}, previous, next}, 0);
+    auto *layout = withParts(new QVBoxLayout(this), {headingRow, {m_attempts, 1}, m_reasonArea}, 4);
     layout->setContentsMargins(8, 4, 0, 0);
-    layout->setSpacing(4);
-    layout->addLayout(headingRow);
-    layout->addWidget(m_attempts, 1);
-    layout->addWidget(m_reasonArea);
 
     connect(previous, &QToolButton::clicked, playhead,
             [playhead] { playhead->runToPickedPixel(StepDirection::Backward); });

@@ -3,6 +3,7 @@
 
 #include "core/runs/tracedscene.h"
 #include "widgets/look/corewords.h"
+#include "widgets/look/parts.h"
 #include "widgets/look/typesetting.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
@@ -24,12 +25,8 @@ namespace {
 
 QLabel *wordsIn(QWidget *parent, const char *name, const QString &accessible)
 {
-    auto *label = new QLabel(parent);
-    label->setObjectName(QString::fromLatin1(name));
-    label->setAccessibleName(accessible);
+    QLabel *label = readingLabel(name, accessible, parent);
     label->setTextFormat(Qt::RichText);
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     label->setMinimumWidth(1); // a long word must not widen the window
     return label;
 }
@@ -56,15 +53,12 @@ PredictPanel::PredictPanel(SceneDocument *document, Playhead *playhead, QWidget 
     , m_verdict(wordsIn(this, "predictVerdict", tr("What is said of the answer")))
     , m_score(wordsIn(this, "predictScore", tr("Score")))
 {
-    setObjectName(QStringLiteral("predict"));
-    setAccessibleName(tr("Predict"));
+    named(this, "predict", tr("Predict"));
     // A click beside the fields, or on a disabled one, takes the focus from the canvas, and gives
     // it to the field that can be used.
     setFocusPolicy(Qt::ClickFocus);
-    m_choice->setObjectName(QStringLiteral("predictChoice"));
-    m_choice->setAccessibleName(tr("What is asked for"));
-    m_answer->setObjectName(QStringLiteral("predictAnswer"));
-    m_answer->setAccessibleName(tr("Your answer"));
+    named(m_choice, "predictChoice", tr("What is asked for"));
+    named(m_answer, "predictAnswer", tr("Your answer"));
     m_check->setToolTip(tr("Compare the answer with what the kernel computes (Enter)"));
     m_show->setToolTip(tr("Give up this question and see how the number comes about"));
     m_next->setToolTip(tr("Step on and ask again (Enter)"));
@@ -81,14 +75,7 @@ PredictPanel::PredictPanel(SceneDocument *document, Playhead *playhead, QWidget 
     buttons->setSpacing(8);
     for (QPushButton *made : {m_check, m_show, m_next})
         buttons->addWidget(made, 1);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 8);
-    layout->setSpacing(8);
-    layout->addLayout(form);
-    layout->addLayout(buttons);
-    layout->addWidget(m_verdict);
-    layout->addStretch(1);
-    layout->addWidget(m_score);
+    withParts(new QVBoxLayout(this), {form, buttons, m_verdict, Room(), m_score}, 8, 8);
 
     connect(m_choice, &QComboBox::currentIndexChanged, this, &PredictPanel::ask);
     connect(m_answer, &QLineEdit::returnPressed, this,

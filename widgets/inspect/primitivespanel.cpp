@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/inspect/primitivespanel.h"
 
-#include "widgets/inspect/coordinatedelegate.h"
-#include "widgets/inspect/primitiveforms.h"
+#include "widgets/inspect/delegates.h"
 #include "widgets/inspect/primitivestree.h"
+#include "widgets/look/colourbutton.h"
+#include "widgets/look/parts.h"
 #include "widgets/model/primitivelistmodel.h"
 
 #include <QAction>
@@ -35,8 +36,7 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     , m_summary(new QLabel(this))
 {
     setObjectName(QStringLiteral("primitives"));
-    m_tree->setObjectName(QStringLiteral("primitivesTree"));
-    m_tree->setAccessibleName(tr("Primitives in drawing order"));
+    named(m_tree, "primitivesTree", tr("Primitives in drawing order"));
     m_tree->setModel(m_model);
     m_tree->setItemDelegate(new CoordinateDelegate(document, m_tree));
     m_tree->setUniformRowHeights(true);
@@ -49,12 +49,7 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     row->setSpacing(4);
     addActions(row);
     row->addStretch();
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 8);
-    layout->setSpacing(4);
-    layout->addWidget(m_tree);
-    layout->addLayout(row);
-    layout->addWidget(m_summary);
+    withParts(new QVBoxLayout(this), {m_tree, row, m_summary}, 4, 8);
     setFocusProxy(m_tree);
 
     m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -115,8 +110,7 @@ void PrimitivesPanel::resizeEvent(QResizeEvent *event)
 /// Adds each action as a button below the list and as an entry of the row menu.
 void PrimitivesPanel::addActions(QHBoxLayout *row)
 {
-    m_menu = new QMenu(m_tree);
-    m_menu->setObjectName(QStringLiteral("primitivesMenu"));
+    m_menu = named(new QMenu(m_tree), "primitivesMenu");
     m_menu->setToolTipsVisible(true);
     const auto add = [this, row](const char *name, const QString &text, const QString &tip) {
         QAction *action = m_menu->addAction(text);
@@ -266,6 +260,43 @@ void PrimitivesPanel::moveBy(int places)
     const VertexRef moved{ref->primitive + places, ref->vertex};
     m_tree->setCurrentIndex(isWhole ? m_model->indexOfPrimitive(moved.primitive)
                                     : m_model->indexOf(moved));
+}
+
+void PrimitivesPanel::chooseColour()
+{
+    if (const auto solid = m_model->solidAt(m_tree->currentIndex()))
+        return chooseSolidColour(*solid);
+    const std::optional<VertexRef> ref = currentRef();
+    if (!ref)
+        return;
+    const bool isWhole = m_model->isPrimitive(m_tree->currentIndex());
+    const std::optional<Colour> colour
+        = askForColour(m_document->vertexAt(*ref)->colour,
+                       isWhole ? tr("Colour of the Primitive") : tr("Colour of the Vertex"), this);
+    if (!colour)
+        return;
+    if (isWhole)
+        m_document->setPrimitiveColour(ref->primitive, *colour);
+    else
+        m_document->setVertexColour(*ref, *colour);
+}
+
+void PrimitivesPanel::chooseSolidColour(std::size_t index)
+{
+    Solid solid = m_document->scene().solids[index];
+    const bool isOfCorners
+        = solid.kind == SolidKind::Triangle3 || solid.kind == SolidKind::Polygon3;
+    const std::optional<Colour> colour = askForColour(
+        isOfCorners ? solid.corners.front().colour : solid.colour, tr("Colour of the Solid"), this);
+    if (!colour)
+        return;
+    if (isOfCorners) {
+        for (SolidCorner &corner : solid.corners)
+            corner.colour = *colour;
+    } else {
+        solid.colour = *colour;
+    }
+    m_document->setSolid(index, solid, m_document->newDrag());
 }
 
 } // namespace pixelplumb

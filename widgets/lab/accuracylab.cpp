@@ -6,7 +6,8 @@
 #include "widgets/lab/labfiles.h"
 #include "widgets/lab/labrun.h"
 #include "widgets/lab/labtext.h"
-#include "widgets/look/elidedlabel.h"
+#include "widgets/look/labels.h"
+#include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 
 #include <QApplication>
@@ -34,21 +35,15 @@ AccuracyLab::AccuracyLab(Playhead *playhead, QWidget *parent)
     , m_conditions(new ElidedLabel(this))
     , m_lastLine(new QStackedWidget(this))
 {
-    setObjectName(QStringLiteral("accuracyLab"));
-    setAccessibleName(tr("Accuracy lab"));
+    named(this, "accuracyLab", tr("Accuracy lab"));
     m_invitation->setObjectName(QStringLiteral("labInvitation"));
     m_invitation->setWordWrap(true);
     m_invitation->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    m_warnings->setObjectName(QStringLiteral("labWarnings"));
-    m_warnings->setAccessibleName(tr("Warnings"));
-    m_conditions->setObjectName(QStringLiteral("labConditions"));
-    m_conditions->setAccessibleName(tr("Machine, compiler and command to reproduce this"));
-    auto *layout = new QVBoxLayout(this);
+    named(m_warnings, "labWarnings", tr("Warnings"));
+    named(m_conditions, "labConditions", tr("Machine, compiler and command to reproduce this"));
+    auto *layout
+        = withParts(new QVBoxLayout(this), {m_controls, {m_invitation, 1}, {m_charts, 1}}, 4);
     layout->setContentsMargins(8, 4, 8, 4);
-    layout->setSpacing(4);
-    layout->addWidget(m_controls);
-    layout->addWidget(m_invitation, 1);
-    layout->addWidget(m_charts, 1);
     m_foot = new QBoxLayout(QBoxLayout::TopToBottom);
     m_foot->setSpacing(4);
     m_foot->addWidget(m_warnings, 1);
@@ -65,8 +60,6 @@ AccuracyLab::AccuracyLab(Playhead *playhead, QWidget *parent)
     connectControls();
     showState();
 }
-
-AccuracyLab::~AccuracyLab() = default;
 
 void AccuracyLab::connectControls()
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/lab/shownresults.h"
+#include "widgets/lab/labrun.h"
 
 #include <QWidget>
 
@@ -25,7 +25,6 @@ class AccuracyLab : public QWidget {
 
 public:
     explicit AccuracyLab(Playhead *playhead, QWidget *parent = nullptr);
-    ~AccuracyLab() override;
 
     bool isRunning() const;
     /// Null before the first run or opened file. While a run has no times yet, the previous

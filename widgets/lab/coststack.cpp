@@ -18,6 +18,19 @@ constexpr int betweenBars = 4; ///< logical pixels
 
 } // namespace
 
+std::optional<CostParts> costPartsOf(const Study &study, const LabRow &row)
+{
+    const StudyContender *contender = study.contender(row.contender);
+    const StudyFamily *family = study.family(row.family);
+    if (!contender || !contender->fit || !family || family->timedPixels == 0)
+        return std::nullopt;
+    const CostFit &fit = *contender->fit;
+    const auto pixels = double(family->timedPixels);
+    return CostParts{fit.perTriangle * double(family->timedTriangles) / pixels,
+                     fit.perColumn * double(family->timedSpans(row.contender)) / pixels,
+                     fit.perPixel};
+}
+
 CostStack::CostStack(QWidget *parent)
     : LabPlot("labCostStack", tr("Cost of set-up, columns and pixels"), parent)
 {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "core/lab/budget.h"
+#include "core/lab/study.h"
 
 #include <QTableWidget>
+#include <QTreeWidget>
 
 namespace pixelplumb {
 
@@ -22,6 +24,16 @@ protected:
 
 signals:
     void contenderSelected(const QString &contender);
+};
+
+/// What effects cost and correct, a group per scene (objectName "labEffects").
+class LabEffects : public QTreeWidget {
+    Q_OBJECT
+
+public:
+    explicit LabEffects(QWidget *parent = nullptr);
+
+    void show(const Study &study);
 };
 
 } // namespace pixelplumb

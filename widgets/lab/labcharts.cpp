@@ -3,14 +3,13 @@
 
 #include "widgets/lab/coststack.h"
 #include "widgets/lab/labanswers.h"
-#include "widgets/lab/labeffects.h"
 #include "widgets/lab/labfiltermenu.h"
 #include "widgets/lab/labtable.h"
 #include "widgets/lab/labtext.h"
 #include "widgets/lab/missplot.h"
 #include "widgets/lab/paretoplot.h"
-#include "widgets/look/elidedlabel.h"
-#include "widgets/look/elidingbox.h"
+#include "widgets/look/labels.h"
+#include "widgets/look/parts.h"
 
 #include <QBoxLayout>
 #include <QComboBox>
@@ -101,10 +100,8 @@ LabCharts::LabCharts(QWidget *parent)
     , m_filter(new LabFilterMenu(this))
     , m_price(new ElidedLabel(this))
 {
-    m_price->setObjectName(QStringLiteral("labPrice"));
-    m_price->setAccessibleName(tr("What accuracy costs here"));
-    setObjectName(QStringLiteral("labTabs"));
-    setAccessibleName(tr("Charts of the lab"));
+    named(m_price, "labPrice", tr("What accuracy costs here"));
+    named(this, "labTabs", tr("Charts of the lab"));
     setDocumentMode(true);
     setCornerWidget(m_filter);
     addPage(m_price, m_pareto, tr("Cost and error"),

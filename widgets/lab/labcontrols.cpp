@@ -3,7 +3,8 @@
 
 #include "widgets/lab/labrun.h"
 #include "widgets/look/corewords.h"
-#include "widgets/look/elidingbox.h"
+#include "widgets/look/labels.h"
+#include "widgets/look/parts.h"
 
 #include <QBoxLayout>
 #include <QMenu>
@@ -23,14 +24,11 @@ LabControls::LabControls(const LabRun *run, QWidget *parent)
     : QWidget(parent)
     , m_run(run)
 {
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
+    auto *layout = withParts(new QVBoxLayout(this), {}, 4, 0);
     auto *row = new QHBoxLayout;
     row->setSpacing(4);
-    m_start = new QPushButton(tr("&Run"), this);
-    m_start->setObjectName(QStringLiteral("labRun"));
-    m_start->setToolTip(tr("Judge and time every contender"));
+    m_start = named(new QPushButton(tr("&Run"), this), "labRun", {},
+                    tr("Judge and time every contender"));
     row->addWidget(m_start);
     m_extent = addBox(row, "labExtent", tr("Extent of the study"),
                       tr("Quick: fifteen contenders, 20 seconds. Full: every method in every "
@@ -74,8 +72,7 @@ QComboBox *LabControls::addBox(QBoxLayout *row, const char *name, const QString 
 
 void LabControls::addFileMenu(QBoxLayout *row)
 {
-    auto *button = new QToolButton(this);
-    button->setObjectName(QStringLiteral("labFiles"));
+    auto *button = named(new QToolButton(this), "labFiles");
     button->setText(tr("Files"));
     button->setAccessibleName(tr("Files of the lab"));
     button->setToolTip(tr("Save and open results; charts as figures"));
@@ -105,17 +102,10 @@ void LabControls::addFileMenu(QBoxLayout *row)
 void LabControls::makeProgress()
 {
     m_running = new QWidget(this);
-    m_progress = new QProgressBar(m_running);
-    m_progress->setObjectName(QStringLiteral("labProgress"));
-    m_progress->setAccessibleName(tr("Progress of the study"));
-    auto *cancel = new QPushButton(tr("Cancel"), m_running);
-    cancel->setObjectName(QStringLiteral("labCancel"));
-    cancel->setToolTip(tr("End the study and keep what it has"));
-    auto *row = new QHBoxLayout(m_running);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
-    row->addWidget(m_progress, 1);
-    row->addWidget(cancel);
+    m_progress = named(new QProgressBar(m_running), "labProgress", tr("Progress of the study"));
+    auto *cancel = named(new QPushButton(tr("Cancel"), m_running), "labCancel", {},
+                         tr("End the study and keep what it has"));
+    withParts(new QHBoxLayout(m_running), {{m_progress, 1}, cancel}, 8, 0);
     // No higher than the line of text in whose place it appears.
     const int lineHeight = fontMetrics().height() + 4;
     m_progress->setFixedHeight(lineHeight);

@@ -6,7 +6,7 @@
 #include "core/scene/inputrecord.h"
 #include "widgets/lab/labplot.h"
 #include "widgets/lab/labtext.h"
-#include "widgets/look/shownname.h"
+#include "widgets/look/typesetting.h"
 
 #include <QFileDialog>
 

@@ -4,7 +4,8 @@
 #include "core/methods/method.h"
 #include "core/scan/choicenames.h"
 #include "widgets/lab/labmarks.h"
-#include "widgets/look/methodtitle.h"
+#include "widgets/look/corewords.h"
+#include "widgets/look/parts.h"
 
 #include <QEvent>
 #include <QMenu>
@@ -51,14 +52,39 @@ QString titleOf(LabKernel kernel)
 
 } // namespace
 
+bool LabFilter::leavesOut(const QString &contender) const
+{
+    if (kernels.contains(kernelOf(contender)) || methods.contains(contender.section(u':', 0, 0)))
+        return true;
+    const std::optional<LabContender> known = labContenderNamed(contender);
+    return known && arithmetics.contains(known->arithmetic);
+}
+
+std::shared_ptr<const Study> filtered(const std::shared_ptr<const Study> &results,
+                                      const LabFilter &filter)
+{
+    if (!results || filter.leavesNobodyOut())
+        return results;
+    auto kept = std::make_shared<Study>(*results);
+    const auto isOut = [&filter](const QString &contender) { return filter.leavesOut(contender); };
+    std::erase_if(kept->contenders, [&](const StudyContender &each) { return isOut(each.id); });
+    std::erase_if(kept->rows, [&](const LabRow &each) { return isOut(each.contender); });
+    if (filter.straightLoops == LabFilter::StraightLoops::LeftOut) {
+        for (LabRow &row : kept->rows) {
+            if (row.cost)
+                row.cost->straight.reset();
+        }
+    }
+    return kept;
+}
+
 LabFilterMenu::LabFilterMenu(QWidget *parent)
     : QToolButton(parent)
     , m_menu(new QMenu(this))
 {
-    setObjectName(QStringLiteral("labShown"));
-    setAccessibleName(tr("Who is shown"));
-    setToolTip(tr("Choose what charts and table show: arithmetics, kernels, methods. The best are "
-                  "the best of those shown."));
+    named(this, "labShown", tr("Who is shown"),
+          tr("Choose what charts and table show: arithmetics, kernels, methods. The best are "
+             "the best of those shown."));
     setPopupMode(QToolButton::InstantPopup);
     setAutoRaise(true);
     setMenu(m_menu);

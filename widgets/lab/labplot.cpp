@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/lab/labplot.h"
 
-#include "widgets/lab/wrappedlines.h"
+#include "widgets/lab/labtext.h"
+#include "widgets/look/parts.h"
 #include "widgets/studies/precisionscale.h"
 
 #include <QBoxLayout>
@@ -32,9 +33,7 @@ LabPlot::LabPlot(const char *name, const QString &accessibleName, QWidget *paren
 {
     setObjectName(QLatin1String(name));
     setAccessibleName(accessibleName);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_plot);
+    withParts(new QVBoxLayout(this), {m_plot}, -1, 0);
     m_plot->setFocusPolicy(Qt::NoFocus);
     m_plot->setAutoAddPlottableToLegend(false);
     m_plot->setAntialiasedElements(QCP::aeAll);

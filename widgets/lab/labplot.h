@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/lab/labresults.h"
+#include "widgets/lab/labrun.h"
 
 #include <QWidget>
 

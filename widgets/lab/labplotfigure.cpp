@@ -3,7 +3,7 @@
 #include "core/export/spreadsheettext.h"
 #include "core/grade/showntext.h"
 #include "widgets/lab/labplot.h"
-#include "widgets/lab/wrappedlines.h"
+#include "widgets/lab/labtext.h"
 #include "widgets/look/appearance.h"
 
 #include <QBuffer>

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/lab/labrun.h"
 
-#include "widgets/model/measuringpool.h"
+#include "widgets/model/job.h"
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
+#include <utility>
 
 namespace pixelplumb {
 
@@ -13,6 +15,15 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto betweenNews = 250ms; ///< copying a study disturbs the measurement
+
+/// Whether a family (any, where the study lacks it) has times, or never will.
+bool hasTimes(const Study &study, const QString &family)
+{
+    const bool isThere = study.family(family) != nullptr;
+    return study.isComplete || std::ranges::any_of(study.rows, [&](const LabRow &row) {
+               return (!isThere || row.family == family) && row.cost && row.cost->rounds > 0;
+           });
+}
 
 } // namespace
 
@@ -68,8 +79,6 @@ LabRun::LabRun(QObject *parent)
     });
 }
 
-LabRun::~LabRun() = default;
-
 void LabRun::start(const StudySettings &settings)
 {
     m_timeLeft = TimeLeft(expectedSeconds(settings));
@@ -109,6 +118,42 @@ void LabRun::takeNews()
         return;
     if (const auto news = m_board->takeNews())
         emit resultsChanged(news);
+}
+
+void ShownResults::beginRun()
+{
+    m_news = nullptr;
+    m_areOfRun = false;
+}
+
+bool ShownResults::takeNews(const SharedResults &news, const QString &family)
+{
+    m_news = news;
+    return (m_areOfRun || !m_results || hasTimes(*news, family)) && showNews();
+}
+
+bool ShownResults::endRun()
+{
+    const bool isShown = m_news && hasTimes(*m_news, {}) && showNews();
+    m_news = nullptr;
+    return isShown;
+}
+
+bool ShownResults::showNews()
+{
+    if (m_areOfRun)
+        m_results = std::exchange(m_news, nullptr);
+    else
+        replaceBy(std::exchange(m_news, nullptr));
+    m_areOfRun = true;
+    return true;
+}
+
+void ShownResults::replaceBy(SharedResults results)
+{
+    if (m_results)
+        m_earlier = m_results;
+    m_results = std::move(results);
 }
 
 } // namespace pixelplumb

@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 #include <QTextDocumentFragment>
+#include <QTextLayout>
 
 namespace pixelplumb {
 
@@ -17,6 +18,24 @@ struct LabText {
 };
 
 } // namespace
+
+QStringList wrappedLines(const QString &text, const QFont &font, double width)
+{
+    QStringList lines;
+    for (const QString &paragraph : text.split(u'\n')) {
+        QTextLayout layout(paragraph, font);
+        QTextOption option;
+        option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+        layout.setTextOption(option);
+        layout.beginLayout();
+        for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+            line.setLineWidth(width);
+            lines.append(paragraph.mid(line.textStart(), line.textLength()).trimmed());
+        }
+        layout.endLayout();
+    }
+    return lines;
+}
 
 QString figureText(double value)
 {

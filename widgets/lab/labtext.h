@@ -3,9 +3,14 @@
 
 #include "core/lab/pareto.h"
 
+#include <QFont>
 #include <QStringList>
 
 namespace pixelplumb {
+
+/// Breaks a text into lines of at most `width` logical pixels, between words, and within words that
+/// are longer.
+QStringList wrappedLines(const QString &text, const QFont &font, double width);
 
 /// A time or a share in few digits: "1.65", "16.5", "165".
 QString figureText(double value);

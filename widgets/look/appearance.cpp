@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/appearance.h"
 
-#include "widgets/look/luminance.h"
+#include "core/frame/srgb.h"
 #include "widgets/look/signs.h"
-#include "widgets/look/togglestyle.h"
 
 #include <QApplication>
 #include <QFontDatabase>
 #include <QFontMetricsF>
+#include <QPainter>
 #include <QStyle>
+#include <QStyleOption>
+#include <QToolButton>
 
 #include <array>
 #include <utility>
@@ -16,6 +18,33 @@
 namespace pixelplumb {
 
 namespace {
+
+constexpr float tintShare = 0.7F; // window colour in the highlight's tint: texts stay readable
+constexpr double cornerRadius = 3;
+constexpr float offShare = 0.5F; // window colour in an unchecked button's frame: at least 3:1
+
+QColor frameOf(const QPalette &palette)
+{
+    return blended(palette.color(QPalette::WindowText), palette.color(QPalette::Window), offShare);
+}
+
+bool isToggle(const QWidget *widget)
+{
+    const auto *button = qobject_cast<const QToolButton *>(widget);
+    return button && button->isCheckable();
+}
+
+void drawFrame(const QStyleOption &option, QPainter &painter, const QBrush &inside,
+               const QColor &frame)
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(frame);
+    painter.setBrush(inside);
+    painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), cornerRadius,
+                            cornerRadius);
+    painter.restore();
+}
 
 constexpr std::array<std::pair<PaletteChoice, const char *>, 3> paletteNames
     = {{{PaletteChoice::System, "system"},
@@ -69,6 +98,49 @@ bool desktopIsDark()
 }
 
 } // namespace
+
+ToggleStyle::ToggleStyle()
+    : QProxyStyle(QStringLiteral("Fusion"))
+{
+}
+
+void ToggleStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex *option,
+                                     QPainter *painter, const QWidget *widget) const
+{
+    QProxyStyle::drawComplexControl(control, option, painter, widget);
+    // In a tool bar an unchecked button has no panel until it is hovered.
+    if (control == CC_ToolButton && isToggle(widget) && !option->state.testFlag(State_On))
+        drawFrame(*option, *painter, Qt::NoBrush, frameOf(option->palette));
+}
+
+void ToggleStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *option,
+                                QPainter *painter, const QWidget *widget) const
+{
+    if (element == PE_IndicatorCheckBox) {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        painter->save();
+        painter->setPen(frameOf(option->palette));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRect(QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5));
+        painter->restore();
+        return;
+    }
+    if (element != PE_PanelButtonTool || !option->state.testFlag(State_On)) {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        return;
+    }
+    const QPalette &palette = option->palette;
+    drawFrame(
+        *option, *painter,
+        blended(palette.color(QPalette::Highlight), palette.color(QPalette::Window), tintShare),
+        palette.color(QPalette::Link));
+}
+
+double luminance(const QColor &colour)
+{
+    return 0.2126 * linearLight(colour.redF()) + 0.7152 * linearLight(colour.greenF())
+        + 0.0722 * linearLight(colour.blueF());
+}
 
 QString nameOf(PaletteChoice choice)
 {

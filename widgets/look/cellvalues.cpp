@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/cellvalues.h"
 
-#include "widgets/look/luminance.h"
+#include "widgets/look/appearance.h"
 
 #include <QFontMetricsF>
 #include <QPainter>

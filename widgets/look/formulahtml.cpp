@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/formulahtml.h"
 
-#include "widgets/look/blend.h"
-#include "widgets/look/channelformula.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/look/signs.h"
 #include "widgets/look/typesetting.h"

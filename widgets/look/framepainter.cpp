@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/framepainter.h"
 
+#include "widgets/look/signs.h"
+
 #include <QPainter>
 
 #include <algorithm>
@@ -25,6 +27,18 @@ QColor withOpacity(QColor colour, double opacity)
 }
 
 } // namespace
+
+LayerSurface layerSurface(const ViewMapping &mapping, const QRectF &view, const QPalette &palette)
+{
+    return {pictureTransform(mapping.frame(), mapping.positionOfDevice(mapping.origin()),
+                             cellSideOf(mapping)),
+            view, isDark(palette) ? LayerTone::Dark : LayerTone::Light};
+}
+
+double cellSideOf(const ViewMapping &mapping)
+{
+    return mapping.zoom().factor() / mapping.devicePixelRatio();
+}
 
 QColor gridColour(const ViewMapping &mapping)
 {

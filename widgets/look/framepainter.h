@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/layers/clippedline.h"
+#include "core/layers/layerpainter.h"
 #include "core/runs/tracedscene.h"
 #include "widgets/look/signs.h"
 #include "widgets/look/viewmapping.h"
 
+#include <QPalette>
 #include <QRectF>
 
 #include <optional>
@@ -15,6 +17,12 @@
 class QPainter;
 
 namespace pixelplumb {
+
+/// Where layers are painted over a frame in a view.
+LayerSurface layerSurface(const ViewMapping &mapping, const QRectF &view, const QPalette &palette);
+
+/// A pixel's side, logical px.
+double cellSideOf(const ViewMapping &mapping);
 
 /// How many of a primitive's vertex names are drawn at most: more would hide the vertices.
 inline constexpr std::size_t mostVertexNames = 12;

@@ -3,6 +3,7 @@
 
 #include "core/grade/showntext.h"
 #include "core/scene/shortened.h"
+#include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 
 #include <QAccessible>
@@ -32,16 +33,14 @@ MessageBar::MessageBar(QWidget *covered)
     , m_glyph(new QLabel(this))
     , m_text(new QLabel(this))
 {
-    setObjectName(QStringLiteral("messageBar"));
-    setAccessibleName(tr("Message"));
+    named(this, "messageBar", tr("Message"));
     setAutoFillBackground(true);
     setFrameShape(QFrame::StyledPanel);
     setMouseTracking(true); // clicks outside the button go to the widget below
     setBackgroundRole(QPalette::ToolTipBase);
     setForegroundRole(QPalette::ToolTipText);
     m_glyph->setObjectName(QStringLiteral("messageKind"));
-    m_text->setObjectName(QStringLiteral("messageText"));
-    m_text->setAccessibleName(tr("No message"));
+    named(m_text, "messageText", tr("No message"));
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::PlainText);
     m_text->setForegroundRole(QPalette::ToolTipText);
@@ -51,20 +50,15 @@ MessageBar::MessageBar(QWidget *covered)
     bold.setBold(true);
     m_glyph->setFont(bold);
 
-    auto *close = new QToolButton(this);
-    close->setObjectName(QStringLiteral("closeMessage"));
+    auto *close = named(new QToolButton(this), "closeMessage");
     close->setText(tr("Close"));
     close->setAccessibleName(tr("Close the message"));
     close->setAutoRaise(true);
     close->setCursor(Qt::ArrowCursor);
     connect(close, &QToolButton::clicked, this, &QWidget::hide);
 
-    auto *row = new QHBoxLayout(this);
+    auto *row = withParts(new QHBoxLayout(this), {m_glyph, {m_text, 1}, close}, 8);
     row->setContentsMargins(16, 4, 8, 4);
-    row->setSpacing(8);
-    row->addWidget(m_glyph);
-    row->addWidget(m_text, 1);
-    row->addWidget(close);
     hide();
     covered->installEventFilter(this);
 }

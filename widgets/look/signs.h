@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QColor>
+#include <QIcon>
 #include <QPalette>
 #include <QString>
 
@@ -30,5 +31,19 @@ QColor signColour(Sign sign, const QPalette &palette);
 /// The glyph that marks a sign in addition to its colour; empty where its position does so.
 QString signGlyph(Sign sign);
 bool isDark(const QPalette &palette);
+
+/// The signs of a tape deck. They are drawn, because no font can be relied on to have them.
+enum class StepSign { ToStart, Backward, Play, Pause, Forward, ToEnd };
+
+/// An icon in the palette's current text colour, also when disabled, at any size.
+QIcon stepIcon(StepSign sign);
+
+/// `base` with a share (0 … 1) of `tint` mixed in, channel by channel.
+inline QColor blended(const QColor &base, const QColor &tint, float share)
+{
+    const auto mix = [share](float from, float to) { return from + (to - from) * share; };
+    return QColor::fromRgbF(mix(base.redF(), tint.redF()), mix(base.greenF(), tint.greenF()),
+                            mix(base.blueF(), tint.blueF()));
+}
 
 } // namespace pixelplumb

@@ -1,11 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/typesetting.h"
 
+#include "core/grade/showntext.h"
+#include "core/scene/shortened.h"
+#include "widgets/look/numberformat.h"
 #include "widgets/look/symboltext.h"
 
+#include <QCoreApplication>
+#include <QFileInfo>
 #include <QRegularExpression>
+#include <QStringList>
+
+#include <algorithm>
 
 namespace pixelplumb {
+
+namespace {
+
+struct NumberToolTip {
+    Q_DECLARE_TR_FUNCTIONS(pixelplumb::NumberToolTip)
+};
+
+void appendDecimal(QStringList &lines, const Quantity &quantity, Arithmetic arithmetic)
+{
+    if (const QString decimal = decimalBeside(quantity, arithmetic); !decimal.isEmpty())
+        lines.append(decimal);
+}
+
+/// Replaces the channel's letter by C: in "ΔR", but not the right bound in "x_R".
+QString withoutChannel(QString symbols, QChar channel)
+{
+    const QRegularExpression letter(QStringLiteral("(?<![A-Za-z_])%1(?![A-Za-z])").arg(channel));
+    return symbols.replace(letter, QStringLiteral("C"));
+}
+
+} // namespace
 
 QString typeset(QString text)
 {
@@ -27,6 +56,78 @@ QString typesetHtml(const QString &text)
     whole.replace(exponent, QStringLiteral("\\1\u2060\\2\u2060"));
     QString html = SymbolText(whole).html();
     return html.replace(fraction, QStringLiteral("<small>\\1</small>"));
+}
+
+QString shownName(const QString &path)
+{
+    constexpr qsizetype longestName = 120; // characters
+    return escapedControls(shortened(QFileInfo(path).fileName(), longestName));
+}
+
+QString withoutMarkup(QString symbols) { return symbols.remove(u'_'); }
+
+QString numberToolTip(const NumberDescription &number)
+{
+    QStringList lines(number.toolTip);
+    if (!number.formula.isEmpty())
+        lines.append(number.formula);
+    if (!number.unit.isEmpty())
+        lines.append(NumberToolTip::tr("unit: %1").arg(number.unit));
+    return toolTipHtml(lines);
+}
+
+QString numberToolTip(const NumberDescription &number, const Quantity &used, const Quantity &exact,
+                      Arithmetic arithmetic)
+{
+    QStringList lines(number.title + QStringLiteral(" = ") + displayText(used, arithmetic)
+                      + (number.unit.isEmpty() ? QString() : u' ' + number.unit));
+    appendDecimal(lines, used, arithmetic);
+    if (!exact.isNone()) {
+        lines.append(NumberToolTip::tr("exact %1").arg(displayText(exact)));
+        appendDecimal(lines, exact, Arithmetic::Exact);
+        lines.append(NumberToolTip::tr("error %1").arg(displayError(used, exact)));
+    }
+    lines.append(number.toolTip);
+    if (!number.formula.isEmpty())
+        lines.append(number.formula);
+    return toolTipHtml(lines);
+}
+
+std::optional<QChar> channelOf(const FormulaLine &line)
+{
+    switch (line.subject) {
+    case NumberSubject::Red:
+        return u'R';
+    case NumberSubject::Green:
+        return u'G';
+    case NumberSubject::Blue:
+        return u'B';
+    default:
+        return std::nullopt;
+    }
+}
+
+std::vector<ChannelFormula> channelFormulas(std::span<const FormulaLine> lines)
+{
+    std::vector<ChannelFormula> formulas;
+    for (const FormulaLine &line : lines) {
+        const std::optional<QChar> channel = channelOf(line);
+        if (!channel)
+            continue;
+        const QString symbols = withoutChannel(line.symbols, *channel);
+        const auto isOpen = [&](const ChannelFormula &formula) {
+            return formula.symbols == symbols
+                && std::ranges::none_of(formula.lines, [&](const FormulaLine *other) {
+                       return other->subject == line.subject;
+                   });
+        };
+        const auto formula = std::ranges::find_if(formulas, isOpen);
+        if (formula == formulas.end())
+            formulas.push_back({symbols, {&line}});
+        else
+            formula->lines.push_back(&line);
+    }
+    return formulas;
 }
 
 } // namespace pixelplumb

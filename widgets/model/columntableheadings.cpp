@@ -2,7 +2,7 @@
 #include "core/export/tracetable.h"
 #include "core/runs/spanheadings.h"
 #include "widgets/look/corewords.h"
-#include "widgets/look/numbertooltip.h"
+#include "widgets/look/typesetting.h"
 #include "widgets/model/columntablemodel.h"
 
 /// The names of the table's rows and columns.

@@ -4,7 +4,7 @@
 #include "core/export/numbertext.h"
 #include "core/runs/spanheadings.h"
 #include "widgets/look/numberformat.h"
-#include "widgets/look/numbertooltip.h"
+#include "widgets/look/typesetting.h"
 #include "widgets/model/playhead.h"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 
 #include <QFutureWatcher>
 #include <QObject>
+#include <QString>
 #include <QTimer>
 
 #include <chrono>
@@ -83,5 +84,12 @@ private:
     std::shared_ptr<Control> m_control; ///< shared with the worker; null when none is under way
     Run m_next;
 };
+
+/// The pool for all jobs that time something: it runs one at a time, so that none disturbs another;
+/// the others wait.
+QThreadPool *measuringPool();
+
+/// The title of a job about to be put there: "Measuring …", or that it waits.
+QString measuringNote();
 
 } // namespace pixelplumb

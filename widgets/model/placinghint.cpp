@@ -3,7 +3,7 @@
 
 #include "core/methods/method.h"
 #include "core/runs/tracedscene.h"
-#include "widgets/look/methodtitle.h"
+#include "widgets/look/corewords.h"
 
 #include <QCoreApplication>
 #include <QStringList>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/shape.h"
 #include "widgets/model/scenepiece.h"
 
 #include <functional>
@@ -18,5 +19,24 @@ std::optional<VertexRef> renamed(const VertexRef &ref, std::size_t triangleCount
 /// Maps a triangle's number before an edit to the one after it; none where the edit removes the
 /// triangle.
 using TriangleRenumbering = std::function<std::optional<std::size_t>(std::size_t)>;
+
+/// Whether a primitive is painted in one colour, that of its first vertex. A document gives it to
+/// all of its vertices, so that their handles have the visible colour.
+constexpr bool hasOneColour(PrimitiveKind kind)
+{
+    switch (kind) {
+    case PrimitiveKind::Triangle:
+    case PrimitiveKind::Point:
+    case PrimitiveKind::Line:
+        return false;
+    case PrimitiveKind::Circle:
+    case PrimitiveKind::Ellipse:
+    case PrimitiveKind::Bezier:
+    case PrimitiveKind::Polygon:
+    case PrimitiveKind::Text:
+        break;
+    }
+    return true;
+}
 
 } // namespace pixelplumb

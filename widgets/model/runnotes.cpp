@@ -6,7 +6,6 @@
 #include "core/runs/tracedscene.h"
 #include "core/scan/choicenames.h"
 #include "widgets/look/corewords.h"
-#include "widgets/look/methodtitle.h"
 #include "widgets/model/placinghint.h"
 
 #include <QCoreApplication>

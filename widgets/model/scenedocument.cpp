@@ -3,7 +3,7 @@
 
 #include "core/methods/method.h"
 #include "widgets/look/numberformat.h"
-#include "widgets/model/onecolour.h"
+#include "widgets/model/renumbering.h"
 
 #include <algorithm>
 

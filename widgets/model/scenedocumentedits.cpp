@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/shapeediting.h"
-#include "widgets/model/onecolour.h"
+#include "widgets/model/renumbering.h"
 #include "widgets/model/scenedocument.h"
-#include "widgets/model/sceneedit.h"
+#include "widgets/model/scenepiece.h"
 
 #include <algorithm>
 

@@ -1,15 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/requirements.h"
+#include "core/methods/method.h"
+#include "widgets/look/corewords.h"
+#include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
+#include "widgets/model/scenepiece.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
-/// The states of a document: snapshots for others to work on, saved or not.
 namespace pixelplumb {
 
 namespace {
 
 constexpr int noState = -1; ///< of the scene
+
+PrimitiveKind kindPlacedWith(const Method &method)
+{
+    return method.kinds.empty() ? PrimitiveKind::Triangle : method.kinds.front();
+}
+
+bool antialiasesLines(const Method &method)
+{
+    return method.draws(PrimitiveKind::Line)
+        && std::ranges::count(method.effects, Effect::Antialiasing) > 0;
+}
 
 } // namespace
 
@@ -84,6 +100,115 @@ void SceneDocument::tellModified()
         return;
     m_toldModified = isModified();
     emit modifiedChanged(m_toldModified);
+}
+
+PrimitiveKind SceneDocument::placedKind() const
+{
+    const Method *method = methodNamed(QString::fromStdString(m_scene.method));
+    return method ? kindPlacedWith(*method) : PrimitiveKind::Triangle;
+}
+
+void SceneDocument::setSettings(const ScanSettings &settings)
+{
+    const Method *method = methodNamed(QString::fromStdString(m_scene.method));
+    const ScanSettings kept = method ? method->adapted(settings) : settings;
+    if (kept != m_scene.settings) {
+        ScenePiece after = pieceAtEnd();
+        after.settings = kept;
+        edit(tr("change settings"), pieceAtEnd(), after);
+    }
+    tellAdaptation(settings);
+}
+
+void SceneDocument::setMethod(const std::string &method)
+{
+    if (method == m_scene.method)
+        return;
+    const QString name = QString::fromStdString(method);
+    const Method *chosen = methodNamed(name);
+    if (!chosen) {
+        emit refused(tr("There is no method “%1”.").arg(name));
+        return;
+    }
+    const ScanSettings asked = m_scene.settings;
+    const ScenePiece before = pieceAtEnd();
+    ScenePiece after = before;
+    after.settings = chosen->adapted(asked);
+    after.method = method;
+    if (kindPlacedWith(*chosen) != placedKind())
+        after.pending.clear();
+    m_undoStack.push(new SceneEdit(*this, tr("change method"), before, after, std::nullopt,
+                                   SceneEdit::Of::View));
+    tellAdaptation(asked);
+    if (antialiasesLines(*chosen) && antialiasingOf(m_scene.appearance) == Antialiasing::None)
+        emit notice(
+            tr("With one sample a pixel, lines have stairs and differ from the truth, which "
+               "is the nearest pixels: Effects ▸ exact area makes them even."));
+    const auto dropped = int(before.pending.size() - after.pending.size());
+    if (dropped > 0)
+        emit verticesDropped(
+            tr("%n waiting vertices dropped: “%1” draws another kind of primitive. "
+               "Undo brings them back.",
+               nullptr, dropped)
+                .arg(methodTitle(*chosen)));
+}
+
+void SceneDocument::tellAdaptation(const ScanSettings &asked)
+{
+    const Method *method = methodNamed(QString::fromStdString(m_scene.method));
+    const QString note = method ? adaptationNote(*method, asked) : QString();
+    if (!note.isEmpty())
+        emit notice(note);
+}
+
+void SceneDocument::setSolid(std::size_t index, const Solid &solid, int drag)
+{
+    if (index >= m_scene.solids.size() || m_scene.solids[index] == solid)
+        return;
+    const ScenePiece before = withPending(pieceWithSolids(m_scene, index, 1));
+    ScenePiece after = before;
+    after.solids = {solid};
+    m_undoStack.push(
+        new SceneEdit(*this, tr("change solid"), before, after, Drag{VertexRef(), drag}));
+}
+
+void SceneDocument::setSolidShown(std::size_t index, bool shown)
+{
+    if (index >= m_scene.solids.size() || m_scene.solids[index].isHidden != shown)
+        return;
+    const ScenePiece before = withPending(pieceWithSolids(m_scene, index, 1));
+    ScenePiece after = before;
+    after.solids.front().isHidden = !shown;
+    edit(shown ? tr("show solid") : tr("hide solid"), before, after);
+}
+
+bool SceneDocument::canMoveSolid(std::size_t index, int places) const
+{
+    const auto count = std::ptrdiff_t(m_scene.solids.size());
+    const auto from = std::ptrdiff_t(index);
+    return from < count && from + places >= 0 && from + places < count;
+}
+
+void SceneDocument::moveSolid(std::size_t index, int places)
+{
+    if (places == 0 || !canMoveSolid(index, places))
+        return;
+    const std::size_t first = places > 0 ? index : index - std::size_t(-places);
+    const ScenePiece before
+        = withPending(pieceWithSolids(m_scene, first, std::size_t(std::abs(places)) + 1));
+    ScenePiece after = before;
+    after.rotate(places > 0 ? 1 : -1);
+    edit(tr("change drawing order"), before, after);
+}
+
+void SceneDocument::deleteSolid(std::size_t index)
+{
+    if (index >= m_scene.solids.size())
+        return;
+    const ScenePiece before = withPending(pieceWithSolids(m_scene, index, 1));
+    ScenePiece after = before;
+    after.solids.clear();
+    edit(tr("delete solid"), before, after);
 }
 
 } // namespace pixelplumb

@@ -3,6 +3,7 @@
 
 #include "core/geometry/shapeediting.h"
 #include "core/methods/method.h"
+#include "widgets/model/scenedocument.h"
 
 #include <algorithm>
 #include <utility>
@@ -184,6 +185,38 @@ void replace(Scene &scene, const ScenePiece &before, const ScenePiece &after)
                after.run.triangles);
     replaceRun(scene.solids, before.firstSolid, before.solids.size(), after.solids);
     replaceRun(scene.shapes, before.firstShape, before.run.shapes.size(), after.run.shapes);
+}
+
+SceneEdit::SceneEdit(SceneDocument &document, const QString &text, ScenePiece before,
+                     ScenePiece after, const std::optional<Drag> &drag, Of of)
+    : QUndoCommand(text)
+    , m_document(&document)
+    , m_before(std::move(before))
+    , m_after(std::move(after))
+    , m_stateBefore(document.m_state)
+    , m_stateAfter(of == Of::View || m_before.hasSceneOf(m_after) ? m_stateBefore
+                                                                  : ++document.m_lastState)
+    , m_drag(drag)
+{
+}
+
+void SceneEdit::redo() { m_document->exchange(m_before, m_after, m_stateAfter); }
+
+void SceneEdit::undo() { m_document->exchange(m_after, m_before, m_stateBefore); }
+
+bool SceneEdit::mergeWith(const QUndoCommand *other)
+{
+    const auto &edit = static_cast<const SceneEdit &>(*other);
+    if (edit.m_drag != m_drag)
+        return false;
+    m_after = edit.m_after;
+    m_stateAfter = edit.m_stateAfter;
+    if (m_after == m_before) { // a drag that returned changed nothing
+        setObsolete(true);
+        m_document->m_state = m_stateBefore;
+        m_document->tellModified();
+    }
+    return true;
 }
 
 } // namespace pixelplumb

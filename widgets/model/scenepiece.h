@@ -3,9 +3,13 @@
 
 #include "core/scene/scene.h"
 
+#include <QUndoCommand>
+
 #include <optional>
 
 namespace pixelplumb {
+
+class SceneDocument;
 
 /// A vertex of the document: of a primitive of the scene, or pending.
 struct VertexRef {
@@ -65,5 +69,40 @@ bool solidsStay(const ScenePiece &before, const ScenePiece &after);
 
 /// Replaces `before` by `after` in the scene.
 void replace(Scene &scene, const ScenePiece &before, const ScenePiece &after);
+
+/// The moves of a vertex in one drag, or while a key repeats.
+struct Drag {
+    VertexRef ref;
+    int number = 0; ///< unique to the drag
+
+    friend bool operator==(const Drag &, const Drag &) = default;
+};
+
+/// Any change of a document, as a piece of it before and after.
+class SceneEdit final : public QUndoCommand {
+public:
+    /// What closing without saving would lose: a change of the scene, or only another view of it,
+    /// by another method and the settings that it supports.
+    enum class Of { Scene, View };
+
+    /// Edits with the same drag merge into one.
+    SceneEdit(SceneDocument &document, const QString &text, ScenePiece before, ScenePiece after,
+              const std::optional<Drag> &drag = std::nullopt, Of of = Of::Scene);
+
+    void redo() override;
+    void undo() override;
+    /// Whether only pending vertices change.
+    bool keepsScene() const { return m_before.hasSceneOf(m_after); }
+    int id() const override { return m_drag ? 1 : -1; }
+    bool mergeWith(const QUndoCommand *other) override;
+
+private:
+    SceneDocument *m_document;
+    ScenePiece m_before;
+    ScenePiece m_after;
+    int m_stateBefore;
+    int m_stateAfter;
+    std::optional<Drag> m_drag;
+};
 
 } // namespace pixelplumb

@@ -3,8 +3,10 @@
 
 #include "core/runs/spanheadings.h"
 #include "widgets/look/corewords.h"
+#include "widgets/model/scenedocument.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 namespace pixelplumb {
 
@@ -52,6 +54,11 @@ QString firstDifferenceText(const TracedScene &traced)
     };
     return text().arg(wrong->x).arg(wrong->y);
 }
+
+/// The translation context.
+struct FrameText {
+    Q_DECLARE_TR_FUNCTIONS(pixelplumb::FrameText)
+};
 
 } // namespace
 
@@ -101,6 +108,31 @@ QString columnText(const TracedScene &traced, std::size_t position)
     const TraceStep step = traced.trace->stepAt(position - 1);
     return step.kind == StepKind::SetUp ? primitiveText(traced, step.primitive)
                                         : spanText(traced, step.span);
+}
+
+std::optional<int> movingFrame(const SceneDocument &document)
+{
+    return document.scene().motion ? std::optional(document.currentFrame()) : std::nullopt;
+}
+
+QString frameText(const SceneDocument &document)
+{
+    const std::optional<int> frame = movingFrame(document);
+    return frame ? FrameText::tr("frame %1 of %2 of the motion")
+                       .arg(*frame)
+                       .arg(document.scene().motion->frames - 1)
+                 : QString();
+}
+
+std::optional<QPoint> typedPixel(const QString &text)
+{
+    static const QRegularExpression form(
+        QStringLiteral(R"(^\s*\(?\s*(-?\d{1,10})\s*[,; ]\s*(-?\d{1,10})\s*\)?\s*$)"));
+    const auto match = form.match(text);
+    bool xFits = false;
+    bool yFits = false;
+    const QPoint pixel(match.captured(1).toInt(&xFits), match.captured(2).toInt(&yFits));
+    return match.hasMatch() && xFits && yFits ? std::optional(pixel) : std::nullopt;
 }
 
 } // namespace pixelplumb

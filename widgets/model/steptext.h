@@ -3,9 +3,14 @@
 
 #include "core/runs/tracedscene.h"
 
+#include <QPoint>
 #include <QString>
 
+#include <optional>
+
 namespace pixelplumb {
+
+class SceneDocument;
 
 /// What the step before a position did: "pixel (27, 19) written".
 QString stepText(const TracedScene &traced, std::size_t position);
@@ -13,5 +18,13 @@ QString stepText(const TracedScene &traced, std::size_t position);
 QString markText(const TracedScene &traced, const TraceMark &mark);
 /// "column 27, second half", or the triangle that was set up.
 QString columnText(const TracedScene &traced, std::size_t position);
+
+/// The current frame of a moving scene, from 0; none for a still one.
+std::optional<int> movingFrame(const SceneDocument &document);
+/// "frame 8 of 24 of the motion"; empty where the scene stands still.
+QString frameText(const SceneDocument &document);
+
+/// Reads a typed pixel: "27 19", "27, 19", "27; 19" or "(27, 19)".
+std::optional<QPoint> typedPixel(const QString &text);
 
 } // namespace pixelplumb

@@ -6,7 +6,7 @@
 #include "core/methods/method.h"
 #include "core/runs/sceneplan.h"
 #include "core/scene/fileaccess.h"
-#include "widgets/look/shownname.h"
+#include "widgets/look/typesetting.h"
 #include "widgets/model/scenetracer.h"
 
 #include <utility>

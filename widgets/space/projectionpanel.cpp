@@ -2,6 +2,7 @@
 #include "widgets/space/projectionpanel.h"
 
 #include "widgets/look/corewords.h"
+#include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 #include "widgets/space/sideview.h"
 #include "widgets/space/stagetree.h"
@@ -56,42 +57,28 @@ QString lossesText(const std::vector<LostTriangle> &lost)
 ProjectionPanel::ProjectionPanel(SceneDocument *document, Playhead *playhead, QWidget *parent)
     : QWidget(parent)
     , m_playhead(playhead)
-    , m_sentence(new QLabel)
+    , m_sentence(readingLabel("projectionSentence", tr("The current triangle"), this))
     , m_parts(new QSplitter(Qt::Horizontal))
     , m_view(new SideView)
     , m_stages(new StageTree)
     , m_surfaces(new SurfacesPanel(document, playhead))
 {
-    setObjectName(QStringLiteral("projectionPanel"));
-    setAccessibleName(tr("Projection"));
-    m_sentence->setObjectName(QStringLiteral("projectionSentence"));
-    m_sentence->setAccessibleName(tr("The current triangle"));
-    m_sentence->setWordWrap(true);
-    m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    named(this, "projectionPanel", tr("Projection"));
     m_parts->addWidget(m_view);
     m_parts->addWidget(m_stages);
     m_parts->setSizes({400, 500}); // used, exact and error side by side
     auto *projection = new QWidget;
-    auto *column = new QVBoxLayout(projection);
-    column->setContentsMargins(8, 8, 8, 8);
-    column->setSpacing(8);
-    column->addWidget(m_sentence);
-    column->addWidget(m_parts, 1);
+    withParts(new QVBoxLayout(projection), {m_sentence, {m_parts, 1}}, 8, 8);
     auto *tabs = new QTabWidget;
-    tabs->setObjectName(QStringLiteral("projectionTabs"));
-    tabs->setAccessibleName(tr("Projection and surfaces"));
+    named(tabs, "projectionTabs", tr("Projection and surfaces"));
     tabs->setDocumentMode(true);
     tabs->addTab(projection, tr("Projection"));
     tabs->addTab(m_surfaces, tr("Surfaces"));
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(tabs);
+    withParts(new QVBoxLayout(this), {tabs}, -1, 0);
     connect(playhead, &Playhead::tracedChanged, this, &ProjectionPanel::takeTraced);
     connect(playhead, &Playhead::positionChanged, this, &ProjectionPanel::followPosition);
     connect(playhead, &Playhead::pickedPixelChanged, this, &ProjectionPanel::followPosition);
 }
-
-ProjectionPanel::~ProjectionPanel() = default;
 
 void ProjectionPanel::takeTraced()
 {

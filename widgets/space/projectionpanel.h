@@ -26,7 +26,6 @@ class ProjectionPanel : public QWidget {
 
 public:
     ProjectionPanel(SceneDocument *document, Playhead *playhead, QWidget *parent = nullptr);
-    ~ProjectionPanel() override;
 
     QSize sizeHint() const override { return {720, 480}; }
 

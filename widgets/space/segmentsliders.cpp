@@ -2,6 +2,7 @@
 #include "widgets/space/segmentsliders.h"
 
 #include "core/space/surfaces.h"
+#include "widgets/look/parts.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QHBoxLayout>
@@ -32,9 +33,7 @@ SegmentSliders::SegmentSliders(SceneDocument *document, QWidget *parent)
                             tr("Segments from pole to pole, or along t"))})
     , m_numbers(new QLabel(this))
 {
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(new QLabel(tr("Segments")));
+    auto *row = withParts(new QHBoxLayout(this), {new QLabel(tr("Segments"))}, -1, 0);
     for (QSlider *slider : m_sliders)
         row->addWidget(slider);
     row->addWidget(m_numbers);

@@ -4,6 +4,7 @@
 #include "widgets/look/corewords.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/look/numberlayout.h"
+#include "widgets/look/parts.h"
 #include "widgets/look/symboltext.h"
 #include "widgets/model/playhead.h"
 #include "widgets/space/segmentsliders.h"
@@ -139,25 +140,16 @@ SurfacesPanel::SurfacesPanel(SceneDocument *document, Playhead *playhead, QWidge
     , m_parameters(new QLabel)
     , m_forms(new QTextBrowser)
 {
-    setObjectName(QStringLiteral("surfacesPanel"));
-    setAccessibleName(tr("Surfaces"));
+    named(this, "surfacesPanel", tr("Surfaces"));
     m_parameters->setFont(tabularFont(font()));
-    m_forms->setObjectName(QStringLiteral("surfaceForms"));
-    m_forms->setAccessibleName(tr("Forms of curves and surfaces"));
+    named(m_forms, "surfaceForms", tr("Forms of curves and surfaces"));
     m_forms->setFrameShape(QFrame::NoFrame);
     m_forms->setFont(tabularFont(font()));
     m_forms->setWordWrapMode(QTextOption::WordWrap); // not in the middle of a number
-    auto *sliders = new QHBoxLayout;
-    sliders->addWidget(new QLabel(QStringLiteral("s")));
-    sliders->addWidget(m_s);
-    sliders->addWidget(new QLabel(QStringLiteral("t")));
-    sliders->addWidget(m_t);
-    sliders->addWidget(m_parameters);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 8);
-    layout->addWidget(new SegmentSliders(document));
-    layout->addLayout(sliders);
-    layout->addWidget(m_forms, 1);
+    auto *sliders = withParts(
+        new QHBoxLayout,
+        {new QLabel(QStringLiteral("s")), m_s, new QLabel(QStringLiteral("t")), m_t, m_parameters});
+    withParts(new QVBoxLayout(this), {new SegmentSliders(document), sliders, {m_forms, 1}}, -1, 8);
     for (QSlider *slider : {m_s, m_t})
         connect(slider, &QSlider::valueChanged, this, &SurfacesPanel::fillForms);
     connect(playhead, &Playhead::tracedChanged, this, [this] {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/stepping/scrubber.h"
 
+#include "widgets/look/parts.h"
 #include "widgets/model/steptext.h"
 
 #include <QHelpEvent>
@@ -40,8 +41,7 @@ Scrubber::Scrubber(Playhead *playhead, QWidget *parent)
     : QAbstractSlider(parent)
     , m_playhead(playhead)
 {
-    setObjectName(QStringLiteral("scrubber"));
-    setAccessibleName(tr("Position in the run"));
+    named(this, "scrubber", tr("Position in the run"));
     setOrientation(Qt::Horizontal);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);

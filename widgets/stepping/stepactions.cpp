@@ -2,7 +2,7 @@
 #include "widgets/stepping/stepactions.h"
 
 #include "widgets/look/menuaction.h"
-#include "widgets/look/stepicons.h"
+#include "widgets/look/signs.h"
 
 namespace pixelplumb {
 

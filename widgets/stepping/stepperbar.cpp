@@ -1,21 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/stepping/stepperbar.h"
 
-#include "widgets/look/decimalbox.h"
-#include "widgets/stepping/stepbutton.h"
+#include "widgets/look/labels.h"
+#include "widgets/look/parts.h"
 
+#include <QAction>
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QFontMetrics>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStyleOptionToolButton>
+#include <QStylePainter>
 
 #include <cmath>
 
 namespace pixelplumb {
 
 namespace {
+
+// Logical pixels.
+constexpr int padding = 8;
+constexpr int signSize = 12;
+constexpr int iconGap = 6;
 
 /// The speed slider is logarithmic: ten notches per power of ten.
 constexpr int notchesPerDecade = 10;
@@ -33,13 +41,64 @@ double speedOf(int notch)
 
 } // namespace
 
+StepButton::StepButton(QAction *action, SignSide side, QWidget *parent)
+    : QToolButton(parent)
+    , m_side(side)
+{
+    setObjectName(action->objectName() + QStringLiteral("Button"));
+    setDefaultAction(action);
+    setAutoRaise(true);
+    setFocusPolicy(Qt::TabFocus);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setAccessibleName(QString(action->text()).remove(QLatin1Char('&')));
+}
+
+QSize StepButton::sizeHint() const
+{
+    int width = 2 * padding + signSize;
+    if (m_side != SignSide::Alone) {
+        int text = fontMetrics().horizontalAdvance(this->text());
+        for (const QString &other : m_texts)
+            text = std::max(text, fontMetrics().horizontalAdvance(other));
+        width += iconGap + text;
+    }
+    return {width, QToolButton::sizeHint().height()};
+}
+
+void StepButton::keepRoomFor(const QStringList &texts)
+{
+    m_texts = texts;
+    updateGeometry();
+}
+
+void StepButton::paintEvent(QPaintEvent *)
+{
+    QStylePainter painter(this);
+    QStyleOptionToolButton option;
+    initStyleOption(&option);
+    const QString text = m_side == SignSide::Alone ? QString() : option.text;
+    const QIcon sign = option.icon;
+    option.text.clear();
+    option.icon = {};
+    painter.drawComplexControl(QStyle::CC_ToolButton, option);
+
+    const int textWidth = text.isEmpty() ? 0 : iconGap + fontMetrics().horizontalAdvance(text);
+    const int left = (width() - signSize - textWidth) / 2;
+    const int signLeft = m_side == SignSide::AfterText ? left + textWidth : left;
+    sign.paint(&painter, QRect(signLeft, (height() - signSize) / 2, signSize, signSize),
+               Qt::AlignCenter, isEnabled() ? QIcon::Normal : QIcon::Disabled);
+    const int textLeft = m_side == SignSide::AfterText ? left : left + signSize + iconGap;
+    painter.drawItemText(QRect(textLeft, 0, width() - textLeft, height()),
+                         Qt::AlignLeft | Qt::AlignVCenter, palette(), isEnabled(), text,
+                         QPalette::ButtonText);
+}
+
 StepperBar::StepperBar(Playhead *playhead, const StepActions &actions, QWidget *parent)
     : QWidget(parent)
     , m_playhead(playhead)
     , m_layout(new QHBoxLayout(this))
 {
-    setObjectName(QStringLiteral("stepperBar"));
-    setAccessibleName(tr("Stepper"));
+    named(this, "stepperBar", tr("Stepper"));
     m_layout->setContentsMargins(8, 0, 0, 0);
     m_layout->setSpacing(2);
     addButtons(actions);
@@ -71,9 +130,7 @@ void StepperBar::addButtons(const StepActions &actions)
 
 void StepperBar::addUnitBox(const StepActions &actions)
 {
-    m_unitBox = new QComboBox(this);
-    m_unitBox->setObjectName(QStringLiteral("unitBox"));
-    m_unitBox->setAccessibleName(tr("Unit of playing"));
+    m_unitBox = named(new QComboBox(this), "unitBox", tr("Unit of playing"));
     m_unitBox->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     m_unitBox->setToolTip(tr("Play by primitives, spans or samples"));
     for (QAction *unit : actions.units()) {
@@ -92,20 +149,16 @@ void StepperBar::addUnitBox(const StepActions &actions)
 
 void StepperBar::addSpeed()
 {
-    m_speedSlider = new QSlider(Qt::Horizontal, this);
-    m_speedSlider->setObjectName(QStringLiteral("speedSlider"));
-    m_speedSlider->setAccessibleName(tr("Speed of playing"));
-    m_speedSlider->setToolTip(tr("Speed of playing, steps per second"));
+    m_speedSlider = named(new QSlider(Qt::Horizontal, this), "speedSlider", tr("Speed of playing"),
+                          tr("Speed of playing, steps per second"));
     m_speedSlider->setRange(notchOf(Playhead::slowest), notchOf(Playhead::fastest));
     m_speedSlider->setFixedWidth(56);
     connect(m_speedSlider, &QSlider::valueChanged, m_playhead,
             [playhead = m_playhead](int notch) { playhead->setStepsPerSecond(speedOf(notch)); });
     m_layout->addWidget(m_speedSlider);
 
-    m_speedBox = new DecimalBox(this);
-    m_speedBox->setObjectName(QStringLiteral("speedBox"));
-    m_speedBox->setAccessibleName(tr("Speed of playing, steps per second"));
-    m_speedBox->setToolTip(tr("Speed of playing, steps per second"));
+    m_speedBox
+        = explained(new DecimalBox(this), "speedBox", tr("Speed of playing, steps per second"));
     m_speedBox->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     m_speedBox->setRange(Playhead::slowest, Playhead::fastest);
     m_speedBox->setDecimals(1);
@@ -121,8 +174,7 @@ void StepperBar::addSpeed()
 
 void StepperBar::addPositionLabel()
 {
-    m_position = new QLabel(this);
-    m_position->setObjectName(QStringLiteral("positionLabel"));
+    m_position = named(new QLabel(this), "positionLabel");
     m_position->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_layout->addWidget(m_position);
     connect(m_playhead, &Playhead::tracedChanged, this, [this] { updatePosition(); });

@@ -3,6 +3,7 @@
 
 #include "widgets/stepping/stepactions.h"
 
+#include <QToolButton>
 #include <QWidget>
 
 class QBoxLayout;
@@ -12,6 +13,30 @@ class QLabel;
 class QSlider;
 
 namespace pixelplumb {
+
+/// A tool button whose sign may follow its text, so that it points in the button's direction:
+/// "column ▶".
+class StepButton : public QToolButton {
+    Q_OBJECT
+
+public:
+    enum class SignSide { Alone, BeforeText, AfterText };
+
+    /// Takes icon, icon text and keys from the action.
+    StepButton(QAction *action, SignSide side, QWidget *parent = nullptr);
+
+    QSize sizeHint() const override;
+
+    /// Reserves room for these texts, in addition to the current one.
+    void keepRoomFor(const QStringList &texts);
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    SignSide m_side;
+    QStringList m_texts;
+};
 
 /// The buttons that move time: to the start, back and on by column and by pixel, play, to the end;
 /// the unit and speed of playing; the playhead's position.

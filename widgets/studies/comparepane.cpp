@@ -4,9 +4,9 @@
 #include "core/lab/scenecost.h"
 #include "core/scan/choicenames.h"
 #include "widgets/look/corewords.h"
-#include "widgets/look/elidingbox.h"
 #include "widgets/look/framepainter.h"
-#include "widgets/look/methodtitle.h"
+#include "widgets/look/labels.h"
+#include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/tracenavigation.h"
 #include "widgets/studies/comparelink.h"
@@ -88,17 +88,8 @@ ComparePane::ComparePane(int number, CompareLink *link, Playhead *playhead, QWid
     first->addWidget(name);
     first->addWidget(m_method, 1);
     // In their own row: four panes side by side would push out the panels at the right.
-    m_settings = new QHBoxLayout;
-    m_settings->setSpacing(4);
-    m_settings->addWidget(m_arithmetic, 1);
-    m_settings->addWidget(m_fillRule, 1);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
-    layout->addLayout(first);
-    layout->addLayout(m_settings);
-    layout->addWidget(m_view, 1);
-    layout->addWidget(m_result);
+    m_settings = withParts(new QHBoxLayout, {{m_arithmetic, 1}, {m_fillRule, 1}}, 4);
+    withParts(new QVBoxLayout(this), {first, m_settings, {m_view, 1}, m_result}, 4, 0);
 
     connect(m_method, &QComboBox::activated, this, [this] {
         offerSettings(contender().settings);
@@ -113,8 +104,6 @@ ComparePane::ComparePane(int number, CompareLink *link, Playhead *playhead, QWid
     });
     offerSettings({});
 }
-
-ComparePane::~ComparePane() = default;
 
 QComboBox *ComparePane::addBox(const QString &name, const QString &label)
 {

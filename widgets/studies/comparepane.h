@@ -27,7 +27,6 @@ class ComparePane : public QWidget {
 public:
     /// `number`: 1 … 4, as in the reasons.
     ComparePane(int number, CompareLink *link, Playhead *playhead, QWidget *parent = nullptr);
-    ~ComparePane() override;
 
     Contender contender() const;
     void setContender(const Contender &contender); ///< without contenderChanged()

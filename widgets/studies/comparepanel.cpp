@@ -2,31 +2,28 @@
 #include "widgets/studies/comparepanel.h"
 
 #include "core/runs/sceneplan.h"
-#include "widgets/look/scrolledlabel.h"
+#include "widgets/look/labels.h"
+#include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/runnotes.h"
-#include "widgets/studies/agreementview.h"
 #include "widgets/studies/comparelink.h"
 #include "widgets/studies/comparepane.h"
 #include "widgets/studies/comparetext.h"
+#include "widgets/studies/compareview.h"
 
 #include <QBoxLayout>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QToolButton>
 
 namespace pixelplumb {
 
 ComparePanel::ComparePanel(Playhead *playhead, QWidget *parent)
-    : QWidget(parent)
+    : StudyPanel("compare", {}, parent)
     , m_playhead(playhead)
     , m_link(new CompareLink(this))
 {
-    setObjectName(QStringLiteral("compare"));
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 8);
-    layout->setSpacing(8);
+    auto *layout = withParts(new QVBoxLayout(this), {}, 8, 8);
     m_row = new QHBoxLayout;
     m_row->setSpacing(8);
     layout->addLayout(m_row, 1);
@@ -44,15 +41,12 @@ ComparePanel::ComparePanel(Playhead *playhead, QWidget *parent)
                                  tr("Why the picked pixel differs"), this);
     layout->addWidget(m_reason);
 
-    connect(&m_job, &Job::progressChanged, this, &ComparePanel::tellProgress);
-    connect(&m_job, &Job::ended, m_progress, &QWidget::hide);
-    connect(&m_job, &Job::ended, m_cancel, &QWidget::hide);
     connect(&m_timing, &ContestTiming::measured, this,
             [this](std::size_t run, const SceneCost &cost) {
                 if (run < m_panes.size())
                     m_panes[run]->showCost(cost);
             });
-    connect(playhead, &Playhead::tracedChanged, this, &ComparePanel::restart);
+    connect(playhead, &Playhead::tracedChanged, this, &ComparePanel::compareAnew);
     connect(playhead, &Playhead::pickedPixelChanged, this, &ComparePanel::tellPixel);
     connect(playhead, &Playhead::aheadHiddenChanged, this, &ComparePanel::tellAgreement);
     connect(playhead, &Playhead::positionChanged, this, [this] {
@@ -64,51 +58,31 @@ ComparePanel::ComparePanel(Playhead *playhead, QWidget *parent)
     m_reason->setText(tr("Nothing is compared yet."));
 }
 
-ComparePanel::~ComparePanel() = default;
-
 void ComparePanel::addControls(QBoxLayout *layout)
 {
-    const auto button = [this](const char *name, const QString &text, const QString &tip) {
-        auto *result = new QToolButton(this);
-        result->setObjectName(QLatin1String(name));
-        result->setText(text);
-        result->setAccessibleName(tip);
-        result->setToolTip(tip);
-        return result;
-    };
-    m_fewer = button("compareFewer", QStringLiteral("−"), tr("Take the last pane away"));
-    m_more = button("compareMore", QStringLiteral("+"), tr("Add a pane, four at most"));
-    QToolButton *fit = button("compareFit", tr("Fit"), tr("Show the whole frame in every pane"));
-    m_progress = new QProgressBar(this);
-    m_progress->setRange(0, 0);
-    m_progress->setMaximumWidth(64);
-    m_progress->setTextVisible(false);
-    m_progress->hide();
-    m_cancel = new QPushButton(tr("Cancel"), this);
-    m_cancel->setObjectName(QStringLiteral("compareCancel"));
-    m_cancel->hide();
-    auto *row = new QHBoxLayout;
-    row->setSpacing(4);
-    row->addWidget(new QLabel(tr("Agreement"), this));
-    row->addStretch();
-    row->addWidget(m_fewer);
-    row->addWidget(m_more);
-    row->addWidget(fit);
-    row->addWidget(m_progress);
-    row->addWidget(m_cancel);
+    m_fewer = namedButton("compareFewer", QStringLiteral("−"), tr("Take the last pane away"), this);
+    m_more = namedButton("compareMore", QStringLiteral("+"), tr("Add a pane, four at most"), this);
+    QToolButton *fit
+        = namedButton("compareFit", tr("Fit"), tr("Show the whole frame in every pane"), this);
+    auto *progress
+        = new JobBar(m_job, QStringLiteral("compare"), tr("Progress of the comparison"), 64, this);
+    connect(&m_job, &Job::started, progress, &QWidget::hide); // for a moment it would flicker
+    auto *row
+        = withParts(new QHBoxLayout,
+                    {new QLabel(tr("Agreement"), this), Room(), m_fewer, m_more, fit, progress}, 4);
     layout->addLayout(row);
     connect(m_more, &QToolButton::clicked, this, [this] {
         const Contender last = m_panes.back()->contender();
         addPane();
         m_panes.back()->setContender(last);
-        restart();
+        compareAnew();
     });
     connect(m_fewer, &QToolButton::clicked, this, [this] {
         removePane();
-        restart();
+        compareAnew();
     });
     connect(fit, &QToolButton::clicked, m_link, &CompareLink::fit);
-    connect(m_cancel, &QPushButton::clicked, this, &ComparePanel::cancel);
+    connect(progress, &JobBar::cancelled, this, &ComparePanel::cancel);
 }
 
 void ComparePanel::addPane()
@@ -116,7 +90,7 @@ void ComparePanel::addPane()
     auto *pane = new ComparePane(int(m_panes.size()) + 1, m_link, m_playhead, this);
     m_row->insertWidget(int(m_panes.size()), pane, 1);
     m_panes.push_back(pane);
-    connect(pane, &ComparePane::contenderChanged, this, &ComparePanel::restart);
+    connect(pane, &ComparePane::contenderChanged, this, &ComparePanel::compareAnew);
     m_more->setEnabled(m_panes.size() < mostContenders);
     m_fewer->setEnabled(m_panes.size() > fewestContenders);
 }
@@ -147,12 +121,12 @@ void ComparePanel::setContenders(const std::vector<Contender> &contenders)
         removePane();
     for (std::size_t i = 0; i < contenders.size(); ++i)
         m_panes[i]->setContender(contenders[i]);
-    restart();
+    compareAnew();
 }
 
 void ComparePanel::lookAt(const QPoint &pixel)
 {
-    if (m_job.isRunning() || m_isStale)
+    if (m_job.isRunning() || isStale())
         m_lookedAt = pixel;
     else
         m_link->lookAt(pixel);
@@ -177,13 +151,6 @@ void ComparePanel::choosePanes()
     setContenders(chosen);
 }
 
-void ComparePanel::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    if (m_isStale)
-        restart();
-}
-
 void ComparePanel::cancel()
 {
     m_job.cancel();
@@ -191,29 +158,31 @@ void ComparePanel::cancel()
                          "again."));
 }
 
-void ComparePanel::restart()
+void ComparePanel::compareAnew()
 {
-    m_isStale = true;
     m_timing.cancel();
+    restart();
+}
+
+bool ComparePanel::study()
+{
     const std::shared_ptr<const TracedScene> traced = m_playhead->sharedTraced();
-    if (!isVisible())
-        return;
     if (!traced) {
-        m_job.cancel();
         m_contest.reset();
         for (ComparePane *pane : m_panes)
             pane->clear(tr("The scene is being drawn."));
         m_agreement->setContest(nullptr);
-        return;
+        return false;
     }
-    if (!m_isChosen)
-        return choosePanes();
-    m_isStale = false;
+    if (!m_isChosen) {
+        choosePanes(); // and compares these
+        return true;
+    }
     std::vector<Contender> chosen = contenders();
     for (Contender &contender : chosen)
         contender.settings.rounding = traced->scene.settings.rounding;
     if (!canAllDraw(traced->scene, chosen))
-        return;
+        return true;
     m_job.start(
         [scene = traced->scene, chosen](const ProgressListener &listener) {
             ContestOptions options;
@@ -222,6 +191,7 @@ void ComparePanel::restart()
             return compareContenders(scene, chosen, options);
         },
         [this](const std::shared_ptr<const Contest> &contest) { take(contest); });
+    return true;
 }
 
 /// Otherwise says which contender cannot, and why.
@@ -262,15 +232,6 @@ void ComparePanel::take(const std::shared_ptr<const Contest> &contest)
     tellAgreement();
     m_timing.measure(contest);
     emit contestChanged();
-}
-
-/// Shown only when it takes longer than a moment.
-void ComparePanel::tellProgress(const JobProgress &progress)
-{
-    m_progress->setRange(0, int(progress.total));
-    m_progress->setValue(int(progress.done));
-    m_progress->show();
-    m_cancel->show();
 }
 
 void ComparePanel::tellAgreement()

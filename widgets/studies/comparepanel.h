@@ -2,15 +2,11 @@
 #pragma once
 
 #include "core/compare/contest.h"
-#include "widgets/model/job.h"
-#include "widgets/studies/contesttiming.h"
-
-#include <QWidget>
+#include "widgets/studies/comparelink.h"
+#include "widgets/studies/studypanel.h"
 
 class QBoxLayout;
 class QLabel;
-class QProgressBar;
-class QPushButton;
 class QToolButton;
 
 namespace pixelplumb {
@@ -24,15 +20,13 @@ class ScrolledLabel;
 /// Two to four contenders draw the playhead's scene side by side, each at the playhead's place,
 /// with one zoom; beside them the map of where they agree, and below the reason for the picked
 /// pixel in words. Draws in a worker thread, and only while visible.
-class ComparePanel : public QWidget {
+class ComparePanel : public StudyPanel {
     Q_OBJECT
 
 public:
     explicit ComparePanel(Playhead *playhead, QWidget *parent = nullptr);
-    ~ComparePanel() override;
 
     std::vector<Contender> contenders() const;
-    bool isRunning() const { return m_job.isRunning(); }
     /// Null until the first contest is finished.
     const Contest *contest() const { return m_contest.get(); }
     const std::vector<ComparePane *> &panes() const { return m_panes; }
@@ -49,20 +43,17 @@ public slots:
 signals:
     void contestChanged();
 
-protected:
-    void showEvent(QShowEvent *event) override;
-
 private:
     void addControls(QBoxLayout *layout);
     void addPane();
     void removePane();
     void choosePanes();
-    void restart();
+    void compareAnew();
+    bool study() override;
     bool canAllDraw(const Scene &scene, const std::vector<Contender> &contenders);
     void take(const std::shared_ptr<const Contest> &contest);
     void tellAgreement();
     void tellPixel();
-    void tellProgress(const JobProgress &progress);
 
     Playhead *m_playhead;
     CompareLink *m_link;
@@ -73,13 +64,9 @@ private:
     ScrolledLabel *m_reason = nullptr;
     QToolButton *m_more = nullptr;
     QToolButton *m_fewer = nullptr;
-    QProgressBar *m_progress = nullptr;
-    QPushButton *m_cancel = nullptr;
     bool m_isChosen = false; ///< the panes have contenders
-    bool m_isStale = true; ///< the contest is of another scene or other contenders
     std::shared_ptr<const Contest> m_contest;
     std::optional<QPoint> m_lookedAt; ///< to be centred when the next contest is finished
-    Job m_job;
     ContestTiming m_timing;
 };
 

@@ -4,9 +4,9 @@
 #include "core/scan/choicenames.h"
 #include "core/scene/colourtext.h"
 #include "widgets/look/corewords.h"
-#include "widgets/studies/agreementview.h"
 #include "widgets/studies/comparepane.h"
 #include "widgets/studies/comparepanel.h"
+#include "widgets/studies/compareview.h"
 
 namespace pixelplumb {
 

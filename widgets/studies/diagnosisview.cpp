@@ -2,105 +2,65 @@
 #include "widgets/studies/diagnosisview.h"
 
 #include "core/number/failure.h"
-#include "widgets/look/elidingbox.h"
+#include "widgets/look/labels.h"
+#include "widgets/look/parts.h"
 #include "widgets/model/studentpicture.h"
-#include "widgets/studies/diagnosistext.h"
+#include "widgets/studies/studypanel.h"
 
 #include <QBoxLayout>
 #include <QLabel>
 #include <QListWidget>
-#include <QProgressBar>
 #include <QPushButton>
 
 namespace pixelplumb {
-
-namespace {
-
-QPushButton *pushButton(const char *name, const QString &text, const QString &tip, QWidget *parent)
-{
-    auto *result = new QPushButton(text, parent);
-    result->setObjectName(QLatin1String(name));
-    result->setToolTip(tip);
-    result->setAutoDefault(false);
-    return result;
-}
-
-} // namespace
 
 DiagnosisView::DiagnosisView(const StudentPicture *student, QWidget *parent)
     : QWidget(parent)
     , m_student(student)
 {
     setObjectName(QStringLiteral("diagnosis"));
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
+    auto *layout = withParts(new QVBoxLayout(this), {}, 4, 0);
     addControls(layout);
     addResults(layout);
     m_job.setTitle(tr("Naming the bug"));
     connect(&m_job, &Job::started, this, &DiagnosisView::updateButtons);
     connect(&m_job, &Job::ended, this, &DiagnosisView::updateButtons);
-    connect(&m_job, &Job::progressChanged, this, [this](const JobProgress &progress) {
-        m_progress->setRange(0, int(progress.total));
-        m_progress->setValue(int(progress.done));
-    });
     connect(student, &StudentPicture::taken, this, &DiagnosisView::forget);
     connect(student, &StudentPicture::judged, this, &DiagnosisView::followStudent);
     forget();
 }
-
-DiagnosisView::~DiagnosisView() = default;
 
 void DiagnosisView::addControls(QBoxLayout *layout)
 {
     m_start
         = pushButton("nameTheBug", tr("Name the &bug"),
                      tr("Find the known defects, one or two, that draw this very picture"), this);
-    m_cancel = pushButton("diagnosisCancel", tr("Cancel"), tr("Stop looking for defects"), this);
-    m_progress = new QProgressBar(this);
-    m_progress->setObjectName(QStringLiteral("diagnosisProgress"));
-    m_progress->setAccessibleName(tr("Sets of defects that are tried"));
-    m_progress->setTextVisible(false);
+    auto *progress = new JobBar(m_job, QStringLiteral("diagnosis"),
+                                tr("Sets of defects that are tried"), 0, this);
     m_audience = new ElidingBox(this);
     m_audience->setMinimumContentsLength(5);
-    m_audience->setObjectName(QStringLiteral("diagnosisAudience"));
-    m_audience->setAccessibleName(tr("Whose words"));
-    m_audience->setToolTip(tr("For whom. Student: where to look. Assistant: what was done."));
+    named(m_audience, "diagnosisAudience", tr("Whose words"),
+          tr("For whom. Student: where to look. Assistant: what was done."));
     m_audience->addItem(tr("student"));
     m_audience->addItem(tr("assistant"));
-    auto *row = new QHBoxLayout;
-    row->setSpacing(4);
-    row->addWidget(m_start);
-    row->addWidget(m_progress, 1);
-    row->addWidget(m_cancel);
-    row->addWidget(m_audience);
-    row->addStretch();
+    auto *row = withParts(new QHBoxLayout, {m_start, {progress, 1}, m_audience, Room()}, 4);
     layout->addLayout(row);
     connect(m_start, &QPushButton::clicked, this, &DiagnosisView::start);
-    connect(m_cancel, &QPushButton::clicked, this, &DiagnosisView::cancel);
+    connect(progress, &JobBar::cancelled, this, &DiagnosisView::cancel);
     connect(m_audience, &QComboBox::currentIndexChanged, this, &DiagnosisView::showCandidates);
 }
 
 void DiagnosisView::addResults(QBoxLayout *layout)
 {
-    const auto addLabel = [&](const char *name, const QString &inWords) {
-        auto *label = new QLabel(this);
-        label->setObjectName(QLatin1String(name));
-        label->setAccessibleName(inWords);
-        label->setWordWrap(true);
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        layout->addWidget(label);
-        return label;
-    };
-    m_verdict = addLabel("diagnosisVerdict", tr("What the diagnosis says"));
-    m_candidates = new QListWidget(this);
-    m_candidates->setObjectName(QStringLiteral("diagnosisCandidates"));
-    m_candidates->setAccessibleName(tr("Sets of defects"));
+    m_verdict = readingLabel("diagnosisVerdict", tr("What the diagnosis says"), this);
+    layout->addWidget(m_verdict);
+    m_candidates = named(new QListWidget(this), "diagnosisCandidates", tr("Sets of defects"));
     m_candidates->setWordWrap(true);
     m_candidates->setMinimumHeight(56);
     m_candidates->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
     layout->addWidget(m_candidates, 1);
-    m_sentence = addLabel("diagnosisSentence", tr("What the chosen defects are"));
+    m_sentence = readingLabel("diagnosisSentence", tr("What the chosen defects are"), this);
+    layout->addWidget(m_sentence);
     m_open = pushButton(
         "diagnosisOpen", tr("Open in the stepper"),
         tr("Run the scene with these defects and go to the first step that differs from the right "
@@ -124,8 +84,8 @@ void DiagnosisView::addResults(QBoxLayout *layout)
     connect(m_leave, &QPushButton::clicked, this, &DiagnosisView::leaveRequested);
 }
 
-std::optional<DiagnosisView::Named> DiagnosisView::named(const Submission &submission,
-                                                         const ProgressListener &listener)
+std::optional<DiagnosisView::Named> DiagnosisView::diagnosed(const Submission &submission,
+                                                             const ProgressListener &listener)
 {
     std::optional<Diagnosis> diagnosis = diagnose(std::span(&submission, 1), listener);
     if (!diagnosis)
@@ -149,10 +109,9 @@ void DiagnosisView::start()
         return;
     forget();
     m_scene = m_student->scene();
-    m_progress->setRange(0, 0);
     m_job.start(
         [scene = m_scene, judgement](const ProgressListener &listener) {
-            return named({*scene, judgement->found}, listener);
+            return diagnosed({*scene, judgement->found}, listener);
         },
         [this](const std::optional<Named> &found) { take(found); });
 }
@@ -258,8 +217,6 @@ void DiagnosisView::updateButtons()
     const bool canOpen = m_named && row >= 0
         && (m_named->steps[std::size_t(row)] || opening().defective != *m_scene);
     m_start->setEnabled(!runs && m_student->judgement());
-    m_progress->setVisible(runs);
-    m_cancel->setVisible(runs);
     m_audience->setVisible(!runs);
     for (QPushButton *each : {m_open, m_compare, m_leave})
         each->setVisible(m_named && row >= 0);
@@ -276,6 +233,53 @@ DefectOpening DiagnosisView::opening() const
     const auto &step = m_named->steps[row];
     return {m_scene, withDefects(*m_scene, candidate.defects), step ? step->step + 1 : 0,
             idsText(candidate)};
+}
+
+QString diagnosisText(const Diagnosis &diagnosis)
+{
+    if (diagnosis.verdict == DiagnosisVerdict::Right)
+        return DiagnosisView::tr("Right: no pixel differs, there is no bug to name.");
+    const QString verdict = diagnosis.verdict == DiagnosisVerdict::Wrong
+        ? DiagnosisView::tr("Wrong.")
+        : DiagnosisView::tr(
+            "Undecidable: what differs lies on edges, where rules differ, or within what "
+            "rounding in float32 may do.");
+    if (diagnosis.failure)
+        return verdict + u' '
+            + DiagnosisView::tr("The search for defects ended in an error: %1.")
+                  .arg(*diagnosis.failure);
+    if (diagnosis.candidates.empty())
+        return diagnosis.verdict == DiagnosisVerdict::Wrong
+            ? verdict + u' ' + DiagnosisView::tr("No known defect comes near.")
+            : verdict;
+    if (!diagnosis.isExplained())
+        return verdict + u' ' + DiagnosisView::tr("No known defect explains it; the nearest ones:");
+    return verdict + u' '
+        + (diagnosis.candidates.front().undecidable > 0
+               ? DiagnosisView::tr(
+                   "Known defects draw this picture, but for pixels that may be either way:")
+               : DiagnosisView::tr("%n sets of known defects draw this very picture:", nullptr,
+                                   int(diagnosis.candidates.size())));
+}
+
+QString idsText(const DiagnosisCandidate &candidate)
+{
+    return candidate.ids().join(DiagnosisView::tr(" and "));
+}
+
+QString sentencesText(const DiagnosisCandidate &candidate, QString Defect::*words)
+{
+    return candidate.sentences(words).join(u' ');
+}
+
+QString distanceText(const DiagnosisCandidate &candidate)
+{
+    if (candidate.distance == 0 && candidate.undecidable == 0)
+        return {};
+    if (candidate.distance == 0)
+        return DiagnosisView::tr(" · but for %n pixels that rounding or an edge may decide",
+                                 nullptr, int(candidate.undecidable));
+    return DiagnosisView::tr(" · %n pixels are left", nullptr, int(candidate.distance));
 }
 
 } // namespace pixelplumb

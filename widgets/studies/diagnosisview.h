@@ -10,7 +10,6 @@ class QBoxLayout;
 class QComboBox;
 class QLabel;
 class QListWidget;
-class QProgressBar;
 class QPushButton;
 
 namespace pixelplumb {
@@ -32,7 +31,6 @@ class DiagnosisView : public QWidget {
 
 public:
     explicit DiagnosisView(const StudentPicture *student, QWidget *parent = nullptr);
-    ~DiagnosisView() override;
 
     bool isRunning() const { return m_job.isRunning(); }
     QRect answer() const; ///< the rectangle of the visible parts of verdict, sets and sentence
@@ -56,8 +54,8 @@ private:
         std::vector<std::optional<PartingStep>> steps;
     };
 
-    static std::optional<Named> named(const Submission &submission,
-                                      const ProgressListener &listener);
+    static std::optional<Named> diagnosed(const Submission &submission,
+                                          const ProgressListener &listener);
     void addControls(QBoxLayout *layout);
     void addResults(QBoxLayout *layout);
     void take(const std::optional<Named> &found);
@@ -74,8 +72,6 @@ private:
     std::shared_ptr<const Scene> m_scene; ///< being diagnosed, or diagnosed last
     std::optional<Named> m_named;
     QPushButton *m_start = nullptr;
-    QPushButton *m_cancel = nullptr;
-    QProgressBar *m_progress = nullptr;
     QComboBox *m_audience = nullptr;
     QLabel *m_verdict = nullptr;
     QListWidget *m_candidates = nullptr;
@@ -85,5 +81,14 @@ private:
     QPushButton *m_leave = nullptr;
     Job m_job;
 };
+
+/// "Wrong: 12 pixels differ. These defects draw the very picture:"
+QString diagnosisText(const Diagnosis &diagnosis);
+/// "unsorted-colours and y-truncated"
+QString idsText(const DiagnosisCandidate &candidate);
+/// One sentence per defect; `words`: for the student or the assistant.
+QString sentencesText(const DiagnosisCandidate &candidate, QString Defect::*words);
+/// " · 3 pixels are left"; empty where none are.
+QString distanceText(const DiagnosisCandidate &candidate);
 
 } // namespace pixelplumb

@@ -4,17 +4,19 @@
 #include "core/methods/method.h"
 #include "core/runs/sceneplan.h"
 #include "core/scan/choicenames.h"
+#include "core/scene/appearancenames.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/numberlayout.h"
+#include "widgets/look/parts.h"
 #include "widgets/model/effectswitches.h"
-#include "widgets/model/measuringpool.h"
+#include "widgets/model/job.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/studies/effectstext.h"
 
+#include <QBoxLayout>
 #include <QComboBox>
 #include <QHeaderView>
-#include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -46,25 +48,15 @@ QString objectNameOf(Effect effect)
 } // namespace
 
 EffectsPanel::EffectsPanel(SceneDocument *document, EffectSwitches *switches, QWidget *parent)
-    : QWidget(parent)
+    : StudyPanel("effectsPanel", tr("Effects"), parent)
     , m_document(document)
     , m_switches(switches)
-    , m_summary(new QLabel(this))
     , m_table(new QTableWidget(this))
     , m_measureJob(nullptr, measuringPool())
 {
-    setObjectName(QStringLiteral("effectsPanel"));
-    setAccessibleName(tr("Effects"));
-    m_summary->setObjectName(QStringLiteral("effectsSummary"));
-    m_summary->setAccessibleName(tr("What is forced, and what that changes"));
-    m_summary->setWordWrap(true);
-    m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_summary = readingLabel("effectsSummary", tr("What is forced, and what that changes"), this);
     makeTable();
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 8);
-    layout->setSpacing(8);
-    layout->addLayout(controls());
-    layout->addWidget(m_table, 1);
+    withParts(new QVBoxLayout(this), {controls(), {m_table, 1}}, 8, 8);
     connect(document, &SceneDocument::sceneChanged, this, &EffectsPanel::forget);
     connect(document, &SceneDocument::currentFrameChanged, this, &EffectsPanel::forget);
     connect(switches, &EffectSwitches::changed, this, &EffectsPanel::forget);
@@ -73,8 +65,7 @@ EffectsPanel::EffectsPanel(SceneDocument *document, EffectSwitches *switches, QW
 
 void EffectsPanel::makeTable()
 {
-    m_table->setObjectName(QStringLiteral("effectsTable"));
-    m_table->setAccessibleName(tr("Effects"));
+    named(m_table, "effectsTable", tr("Effects"));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setFont(tabularFont(font()));
@@ -137,16 +128,14 @@ std::shared_ptr<const Scene> EffectsPanel::drawnScene() const
 
 void EffectsPanel::forget()
 {
-    m_planJob.cancel();
     m_measureJob.cancel();
     m_timing.reset();
     m_switches->setChanges(nullptr);
-    m_isStale = true;
     m_samples->setCurrentIndex(
         m_samples->findData(int(m_document->scene().appearance.antialiasing)));
     showSwitches();
     showTiming();
-    follow();
+    restart();
 }
 
 EffectsPanel::Finding EffectsPanel::findingOf(const Scene &scene)
@@ -157,17 +146,12 @@ EffectsPanel::Finding EffectsPanel::findingOf(const Scene &scene)
     return finding;
 }
 
-/// During a drag newer plans cancel older ones.
-void EffectsPanel::follow()
+bool EffectsPanel::study()
 {
-    if (!isVisible() || !m_isStale)
-        return;
-    m_isStale = false;
-    m_planJob.start(
-        [scene = drawnScene()](const ProgressListener &) {
-            return std::optional<Finding>(findingOf(*scene));
-        },
-        [this](const std::optional<Finding> &finding) { take(finding); });
+    m_job.start([scene = drawnScene()](
+                    const ProgressListener &) { return std::optional<Finding>(findingOf(*scene)); },
+                [this](const std::optional<Finding> &finding) { take(finding); });
+    return true;
 }
 
 void EffectsPanel::take(const std::optional<Finding> &finding)
@@ -252,10 +236,45 @@ void EffectsPanel::measure()
 
 void EffectsPanel::cancel() { m_measureJob.cancel(); }
 
-void EffectsPanel::showEvent(QShowEvent *event)
+QBoxLayout *EffectsPanel::controls()
 {
-    QWidget::showEvent(event);
-    follow();
+    m_measure = named(new QPushButton(tr("Measure"), this), "effectsMeasure", {},
+                      tr("Draw the scene again and again with each effect on and off, all "
+                         "others as called for, by the plain kernels"));
+    auto *progress = new JobBar(m_measureJob, QStringLiteral("effects"),
+                                tr("Progress of the measurement"), 64, this);
+    auto *row = withParts(new QHBoxLayout, {m_measure, progress}, 8);
+    addSamples(row);
+    row->addWidget(m_summary, 1);
+    connect(m_measure, &QPushButton::clicked, this, &EffectsPanel::measure);
+    connect(progress, &JobBar::cancelled, this, &EffectsPanel::cancel);
+    const auto showState = [this] { m_measure->setEnabled(!m_measureJob.isRunning()); };
+    connect(&m_measureJob, &Job::started, this, showState);
+    connect(&m_measureJob, &Job::ended, this, showState);
+    return row;
+}
+
+/// The samples that the scene itself asks for; the switch of antialiasing is next to its verdict.
+void EffectsPanel::addSamples(QBoxLayout *row)
+{
+    m_samples
+        = named(new QComboBox(this), "effectsSamples", tr("Antialiasing that the scene asks for"),
+                tr("Antialiasing that the scene asks for: samples of a pixel, or the "
+                   "exact area; only pixels that an edge passes have more than one"));
+    for (const Antialiasing each : {Antialiasing::None, Antialiasing::Samples4,
+                                    Antialiasing::Samples16, Antialiasing::Area}) {
+        const QString samples = QString::fromUtf8(nameOf(each));
+        m_samples->addItem(each == Antialiasing::Area       ? tr("exact area")
+                               : each == Antialiasing::None ? tr("1 sample")
+                                                            : tr("%1 samples").arg(samples),
+                           int(each));
+    }
+    row->addWidget(m_samples);
+    connect(m_samples, &QComboBox::activated, this, [this](int index) {
+        Appearance appearance = m_document->scene().appearance;
+        appearance.antialiasing = Antialiasing(m_samples->itemData(index).toInt());
+        m_document->setAppearance(appearance);
+    });
 }
 
 } // namespace pixelplumb

@@ -3,16 +3,13 @@
 
 #include "core/effects/effectplan.h"
 #include "core/measure/effecttiming.h"
-#include "widgets/model/job.h"
-
-#include <QWidget>
+#include "widgets/studies/studypanel.h"
 
 #include <memory>
 #include <optional>
 
 class QBoxLayout;
 class QComboBox;
-class QLabel;
 class QPushButton;
 class QTableWidget;
 
@@ -24,7 +21,7 @@ class SceneDocument;
 /// Which effects the document's scene calls for, why, and what each costs; a switch forces one on
 /// or off in the picture (objectName "effectsPanel", its table "effectsTable"). Plans and measures
 /// in a worker thread, and only while visible.
-class EffectsPanel : public QWidget {
+class EffectsPanel : public StudyPanel {
     Q_OBJECT
 
 public:
@@ -45,9 +42,6 @@ signals:
     void planned();
     void measured();
 
-protected:
-    void showEvent(QShowEvent *event) override;
-
 private:
     /// The findings for a scene.
     struct Finding {
@@ -63,7 +57,7 @@ private:
     void addSwitch(int row, Effect effect);
     std::shared_ptr<const Scene> drawnScene() const;
     void forget();
-    void follow();
+    bool study() override;
     void take(const std::optional<Finding> &finding);
     void showPlan();
     void showTiming();
@@ -73,15 +67,11 @@ private:
     EffectSwitches *m_switches;
     QComboBox *m_samples = nullptr;
     QPushButton *m_measure = nullptr;
-    QPushButton *m_cancel = nullptr;
-    QLabel *m_summary;
     QTableWidget *m_table;
     PerEffect<QComboBox *> m_boxes = {};
     std::optional<EffectPlan> m_plan;
     std::optional<EffectTiming> m_timing;
     QString m_objection;
-    bool m_isStale = true;
-    Job m_planJob;
     Job m_measureJob;
 };
 

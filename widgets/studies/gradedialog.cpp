@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/gradedialog.h"
 
+#include "widgets/look/parts.h"
+
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFormLayout>
@@ -15,9 +17,7 @@ GradeDialog::GradeDialog(QWidget *parent)
 {
     setObjectName(QStringLiteral("gradeDialog"));
     setWindowTitle(tr("Grade a Folder"));
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 16, 16, 16);
-    layout->setSpacing(16);
+    auto *layout = withParts(new QVBoxLayout(this), {}, 16, 16);
     auto *form = new QFormLayout;
     form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
     m_submissions = addPath(form, "gradeSubmissions", tr("&Submissions, a folder"));
@@ -40,10 +40,7 @@ QLineEdit *GradeDialog::addPath(QFormLayout *form, const char *name, const QStri
     auto *browse = new QPushButton(tr("Choose…"), this);
     browse->setAccessibleName(tr("Choose: %1").arg(QString(label).remove(u'&')));
     browse->setAutoDefault(false);
-    auto *row = new QHBoxLayout;
-    row->setSpacing(8);
-    row->addWidget(edit, 1);
-    row->addWidget(browse);
+    auto *row = withParts(new QHBoxLayout, {{edit, 1}, browse}, 8);
     form->addRow(label, row);
     qobject_cast<QLabel *>(form->labelForField(row))->setBuddy(edit);
     connect(edit, &QLineEdit::textChanged, this, &GradeDialog::updateOk);

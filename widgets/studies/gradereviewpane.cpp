@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/gradereviewpane.h"
 
-#include "widgets/look/elidedlabel.h"
-#include "widgets/look/namedwidget.h"
+#include "widgets/look/labels.h"
+#include "widgets/look/parts.h"
 #include "widgets/studies/gradebook.h"
-#include "widgets/studies/submissionopening.h"
+#include "widgets/studies/openings.h"
 
 #include <QBoxLayout>
 #include <QComboBox>
@@ -23,42 +23,34 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
     : QWidget(parent)
     , m_book(book)
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(4);
-    m_scene = named(new QComboBox(this), "gradingScene", tr("The scene whose picture is shown"));
+    auto *column = withParts(new QVBoxLayout(this), {}, 4, 0);
+    m_scene
+        = explained(new QComboBox(this), "gradingScene", tr("The scene whose picture is shown"));
     m_scene->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_scene->setMinimumContentsLength(4);
-    m_causes = named(new ElidedLabel(this), "gradingCauses",
-                     tr("What explains the pictures, for you, not for the student"));
+    m_causes = explained(new ElidedLabel(this), "gradingCauses",
+                         tr("What explains the pictures, for you, not for the student"));
     QFont bold = m_causes->font();
     bold.setBold(true);
     m_causes->setFont(bold);
-    m_sentences = named(new QLabel(this), "gradingSentences", tr("What the student is told"));
-    m_done = named(new QLabel(this), "gradingDone", tr("What was done, for you"));
+    m_sentences = explained(new QLabel(this), "gradingSentences", tr("What the student is told"));
+    m_done = explained(new QLabel(this), "gradingDone", tr("What was done, for you"));
     for (QLabel *each : {m_sentences, m_done}) {
         each->setWordWrap(true);
         each->setAlignment(Qt::AlignTop);
         each->setTextInteractionFlags(Qt::TextSelectableByMouse);
     }
-    m_comment = named(new QPlainTextEdit(this), "gradingComment",
-                      tr("Your comment, for the student; it is saved as you leave the field"));
+    m_comment = explained(new QPlainTextEdit(this), "gradingComment",
+                          tr("Your comment, for the student; it is saved as you leave the field"));
     m_comment->setPlaceholderText(tr("comment (C); Escape: back to the table"));
     m_comment->setTabChangesFocus(true);
     const int line = fontMetrics().lineSpacing();
     m_comment->setMinimumHeight(3 * line);
-    auto *told = new QScrollArea(this); // texts of a fault or of many scenes are long
-    told->setFrameShape(QFrame::NoFrame);
-    told->setWidgetResizable(true);
-    told->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    QScrollArea *told = columnScroll(this); // texts of a fault or of many scenes are long
     told->setFocusPolicy(Qt::NoFocus);
     told->setMinimumHeight(2 * line);
     auto *page = new QWidget(told);
-    auto *lines = new QVBoxLayout(page);
-    lines->setContentsMargins(0, 0, 0, 0);
-    lines->setSpacing(4);
-    lines->addWidget(m_sentences);
-    lines->addWidget(m_done, 1);
+    withParts(new QVBoxLayout(page), {m_sentences, {m_done, 1}}, 4, 0);
     told->setWidget(page);
     m_comment->installEventFilter(this);
     m_accept = namedButton("gradingAccept", tr("Accept (A)"),
@@ -72,10 +64,7 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
     row->addWidget(m_accept);
     row->addWidget(m_forCluster);
     column->addLayout(row);
-    auto *texts = new QVBoxLayout;
-    texts->setSpacing(0);
-    texts->addWidget(m_causes);
-    texts->addWidget(told, 1);
+    auto *texts = withParts(new QVBoxLayout, {m_causes, {told, 1}}, 0);
     column->addLayout(texts, 1);
     column->addWidget(m_comment, 1);
     connect(m_scene, &QComboBox::activated, this, &GradeReviewPane::sceneChosen);

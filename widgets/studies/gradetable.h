@@ -1,11 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QAbstractTableModel>
+#include <QSortFilterProxyModel>
 #include <QTableView>
 
 #include <optional>
 
 namespace pixelplumb {
+
+class Gradebook;
+
+/// A row per submission, in the report's order.
+class GradeTableModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    /// State shows only a tick, so that the table fits beside the comment; its tool tip and
+    /// accessible text have the word.
+    enum Column { Name, Points, Verdict, Cause, State, Comment, ColumnCount };
+    enum Role {
+        SortRole = Qt::UserRole, ///< numbers by value
+        ClusterRole, ///< index of its cluster
+    };
+
+    explicit GradeTableModel(const Gradebook *book, QObject *parent = nullptr);
+
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    QVariant data(const QModelIndex &index, int role) const override;
+
+private:
+    QString textOf(std::size_t row, int column) const;
+
+    const Gradebook *m_book;
+};
+
+/// Filters the submissions of a cluster by words: each word must occur somewhere in the row.
+class GradeFilter : public QSortFilterProxyModel {
+    Q_OBJECT
+
+public:
+    static constexpr int allClusters = -1;
+
+    explicit GradeFilter(QObject *parent = nullptr);
+
+    void setWords(const QString &words);
+    void setCluster(int cluster);
+
+protected:
+    bool filterAcceptsRow(int row, const QModelIndex &parent) const override;
+
+private:
+    QStringList m_words;
+    int m_cluster = allClusters;
+};
 
 /// The submissions of a graded folder, a row each, for an assistant's keys. One row is selected or
 /// none; a table that gets the focus has a current row, but nobody chose it.

@@ -2,21 +2,19 @@
 #include "widgets/studies/gradingpanel.h"
 
 #include "core/grade/showntext.h"
-#include "widgets/look/elidedlabel.h"
-#include "widgets/look/namedwidget.h"
+#include "widgets/look/labels.h"
+#include "widgets/look/parts.h"
 #include "widgets/studies/gradebook.h"
 #include "widgets/studies/gradedialog.h"
-#include "widgets/studies/gradefilter.h"
 #include "widgets/studies/gradereviewpane.h"
 #include "widgets/studies/gradetable.h"
-#include "widgets/studies/gradetablemodel.h"
+#include "widgets/studies/studypanel.h"
 
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QDir>
 #include <QFileDialog>
 #include <QLineEdit>
-#include <QProgressBar>
 #include <QToolButton>
 
 #include <algorithm>
@@ -31,9 +29,7 @@ GradingPanel::GradingPanel(QWidget *parent)
 {
     setObjectName(QStringLiteral("grading"));
     m_filter->setSourceModel(m_model);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 8);
-    layout->setSpacing(8);
+    auto *layout = withParts(new QVBoxLayout(this), {}, 8, 8);
     addFiles(layout);
     auto *row = new QHBoxLayout;
     row->setSpacing(8);
@@ -53,10 +49,6 @@ GradingPanel::GradingPanel(QWidget *parent)
     connect(&m_taking, &QTimer::timeout, this, &GradingPanel::takeChosen);
     connect(&m_book->job(), &Job::started, this, &GradingPanel::followJob);
     connect(&m_book->job(), &Job::ended, this, &GradingPanel::followJob);
-    connect(&m_book->job(), &Job::progressChanged, this, [this](const JobProgress &progress) {
-        m_progress->setRange(0, int(progress.total));
-        m_progress->setValue(int(progress.done));
-    });
     followJob();
     showReport();
 }
@@ -81,23 +73,21 @@ void GradingPanel::addFiles(QBoxLayout *layout)
                            tr("Write the reports for Gradescope and others, the table and the "
                               "page anew, with the comments"),
                            this);
-    m_progress
-        = named(new QProgressBar(this), "gradingProgress", tr("Submissions that are graded"));
-    m_progress->setMaximumWidth(160);
-    m_cancel = namedButton("gradingCancel", tr("Cancel"), tr("Stop; what is graded stays"), this);
-    m_words = named(new QLineEdit(this), "gradingFilter",
-                    tr("Show the submissions that contain these words"));
+    auto *progress = new JobBar(m_book->job(), QStringLiteral("grading"),
+                                tr("Submissions that are graded"), 160, this);
+    m_words = explained(new QLineEdit(this), "gradingFilter",
+                        tr("Show the submissions that contain these words"));
     m_words->setPlaceholderText(tr("filter"));
     m_words->setClearButtonEnabled(true);
     m_words->setMinimumWidth(72); // fits the placeholder
     m_words->setMaximumWidth(160);
-    m_cluster = named(new QComboBox(this), "gradingClusters", tr("Show one cause's submissions"));
+    m_cluster
+        = explained(new QComboBox(this), "gradingClusters", tr("Show one cause's submissions"));
     m_cluster->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_cluster->setMinimumContentsLength(8);
     auto *row = new QHBoxLayout;
     row->setSpacing(4);
-    for (QWidget *each :
-         std::initializer_list<QWidget *>{open, grade, m_report, m_progress, m_cancel})
+    for (QWidget *each : std::initializer_list<QWidget *>{open, grade, m_report, progress})
         row->addWidget(each);
     row->addStretch();
     row->addWidget(m_words);
@@ -106,7 +96,7 @@ void GradingPanel::addFiles(QBoxLayout *layout)
     connect(open, &QToolButton::clicked, this, &GradingPanel::openResults);
     connect(grade, &QToolButton::clicked, this, &GradingPanel::gradeFolder);
     connect(m_report, &QToolButton::clicked, m_book, &Gradebook::writeReports);
-    connect(m_cancel, &QToolButton::clicked, m_book, &Gradebook::cancel);
+    connect(progress, &JobBar::cancelled, m_book, &Gradebook::cancel);
     connect(m_words, &QLineEdit::textChanged, this,
             [this](const QString &words) { narrow([&] { m_filter->setWords(words); }); });
     connect(m_cluster, &QComboBox::currentIndexChanged, this,
@@ -117,10 +107,9 @@ void GradingPanel::addTable(QBoxLayout *layout)
 {
     auto *column = new QVBoxLayout;
     m_table = new GradeTable(m_filter, this);
-    m_summary = new ElidedLabel(this);
-    m_summary->setObjectName(QStringLiteral("gradingSummary"));
-    m_confinement = named(new ElidedLabel(this), "gradingConfinement",
-                          tr("What programs could do that ran in no sandbox"));
+    m_summary = named(new ElidedLabel(this), "gradingSummary");
+    m_confinement = explained(new ElidedLabel(this), "gradingConfinement",
+                              tr("What programs could do that ran in no sandbox"));
     column->addWidget(m_table, 1);
     column->addWidget(m_confinement);
     column->addWidget(m_summary);
@@ -159,9 +148,6 @@ void GradingPanel::gradeFolder()
 void GradingPanel::followJob()
 {
     const bool runs = m_book->job().isRunning();
-    m_progress->setRange(0, 0);
-    m_progress->setVisible(runs);
-    m_cancel->setVisible(runs);
     m_report->setEnabled(!runs && !m_book->results().isEmpty());
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/studies/submissionopening.h"
+#include "widgets/studies/openings.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -11,7 +11,6 @@
 class QBoxLayout;
 class QComboBox;
 class QLineEdit;
-class QProgressBar;
 class QToolButton;
 
 namespace pixelplumb {
@@ -64,8 +63,6 @@ private:
     GradeFilter *m_filter;
     GradeReviewPane *m_review = nullptr;
     QToolButton *m_report = nullptr;
-    QToolButton *m_cancel = nullptr;
-    QProgressBar *m_progress = nullptr;
     QLineEdit *m_words = nullptr;
     QComboBox *m_cluster = nullptr;
     GradeTable *m_table = nullptr;

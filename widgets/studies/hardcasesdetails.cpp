@@ -2,7 +2,8 @@
 #include "widgets/studies/hardcasesdetails.h"
 
 #include "core/compare/contest.h"
-#include "widgets/studies/hardcasesverdicts.h"
+#include "widgets/look/parts.h"
+#include "widgets/studies/hardcasespicture.h"
 
 #include <QBoxLayout>
 #include <QEvent>
@@ -37,74 +38,40 @@ std::vector<Contender> contendersOf(const Method &method)
 HardCasesDetails::HardCasesDetails(QWidget *parent)
     : QWidget(parent)
 {
-    setObjectName(QStringLiteral("hardCasesDetails"));
-    setAccessibleName(tr("The chosen case"));
-    m_title = makeText("hardCaseTitle");
-    m_title->setAccessibleName(tr("Name of the case"));
+    named(this, "hardCasesDetails", tr("The chosen case"));
+    m_title = readingLabel("hardCaseTitle", tr("Name of the case"), this);
     QFont bold = font();
     bold.setBold(true);
     m_title->setFont(bold);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(8);
-    layout->addWidget(m_title);
+    withParts(new QVBoxLayout(this), {m_title}, 8, 0);
     addReading();
     addButtons();
     tell(tr("Choose a case."));
 }
 
-HardCasesDetails::~HardCasesDetails() = default;
-
-QLabel *HardCasesDetails::makeText(const char *name)
-{
-    auto *label = new QLabel(this);
-    label->setObjectName(QLatin1String(name));
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    return label;
-}
-
-QPushButton *HardCasesDetails::makeButton(const char *name, const QString &text,
-                                          const QString &toolTip)
-{
-    auto *button = new QPushButton(text, this);
-    button->setObjectName(QLatin1String(name));
-    button->setToolTip(toolTip);
-    return button;
-}
-
 /// The readable part of a case: as wide as the panel; scrolls where it is higher.
 void HardCasesDetails::addReading()
 {
-    m_picture = makeButton("hardCasePicture", {},
-                           tr("A click opens the case at the first pixel that differs."));
+    m_picture = pushButton("hardCasePicture", {},
+                           tr("A click opens the case at the first pixel that differs."), this);
     m_picture->setAccessibleName(tr("Open at the first pixel that differs"));
     m_picture->setFlat(true);
     m_picture->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    m_caption = makeText("hardCaseCaption");
-    m_caption->setAccessibleName(tr("Whose pictures they are"));
-    m_words = makeText("hardCaseWords");
-    m_words->setAccessibleName(tr("What the case stresses, and why it goes wrong"));
+    m_caption = readingLabel("hardCaseCaption", tr("Whose pictures they are"), this);
+    m_words
+        = readingLabel("hardCaseWords", tr("What the case stresses, and why it goes wrong"), this);
     m_words->setTextFormat(Qt::RichText);
     m_table = new HardCasesVerdicts(this);
     m_progress = new QProgressBar(this);
     m_progress->setFormat(tr("%v of %m methods"));
-    m_cancel = makeButton("hardCasesCancel", tr("Cancel"), {});
-    auto *work = new QHBoxLayout;
-    work->setSpacing(8);
-    work->addWidget(m_progress, 1);
-    work->addWidget(m_cancel);
+    m_cancel = pushButton("hardCasesCancel", tr("Cancel"), {}, this);
+    auto *work = withParts(new QHBoxLayout, {{m_progress, 1}, m_cancel}, 8);
 
-    m_reading = new QScrollArea(this);
+    m_reading = columnScroll(this);
     m_reading->setAccessibleName(tr("About the chosen case"));
-    m_reading->setWidgetResizable(true);
-    m_reading->setFrameShape(QFrame::NoFrame);
-    m_reading->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_reading->setMinimumHeight(leastReadingHeight);
     auto *column = new QWidget(m_reading);
-    auto *layout = new QVBoxLayout(column);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(8);
+    auto *layout = withParts(new QVBoxLayout(column), {}, 8, 0);
     for (QWidget *each : {static_cast<QWidget *>(m_picture), static_cast<QWidget *>(m_caption),
                           static_cast<QWidget *>(m_words)})
         layout->addWidget(each);
@@ -123,12 +90,12 @@ void HardCasesDetails::addReading()
 /// Adds the buttons below the scroll area, so that they are always visible.
 void HardCasesDetails::addButtons()
 {
-    m_open = makeButton("hardCaseOpen", tr("Open"),
-                        tr("Opens the case at the first pixel that differs"));
-    m_compare = makeButton("hardCaseCompare", tr("Compare"),
-                           tr("Opens the case and compares exact, float32 and float64"));
-    m_precision = makeButton("hardCasePrecision", tr("Precision"),
-                             tr("Opens the case and plots the error of the bounds"));
+    m_open = pushButton("hardCaseOpen", tr("Open"),
+                        tr("Opens the case at the first pixel that differs"), this);
+    m_compare = pushButton("hardCaseCompare", tr("Compare"),
+                           tr("Opens the case and compares exact, float32 and float64"), this);
+    m_precision = pushButton("hardCasePrecision", tr("Precision"),
+                             tr("Opens the case and plots the error of the bounds"), this);
     auto *buttons = new QHBoxLayout;
     buttons->setSpacing(8);
     for (QPushButton *each : {m_open, m_compare, m_precision}) {

@@ -25,7 +25,6 @@ class HardCasesDetails : public QWidget {
 
 public:
     explicit HardCasesDetails(QWidget *parent = nullptr);
-    ~HardCasesDetails() override;
 
     /// `picture`: null while it is being drawn.
     void show(const GalleryCase &chosen, const Method &method, const ScanSettings &settings,
@@ -53,8 +52,6 @@ private:
         std::size_t methodsDone = 0;
     };
 
-    QLabel *makeText(const char *name);
-    QPushButton *makeButton(const char *name, const QString &text, const QString &toolTip);
     void addReading();
     void addButtons();
     void showPicture();

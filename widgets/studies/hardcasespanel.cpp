@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/hardcasespanel.h"
 
+#include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 #include "widgets/model/playhead.h"
 #include "widgets/studies/hardcasesdetails.h"
@@ -34,9 +35,7 @@ HardCasesPanel::HardCasesPanel(Playhead *playhead, QWidget *parent)
     , m_method(&methods().front())
 {
     setObjectName(QStringLiteral("hardCases"));
-    m_tree = new QTreeWidget(this);
-    m_tree->setObjectName(QStringLiteral("hardCasesTree"));
-    m_tree->setAccessibleName(tr("Hard cases by family"));
+    m_tree = named(new QTreeWidget(this), "hardCasesTree", tr("Hard cases by family"));
     m_tree->setHeaderLabels({tr("current method | truth"), tr("case")});
     m_tree->setIconSize(thumbSize);
     m_tree->setRootIsDecorated(true);
@@ -51,9 +50,7 @@ HardCasesPanel::HardCasesPanel(Playhead *playhead, QWidget *parent)
     splitter->addWidget(m_details);
     splitter->setStretchFactor(0, 1);
     splitter->setStretchFactor(1, 1);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 8);
-    layout->addWidget(splitter);
+    withParts(new QVBoxLayout(this), {splitter}, -1, 8);
 
     connect(m_tree, &QTreeWidget::currentItemChanged, this, &HardCasesPanel::showChosen);
     // A double click or Enter.
@@ -68,8 +65,6 @@ HardCasesPanel::HardCasesPanel(Playhead *playhead, QWidget *parent)
             &HardCasesPanel::precisionRequested);
     connect(playhead, &Playhead::tracedChanged, this, &HardCasesPanel::followMethod);
 }
-
-HardCasesPanel::~HardCasesPanel() = default;
 
 void HardCasesPanel::showEvent(QShowEvent *event)
 {

@@ -27,7 +27,6 @@ class HardCasesPanel : public QWidget {
 
 public:
     explicit HardCasesPanel(Playhead *playhead, QWidget *parent = nullptr);
-    ~HardCasesPanel() override;
 
     const std::vector<GalleryCase> &cases() const { return m_cases; }
     /// Reads the cases, which otherwise happens when the panel is first shown.

@@ -2,13 +2,18 @@
 #include "widgets/studies/hardcasespicture.h"
 
 #include "core/check/casepicture.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/framepainter.h"
+#include "widgets/look/parts.h"
+#include "widgets/look/signs.h"
 
 #include <QCoreApplication>
+#include <QHeaderView>
 #include <QPainter>
 #include <QPixmap>
 
 #include <algorithm>
+#include <map>
 
 namespace pixelplumb {
 
@@ -118,6 +123,38 @@ struct CaseVerdict {
     Q_DECLARE_TR_FUNCTIONS(pixelplumb::HardCasePicture)
 };
 
+constexpr int columnsInAll = int(allArithmetics.size()) + 1;
+
+/// The verdicts of one method and arithmetic over its rules, as one cell.
+struct Cell {
+    int passed = 0;
+    int fellShort = 0;
+    QStringList remarks;
+
+    void add(const ContenderVerdict &verdict)
+    {
+        passed += verdict.outcome == CaseOutcome::Passed ? 1 : 0;
+        fellShort += verdict.outcome == CaseOutcome::FellShort ? 1 : 0;
+        if (verdict.outcome == CaseOutcome::FellShort)
+            remarks.append(verdict.contender.name() + QStringLiteral(": ")
+                           + verdict.remarks.join(QStringLiteral("; ")));
+    }
+    QString toolTip() const
+    {
+        if (passed + fellShort == 0)
+            return HardCasesVerdicts::tr("the case has no facts under its rules");
+        return remarks.isEmpty()
+            ? HardCasesVerdicts::tr("right under every rule that the case knows")
+            : remarks.join(u'\n');
+    }
+    QString text() const
+    {
+        if (passed + fellShort == 0)
+            return QStringLiteral("·");
+        return fellShort == 0 ? QStringLiteral("✓") : QStringLiteral("✗");
+    }
+};
+
 } // namespace
 
 QString HardCasePicture::verdict() const
@@ -205,6 +242,52 @@ QPixmap sideBySide(const HardCasePicture &picture, const QSize &size, const QPal
     for (const auto &[at, kind] : picture.marks)
         paintDifference(painter, QRectF(left + at * cell, QSizeF(cell, cell)), kind, palette);
     return pixmap;
+}
+
+HardCasesVerdicts::HardCasesVerdicts(QWidget *parent)
+    : QTableWidget(0, columnsInAll, parent)
+{
+    named(this, "hardCaseVerdicts", tr("How each method handles this case"));
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setSelectionMode(QAbstractItemView::NoSelection);
+    verticalHeader()->hide();
+    QStringList head = {tr("method")};
+    for (const Arithmetic arithmetic : allArithmetics)
+        head.append(QString::fromUtf8(nameOf(arithmetic)));
+    setHorizontalHeaderLabels(head);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    setMinimumHeight(160);
+}
+
+void HardCasesVerdicts::show(const std::vector<ContenderVerdict> &verdicts)
+{
+    std::map<QString, std::map<Arithmetic, Cell>> cells;
+    std::vector<const Method *> rows;
+    for (const ContenderVerdict &verdict : verdicts) {
+        const Method *method = verdict.contender.method;
+        if (rows.empty() || rows.back() != method)
+            rows.push_back(method);
+        cells[method->id][verdict.contender.settings.arithmetic].add(verdict);
+    }
+    setRowCount(int(rows.size()));
+    for (int row = 0; row < int(rows.size()); ++row) {
+        const Method &method = *rows[std::size_t(row)];
+        auto *title = new QTableWidgetItem(methodTitle(method));
+        title->setToolTip(methodSummary(method));
+        setItem(row, 0, title);
+        for (int column = 1; column < columnsInAll; ++column) {
+            const Arithmetic arithmetic = allArithmetics[std::size_t(column - 1)];
+            const bool exists = method.supports(arithmetic);
+            const Cell cell = cells[method.id][arithmetic];
+            auto *item = new QTableWidgetItem(exists ? cell.text() : QString());
+            item->setTextAlignment(Qt::AlignCenter);
+            item->setToolTip(exists ? cell.toolTip() : tr("the method does not compute in it"));
+            if (cell.fellShort > 0)
+                item->setForeground(signColour(Sign::Extra, palette()));
+            setItem(row, column, item);
+        }
+    }
 }
 
 } // namespace pixelplumb

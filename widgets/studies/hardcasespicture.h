@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/check/casecheck.h"
 #include "core/compare/casegallery.h"
 #include "core/runs/contender.h"
 #include "core/runs/differencemap.h"
@@ -8,6 +9,7 @@
 #include <QImage>
 #include <QLineF>
 #include <QPalette>
+#include <QTableWidget>
 
 namespace pixelplumb {
 
@@ -36,5 +38,17 @@ HardCasePicture pictureOf(const HardCase &hardCase, const Method &method,
 /// in the first, and the true edges where the pixels are large enough.
 QPixmap sideBySide(const HardCasePicture &picture, const QSize &size, const QPalette &palette,
                    double devicePixelRatio);
+
+/// How every method does on a hard case: a row per method, a column per arithmetic, over all fill
+/// rules for which the case has facts.
+class HardCasesVerdicts : public QTableWidget {
+    Q_OBJECT
+
+public:
+    explicit HardCasesVerdicts(QWidget *parent = nullptr);
+
+    /// `verdicts`: in the order of the table of methods.
+    void show(const std::vector<ContenderVerdict> &verdicts);
+};
 
 } // namespace pixelplumb

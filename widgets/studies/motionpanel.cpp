@@ -4,7 +4,8 @@
 #include "core/runs/sceneplan.h"
 #include "core/scene/coordinatetext.h"
 #include "widgets/look/numberlayout.h"
-#include "widgets/look/stepicons.h"
+#include "widgets/look/parts.h"
+#include "widgets/look/signs.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 
@@ -26,47 +27,27 @@ namespace {
 
 using namespace std::chrono_literals;
 
-template <class Part>
-Part *namedPart(Part *part, const char *name, const QString &accessible)
-{
-    part->setObjectName(QString::fromLatin1(name));
-    part->setAccessibleName(accessible);
-    return part;
-}
-
 } // namespace
 
 MotionPanel::MotionPanel(SceneDocument *document, QWidget *parent)
-    : QWidget(parent)
+    : StudyPanel("motion", tr("Motion"), parent)
     , m_document(document)
-    , m_x(namedPart(new QLineEdit(QStringLiteral("4"), this), "motionX", tr("Motion along x, px")))
-    , m_y(namedPart(new QLineEdit(QStringLiteral("2"), this), "motionY", tr("Motion along y, px")))
-    , m_frames(namedPart(new QSpinBox(this), "motionFrames", tr("Frames")))
-    , m_move(namedPart(new QPushButton(tr("Move"), this), "motionSet", tr("Let the scene move")))
-    , m_stop(namedPart(new QPushButton(tr("Stand still"), this), "motionEnd",
-                       tr("Let the scene stand still")))
-    , m_slider(namedPart(new QSlider(Qt::Horizontal, this), "motionSlider", tr("Current frame")))
-    , m_play(namedPart(new QToolButton(this), "motionPlay", tr("Play the motion")))
-    , m_position(namedPart(new QLabel(this), "motionPosition", tr("Current frame")))
-    , m_summary(namedPart(new QLabel(this), "motionSummary", tr("What flickers")))
+    , m_x(named(new QLineEdit(QStringLiteral("4"), this), "motionX", tr("Motion along x, px")))
+    , m_y(named(new QLineEdit(QStringLiteral("2"), this), "motionY", tr("Motion along y, px")))
+    , m_frames(named(new QSpinBox(this), "motionFrames", tr("Frames")))
+    , m_move(named(new QPushButton(tr("Move"), this), "motionSet", tr("Let the scene move")))
+    , m_stop(named(new QPushButton(tr("Stand still"), this), "motionEnd",
+                   tr("Let the scene stand still")))
+    , m_slider(named(new QSlider(Qt::Horizontal, this), "motionSlider", tr("Current frame")))
+    , m_play(named(new QToolButton(this), "motionPlay", tr("Play the motion")))
+    , m_position(named(new QLabel(this), "motionPosition", tr("Current frame")))
     , m_view(new MotionView(this))
-    , m_table(namedPart(new QTableWidget(this), "motionTable", tr("Pixels frame by frame")))
+    , m_table(named(new QTableWidget(this), "motionTable", tr("Pixels frame by frame")))
 {
-    setObjectName(QStringLiteral("motion"));
-    setAccessibleName(tr("Motion"));
-    m_summary->setWordWrap(true);
+    m_summary = readingLabel("motionSummary", tr("What flickers"), this);
     makeTable();
-    auto *shown = new QHBoxLayout;
-    shown->setSpacing(8);
-    shown->addWidget(m_view, 1);
-    shown->addWidget(m_table);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 8);
-    layout->setSpacing(8);
-    layout->addLayout(motionRow());
-    layout->addLayout(playRow());
-    layout->addWidget(m_summary);
-    layout->addLayout(shown, 1);
+    auto *shown = withParts(new QHBoxLayout, {{m_view, 1}, m_table}, 8);
+    withParts(new QVBoxLayout(this), {motionRow(), playRow(), m_summary, {shown, 1}}, 8, 8);
     m_clock.setInterval(120ms);
     connect(&m_clock, &QTimer::timeout, m_slider, [this] {
         m_slider->setValue(m_slider->value() < m_slider->maximum() ? m_slider->value() + 1 : 0);
@@ -91,18 +72,11 @@ QBoxLayout *MotionPanel::motionRow()
     m_y->setMaximumWidth(80);
     m_move->setToolTip(tr("All triangles and shapes move by (x, y) px from the first frame to the "
                           "last; saved with the scene"));
-    auto *row = new QHBoxLayout;
-    row->setSpacing(8);
-    row->addWidget(new QLabel(tr("Move by x"), this));
-    row->addWidget(m_x);
-    row->addWidget(new QLabel(tr("y"), this));
-    row->addWidget(m_y);
-    row->addWidget(new QLabel(tr("px in"), this));
-    row->addWidget(m_frames);
-    row->addWidget(new QLabel(tr("frames"), this));
-    row->addWidget(m_move);
-    row->addWidget(m_stop);
-    row->addStretch(1);
+    auto *row = withParts(new QHBoxLayout,
+                          {new QLabel(tr("Move by x"), this), m_x, new QLabel(tr("y"), this), m_y,
+                           new QLabel(tr("px in"), this), m_frames, new QLabel(tr("frames"), this),
+                           m_move, m_stop, Room()},
+                          8);
     connect(m_move, &QPushButton::clicked, this, &MotionPanel::setMotion);
     connect(m_x, &QLineEdit::returnPressed, this, &MotionPanel::setMotion);
     connect(m_y, &QLineEdit::returnPressed, this, &MotionPanel::setMotion);
@@ -118,11 +92,7 @@ QBoxLayout *MotionPanel::playRow()
     play(false);
     m_play->setToolTip(tr("Show one frame after the other, over and over"));
     m_position->setFont(tabularFont(font()));
-    auto *row = new QHBoxLayout;
-    row->setSpacing(8);
-    row->addWidget(m_play);
-    row->addWidget(m_slider, 1);
-    row->addWidget(m_position);
+    auto *row = withParts(new QHBoxLayout, {m_play, {m_slider, 1}, m_position}, 8);
     connect(m_play, &QToolButton::toggled, this, &MotionPanel::play);
     connect(m_slider, &QSlider::valueChanged, m_document, &SceneDocument::setCurrentFrame);
     connect(m_slider, &QSlider::valueChanged, this, &MotionPanel::showFrame);
@@ -178,9 +148,7 @@ void MotionPanel::setMotion()
 
 void MotionPanel::followScene()
 {
-    m_counting.cancel();
     m_study.reset();
-    m_isStale = true;
     const std::optional<Motion> &motion = m_document->scene().motion;
     if (motion) {
         m_x->setText(coordinateText(motion->by.x));
@@ -199,13 +167,7 @@ void MotionPanel::followScene()
         each->setVisible(motion.has_value()); // a still scene has nothing to show
     updateGeometry();
     emit neededHeightChanged();
-    count();
-}
-
-void MotionPanel::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    count();
+    restart();
 }
 
 void MotionPanel::hideEvent(QHideEvent *event)
@@ -215,11 +177,8 @@ void MotionPanel::hideEvent(QHideEvent *event)
     m_drawing.cancel();
 }
 
-void MotionPanel::count()
+bool MotionPanel::study()
 {
-    if (!isVisible() || !m_isStale)
-        return;
-    m_isStale = false;
     const auto scene = m_document->snapshot();
     m_objection = scene->motion ? objectionTo(*scene) : QString();
     {
@@ -227,12 +186,12 @@ void MotionPanel::count()
         m_table->setRowCount(0);
     }
     showFrame();
-    tell();
+    tellStudy();
     if (!scene->motion || !m_objection.isEmpty())
-        return;
-    m_counting.start(
-        [scene](const ProgressListener &listener) { return studyMotion(*scene, listener); },
-        [this](std::optional<MotionStudy> study) { take(std::move(study)); });
+        return true;
+    m_job.start([scene](const ProgressListener &listener) { return studyMotion(*scene, listener); },
+                [this](std::optional<MotionStudy> study) { take(std::move(study)); });
+    return true;
 }
 
 void MotionPanel::take(std::optional<MotionStudy> study)
@@ -254,11 +213,11 @@ void MotionPanel::take(std::optional<MotionStudy> study)
     }
     showAllColumns();
     m_table->setCurrentCell(m_slider->value(), 0);
-    tell();
+    tellStudy();
     emit studied();
 }
 
-void MotionPanel::tell()
+void MotionPanel::tellStudy()
 {
     const auto timesText = [](std::int64_t count) { return tr("%n times", nullptr, int(count)); };
     QString text;
@@ -273,13 +232,12 @@ void MotionPanel::tell()
         text = tr("Over %1 frames pixels toggle %2; in the truth, %3.")
                    .arg(m_study->frames.size())
                    .arg(timesText(m_study->toggled()), timesText(m_study->truthToggled()));
-    m_summary->setText(text);
-    setAccessibleDescription(text);
+    tell(text);
 }
 
 void MotionPanel::showFrame()
 {
-    if (!isVisible() || m_isStale) // count() shows it
+    if (!isVisible() || isStale()) // study() shows it
         return;
     const auto scene = m_document->snapshot();
     const int frame = m_slider->value();

@@ -2,11 +2,10 @@
 #pragma once
 
 #include "core/compare/motionstudy.h"
-#include "widgets/model/job.h"
 #include "widgets/studies/motionview.h"
+#include "widgets/studies/studypanel.h"
 
 #include <QTimer>
-#include <QWidget>
 
 class QBoxLayout;
 class QLabel;
@@ -25,7 +24,7 @@ class SceneDocument;
 /// of each frame and those that come or go, compared with the truth (objectName "motion", its table
 /// "motionTable"). Draws in a worker thread, and only while visible. The slider sets the document's
 /// current frame, which the window traces and shows.
-class MotionPanel : public QWidget {
+class MotionPanel : public StudyPanel {
     Q_OBJECT
 
 public:
@@ -41,7 +40,6 @@ signals:
     void studied();
 
 protected:
-    void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
 
 private:
@@ -51,11 +49,11 @@ private:
     void showAllColumns();
     void setMotion();
     void followScene();
-    void count();
+    bool study() override;
     void take(std::optional<MotionStudy> study);
     void showFrame();
     void play(bool isPlaying);
-    void tell();
+    void tellStudy();
 
     SceneDocument *m_document;
     QLineEdit *m_x, *m_y;
@@ -63,13 +61,12 @@ private:
     QPushButton *m_move, *m_stop;
     QSlider *m_slider;
     QToolButton *m_play;
-    QLabel *m_position, *m_summary;
+    QLabel *m_position;
     MotionView *m_view;
     QTableWidget *m_table;
     std::optional<MotionStudy> m_study;
-    bool m_isStale = true; ///< the current scene is not counted
     QString m_objection; ///< why the method cannot draw the scene that was counted last
-    Job m_counting, m_drawing;
+    Job m_drawing;
     QTimer m_clock; ///< runs while the motion plays
 };
 

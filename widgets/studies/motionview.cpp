@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/motionview.h"
 
+#include "core/compare/motionstudy.h"
+#include "core/frame/framebuffer.h"
+#include "core/runs/tracedscene.h"
+#include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 
 #include <QPainter>
@@ -12,17 +16,55 @@ namespace pixelplumb {
 
 namespace {
 
+/// The triangle's outline in pixels of the picture, from its top left corner.
+QPolygonF outlineOf(const Triangle &triangle, const FrameSpec &frame)
+{
+    const double offset = double(sampleOffset(frame)) / unitsPerPixel;
+    const int first = pictureLine(frame, frame.firstRow);
+    const int perRow = pictureLine(frame, frame.firstRow + 1) - first;
+    QPolygonF outline;
+    for (const Vertex &vertex : triangle.vertices) {
+        const double x = double(vertex.position.x) / unitsPerPixel - offset;
+        const double y = double(vertex.position.y) / unitsPerPixel - offset;
+        outline += QPointF(x - double(frame.firstColumn) + 0.5,
+                           first + perRow * (y - double(frame.firstRow)) + 0.5);
+    }
+    return outline;
+}
+
 constexpr double leastMarkedCell = 3; // logical pixels: a frame would hide a smaller one
 constexpr double leastSignCell = 7; // logical pixels: a smaller glyph is a blot
 constexpr QColor outlineColour(150, 150, 150); // visible on black and on white
 
 } // namespace
 
+MotionPicture motionPicture(const Scene &scene, int frame)
+{
+    const Scene moved = sceneAtFrame(scene, frame);
+    const FrameBuffer buffer(moved.frame);
+    const FrameBuffer truth(moved.frame);
+    const FrameBuffer empty(moved.frame);
+    drawScene(moved, buffer);
+    drawTruth(moved, truth);
+    MotionPicture picture{buffer.copy(), toggledPixels(scene, frame), {}, {}};
+    const QImage right = truth.copy();
+    const QImage background = empty.copy();
+    for (int y = 0; y < right.height(); ++y) {
+        for (int x = 0; x < right.width(); ++x) {
+            const QRgb unpainted = background.pixel(x, y);
+            if (right.pixel(x, y) != unpainted && picture.image.pixel(x, y) == unpainted)
+                picture.missing.emplace_back(x, y);
+        }
+    }
+    for (const Triangle &triangle : moved.triangles)
+        picture.outlines.push_back(outlineOf(triangle, moved.frame));
+    return picture;
+}
+
 MotionView::MotionView(QWidget *parent)
     : QWidget(parent)
 {
-    setObjectName(QStringLiteral("motionView"));
-    setAccessibleName(tr("The current frame"));
+    named(this, "motionView", tr("The current frame"));
 }
 
 void MotionView::setPicture(const MotionPicture &picture)

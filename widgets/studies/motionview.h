@@ -1,13 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/studies/motionpicture.h"
-
+#include <QImage>
+#include <QPolygonF>
 #include <QWidget>
+
+#include <vector>
 
 class QPainter;
 
 namespace pixelplumb {
+
+struct Scene;
+
+/// A frame's picture with marked places, px from its top left corner.
+struct MotionPicture {
+    QImage image;
+    std::vector<QPoint> toggled; ///< came or went since the frame before
+    std::vector<QPoint> missing; ///< painted in truth, not here
+    std::vector<QPolygonF> outlines; ///< of the triangles
+};
+
+/// The picture of a moving scene at a frame of its motion. A pixel is painted if it does not have
+/// the background's colour.
+MotionPicture motionPicture(const Scene &scene, int frame);
 
 /// One frame of a motion, as large as it fits in whole cells, under the outlines of its triangles.
 /// Pixels that came or went since the previous frame have a frame of their own; pixels that only

@@ -6,12 +6,11 @@
 #include "core/runs/tracedscene.h"
 #include "core/scan/choicenames.h"
 #include "widgets/look/corewords.h"
-#include "widgets/look/methodtitle.h"
 #include "widgets/look/numberlayout.h"
+#include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 
 #include <QHeaderView>
-#include <QLabel>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -29,22 +28,15 @@ QTableWidgetItem *figureItem(const QString &text)
 } // namespace
 
 OperationPanel::OperationPanel(Playhead *playhead, QWidget *parent)
-    : QWidget(parent)
+    : StudyPanel("operations", tr("Operations"), parent)
     , m_playhead(playhead)
-    , m_summary(new QLabel(this))
     , m_table(new QTableWidget(this))
 {
-    setObjectName(QStringLiteral("operations"));
-    setAccessibleName(tr("Operations"));
-    m_summary->setObjectName(QStringLiteral("operationSummary"));
-    m_summary->setAccessibleName(tr("What was counted"));
-    m_summary->setWordWrap(true);
-    m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_table->setObjectName(QStringLiteral("operationTable"));
-    m_table->setAccessibleName(tr("Operations by kind"));
-    m_table->setToolTip(tr("What the method's numbers do, counted while they draw this scene: on "
-                           "the average of a set-up, a span and a sample, and all together. Whole "
-                           "pixel coordinates and the clamp to a byte are not counted."));
+    m_summary = readingLabel("operationSummary", tr("What was counted"), this);
+    named(m_table, "operationTable", tr("Operations by kind"),
+          tr("What the method's numbers do, counted while they draw this scene: on "
+             "the average of a set-up, a span and a sample, and all together. Whole "
+             "pixel coordinates and the clamp to a byte are not counted."));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setColumnCount(4);
@@ -52,39 +44,29 @@ OperationPanel::OperationPanel(Playhead *playhead, QWidget *parent)
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_table->setFont(tabularFont(font()));
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 8);
-    layout->setSpacing(8);
-    layout->addWidget(m_summary);
-    layout->addWidget(m_table, 1);
+    withParts(new QVBoxLayout(this), {m_summary, {m_table, 1}}, 8, 8);
     connect(playhead, &Playhead::tracedChanged, this, &OperationPanel::forget);
     forget();
 }
 
 void OperationPanel::forget()
 {
-    m_job.cancel();
     m_counts.reset();
-    m_isStale = true;
-    count();
+    restart();
 }
 
-/// During a drag newer counts cancel older ones.
-void OperationPanel::count()
+bool OperationPanel::study()
 {
-    if (!isVisible() || !m_isStale)
-        return;
     const std::shared_ptr<const TracedScene> traced = m_playhead->sharedTraced();
     if (!traced) {
         fillTable();
         tell(tr("The scene is being drawn."));
-        return;
+        return false;
     }
-    m_isStale = false;
     if (!isCounted(*traced->method)) {
         fillTable();
         tell(countingGap(*traced->method, traced->scene.settings.arithmetic));
-        return;
+        return true;
     }
     m_job.start(
         [traced](const ProgressListener &listener) {
@@ -93,6 +75,7 @@ void OperationPanel::count()
                                    frame.view(), listener);
         },
         [this](std::optional<OperationCounts> counts) { take(std::move(counts)); });
+    return true;
 }
 
 void OperationPanel::take(std::optional<OperationCounts> counts)
@@ -127,18 +110,6 @@ void OperationPanel::fillTable()
             m_table->setItem(row, stage, figureItem(operationText(shown.each[std::size_t(stage)])));
         m_table->setItem(row, 3, figureItem(QString::number(shown.all)));
     }
-}
-
-void OperationPanel::tell(const QString &text)
-{
-    m_summary->setText(text);
-    setAccessibleDescription(text);
-}
-
-void OperationPanel::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    count();
 }
 
 } // namespace pixelplumb

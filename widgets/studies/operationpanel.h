@@ -2,11 +2,8 @@
 #pragma once
 
 #include "core/lab/operationcounts.h"
-#include "widgets/model/job.h"
+#include "widgets/studies/studypanel.h"
 
-#include <QWidget>
-
-class QLabel;
 class QTableWidget;
 
 namespace pixelplumb {
@@ -16,7 +13,7 @@ class Playhead;
 /// How many divisions, roundings, additions and so on the current method and arithmetic need on the
 /// playhead's scene for a set-up, a span and a sample (objectName "operations", its table
 /// "operationTable"). Counts in a worker thread, and only while visible.
-class OperationPanel : public QWidget {
+class OperationPanel : public StudyPanel {
     Q_OBJECT
 
 public:
@@ -30,22 +27,15 @@ public:
 signals:
     void counted();
 
-protected:
-    void showEvent(QShowEvent *event) override;
-
 private:
     void forget();
-    void count();
+    bool study() override;
     void take(std::optional<OperationCounts> counts);
     void fillTable();
-    void tell(const QString &text);
 
     Playhead *m_playhead;
-    QLabel *m_summary;
     QTableWidget *m_table;
     std::optional<OperationCounts> m_counts;
-    bool m_isStale = true;
-    Job m_job;
 };
 
 } // namespace pixelplumb

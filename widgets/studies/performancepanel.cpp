@@ -1,29 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/performancepanel.h"
 
+#include "widgets/look/numberformat.h"
 #include "widgets/look/numberlayout.h"
-#include "widgets/model/measuringpool.h"
+#include "widgets/look/parts.h"
+#include "widgets/look/signs.h"
+#include "widgets/model/job.h"
 #include "widgets/model/playhead.h"
-#include "widgets/studies/performancetext.h"
+#include "widgets/studies/studypanel.h"
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
+
+#include <cmath>
 
 namespace pixelplumb {
 
 namespace {
 
+struct PerformanceText {
+    Q_DECLARE_TR_FUNCTIONS(pixelplumb::PerformanceText)
+};
+
+/// A number with three digits, in groups of thousands.
+QString rounded(double value)
+{
+    if (!(value > 0))
+        return QStringLiteral("0");
+    const int places = std::clamp(2 - int(std::floor(std::log10(value))), 0, 4);
+    return groupedText(value, places);
+}
+
+QString cell(const QString &text) { return QStringLiteral("<td align='right'>%1</td>").arg(text); }
+
+QString timeRow(const QString &who, const DrawTime &time, const SceneTiming &timing)
+{
+    const Spread &spread = time.perDraw;
+    const auto percent = [&](double value) {
+        return QString::number(std::abs(value / spread.median - 1) * 100, 'f', 0);
+    };
+    return QStringLiteral("<tr><td>%1</td>").arg(who) + cell(rounded(time.perPixel(timing.pixels)))
+        + cell(rounded(time.perTriangle(timing.triangles)))
+        + cell(QStringLiteral("−%1 … +%2 %").arg(percent(spread.lower), percent(spread.upper)))
+        + cell(QStringLiteral("%1 ×").arg(
+            rounded(timing.plain.perDraw.median / time.perDraw.median)))
+        + cell(QStringLiteral("%1 %").arg(
+            QString::number(100 * timing.shareOfMemory(time), 'f', 0)))
+        + QStringLiteral("</tr>");
+}
+
 QLabel *textLabel(const char *name, QWidget *parent)
 {
-    auto *label = new QLabel(parent);
-    label->setObjectName(QString::fromLatin1(name));
-    label->setWordWrap(true);
+    QLabel *label = readingLabel(name, {}, parent);
     label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     if (const QFont figures = tabularFont(parent->font()); figures != parent->font())
         label->setFont(figures);
     return label;
@@ -38,55 +71,91 @@ QLabel *headingLabel(const QString &text, QWidget *parent)
 
 } // namespace
 
+QString timesHtml(const SceneTiming &timing)
+{
+    QString html
+        = QStringLiteral("<table width='100%' cellspacing='0' cellpadding='2'><tr><td></td>");
+    for (const QString &heading :
+         {PerformanceText::tr("ns a pixel"), PerformanceText::tr("ns a triangle"),
+          PerformanceText::tr("quartiles"), PerformanceText::tr("speed"),
+          PerformanceText::tr("of memory")})
+        html += cell(heading);
+    html += QStringLiteral("</tr>");
+    html += timeRow(PerformanceText::tr("plain kernel"), timing.plain, timing);
+    html += timeRow(PerformanceText::tr("fast, %1")
+                        .arg(QString::fromUtf8(nameOf(timing.report.instructionSet))),
+                    timing.fast, timing);
+    if (timing.parallel) {
+        html += timeRow(PerformanceText::tr("fast, %1 threads").arg(timing.parallel->threads),
+                        *timing.parallel, timing);
+    }
+    html += timeRow(PerformanceText::tr("memory: memset"), timing.memory, timing);
+    return html + QStringLiteral("</table>");
+}
+
+QString routesHtml(const FastReport &report, const QPalette &palette)
+{
+    const QColor dim
+        = blended(palette.color(QPalette::Window), palette.color(QPalette::WindowText), 0.72F);
+    QString html = QStringLiteral("<table cellspacing='0' cellpadding='2'>");
+    for (const FastRouteUse &use : report.uses) {
+        QString kernel = QString::fromUtf8(nameOf(use.kernel));
+        if (use.word != ColourWord::Other)
+            kernel += PerformanceText::tr(", colours: %1").arg(QString::fromUtf8(nameOf(use.word)));
+        html += QStringLiteral("<tr>") + cell(groupedText(use.triangles))
+            + QStringLiteral("<td>&nbsp;%1<br><span style='color:%2'>&nbsp;%3</span></td></tr>")
+                  .arg(kernel, dim.name(),
+                       QString::fromUtf8(pixelplumb::textOf(use.reason)).toHtmlEscaped());
+    }
+    return html + QStringLiteral("</table>");
+}
+
+QString measurementText(const SceneTiming &timing)
+{
+    if (timing.triangles == 0)
+        return PerformanceText::tr("The scene has no triangles to draw.");
+    if (timing.pixels == 0)
+        return PerformanceText::tr("The scene's triangles cover no pixel of the frame.");
+    const QString triangles = PerformanceText::tr("%1 triangles", nullptr, int(timing.triangles))
+                                  .arg(groupedText(timing.triangles));
+    const QString pixels = PerformanceText::tr("%1 pixels", nullptr, int(timing.pixels))
+                               .arg(groupedText(timing.pixels));
+    return PerformanceText::tr("Column scan, %1, %2: %3, %4 written. Medians of %5 rounds. %6")
+        .arg(QString::fromUtf8(nameOf(timing.settings.arithmetic)),
+             QString::fromUtf8(nameOf(timing.settings.fillRule)), triangles, pixels,
+             QString::number(timing.rounds),
+             timing.sameBytes ? PerformanceText::tr("Both kernels draw the same bytes.")
+                              : PerformanceText::tr("The kernels draw different bytes!"));
+}
+
 PerformancePanel::PerformancePanel(Playhead *playhead, QWidget *parent)
     : QWidget(parent)
     , m_playhead(playhead)
     , m_job(nullptr, measuringPool())
 {
-    setObjectName(QStringLiteral("performance"));
-    setAccessibleName(tr("Performance"));
-    auto *scroll = new QScrollArea(this);
+    named(this, "performance", tr("Performance"));
+    QScrollArea *scroll = columnScroll(this);
     scroll->setAccessibleName(tr("Measurement"));
     scroll->setFocusPolicy(Qt::NoFocus); // its contents take the focus
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(contents());
-    auto *layout = new QVBoxLayout(this);
+    auto *layout = withParts(new QVBoxLayout(this), {controls(), {scroll, 1}}, 8);
     layout->setContentsMargins(8, 8, 0, 0);
-    layout->setSpacing(8);
-    layout->addLayout(controls());
-    layout->addWidget(scroll, 1);
 
-    connect(&m_job, &Job::progressChanged, this, &PerformancePanel::tellProgress);
     connect(playhead, &Playhead::tracedChanged, this, &PerformancePanel::forget);
     forget();
 }
 
-PerformancePanel::~PerformancePanel() = default;
-
 QBoxLayout *PerformancePanel::controls()
 {
-    m_measure = new QPushButton(tr("Measure"), this);
-    m_measure->setObjectName(QStringLiteral("performanceMeasure"));
-    m_measure->setToolTip(tr("Draw the scene again and again by the plain and the fast kernels in "
-                             "turn, beside memset"));
-    m_progress = new QProgressBar(this);
-    m_progress->setObjectName(QStringLiteral("performanceProgress"));
-    m_progress->setAccessibleName(tr("Progress of the measurement"));
-    m_progress->setTextVisible(false);
-    m_progress->setMaximumWidth(160);
-    m_cancel = new QPushButton(tr("Cancel"), this);
-    m_cancel->setObjectName(QStringLiteral("performanceCancel"));
-    auto *row = new QHBoxLayout;
+    m_measure = named(new QPushButton(tr("Measure"), this), "performanceMeasure", {},
+                      tr("Draw the scene again and again by the plain and the fast kernels in "
+                         "turn, beside memset"));
+    auto *progress = new JobBar(m_job, QStringLiteral("performance"),
+                                tr("Progress of the measurement"), 160, this);
+    auto *row = withParts(new QHBoxLayout, {m_measure, progress, Room()}, 8);
     row->setContentsMargins(0, 0, 8, 0);
-    row->setSpacing(8);
-    row->addWidget(m_measure);
-    row->addWidget(m_progress);
-    row->addWidget(m_cancel);
-    row->addStretch();
     connect(m_measure, &QPushButton::clicked, this, &PerformancePanel::measure);
-    connect(m_cancel, &QPushButton::clicked, this, &PerformancePanel::cancel);
+    connect(progress, &JobBar::cancelled, this, &PerformancePanel::cancel);
     return row;
 }
 
@@ -100,14 +169,11 @@ QWidget *PerformancePanel::contents()
                            "to that of memset over as many pixels"));
     m_routes = textLabel("performanceRoutes", contents);
     m_routes->setAccessibleName(tr("Fast kernels used"));
-    auto *layout = new QVBoxLayout(contents);
+    auto *layout = withParts(
+        new QVBoxLayout(contents),
+        {m_summary, m_times, headingLabel(tr("Fast kernels, and why"), contents), m_routes, Room()},
+        8);
     layout->setContentsMargins(0, 0, 8, 8);
-    layout->setSpacing(8);
-    layout->addWidget(m_summary);
-    layout->addWidget(m_times);
-    layout->addWidget(headingLabel(tr("Fast kernels, and why"), contents));
-    layout->addWidget(m_routes);
-    layout->addStretch();
     return contents;
 }
 
@@ -125,7 +191,6 @@ void PerformancePanel::measure()
             return timeScene(traced->scene, options);
         },
         [this](std::optional<SceneTiming> timing) { take(std::move(timing)); });
-    m_progress->setRange(0, 0);
     present();
 }
 
@@ -162,21 +227,12 @@ void PerformancePanel::tell(const QString &text)
 
 void PerformancePanel::present()
 {
-    const bool isRunning = m_job.isRunning();
-    m_measure->setEnabled(!isRunning && m_playhead->traced());
-    m_progress->setVisible(isRunning);
-    m_cancel->setVisible(isRunning);
+    m_measure->setEnabled(!m_job.isRunning() && m_playhead->traced());
     const bool isTimed = m_timing && m_timing->rounds > 0;
     m_times->setVisible(isTimed);
     m_times->setText(isTimed ? timesHtml(*m_timing) : QString());
     m_routes->setText(isTimed ? routesHtml(m_timing->report, palette())
                               : tr("Known after a measurement."));
-}
-
-void PerformancePanel::tellProgress(const JobProgress &progress)
-{
-    m_progress->setRange(0, int(progress.total));
-    m_progress->setValue(int(progress.done));
 }
 
 void PerformancePanel::changeEvent(QEvent *event)

@@ -4,16 +4,24 @@
 #include "core/measure/scenetiming.h"
 #include "widgets/model/job.h"
 
+#include <QPalette>
+#include <QString>
 #include <QWidget>
 
 class QBoxLayout;
 class QLabel;
-class QProgressBar;
 class QPushButton;
 
 namespace pixelplumb {
 
 class Playhead;
+
+/// The measurement as HTML tables: numbers right-aligned, with few digits.
+QString timesHtml(const SceneTiming &timing);
+/// Which kernel took how many of the triangles, and why.
+QString routesHtml(const FastReport &report, const QPalette &palette);
+/// What was measured, in a sentence or two.
+QString measurementText(const SceneTiming &timing);
 
 /// What drawing the playhead's scene costs with the plain and with the fast kernels, and which fast
 /// kernel took which triangles and why (objectName "performance"). Measures in a worker thread, on
@@ -23,7 +31,6 @@ class PerformancePanel : public QWidget {
 
 public:
     explicit PerformancePanel(Playhead *playhead, QWidget *parent = nullptr);
-    ~PerformancePanel() override;
 
     bool isRunning() const { return m_job.isRunning(); }
     /// None before the first measurement, after a cancelled one, and after a change of the scene.
@@ -48,12 +55,9 @@ private:
     void take(std::optional<SceneTiming> timing);
     void tell(const QString &text);
     void present();
-    void tellProgress(const JobProgress &progress);
 
     Playhead *m_playhead;
     QPushButton *m_measure = nullptr;
-    QPushButton *m_cancel = nullptr;
-    QProgressBar *m_progress = nullptr;
     QLabel *m_summary = nullptr;
     QLabel *m_times = nullptr;
     QLabel *m_routes = nullptr;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/precisionpanel.h"
 
-#include "widgets/look/methodtitle.h"
+#include "widgets/look/corewords.h"
+#include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 #include "widgets/studies/precisionplot.h"
 
@@ -33,18 +34,13 @@ void keepUpTo(const std::optional<SpanPlace> &place, BoundErrors &errors)
 } // namespace
 
 PrecisionPanel::PrecisionPanel(Playhead *playhead, QWidget *parent)
-    : QWidget(parent)
+    : StudyPanel("precision", {}, parent)
     , m_playhead(playhead)
 {
-    setObjectName(QStringLiteral("precision"));
-    m_bound = new QComboBox(this);
-    m_bound->setObjectName(QStringLiteral("precisionBound"));
-    m_bound->setAccessibleName(tr("Bound"));
-    m_bound->setToolTip(tr("Which bound's error is plotted"));
+    m_bound = named(new QComboBox(this), "precisionBound", tr("Bound"),
+                    tr("Which bound's error is plotted"));
     m_bound->addItems({tr("lower bound y_B"), tr("upper bound y_T")});
-    auto *controls = new QHBoxLayout;
-    controls->setSpacing(8);
-    controls->addWidget(m_bound);
+    auto *controls = withParts(new QHBoxLayout, {m_bound}, 8);
     for (const Arithmetic arithmetic : allArithmetics) {
         if (arithmetic == Arithmetic::Exact)
             continue;
@@ -65,15 +61,8 @@ PrecisionPanel::PrecisionPanel(Playhead *playhead, QWidget *parent)
     m_plot->setToolTip(tr("Dotted: what rounding may add up to, n·ulp/2 in floating point, n·2⁻¹⁷ "
                           "in 16.16, n·2⁻³³ in 32.32 after n additions. ≠: the first column that "
                           "covers other samples than it should. A click goes there."));
-    m_summary = new QLabel(this);
-    m_summary->setObjectName(QStringLiteral("precisionSummary"));
-    m_summary->setWordWrap(true);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 8);
-    layout->setSpacing(8);
-    layout->addLayout(controls);
-    layout->addWidget(m_plot, 1);
-    layout->addWidget(m_summary);
+    m_summary = readingLabel("precisionSummary", {}, this);
+    withParts(new QVBoxLayout(this), {controls, {m_plot, 1}, m_summary}, 8, 8);
 
     connect(m_bound, &QComboBox::currentIndexChanged, this, &PrecisionPanel::showErrors);
     connect(m_plot, &PrecisionPlot::coordinateClicked, this, &PrecisionPanel::jumpTo);
@@ -83,26 +72,18 @@ PrecisionPanel::PrecisionPanel(Playhead *playhead, QWidget *parent)
     showErrors();
 }
 
-PrecisionPanel::~PrecisionPanel() = default;
-
 void PrecisionPanel::showEvent(QShowEvent *event)
 {
-    QWidget::showEvent(event);
-    if (m_computedFor != m_playhead->sharedTraced())
-        restart();
+    StudyPanel::showEvent(event);
     followPosition();
 }
 
-void PrecisionPanel::restart()
+bool PrecisionPanel::study()
 {
     const std::shared_ptr<const TracedScene> traced = m_playhead->sharedTraced();
-    if (!isVisible())
-        return;
-    m_computedFor = traced;
     if (!traced) {
-        m_job.cancel();
         take({});
-        return;
+        return false;
     }
     const std::optional<TraceStep> step = m_playhead->currentStep();
     m_triangle = step && traced->primitives.isTriangle(step->primitive) ? step->primitive : 0;
@@ -113,6 +94,7 @@ void PrecisionPanel::restart()
         [this](std::optional<std::vector<BoundErrors>> errors) {
             take(std::move(errors).value_or(std::vector<BoundErrors>()));
         });
+    return true;
 }
 
 void PrecisionPanel::take(std::vector<BoundErrors> errors)

@@ -2,12 +2,9 @@
 #pragma once
 
 #include "core/compare/bounderrors.h"
-#include "widgets/model/job.h"
-
-#include <QWidget>
+#include "widgets/studies/studypanel.h"
 
 class QComboBox;
-class QLabel;
 class QToolButton;
 
 namespace pixelplumb {
@@ -18,14 +15,12 @@ class PrecisionPlot;
 /// How far the bounds that each arithmetic computes are from the exact edges of the current
 /// triangle. Computed in a worker thread, and only while visible. While what is ahead is hidden,
 /// only for spans already entered.
-class PrecisionPanel : public QWidget {
+class PrecisionPanel : public StudyPanel {
     Q_OBJECT
 
 public:
     explicit PrecisionPanel(Playhead *playhead, QWidget *parent = nullptr);
-    ~PrecisionPanel() override;
 
-    bool isRunning() const { return m_job.isRunning(); }
     const std::vector<BoundErrors> &errors() const { return m_errors; }
     PrecisionPlot *plot() const { return m_plot; }
 
@@ -36,7 +31,7 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
-    void restart();
+    bool study() override;
     void take(std::vector<BoundErrors> errors);
     void showErrors();
     void followPosition();
@@ -47,12 +42,9 @@ private:
     Playhead *m_playhead;
     QComboBox *m_bound = nullptr;
     std::vector<QToolButton *> m_arithmetics; ///< in allArithmetics order, without the exact one
-    QLabel *m_summary = nullptr;
     PrecisionPlot *m_plot = nullptr;
     std::size_t m_triangle = 0;
-    std::shared_ptr<const TracedScene> m_computedFor;
     std::vector<BoundErrors> m_errors;
-    Job m_job;
 };
 
 } // namespace pixelplumb

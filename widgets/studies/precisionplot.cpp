@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/precisionplot.h"
 
+#include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 
 #include <QBoxLayout>
@@ -57,11 +58,8 @@ PrecisionPlot::PrecisionPlot(QWidget *parent)
     : QWidget(parent)
     , m_plot(new QCustomPlot(this))
 {
-    setObjectName(QStringLiteral("precisionPlot"));
-    setAccessibleName(tr("Error of a bound over the columns"));
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_plot);
+    named(this, "precisionPlot", tr("Error of a bound over the columns"));
+    withParts(new QVBoxLayout(this), {m_plot}, -1, 0);
     m_plot->setFocusPolicy(Qt::NoFocus);
     m_plot->setMinimumSize(minimumSizeHint());
     m_plot->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);

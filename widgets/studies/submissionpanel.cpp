@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/submissionpanel.h"
 
-#include "widgets/look/elidedlabel.h"
-#include "widgets/look/namedwidget.h"
+#include "widgets/look/labels.h"
+#include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 #include "widgets/studies/comparelink.h"
 #include "widgets/studies/diagnosisview.h"
-#include "widgets/studies/submissiontext.h"
 #include "widgets/studies/submissionview.h"
 
 #include <QBoxLayout>
@@ -17,20 +16,6 @@
 
 namespace pixelplumb {
 
-namespace {
-
-QLabel *textLabel(const char *name, const QString &inWords, QWidget *parent)
-{
-    auto *label = new QLabel(parent);
-    label->setObjectName(QLatin1String(name));
-    label->setAccessibleName(inWords);
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    return label;
-}
-
-} // namespace
-
 SubmissionPanel::SubmissionPanel(StudentPicture *student, Playhead *playhead, QWidget *parent)
     : QWidget(parent)
     , m_student(student)
@@ -38,21 +23,12 @@ SubmissionPanel::SubmissionPanel(StudentPicture *student, Playhead *playhead, QW
     , m_link(new CompareLink(this))
 {
     setObjectName(QStringLiteral("submission"));
-    auto *area = new QScrollArea(this);
-    area->setObjectName(QStringLiteral("submissionArea"));
-    area->setAccessibleName(tr("Submission"));
-    area->setFrameShape(QFrame::NoFrame);
-    area->setWidgetResizable(true);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto *area = named(columnScroll(this), "submissionArea", tr("Submission"));
     area->setFocusPolicy(Qt::NoFocus);
-    auto *whole = new QVBoxLayout(this);
-    whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(area);
+    withParts(new QVBoxLayout(this), {area}, -1, 0);
     m_content = new QWidget(area);
     area->setWidget(m_content);
-    auto *layout = new QVBoxLayout(m_content);
-    layout->setContentsMargins(8, 8, 8, 8);
-    layout->setSpacing(8);
+    auto *layout = withParts(new QVBoxLayout(m_content), {}, 8, 8);
     addHead(layout);
     addTexts(layout);
     m_diagnosis = new DiagnosisView(student, m_content);
@@ -76,9 +52,8 @@ SubmissionPanel::SubmissionPanel(StudentPicture *student, Playhead *playhead, QW
 
 void SubmissionPanel::addHead(QBoxLayout *layout)
 {
-    m_name = new ElidedLabel(m_content);
-    m_name->setObjectName(QStringLiteral("submissionName"));
-    m_name->setAccessibleName(tr("The student's picture's file"));
+    m_name
+        = named(new ElidedLabel(m_content), "submissionName", tr("The student's picture's file"));
     QFont bold = m_name->font();
     bold.setBold(true);
     m_name->setFont(bold);
@@ -88,11 +63,7 @@ void SubmissionPanel::addHead(QBoxLayout *layout)
     m_remove
         = namedButton("submissionRemove", tr("Remove"),
                       tr("Take the student's picture away; the scene stays as it is"), m_content);
-    auto *row = new QHBoxLayout;
-    row->setSpacing(4);
-    row->addWidget(open);
-    row->addWidget(m_remove);
-    row->addStretch();
+    auto *row = withParts(new QHBoxLayout, {open, m_remove, Room()}, 4);
     layout->addWidget(m_name); // a row of its own: German words and file names are long
     layout->addLayout(row);
     connect(open, &QToolButton::clicked, this, &SubmissionPanel::openRequested);
@@ -101,10 +72,10 @@ void SubmissionPanel::addHead(QBoxLayout *layout)
 
 void SubmissionPanel::addTexts(QBoxLayout *layout)
 {
-    m_verdict = textLabel("submissionVerdict", tr("Verdict"), m_content);
-    m_counts = textLabel("submissionCounts", tr("Pixels by cause"), m_content);
+    m_verdict = readingLabel("submissionVerdict", tr("Verdict"), m_content);
+    m_counts = readingLabel("submissionCounts", tr("Pixels by cause"), m_content);
     m_counts->setTextFormat(Qt::RichText);
-    m_causes = textLabel("submissionCauses", tr("What explains the whole picture"), m_content);
+    m_causes = readingLabel("submissionCauses", tr("What explains the whole picture"), m_content);
     for (QLabel *label : {m_verdict, m_counts, m_causes})
         layout->addWidget(label);
 }
@@ -112,9 +83,7 @@ void SubmissionPanel::addTexts(QBoxLayout *layout)
 void SubmissionPanel::addPictures(QBoxLayout *layout)
 {
     m_pictures = new QWidget(m_content);
-    auto *column = new QVBoxLayout(m_pictures);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(4);
+    auto *column = withParts(new QVBoxLayout(m_pictures), {}, 4, 0);
     auto *pair = new QGridLayout;
     pair->setSpacing(4);
     pair->setRowStretch(1, 1);
@@ -131,7 +100,7 @@ void SubmissionPanel::addPictures(QBoxLayout *layout)
     m_next
         = namedButton("submissionNext", tr("Next difference"),
                       tr("Pick the next pixel that differs, in the order of reading"), m_pictures);
-    m_pixel = textLabel("submissionPixel", tr("The picked pixel"), m_pictures);
+    m_pixel = readingLabel("submissionPixel", tr("The picked pixel"), m_pictures);
     column->addWidget(m_next);
     column->addWidget(m_pixel);
     layout->addWidget(m_pictures, 1);

@@ -2,9 +2,9 @@
 #include "widgets/window/editmenu.h"
 
 #include "widgets/canvas/canvas.h"
-#include "widgets/dialogs/framedialog.h"
 #include "widgets/dialogs/lookdialog.h"
 #include "widgets/dialogs/triangledialog.h"
+#include "widgets/dialogs/vertexdialog.h"
 #include "widgets/files/sceneexports.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/files/studentpicturefiles.h"

@@ -3,6 +3,7 @@
 
 #include "core/runs/tracedscene.h"
 #include "core/scene/scenefile.h"
+#include "widgets/look/parts.h"
 #include "widgets/studies/hardcasespicture.h"
 
 #include <QBoxLayout>
@@ -72,8 +73,7 @@ ExamplesDialog::ExamplesDialog(const std::vector<Example> &examples,
 {
     setObjectName(QStringLiteral("examplesDialog"));
     setWindowTitle(tr("Examples"));
-    m_list->setObjectName(QStringLiteral("examplesList"));
-    m_list->setAccessibleName(tr("Examples"));
+    named(m_list, "examplesList", tr("Examples"));
     m_list->setIconSize(pictureSize);
     m_list->setWordWrap(true);
     m_list->setSpacing(2);
@@ -85,11 +85,7 @@ ExamplesDialog::ExamplesDialog(const std::vector<Example> &examples,
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::accepted, this, [this] { choose(m_list->currentItem()); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 16, 16, 16);
-    layout->setSpacing(8);
-    layout->addWidget(m_list);
-    layout->addWidget(buttons);
+    withParts(new QVBoxLayout(this), {m_list, buttons}, 8, 16);
     resize(600, 600);
     drawNext();
 }

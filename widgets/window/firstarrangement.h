@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/window/dockroom.h"
+#include "widgets/window/paneldock.h"
 #include "widgets/window/panels.h"
 
 namespace pixelplumb {

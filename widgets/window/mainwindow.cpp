@@ -14,23 +14,20 @@
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/messagebar.h"
 #include "widgets/look/paletteswitch.h"
+#include "widgets/look/parts.h"
 #include "widgets/model/effectswitches.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
-#include "widgets/model/scenepreviewer.h"
 #include "widgets/model/scenetracer.h"
 #include "widgets/model/studentpicture.h"
 #include "widgets/stepping/scrubber.h"
 #include "widgets/stepping/stepactions.h"
 #include "widgets/stepping/stepperbar.h"
 #include "widgets/window/editmenu.h"
-#include "widgets/window/filemenu.h"
-#include "widgets/window/helpmenu.h"
-#include "widgets/window/layersmenu.h"
+#include "widgets/window/menus.h"
 #include "widgets/window/methodbar.h"
 #include "widgets/window/methodmenu.h"
-#include "widgets/window/stepmenu.h"
 #include "widgets/window/studylinks.h"
 #include "widgets/window/viewmenu.h"
 #include "widgets/window/whatsthis.h"
@@ -38,7 +35,6 @@
 #include "widgets/window/windowkeys.h"
 #include "widgets/window/windowsettings.h"
 #include "widgets/window/windowstatusbar.h"
-#include "widgets/window/workspacerow.h"
 #include "widgets/window/workspaces.h"
 
 #include <QBoxLayout>
@@ -119,11 +115,7 @@ void MainWindow::makeCentre()
     // The scrubber lies below the canvas: a column has the same x in both.
     connect(m_parts.canvas, &Canvas::viewChanged, m_parts.scrubber,
             [this] { m_parts.scrubber->setColumnPlaces(columnPlacesOf(*m_parts.canvas)); });
-    auto *layout = new QVBoxLayout(centre);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(m_parts.canvas, 1);
-    layout->addWidget(m_parts.scrubber);
+    withParts(new QVBoxLayout(centre), {{m_parts.canvas, 1}, m_parts.scrubber}, 0, 0);
     centre->setFocusProxy(m_parts.canvas);
     setCentralWidget(centre);
 }
@@ -162,8 +154,7 @@ void MainWindow::makeToolBars()
     auto *label = new QLabel(tr("Next vertex"));
     label->setContentsMargins(8, 0, 8, 0);
     view->addWidget(label);
-    m_nextColour = new ColourButton(tr("Colour of the next vertex"));
-    m_nextColour->setObjectName(QStringLiteral("nextColourButton"));
+    m_nextColour = named(new ColourButton(tr("Colour of the next vertex")), "nextColourButton");
     m_nextColour->setToolButtonStyle(Qt::ToolButtonIconOnly); // the tool bar fits into 1024 pixels
     view->addWidget(m_nextColour);
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/scene/inputrecord.h"
-#include "widgets/files/openingplace.h"
+#include "widgets/files/recentfiles.h"
 #include "widgets/window/windowparts.h"
 
 #include <QMainWindow>

@@ -5,7 +5,8 @@
 #include "widgets/files/scenefiles.h"
 #include "widgets/files/studentpicturefiles.h"
 #include "widgets/look/messagebar.h"
-#include "widgets/look/shownname.h"
+#include "widgets/look/parts.h"
+#include "widgets/look/typesetting.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenetracer.h"
 #include "widgets/studies/gradebook.h"
@@ -86,9 +87,9 @@ void MainWindow::offerRecovery()
     const std::optional<UnsavedScene> left = m_autosave->leftBehind();
     if (!left)
         return;
-    auto *box = new QMessageBox(QMessageBox::Question, tr("Unsaved Scene"), textOf(*left),
-                                QMessageBox::NoButton, this);
-    box->setObjectName(QStringLiteral("recoveryDialog"));
+    auto *box = named(new QMessageBox(QMessageBox::Question, tr("Unsaved Scene"), textOf(*left),
+                                      QMessageBox::NoButton, this),
+                      "recoveryDialog");
     box->setTextFormat(Qt::PlainText); // a name may look like HTML
     box->setInformativeText(tr("Recovered, it is a scene without a file until it is saved."));
     const QPushButton *yes = box->addButton(tr("&Recover"), QMessageBox::AcceptRole);

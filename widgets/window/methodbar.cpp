@@ -3,9 +3,7 @@
 
 #include "core/methods/method.h"
 #include "widgets/look/corewords.h"
-#include "widgets/look/elidingbox.h"
-#include "widgets/look/methodsummary.h"
-#include "widgets/look/methodtitle.h"
+#include "widgets/look/labels.h"
 #include "widgets/look/symboltext.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"

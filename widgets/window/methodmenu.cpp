@@ -6,8 +6,6 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/menuaction.h"
-#include "widgets/look/methodsummary.h"
-#include "widgets/look/methodtitle.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 

@@ -4,11 +4,17 @@
 #include "widgets/model/playhead.h"
 #include "widgets/window/windowdocks.h"
 
+#include <QDockWidget>
 #include <QEvent>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QLibraryInfo>
 #include <QMainWindow>
+#include <QStyle>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace pixelplumb {
 
@@ -101,6 +107,135 @@ void PanelDock::setVisible(bool visible)
     if (visible)
         panel();
     QDockWidget::setVisible(visible);
+}
+
+bool isInFront(const QDockWidget &dock)
+{
+    return dock.isVisible() && !dock.visibleRegion().isEmpty();
+}
+
+DockRoom::DockRoom(QMainWindow *window, const QList<QDockWidget *> &docks, const Usual &usual)
+    : QObject(window)
+    , m_window(window)
+    , m_centre(window->centralWidget())
+    , m_docks(docks)
+    , m_usual(usual)
+{
+    window->installEventFilter(this);
+    m_centre->installEventFilter(this);
+}
+
+/// The window itself receives the clicks between its docks: a separator dragged then stops at the
+/// half.
+bool DockRoom::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_centre && event->type() == QEvent::Resize && m_centre->width() < half())
+        QMetaObject::invokeMethod(this, &DockRoom::keepHalf, Qt::QueuedConnection);
+    else if (watched == m_window && event->type() == QEvent::MouseButtonPress)
+        m_centre->setMinimumWidth(half());
+    else if (watched == m_window && event->type() == QEvent::MouseButtonRelease)
+        m_centre->setMinimumWidth(0);
+    return QObject::eventFilter(watched, event);
+}
+
+/// Half of the window's width, without the separators between the canvas and panels on both sides.
+int DockRoom::half() const
+{
+    return m_window->width() / 2
+        - 2 * m_window->style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent);
+}
+
+/// Each panel beside the canvas gives up its share of what the canvas lacks. If one is at its
+/// minimum width, the others give the rest when the canvas is resized again.
+void DockRoom::keepHalf()
+{
+    const int taken = m_window->width() - m_centre->width();
+    const int left = m_window->width() - half();
+    if (taken <= left)
+        return;
+    QList<QDockWidget *> beside;
+    QList<int> widths;
+    for (QDockWidget *dock : std::as_const(m_docks)) {
+        const Qt::DockWidgetArea area = m_window->dockWidgetArea(dock);
+        if ((area != Qt::LeftDockWidgetArea && area != Qt::RightDockWidgetArea)
+            || dock->isFloating() || !isInFront(*dock))
+            continue;
+        beside += dock;
+        widths += std::max(1, dock->width() * left / taken);
+    }
+    m_window->resizeDocks(beside, widths, Qt::Horizontal);
+}
+
+void DockRoom::makeFor(QDockWidget *dock)
+{
+    if (dock->isFloating() || dock->isHidden())
+        return;
+    if (m_window->dockWidgetArea(dock) == Qt::BottomDockWidgetArea)
+        makeBelow(dock);
+    else
+        makeBeside(dock);
+}
+
+/// A study needs more than the columns' first strip: it gets the height it asks for, at most half;
+/// the canvas keeps the rest.
+void DockRoom::makeBelow(QDockWidget *dock)
+{
+    if (!studiesBelow().contains(dock))
+        return;
+    const int wanted = std::min(dock->sizeHint().height() + tabsHeight, m_window->height() / 2);
+    m_window->resizeDocks({dock}, {std::max(wanted, m_heightBefore.value_or(0))}, Qt::Vertical);
+}
+
+/// Half of the width stays the canvas's. A panel in the formulas' place gets the height it asks
+/// for, as far as the pixel grid keeps its minimum.
+void DockRoom::makeBeside(QDockWidget *dock)
+{
+    if (m_window->dockWidgetArea(dock) == Qt::LeftDockWidgetArea) {
+        const int wanted = dock->sizeHint().width();
+        if (m_usual.formula->isHidden())
+            return m_window->resizeDocks({dock}, {std::min(wanted, half())}, Qt::Horizontal);
+        const int left = std::max(dock->minimumSizeHint().width(),
+                                  std::min(wanted, half() - m_usual.formulaWidth));
+        const int right = std::min(m_usual.formula->width(), half() - left);
+        return m_window->resizeDocks({dock, m_usual.formula}, {left, right}, Qt::Horizontal);
+    }
+    const QList<QDockWidget *> inItsPlace = m_window->tabifiedDockWidgets(m_usual.formula);
+    if (!inItsPlace.contains(dock) || inItsPlace.contains(m_usual.pixelGrid)
+        || m_usual.pixelGrid->isHidden())
+        return;
+    const int whole = dock->height() + m_usual.pixelGrid->height();
+    const int wanted = std::min(dock->sizeHint().height(),
+                                whole - m_usual.pixelGrid->minimumSizeHint().height() - tabsHeight);
+    if (wanted > dock->height())
+        m_window->resizeDocks({dock, m_usual.pixelGrid}, {wanted, whole - wanted}, Qt::Vertical);
+}
+
+/// The studies open below the canvas, in front or not, without the panels that are there at first.
+QList<QDockWidget *> DockRoom::studiesBelow() const
+{
+    QList<QDockWidget *> open;
+    std::ranges::copy_if(m_docks, std::back_inserter(open), [this](QDockWidget *dock) {
+        return dock != m_usual.columns && dock != m_usual.pixelHistory && !dock->isHidden()
+            && !dock->isFloating() && m_window->dockWidgetArea(dock) == Qt::BottomDockWidgetArea;
+    });
+    return open;
+}
+
+void DockRoom::remember(QDockWidget *dock)
+{
+    const bool isBelow = m_window->dockWidgetArea(dock) == Qt::BottomDockWidgetArea;
+    if (isBelow && !m_heightBefore && !m_usual.columns->isHidden()
+        && !m_usual.columns->isFloating())
+        m_heightBefore = m_usual.columns->height();
+}
+
+void DockRoom::giveBack()
+{
+    if (!m_heightBefore || m_usual.columns->isHidden() || !studiesBelow().isEmpty())
+        return;
+    if (!m_usual.columns->isFloating())
+        m_window->resizeDocks({m_usual.columns}, {*m_heightBefore}, Qt::Vertical);
+    m_heightBefore.reset();
 }
 
 } // namespace pixelplumb

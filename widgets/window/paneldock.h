@@ -4,6 +4,10 @@
 #include "widgets/window/panels.h"
 
 #include <QDockWidget>
+#include <QList>
+#include <QObject>
+
+#include <optional>
 
 class QMainWindow;
 
@@ -29,6 +33,55 @@ signals:
 private:
     const Panel &m_row;
     WindowParts m_parts;
+};
+
+/// Whether a dock is shown and not behind the tab of another, where Qt places it beside the window.
+bool isInFront(const QDockWidget &dock);
+
+/// Gives an opened panel its room from the canvas, and returns it when the panel closes. Half of
+/// the window's width stays the canvas's, whatever is opened or dragged, as far as the panels
+/// beside it can shrink.
+class DockRoom : public QObject {
+    Q_OBJECT
+
+public:
+    static constexpr int tabsHeight = 40; ///< logical pixels: more than any style's tabs
+
+    /// The panels around the canvas at first.
+    struct Usual {
+        QDockWidget *formula;
+        QDockWidget *pixelGrid;
+        QDockWidget *pixelHistory;
+        QDockWidget *columns;
+        int formulaWidth; ///< its needed width
+    };
+
+    DockRoom(QMainWindow *window, const QList<QDockWidget *> &docks, const Usual &usual);
+
+    /// To be called before a panel is shown: remembers the height of the panels below the canvas.
+    void remember(QDockWidget *dock);
+    /// Makes room for a panel that is shown.
+    void makeFor(QDockWidget *dock);
+
+public slots:
+    /// Returns to the canvas the extra height that the last study below it had.
+    void giveBack();
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    int half() const;
+    void keepHalf();
+    void makeBelow(QDockWidget *dock);
+    void makeBeside(QDockWidget *dock);
+    QList<QDockWidget *> studiesBelow() const;
+
+    QMainWindow *m_window;
+    QWidget *m_centre; ///< the window's central widget: the canvas
+    QList<QDockWidget *> m_docks;
+    Usual m_usual;
+    std::optional<int> m_heightBefore; ///< of the panels below the canvas, while a study has more
 };
 
 } // namespace pixelplumb

@@ -9,7 +9,7 @@
 #include "widgets/inspect/predictpanel.h"
 #include "widgets/inspect/primitivespanel.h"
 #include "widgets/lab/accuracylab.h"
-#include "widgets/look/namedwidget.h"
+#include "widgets/look/parts.h"
 #include "widgets/space/projectionpanel.h"
 #include "widgets/studies/comparepanel.h"
 #include "widgets/studies/effectspanel.h"

@@ -9,8 +9,8 @@
 #include "widgets/lab/accuracylab.h"
 #include "widgets/studies/gradingpanel.h"
 #include "widgets/studies/motionpanel.h"
-#include "widgets/window/dockroom.h"
 #include "widgets/window/firstarrangement.h"
+#include "widgets/window/paneldock.h"
 #include "widgets/window/workspaces.h"
 
 #include <QAction>

@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/window/windowstatusbar.h"
 
+#include "core/scan/choicenames.h"
+#include "core/scene/colourtext.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/files/sceneexports.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/look/corewords.h"
+#include "widgets/look/labels.h"
+#include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
+#include "widgets/model/runnotes.h"
 #include "widgets/model/scenetracer.h"
-#include "widgets/window/statusfields.h"
+#include "widgets/model/steptext.h"
+#include "widgets/model/studentpicture.h"
+#include "widgets/studies/submissionview.h"
 
 #include <QBoxLayout>
+#include <QFrame>
 #include <QLabel>
 #include <QProgressBar>
 #include <QToolButton>
@@ -18,9 +26,136 @@ namespace pixelplumb {
 
 namespace {
 
+void keepWide(QLabel *label, const QString &widest)
+{
+    label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + 8);
+}
+
 constexpr int messageTime = 5000; // ms
 
 } // namespace
+
+StatusFields::StatusFields(const Playhead *playhead, const StudentPicture *student, QWidget *parent)
+    : QWidget(parent)
+    , m_playhead(playhead)
+    , m_student(student)
+    , m_row(new QHBoxLayout(this))
+{
+    setObjectName(QStringLiteral("statusFields"));
+    m_row->setContentsMargins(8, 0, 8, 0);
+    m_row->setSpacing(8);
+    m_pixel = addField(QStringLiteral("statusPixel"));
+    m_column = addField(QStringLiteral("statusColumn"));
+    m_step = addField(QStringLiteral("statusStep"));
+    m_settings = addField(QStringLiteral("statusSettings"));
+    addLine();
+    m_verdict
+        = named(new ElidedLabel(this), "statusFigures", tr("Wrong pixels of the finished picture"));
+    m_row->addWidget(m_verdict, 1);
+    connect(playhead, &Playhead::tracedChanged, this, &StatusFields::takeTrace);
+    connect(playhead, &Playhead::positionChanged, this, [this] { refresh(); });
+    connect(playhead, &Playhead::pickedPixelChanged, this, [this] { refresh(); });
+    connect(student, &StudentPicture::judged, this, &StatusFields::tellVerdict);
+    takeTrace();
+}
+
+void StatusFields::setHovered(std::optional<QPoint> pixel)
+{
+    m_hovered = pixel;
+    refresh();
+}
+
+void StatusFields::addLine()
+{
+    auto *line = new QFrame(this);
+    line->setFrameShape(QFrame::VLine);
+    line->setForegroundRole(QPalette::Mid);
+    m_row->addWidget(line);
+}
+
+QLabel *StatusFields::addField(const QString &name)
+{
+    if (m_row->count() > 0)
+        addLine();
+    auto *label = new QLabel(this);
+    label->setObjectName(name);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_row->addWidget(label);
+    return label;
+}
+
+void StatusFields::takeTrace()
+{
+    if (const TracedScene *traced = m_playhead->traced()) {
+        const FrameSpec &frame = traced->scene.frame;
+        const auto widest = [](std::int64_t first, std::int64_t size) {
+            const auto digits
+                = std::max(QString::number(first).size(), QString::number(first + size - 1).size());
+            return QString(std::max<qsizetype>(3, digits), QLatin1Char('8'));
+        };
+        const QString x = widest(frame.firstColumn, frame.width);
+        const QString y = widest(frame.firstRow, frame.height);
+        const QString end = widest(0, std::int64_t(m_playhead->end()) + 1);
+        keepWide(m_pixel, tr("pixel (%1, %2) %3").arg(x, y, QStringLiteral("#dddddd")));
+        keepWide(m_column, tr("column %1, second half").arg(x));
+        keepWide(m_step, tr("step %1 of %2").arg(end, end));
+        const ScanSettings &settings = traced->scene.settings;
+        QStringList words{
+            nameText(nameOf(settings.arithmetic)), nameText(nameOf(settings.fillRule)),
+            frame.origin == FrameOrigin::BottomLeft ? tr("y upward") : tr("y downward")};
+        if (frame.pixelCentre == PixelCentre::Half)
+            words += tr("samples at ½");
+        for (const Variant variant : variantsIn(settings.variants))
+            words += nameText(wordsOf(variant, traced->method->spanAxis).title);
+        if (traced->trace->isCut())
+            words += tr("recording cut at its limit");
+        m_settings->setText(words.join(QStringLiteral(" · ")));
+    } else {
+        m_settings->clear();
+    }
+    tellVerdict();
+    refresh();
+}
+
+/// One verdict at a time.
+void StatusFields::tellVerdict()
+{
+    const TracedScene *traced = m_playhead->traced();
+    const QString verdict = traced ? verdictNote(*traced) : QString();
+    if (const auto &judgement = m_student->judgement()) {
+        m_verdict->setWholeText(tr("Submission: %1").arg(verdictText(judgement->diff)));
+        m_verdict->setToolTip(verdict.isEmpty() ? QString()
+                                                : tr("The method itself: %1").arg(verdict));
+        return;
+    }
+    m_verdict->setWholeText(verdict);
+    const bool isProved = traced && traced->differences.total() == 0
+        && traced->method->isStableUnder(traced->scene.settings);
+    m_verdict->setToolTip(verdict.isEmpty() || !isProved ? verdict
+                                                         : verdict + u'\n'
+                                  + tr("The method is proved to draw every pixel right."));
+}
+
+void StatusFields::refresh()
+{
+    const TracedScene *traced = m_playhead->traced();
+    m_pixel->setText(pixelText());
+    m_column->setText(traced ? columnText(*traced, m_playhead->position()) : QString());
+    m_step->setText(traced ? tr("step %1 of %2").arg(m_playhead->position()).arg(m_playhead->end())
+                           : QString());
+}
+
+QString StatusFields::pixelText() const
+{
+    const std::optional<QPoint> pixel = m_hovered ? m_hovered : m_playhead->pickedPixel();
+    const FrameBuffer *frame = m_playhead->frame();
+    if (!pixel || !frame || !frame->view().contains(pixel->x(), pixel->y()))
+        return tr("no pixel");
+    return tr("pixel (%1, %2) %3")
+        .arg(pixel->x())
+        .arg(pixel->y())
+        .arg(colourText(unpacked(*frame->view().at(pixel->x(), pixel->y()))));
+}
 
 WindowStatusBar::WindowStatusBar(const WindowParts &parts, QWidget *window)
     : QStatusBar(window)
@@ -56,11 +191,8 @@ QToolButton *WindowStatusBar::addJob(const Job &job, const JobNames &names)
     bar->setAccessibleName(names.barInWords);
     bar->setFixedWidth(160);
     bar->setMaximumHeight(16);
-    auto *row = new QHBoxLayout(whole);
+    auto *row = withParts(new QHBoxLayout(whole), {title, bar}, 8);
     row->setContentsMargins(0, 0, 8, 0);
-    row->setSpacing(8);
-    row->addWidget(title);
-    row->addWidget(bar);
     addPermanentWidget(whole);
     whole->hide();
     connect(&job, &Job::started, whole, [whole, title, bar, &job] {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/window/workspaces.h"
 
+#include "widgets/look/parts.h"
 #include "widgets/window/firstarrangement.h"
 
+#include <QAction>
+#include <QBoxLayout>
 #include <QMainWindow>
 #include <QSettings>
 #include <QToolBar>
+#include <QToolButton>
 
 namespace pixelplumb {
 
@@ -112,6 +116,28 @@ QString titleOf(Workspace workspace)
         return Workspaces::tr("&Grade");
     }
     return {};
+}
+
+WorkspaceRow::WorkspaceRow(const QList<QAction *> &workspaces, QWidget *parent)
+    : QWidget(parent)
+{
+    named(this, "workspaceRow", tr("Workspaces"));
+    auto *layout = withParts(new QHBoxLayout(this), {}, 0);
+    layout->setContentsMargins(0, 0, 8, 0);
+    for (QAction *action : workspaces) {
+        auto *button = new QToolButton(this);
+        button->setDefaultAction(action);
+        button->setObjectName(action->objectName() + QStringLiteral("Button"));
+        button->setAccessibleName(action->iconText());
+        button->setAutoRaise(true);
+        button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored);
+        layout->addWidget(button);
+    }
+}
+
+QSize WorkspaceRow::minimumSizeHint() const
+{
+    return {layout()->minimumSize().width(), fontMetrics().height() + 4};
 }
 
 } // namespace pixelplumb

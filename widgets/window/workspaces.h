@@ -7,10 +7,12 @@
 #include <QList>
 #include <QObject>
 #include <QPointer>
+#include <QWidget>
 
 #include <array>
 #include <iterator>
 
+class QAction;
 class QMainWindow;
 class QSettings;
 
@@ -64,5 +66,19 @@ private:
 
 /// The workspace's title for a button: "Step".
 QString titleOf(Workspace workspace);
+
+/// A row of buttons for the window's upper right corner, one per workspace, the current one
+/// pressed.
+class WorkspaceRow : public QWidget {
+    Q_OBJECT
+
+public:
+    /// `workspaces`: checkable actions, one of which is checked.
+    explicit WorkspaceRow(const QList<QAction *> &workspaces, QWidget *parent = nullptr);
+
+    /// No higher than the menu titles next to it.
+    QSize minimumSizeHint() const override;
+    QSize sizeHint() const override { return minimumSizeHint(); }
+};
 
 } // namespace pixelplumb

@@ -6,7 +6,7 @@
 #include "tests/support/testprogram.h"
 #include "widgets/canvas/canvasscene.h"
 #include "widgets/canvas/canvasview.h"
-#include "widgets/look/layersurface.h"
+#include "widgets/look/framepainter.h"
 
 #include <QTest>
 

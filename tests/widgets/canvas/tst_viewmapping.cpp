@@ -3,8 +3,8 @@
 #include "tests/support/framespec.h"
 #include "tests/support/testprogram.h"
 #include "tests/support/viewratios.h"
-#include "widgets/canvas/canvaspicture.h"
-#include "widgets/look/layersurface.h"
+#include "widgets/canvas/canvaspainter.h"
+#include "widgets/look/framepainter.h"
 
 #include <QTest>
 

@@ -2,12 +2,11 @@
 #include "tests/support/madestudy.h"
 #include "tests/support/testprogram.h"
 #include "widgets/lab/coststack.h"
-#include "widgets/lab/labfilter.h"
+#include "widgets/lab/labfiltermenu.h"
 #include "widgets/lab/labmarks.h"
 #include "widgets/lab/labtext.h"
 #include "widgets/lab/missplot.h"
 #include "widgets/lab/paretoplot.h"
-#include "widgets/lab/wrappedlines.h"
 
 #include <QApplication>
 #include <QFontMetricsF>

@@ -2,7 +2,6 @@
 #include "tests/support/madestudy.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/testprogram.h"
-#include "widgets/lab/costparts.h"
 #include "widgets/lab/coststack.h"
 #include "widgets/lab/labanswers.h"
 #include "widgets/lab/labelplaces.h"

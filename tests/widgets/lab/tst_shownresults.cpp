@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/madestudy.h"
 #include "tests/support/testprogram.h"
-#include "widgets/lab/shownresults.h"
+#include "widgets/lab/labrun.h"
 
 #include <QTest>
 

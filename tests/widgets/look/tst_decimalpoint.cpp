@@ -6,9 +6,9 @@
 #include "widgets/dialogs/vertexdialog.h"
 #include "widgets/files/sceneexports.h"
 #include "widgets/files/scenefiles.h"
-#include "widgets/look/decimalbox.h"
+#include "widgets/look/corewords.h"
+#include "widgets/look/labels.h"
 #include "widgets/look/numberformat.h"
-#include "widgets/look/translation.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>

@@ -3,8 +3,8 @@
 #include "tests/support/testprogram.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/look/numberlayout.h"
-#include "widgets/look/numbertooltip.h"
 #include "widgets/look/symboltext.h"
+#include "widgets/look/typesetting.h"
 
 #include <QRegularExpression>
 #include <QTest>

@@ -2,8 +2,8 @@
 #include "core/scan/choicenames.h"
 #include "tests/support/testprogram.h"
 #include "widgets/look/appearance.h"
-#include "widgets/look/elidingbox.h"
 #include "widgets/look/formulahtml.h"
+#include "widgets/look/labels.h"
 #include "widgets/look/symboltext.h"
 #include "widgets/look/typesetting.h"
 

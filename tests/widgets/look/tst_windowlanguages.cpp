@@ -6,8 +6,8 @@
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 #include "tests/support/translationfile.h"
-#include "widgets/look/elidedlabel.h"
-#include "widgets/look/translation.h"
+#include "widgets/look/corewords.h"
+#include "widgets/look/labels.h"
 
 #include <QApplication>
 #include <QDockWidget>
@@ -193,8 +193,8 @@ private slots:
              textsOf(resource(QStringLiteral("/translations/pixelplumb_de.ts"))))
             unknown.remove(text.name());
         for (const QString &name : unknown) {
-            if (!name.startsWith(QLatin1String("pixelplumb::CoreWords"))) // CoreWords requests all
-                                                                          // texts
+            if (!name.startsWith(QLatin1String("core: "))) // coreWord() requests all
+                                                           // texts
                 QFAIL(qPrintable(name));
         }
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/testprogram.h"
 #include "widgets/model/job.h"
-#include "widgets/model/measuringpool.h"
 
 #include <QtTest>
 

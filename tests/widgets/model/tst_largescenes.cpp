@@ -6,7 +6,7 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/look/messagebar.h"
 #include "widgets/model/playhead.h"
-#include "widgets/model/scenepreviewer.h"
+#include "widgets/model/scenetracer.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

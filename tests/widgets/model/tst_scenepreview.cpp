@@ -4,7 +4,7 @@
 #include "tests/support/sanitized.h"
 #include "tests/support/scanning.h"
 #include "tests/support/testprogram.h"
-#include "widgets/model/scenepreviewer.h"
+#include "widgets/model/scenetracer.h"
 
 #include <QSignalSpy>
 #include <QTest>

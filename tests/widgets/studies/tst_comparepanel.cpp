@@ -5,7 +5,6 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/canvas/overdrawoverlay.h"
 #include "widgets/model/playhead.h"
-#include "widgets/studies/agreementview.h"
 #include "widgets/studies/comparelink.h"
 #include "widgets/studies/comparepane.h"
 #include "widgets/studies/comparepanel.h"

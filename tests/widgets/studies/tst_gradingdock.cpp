@@ -6,14 +6,13 @@
 #include "tests/support/openwindow.h"
 #include "tests/support/testprogram.h"
 #include "widgets/canvas/canvas.h"
-#include "widgets/look/elidedlabel.h"
+#include "widgets/look/labels.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/model/studentpicture.h"
 #include "widgets/studies/gradebook.h"
 #include "widgets/studies/gradedialog.h"
-#include "widgets/studies/gradefilter.h"
-#include "widgets/studies/gradetablemodel.h"
+#include "widgets/studies/gradetable.h"
 #include "widgets/studies/gradingpanel.h"
 
 #include <QAbstractItemModelTester>

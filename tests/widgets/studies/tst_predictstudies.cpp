@@ -8,9 +8,9 @@
 #include "widgets/look/displayoptions.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
-#include "widgets/studies/agreementview.h"
 #include "widgets/studies/comparepane.h"
 #include "widgets/studies/comparepanel.h"
+#include "widgets/studies/compareview.h"
 #include "widgets/studies/precisionpanel.h"
 #include "widgets/studies/precisionplot.h"
 

@@ -3,7 +3,7 @@
 #include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
 #include "tests/support/testprogram.h"
-#include "widgets/look/elidingbox.h"
+#include "widgets/look/labels.h"
 #include "widgets/look/messagebar.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/runnotes.h"

@@ -7,7 +7,7 @@
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/menuaction.h"
 #include "widgets/model/playhead.h"
-#include "widgets/window/helpmenu.h"
+#include "widgets/window/menus.h"
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>

@@ -6,7 +6,7 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/inspect/formulapanel.h"
 #include "widgets/inspect/pixelgrid.h"
-#include "widgets/look/elidingbox.h"
+#include "widgets/look/labels.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/primitivelistmodel.h"
 #include "widgets/stepping/scrubber.h"
