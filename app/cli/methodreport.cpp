@@ -215,8 +215,16 @@ std::vector<Defect> defectsOf(const Method &method)
 void printDefects(const Method &method)
 {
     printLine(QStringLiteral("  known defects"));
-    for (const Defect &defect : defectsOf(method))
-        printLine(QStringLiteral("    %1  %2").arg(defect.id, -28).arg(defect.forAssistant));
+    int shifts = 0;
+    for (const Defect &defect : defectsOf(method)) {
+        if (defect.id.startsWith(QLatin1String("shifted-by-")))
+            ++shifts;
+        else
+            printLine(QStringLiteral("    %1  %2").arg(defect.id, -28).arg(defect.forAssistant));
+    }
+    printLine(QStringLiteral("    %1  %2 more: the whole picture is shifted by some pixels.")
+                  .arg(QStringLiteral("shifted-by-…"), -28)
+                  .arg(shifts));
 }
 
 QJsonArray defectsJson(const Method &method)
