@@ -1455,10 +1455,6 @@
         <translation>In jeder Ansicht die ganze Bildfläche zeigen</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
         <source>Agreement</source>
         <translation>Übereinstimmung</translation>
     </message>
@@ -1521,6 +1517,10 @@
     <message>
         <source>Pixel (%1, %2): all agree.</source>
         <translation>Pixel (%1, %2): Alle stimmen überein.</translation>
+    </message>
+    <message>
+        <source>Progress of the comparison</source>
+        <translation>Fortschritt des Vergleichs</translation>
     </message>
 </context>
 <context>
@@ -1640,14 +1640,6 @@
     <message>
         <source>Find the known defects, one or two, that draw this very picture</source>
         <translation>Die bekannten Defekte finden, einen oder zwei, die genau dieses Bild zeichnen</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Stop looking for defects</source>
-        <translation>Die Suche nach Defekten beenden</translation>
     </message>
     <message>
         <source>Sets of defects that are tried</source>
@@ -1898,10 +1890,6 @@
         <translation>Die Szene wieder und wieder mit jedem Effekt an und aus zeichnen, alle anderen wie gefordert, mit den einfachen Kernen</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
         <source>effect</source>
         <translation>Effekt</translation>
     </message>
@@ -1996,6 +1984,10 @@
     <message>
         <source>%1 samples</source>
         <translation>%1 Abtastpunkte</translation>
+    </message>
+    <message>
+        <source>Progress of the measurement</source>
+        <translation>Fortschritt der Messung</translation>
     </message>
 </context>
 <context>
@@ -2711,14 +2703,6 @@
         <translation>Abgaben, die bewertet sind</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Stop; what is graded stays</source>
-        <translation>Anhalten; was bewertet ist, bleibt</translation>
-    </message>
-    <message>
         <source>Show the submissions that contain these words</source>
         <translation>Die Abgaben zeigen, in denen diese Wörter stehen</translation>
     </message>
@@ -2948,6 +2932,13 @@
     <message>
         <source>&lt;h3&gt;Pixelplumb %1&lt;/h3&gt;&lt;p&gt;See, step through, measure and grade triangle scan conversion.&lt;/p&gt;&lt;p&gt;Qt %2, %3, %4&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0-or-later. It uses no network and sends nothing.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Pixelplumb %1&lt;/h3&gt;&lt;p&gt;Die Rasterung von Dreiecken sehen, Schritt für Schritt durchgehen, messen und bewerten.&lt;/p&gt;&lt;p&gt;Qt %2, %3, %4&lt;/p&gt;&lt;p&gt;Lizenz: GPL-3.0-or-later. Es benutzt kein Netz und sendet nichts.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::JobBar</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -4452,10 +4443,6 @@
     <message>
         <source>Progress of the measurement</source>
         <translation>Fortschritt der Messung</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Times</source>

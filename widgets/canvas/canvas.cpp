@@ -12,12 +12,7 @@
 #include "widgets/model/scenetracer.h"
 #include "widgets/model/studentpicture.h"
 
-#include <QAccessible>
-#include <QContextMenuEvent>
-#include <QKeyEvent>
-#include <QMouseEvent>
-#include <QPainter>
-#include <QWheelEvent>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

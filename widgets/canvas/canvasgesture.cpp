@@ -2,7 +2,6 @@
 #include "widgets/canvas/canvasgesture.h"
 
 #include "widgets/canvas/canvasview.h"
-#include "widgets/canvas/imagehandles.h"
 #include "widgets/model/playhead.h"
 
 #include <cstdlib>
@@ -33,9 +32,6 @@ std::optional<std::size_t> spanNear(const ScanTrace &trace, std::size_t preferre
     }
     return nearest;
 }
-
-/// Logical pixels of tremor that a click may have.
-constexpr double tremble = 3;
 
 } // namespace
 
@@ -74,94 +70,6 @@ void SeekColumnGesture::moveTo(const QPointF &position)
         = spanNear(*traced->trace, step ? step->primitive : 0, m_view.mapping().columnAt(position));
     if (span)
         m_playhead.seekToSpan(*span);
-}
-
-MoveImageCornerGesture::MoveImageCornerGesture(const CanvasView &view, const CanvasSources &sources,
-                                               std::size_t corner, const QPointF &press)
-    : MovePointGesture(view, press, imageInView(sources)->corners[corner])
-    , m_sources(sources)
-    , m_corner(corner)
-    , m_before(sources.options->affineImage())
-    , m_image(*imageInView(sources))
-    , m_drag(sources.document->newDrag())
-{
-}
-
-void MoveImageCornerGesture::movePoint(const LatticePoint &place)
-{
-    moveImageCorner(m_sources, m_image, m_corner, place, m_drag);
-}
-
-void MoveImageCornerGesture::cancel()
-{
-    if (hasMoved() && m_sources.options->affineImage() != m_before)
-        m_sources.document->undoStack()->push(new ImageEdit(*m_sources.options, m_before, m_drag));
-}
-
-MovePointGesture::MovePointGesture(const CanvasView &view, const QPointF &press,
-                                   const LatticePoint &start)
-    : m_view(view)
-    , m_press(press)
-    , m_start(start)
-{
-}
-
-void MovePointGesture::moveTo(const QPointF &position)
-{
-    m_moving = m_moving || (position - m_press).manhattanLength() > tremble;
-    if (!m_moving)
-        return;
-    const LatticePoint pressed = m_view.mapping().latticeAt(m_press);
-    const LatticePoint now = m_view.mapping().latticeAt(position);
-    movePoint({m_start.x + now.x - pressed.x, m_start.y + now.y - pressed.y});
-}
-
-MoveVertexGesture::MoveVertexGesture(const CanvasView &view, SceneDocument &document,
-                                     const VertexRef &ref, const QPointF &press)
-    : MovePointGesture(view, press, document.vertexAt(ref)->position)
-    , m_document(document)
-    , m_ref(ref)
-    , m_drag(document.newDrag())
-    , m_wasSelected(document.selectedVertex() == ref)
-{
-    document.selectVertex(ref);
-}
-
-void MoveVertexGesture::releaseAt(const QPointF &position)
-{
-    moveTo(position);
-    const bool places = m_wasSelected || !m_document.pendingVertices().empty();
-    if (hasMoved() || !places)
-        return;
-    m_document.selectVertex(std::nullopt);
-    m_document.placeVertex(start());
-}
-
-void MoveVertexGesture::movePoint(const LatticePoint &place)
-{
-    const LatticePoint seen = m_document.snapped(m_document.atCurrentFrame(place));
-    m_document.moveVertex(m_ref, m_document.fromCurrentFrame(seen), m_drag);
-}
-
-void MoveVertexGesture::cancel() { m_document.moveVertex(m_ref, start(), m_drag); }
-
-MoveOffScreenPointGesture::MoveOffScreenPointGesture(const CanvasView &view,
-                                                     SceneDocument &document, const QPointF &press)
-    : MovePointGesture(view, press, *document.offScreenPoint())
-    , m_document(document)
-    , m_drag(document.newDrag())
-{
-}
-
-void MoveOffScreenPointGesture::movePoint(const LatticePoint &place)
-{
-    m_document.moveOffScreenPoint(m_document.snapped(place), m_drag);
-}
-
-void MoveOffScreenPointGesture::cancel()
-{
-    if (hasMoved())
-        m_document.moveOffScreenPoint(start(), m_drag);
 }
 
 } // namespace pixelplumb

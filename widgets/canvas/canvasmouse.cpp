@@ -9,9 +9,7 @@
 #include "widgets/look/corewords.h"
 #include "widgets/model/playhead.h"
 
-#include <QInputDialog>
-#include <QMouseEvent>
-#include <QWheelEvent>
+#include <QtWidgets>
 
 #include <cstdlib>
 

@@ -3,9 +3,7 @@
 
 #include "core/scene/scene.h"
 
-#include <QFontMetricsF>
-#include <QPainter>
-#include <QPainterPath>
+#include <QtWidgets>
 
 #include <cmath>
 

@@ -5,12 +5,7 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/steptext.h"
 
-#include <QBoxLayout>
-#include <QDialogButtonBox>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPushButton>
-#include <QRegularExpression>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

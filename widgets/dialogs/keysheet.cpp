@@ -5,9 +5,7 @@
 #include "widgets/look/menuaction.h"
 #include "widgets/look/parts.h"
 
-#include <QBoxLayout>
-#include <QDialogButtonBox>
-#include <QTextBrowser>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -3,13 +3,7 @@
 
 #include "widgets/look/parts.h"
 
-#include <QComboBox>
-#include <QDialogButtonBox>
-#include <QHeaderView>
-#include <QLabel>
-#include <QPushButton>
-#include <QStyledItemDelegate>
-#include <QTreeView>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

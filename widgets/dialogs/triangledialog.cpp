@@ -6,13 +6,7 @@
 #include "widgets/look/parts.h"
 #include "widgets/model/runnotes.h"
 
-#include <QBoxLayout>
-#include <QCheckBox>
-#include <QDialogButtonBox>
-#include <QGridLayout>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPushButton>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -6,14 +6,7 @@
 #include "widgets/look/numberformat.h"
 #include "widgets/look/parts.h"
 
-#include <QBoxLayout>
-#include <QComboBox>
-#include <QDialogButtonBox>
-#include <QFormLayout>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPushButton>
-#include <QSpinBox>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

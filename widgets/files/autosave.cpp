@@ -5,10 +5,7 @@
 #include "widgets/files/recentfiles.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QDir>
-#include <QFile>
-#include <QStandardPaths>
-#include <QUuid>
+#include <QtWidgets>
 
 #include <mutex>
 #include <utility>

@@ -6,10 +6,7 @@
 #include "widgets/look/parts.h"
 #include "widgets/look/typesetting.h"
 
-#include <QDir>
-#include <QFileInfo>
-#include <QSettings>
-#include <QStandardPaths>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -13,11 +13,7 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/steptext.h"
 
-#include <QApplication>
-#include <QBuffer>
-#include <QClipboard>
-#include <QFileDialog>
-#include <QFileInfo>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -9,11 +9,7 @@
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QCoreApplication>
-#include <QFile>
-#include <QFileDialog>
-#include <QFileInfo>
-#include <QMessageBox>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

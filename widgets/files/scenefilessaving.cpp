@@ -6,9 +6,7 @@
 #include "widgets/look/typesetting.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QFileDialog>
-#include <QFileInfo>
-#include <QProgressDialog>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <new>

@@ -3,12 +3,7 @@
 
 #include "widgets/model/studentpicture.h"
 
-#include <QFile>
-#include <QFileDialog>
-#include <QFileInfo>
-#include <QImage>
-#include <QMimeData>
-#include <QUrl>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

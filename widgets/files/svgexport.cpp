@@ -8,11 +8,8 @@
 #include "widgets/look/framepainter.h"
 #include "widgets/model/playhead.h"
 
-#include <QBuffer>
-#include <QCoreApplication>
-#include <QGuiApplication>
-#include <QPainter>
 #include <QSvgGenerator>
+#include <QtWidgets>
 
 #include <algorithm>
 

@@ -7,15 +7,7 @@
 #include "widgets/model/placinghint.h"
 #include "widgets/model/playhead.h"
 
-#include <QAbstractButton>
-#include <QAction>
-#include <QClipboard>
-#include <QGuiApplication>
-#include <QKeyEvent>
-#include <QMenu>
-#include <QPainter>
-#include <QScopedValueRollback>
-#include <QScrollBar>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <numeric>

@@ -7,9 +7,7 @@
 #include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 
-#include <QAction>
-#include <QHBoxLayout>
-#include <QToolButton>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

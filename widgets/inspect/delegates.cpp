@@ -7,10 +7,7 @@
 #include "widgets/model/pixelhistorymodel.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QApplication>
-#include <QLineEdit>
-#include <QPainter>
-#include <QValidator>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

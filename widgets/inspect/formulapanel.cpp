@@ -11,14 +11,7 @@
 #include "widgets/model/placinghint.h"
 #include "widgets/model/playhead.h"
 
-#include <QEvent>
-#include <QGuiApplication>
-#include <QLabel>
-#include <QResizeEvent>
-#include <QScrollBar>
-#include <QTextBrowser>
-#include <QTextDocument>
-#include <QVBoxLayout>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <cmath>

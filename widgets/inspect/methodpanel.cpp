@@ -11,12 +11,7 @@
 #include "widgets/look/typesetting.h"
 #include "widgets/model/playhead.h"
 
-#include <QAbstractTextDocumentLayout>
-#include <QEvent>
-#include <QScrollBar>
-#include <QTextBlock>
-#include <QTextBrowser>
-#include <QVBoxLayout>
+#include <QtWidgets>
 
 #include <algorithm>
 

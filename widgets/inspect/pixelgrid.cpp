@@ -9,12 +9,7 @@
 #include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 
-#include <QFontInfo>
-#include <QHelpEvent>
-#include <QMouseEvent>
-#include <QPainter>
-#include <QToolTip>
-#include <QWheelEvent>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <cmath>

@@ -9,13 +9,7 @@
 #include "widgets/model/pixelhistorymodel.h"
 #include "widgets/model/playhead.h"
 
-#include <QHBoxLayout>
-#include <QHeaderView>
-#include <QLabel>
-#include <QScrollArea>
-#include <QTimer>
-#include <QToolButton>
-#include <QTreeView>
+#include <QtWidgets>
 
 #include <algorithm>
 

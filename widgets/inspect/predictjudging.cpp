@@ -8,10 +8,7 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/steptext.h"
 
-#include <QComboBox>
-#include <QCoreApplication>
-#include <QLineEdit>
-#include <QRegularExpression>
+#include <QtWidgets>
 
 #include <algorithm>
 

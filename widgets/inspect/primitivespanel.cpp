@@ -7,13 +7,7 @@
 #include "widgets/look/parts.h"
 #include "widgets/model/primitivelistmodel.h"
 
-#include <QAction>
-#include <QHBoxLayout>
-#include <QHeaderView>
-#include <QLabel>
-#include <QMenu>
-#include <QScopedValueRollback>
-#include <QToolButton>
+#include <QtWidgets>
 
 #include <algorithm>
 

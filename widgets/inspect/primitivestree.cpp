@@ -5,9 +5,7 @@
 #include "core/scene/shapenames.h"
 #include "widgets/model/primitivelistmodel.h"
 
-#include <QAction>
-#include <QKeyEvent>
-#include <QMouseEvent>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

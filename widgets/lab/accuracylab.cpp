@@ -10,10 +10,7 @@
 #include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 
-#include <QApplication>
-#include <QBoxLayout>
-#include <QClipboard>
-#include <QStackedWidget>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

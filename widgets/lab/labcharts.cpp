@@ -11,9 +11,7 @@
 #include "widgets/look/labels.h"
 #include "widgets/look/parts.h"
 
-#include <QBoxLayout>
-#include <QComboBox>
-#include <QScrollArea>
+#include <QtWidgets>
 
 #include <algorithm>
 

@@ -6,11 +6,7 @@
 #include "widgets/look/labels.h"
 #include "widgets/look/parts.h"
 
-#include <QBoxLayout>
-#include <QMenu>
-#include <QProgressBar>
-#include <QPushButton>
-#include <QToolButton>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -51,10 +51,6 @@ bool isCovered(const std::vector<QRectF> &places, const QRectF &candidate)
         places, [&candidate](const QRectF &each) { return each.intersects(candidate); });
 }
 
-} // namespace
-
-namespace {
-
 double distanceTo(const QRectF &label, const QPointF &dot)
 {
     const double x = std::max({label.left() - dot.x(), 0.0, dot.x() - label.right()});

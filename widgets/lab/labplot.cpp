@@ -5,9 +5,7 @@
 #include "widgets/look/parts.h"
 #include "widgets/studies/precisionscale.h"
 
-#include <QBoxLayout>
-#include <QEvent>
-#include <QToolTip>
+#include <QtWidgets>
 #include <qcustomplot.h>
 
 #include <cmath>

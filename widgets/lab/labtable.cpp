@@ -5,9 +5,7 @@
 #include "widgets/look/numberlayout.h"
 #include "widgets/look/parts.h"
 
-#include <QHeaderView>
-#include <QScopedValueRollback>
-#include <QSortFilterProxyModel>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <limits>

@@ -5,9 +5,7 @@
 #include "core/scan/choicenames.h"
 #include "widgets/look/corewords.h"
 
-#include <QCoreApplication>
-#include <QTextDocumentFragment>
-#include <QTextLayout>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -5,9 +5,7 @@
 #include "widgets/lab/labtext.h"
 #include "widgets/studies/precisionscale.h"
 
-#include <QCoreApplication>
-#include <QKeyEvent>
-#include <QToolTip>
+#include <QtWidgets>
 #include <qcustomplot.h>
 
 #include <algorithm>

@@ -4,13 +4,7 @@
 #include "core/frame/srgb.h"
 #include "widgets/look/signs.h"
 
-#include <QApplication>
-#include <QFontDatabase>
-#include <QFontMetricsF>
-#include <QPainter>
-#include <QStyle>
-#include <QStyleOption>
-#include <QToolButton>
+#include <QtWidgets>
 
 #include <array>
 #include <utility>

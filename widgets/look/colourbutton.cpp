@@ -3,9 +3,7 @@
 
 #include "core/scene/colourtext.h"
 
-#include <QColorDialog>
-#include <QEvent>
-#include <QPainter>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

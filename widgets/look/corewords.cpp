@@ -4,9 +4,7 @@
 #include "core/methods/method.h"
 #include "core/scan/choicenames.h"
 
-#include <QCoreApplication>
-#include <QLibraryInfo>
-#include <QRegularExpression>
+#include <QtWidgets>
 
 #include <algorithm>
 

@@ -2,9 +2,7 @@
 #include "core/polygons/textoutlines.h"
 #include "widgets/look/framepainter.h"
 
-#include <QCoreApplication>
-#include <QPainter>
-#include <QPainterPath>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/labels.h"
 
-#include <QHelpEvent>
-#include <QLabel>
-#include <QPainter>
-#include <QStyleOptionComboBox>
-#include <QStylePainter>
-#include <QToolTip>
+#include <QtWidgets>
 
 #include <algorithm>
 

@@ -6,14 +6,7 @@
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 
-#include <QAccessible>
-#include <QApplication>
-#include <QBoxLayout>
-#include <QKeyEvent>
-#include <QLabel>
-#include <QMouseEvent>
-#include <QTimer>
-#include <QToolButton>
+#include <QtWidgets>
 
 #include <algorithm>
 

@@ -3,9 +3,7 @@
 
 #include "widgets/look/numberformat.h"
 
-#include <QFontDatabase>
-#include <QFontMetricsF>
-#include <QPainter>
+#include <QtWidgets>
 
 #include <algorithm>
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/signs.h"
 
-#include <QGuiApplication>
-#include <QIconEngine>
-#include <QPainter>
-#include <QPalette>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -6,10 +6,7 @@
 #include "widgets/look/numberformat.h"
 #include "widgets/look/symboltext.h"
 
-#include <QCoreApplication>
-#include <QFileInfo>
-#include <QRegularExpression>
-#include <QStringList>
+#include <QtWidgets>
 
 #include <algorithm>
 

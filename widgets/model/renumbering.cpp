@@ -52,8 +52,9 @@ std::optional<std::size_t> placeAfter(const std::vector<Element> &before,
 std::optional<VertexRef> renamed(const VertexRef &ref, std::size_t triangleCount,
                                  const ScenePiece &before, const ScenePiece &after)
 {
-    const int moreTriangles = int(after.run.triangles.size()) - int(before.run.triangles.size());
-    const int moreShapes = int(after.run.shapes.size()) - int(before.run.shapes.size());
+    const int moreTriangles
+        = int(after.scene.triangles.size()) - int(before.scene.triangles.size());
+    const int moreShapes = int(after.scene.shapes.size()) - int(before.scene.shapes.size());
     const int firstShape = int(triangleCount + before.firstShape);
     if (ref.primitive == VertexRef::pending) {
         if (!after.pending.empty() || moreTriangles + moreShapes != 1)
@@ -62,7 +63,7 @@ std::optional<VertexRef> renamed(const VertexRef &ref, std::size_t triangleCount
     }
     const bool isTriangle = ref.primitive < int(triangleCount);
     const int first = isTriangle ? int(before.firstTriangle) : firstShape;
-    const int count = int(isTriangle ? before.run.triangles.size() : before.run.shapes.size());
+    const int count = int(isTriangle ? before.scene.triangles.size() : before.scene.shapes.size());
     const int more = isTriangle ? moreTriangles : moreShapes;
     const bool isInRun = ref.primitive >= first && ref.primitive < first + count;
     if (isInRun && more < 0 && before.pending.empty() && !after.pending.empty())
@@ -71,8 +72,8 @@ std::optional<VertexRef> renamed(const VertexRef &ref, std::size_t triangleCount
     if (isInRun) {
         const auto place = std::size_t(ref.primitive - first);
         const std::optional<std::size_t> found = isTriangle
-            ? placeAfter(before.run.triangles, after.run.triangles, place)
-            : placeAfter(before.run.shapes, after.run.shapes, place);
+            ? placeAfter(before.scene.triangles, after.scene.triangles, place)
+            : placeAfter(before.scene.shapes, after.scene.shapes, place);
         if (!found)
             return std::nullopt;
         result.primitive = first + int(*found);

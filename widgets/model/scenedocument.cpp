@@ -184,7 +184,7 @@ void SceneDocument::setScene(const Scene &scene, const QString &text)
     const ScenePiece before = wholePiece();
     const ScenePiece after = withPending(pixelplumb::wholePiece(scene));
     if (after != before)
-        edit(text, before, after);
+        m_undoStack.push(new SceneEdit(*this, text, before, after));
 }
 
 void SceneDocument::setSnap(Snap snap)
@@ -248,7 +248,8 @@ ScenePiece SceneDocument::wholePiece() const
 void SceneDocument::tellRenumbering(const ScenePiece &before, const ScenePiece &after)
 {
     const std::size_t count = m_scene.triangles.size();
-    const std::size_t countAfter = count - before.run.triangles.size() + after.run.triangles.size();
+    const std::size_t countAfter
+        = count - before.scene.triangles.size() + after.scene.triangles.size();
     emit trianglesRenumbered([&, count, countAfter](std::size_t triangle) {
         if (triangle >= count)
             return solidsStay(before, after) ? std::optional(triangle - count + countAfter)
@@ -266,7 +267,7 @@ void SceneDocument::exchange(const ScenePiece &before, const ScenePiece &after, 
     const std::optional<VertexRef> selected = m_selected;
     if (m_selected)
         m_selected = renamed(*m_selected, m_scene.triangles.size(), before, after);
-    if (before.run.triangles != after.run.triangles || !solidsStay(before, after))
+    if (before.scene.triangles != after.scene.triangles || !solidsStay(before, after))
         tellRenumbering(before, after);
     replace(m_scene, before, after);
     m_pending = after.pending;

@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QUndoStack>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -165,7 +166,10 @@ private:
     ScenePiece pieceWith(int primitive) const; ///< none for `pending`
     ScenePiece wholePiece() const;
     ScenePiece withPending(ScenePiece piece) const;
-    void edit(const QString &text, const ScenePiece &before, const ScenePiece &after);
+    /// An edit of the piece, unless `change` leaves it as it is.
+    void edit(const QString &text, const ScenePiece &before,
+              const std::function<void(ScenePiece &)> &change,
+              const std::optional<Drag> &drag = std::nullopt);
     /// `state`: the number of the scene's state afterwards.
     void exchange(const ScenePiece &before, const ScenePiece &after, int state);
     void tellRenumbering(const ScenePiece &before, const ScenePiece &after);

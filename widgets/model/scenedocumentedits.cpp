@@ -19,27 +19,31 @@ bool isWithinRange(const FrameSpec &frame)
 
 } // namespace
 
-void SceneDocument::edit(const QString &text, const ScenePiece &before, const ScenePiece &after)
+void SceneDocument::edit(const QString &text, const ScenePiece &before,
+                         const std::function<void(ScenePiece &)> &change,
+                         const std::optional<Drag> &drag)
 {
-    m_undoStack.push(new SceneEdit(*this, text, before, after));
+    ScenePiece after = before;
+    change(after);
+    if (after != before)
+        m_undoStack.push(new SceneEdit(*this, text, before, after, drag));
 }
 
 void SceneDocument::placeVertex(const LatticePoint &position)
 {
     if (!accepts(position))
         return;
-    const ScenePiece before = pieceAtEnd();
-    ScenePiece after = before;
-    after.pending.push_back({position, nextColour()});
-    if (hasOneColour(placedKind())) { // the colour may have been chosen anew
-        for (Vertex &vertex : after.pending)
-            vertex.colour = nextColour();
-    }
-    after.chosenColour.reset();
-    const std::optional<std::size_t> needed = placedVertexCount(placedKind());
-    if (needed && after.pending.size() >= *needed)
-        after.completePending(placedKind());
-    edit(tr("place vertex"), before, after);
+    edit(tr("place vertex"), pieceAtEnd(), [&](ScenePiece &piece) {
+        piece.pending.push_back({position, nextColour()});
+        if (hasOneColour(placedKind())) { // the colour may have been chosen anew
+            for (Vertex &vertex : piece.pending)
+                vertex.colour = nextColour();
+        }
+        piece.chosenColour.reset();
+        const std::optional<std::size_t> needed = placedVertexCount(placedKind());
+        if (needed && piece.pending.size() >= *needed)
+            piece.completePending(placedKind());
+    });
 }
 
 void SceneDocument::moveVertex(const VertexRef &ref, const LatticePoint &position, int drag)
@@ -47,14 +51,16 @@ void SceneDocument::moveVertex(const VertexRef &ref, const LatticePoint &positio
     const std::optional<Vertex> vertex = vertexAt(ref);
     if (!vertex || vertex->position == position || !accepts(position))
         return;
-    const ScenePiece before = pieceWith(ref.primitive);
-    ScenePiece after = before;
-    if (after.run.shapes.empty())
-        after.vertex(ref).position = position;
-    else
-        pixelplumb::moveVertex(after.run.shapes.front(), std::size_t(ref.vertex), position);
-    if (after != before)
-        m_undoStack.push(new SceneEdit(*this, tr("move vertex"), before, after, Drag{ref, drag}));
+    edit(
+        tr("move vertex"), pieceWith(ref.primitive),
+        [&](ScenePiece &piece) {
+            if (piece.scene.shapes.empty())
+                piece.vertex(ref).position = position;
+            else
+                pixelplumb::moveVertex(piece.scene.shapes.front(), std::size_t(ref.vertex),
+                                       position);
+        },
+        Drag{ref, drag});
 }
 
 void SceneDocument::setVertexColour(const VertexRef &ref, const Colour &colour)
@@ -64,22 +70,18 @@ void SceneDocument::setVertexColour(const VertexRef &ref, const Colour &colour)
         return;
     if (ref.primitive != VertexRef::pending && hasOneColour(kindOf(ref.primitive)))
         return setPrimitiveColour(ref.primitive, colour);
-    const ScenePiece before = pieceWith(ref.primitive);
-    ScenePiece after = before;
-    after.vertex(ref).colour = colour;
-    edit(tr("change colour"), before, after);
+    edit(tr("change colour"), pieceWith(ref.primitive),
+         [&](ScenePiece &piece) { piece.vertex(ref).colour = colour; });
 }
 
 void SceneDocument::setPrimitiveColour(int primitive, const Colour &colour)
 {
     if (primitive < 0 || primitive >= primitiveCount())
         return;
-    const ScenePiece before = pieceWith(primitive);
-    ScenePiece after = before;
-    for (int vertex = 0; vertex < int(verticesOf(primitive).size()); ++vertex)
-        after.vertex({primitive, vertex}).colour = colour;
-    if (after != before)
-        edit(tr("change colour"), before, after);
+    edit(tr("change colour"), pieceWith(primitive), [&](ScenePiece &piece) {
+        for (int vertex = 0; vertex < int(verticesOf(primitive).size()); ++vertex)
+            piece.vertex({primitive, vertex}).colour = colour;
+    });
 }
 
 void SceneDocument::movePrimitive(int primitive, int places)
@@ -87,11 +89,9 @@ void SceneDocument::movePrimitive(int primitive, int places)
     if (places == 0 || !canMovePrimitive(primitive, places))
         return;
     const auto first = std::size_t(std::min(primitive, primitive + places));
-    const ScenePiece before
-        = withPending(pieceWithRun(m_scene, first, std::size_t(std::abs(places)) + 1));
-    ScenePiece after = before;
-    after.rotate(places > 0 ? 1 : -1);
-    edit(tr("change drawing order"), before, after);
+    edit(tr("change drawing order"),
+         withPending(pieceWithRun(m_scene, first, std::size_t(std::abs(places)) + 1)),
+         [&](ScenePiece &piece) { piece.rotate(places > 0 ? 1 : -1); });
 }
 
 void SceneDocument::addTriangle(const Triangle &triangle, const TriangleAttributes &attributes)
@@ -99,10 +99,8 @@ void SceneDocument::addTriangle(const Triangle &triangle, const TriangleAttribut
     if (!std::ranges::all_of(triangle.vertices,
                              [this](const Vertex &vertex) { return accepts(vertex.position); }))
         return;
-    const ScenePiece before = pieceAtEnd();
-    ScenePiece after = before;
-    after.setTriangle(triangle, attributes);
-    edit(tr("add triangle"), before, after);
+    edit(tr("add triangle"), pieceAtEnd(),
+         [&](ScenePiece &piece) { piece.setTriangle(triangle, attributes); });
 }
 
 void SceneDocument::setTriangle(int primitive, const Triangle &triangle,
@@ -112,21 +110,16 @@ void SceneDocument::setTriangle(int primitive, const Triangle &triangle,
         || !std::ranges::all_of(triangle.vertices,
                                 [this](const Vertex &vertex) { return accepts(vertex.position); }))
         return;
-    const ScenePiece before = pieceWith(primitive);
-    ScenePiece after = before;
-    after.setTriangle(triangle, attributes);
-    if (after != before)
-        edit(tr("change triangle"), before, after);
+    edit(tr("change triangle"), pieceWith(primitive),
+         [&](ScenePiece &piece) { piece.setTriangle(triangle, attributes); });
 }
 
 void SceneDocument::closePending()
 {
     if (!canClosePending())
         return;
-    const ScenePiece before = pieceAtEnd();
-    ScenePiece after = before;
-    after.completePending(PrimitiveKind::Polygon);
-    edit(tr("close polygon"), before, after);
+    edit(tr("close polygon"), pieceAtEnd(),
+         [&](ScenePiece &piece) { piece.completePending(PrimitiveKind::Polygon); });
 }
 
 void SceneDocument::setText(int primitive, const QString &text)
@@ -134,20 +127,14 @@ void SceneDocument::setText(int primitive, const QString &text)
     if (primitive < 0 || primitive >= primitiveCount() || kindOf(primitive) != PrimitiveKind::Text
         || text.isEmpty())
         return;
-    const ScenePiece before = pieceWith(primitive);
-    ScenePiece after = before;
-    after.run.shapes.front().text = text.toStdString();
-    if (after != before)
-        edit(tr("change text"), before, after);
+    edit(tr("change text"), pieceWith(primitive),
+         [&](ScenePiece &piece) { piece.scene.shapes.front().text = text.toStdString(); });
 }
 
 void SceneDocument::setForm(int primitive, const Shape &shape)
 {
-    const ScenePiece before = pieceWith(primitive);
-    ScenePiece after = before;
-    after.run.shapes.front() = shape;
-    if (after != before)
-        edit(tr("change form"), before, after);
+    edit(tr("change form"), pieceWith(primitive),
+         [&](ScenePiece &piece) { piece.scene.shapes.front() = shape; });
 }
 
 void SceneDocument::deleteVertex(const VertexRef &ref)
@@ -158,10 +145,8 @@ void SceneDocument::deleteVertex(const VertexRef &ref)
     }
     if (!vertexAt(ref))
         return;
-    const ScenePiece before = pieceAtEnd();
-    ScenePiece after = before;
-    after.pending.erase(after.pending.begin() + ref.vertex);
-    edit(tr("delete vertex"), before, after);
+    edit(tr("delete vertex"), pieceAtEnd(),
+         [&](ScenePiece &piece) { piece.pending.erase(piece.pending.begin() + ref.vertex); });
 }
 
 /// Pending vertices are undone edit by edit, so that the next undo concerns what came before them;
@@ -178,23 +163,19 @@ void SceneDocument::discardPending()
         m_undoStack.undo();
     if (m_pending.empty())
         return;
-    const ScenePiece before = pieceAtEnd();
-    ScenePiece after = before;
-    after.pending.clear();
-    edit(tr("discard vertices"), before, after);
+    edit(tr("discard vertices"), pieceAtEnd(), [&](ScenePiece &piece) { piece.pending.clear(); });
 }
 
 void SceneDocument::clear()
 {
     if (m_pending.empty() && m_scene.isEmpty() && m_scene.hiddenCount() == 0)
         return;
-    const ScenePiece before = wholePiece();
-    ScenePiece after = before;
-    after.run = {};
-    after.hidden.clear();
-    after.solids.clear();
-    after.pending.clear();
-    edit(tr("clear"), before, after);
+    edit(tr("clear"), wholePiece(), [&](ScenePiece &piece) {
+        piece.clearRun();
+        piece.scene.hidden.clear();
+        piece.scene.solids.clear();
+        piece.pending.clear();
+    });
 }
 
 void SceneDocument::setFrame(const FrameSpec &frame)
@@ -223,48 +204,42 @@ void SceneDocument::setFrame(const FrameSpec &frame)
         emit refused(tr("The off-screen point lies beyond ±2^30 px."));
         return;
     }
-    ScenePiece after = pieceAtEnd();
-    after.frame = frame;
-    edit(tr("change frame"), pieceAtEnd(), after);
+    edit(tr("change frame"), pieceAtEnd(), [&](ScenePiece &piece) { piece.scene.frame = frame; });
 }
 
 void SceneDocument::setCamera(const Camera &camera, int drag)
 {
     if (m_scene.camera == camera)
         return;
-    const ScenePiece before = pieceAtEnd();
-    ScenePiece after = before;
-    after.camera = camera;
-    m_undoStack.push(
-        new SceneEdit(*this, tr("move camera"), before, after, Drag{VertexRef(), drag}));
+    edit(
+        tr("move camera"), pieceAtEnd(), [&](ScenePiece &piece) { piece.scene.camera = camera; },
+        Drag{VertexRef(), drag});
 }
 
 void SceneDocument::setAppearance(const Appearance &appearance)
 {
     if (m_scene.appearance == appearance)
         return;
-    ScenePiece after = pieceAtEnd();
-    after.appearance = appearance;
-    edit(tr("change appearance"), pieceAtEnd(), after);
+    edit(tr("change appearance"), pieceAtEnd(),
+         [&](ScenePiece &piece) { piece.scene.appearance = appearance; });
 }
 
 void SceneDocument::setLook(const std::optional<Camera> &camera, const Appearance &appearance)
 {
     if (m_scene.camera == camera && m_scene.appearance == appearance)
         return;
-    ScenePiece after = pieceAtEnd();
-    after.camera = camera;
-    after.appearance = appearance;
-    edit(tr("change camera, light and materials"), pieceAtEnd(), after);
+    edit(tr("change camera, light and materials"), pieceAtEnd(), [&](ScenePiece &piece) {
+        piece.scene.camera = camera;
+        piece.scene.appearance = appearance;
+    });
 }
 
 void SceneDocument::setMotion(const std::optional<Motion> &motion)
 {
     if (m_scene.motion == motion)
         return;
-    ScenePiece after = pieceAtEnd();
-    after.motion = motion;
-    edit(motion ? tr("change motion") : tr("end motion"), pieceAtEnd(), after);
+    edit(motion ? tr("change motion") : tr("end motion"), pieceAtEnd(),
+         [&](ScenePiece &piece) { piece.scene.motion = motion; });
 }
 
 void SceneDocument::moveOffScreenPoint(const LatticePoint &position, int drag)
@@ -275,11 +250,10 @@ void SceneDocument::moveOffScreenPoint(const LatticePoint &position, int drag)
         emit refused(tr("The off-screen point lies beyond ±2^30 px."));
         return;
     }
-    const ScenePiece before = pieceAtEnd();
-    ScenePiece after = before;
-    after.frame.offScreenPoint = position;
-    m_undoStack.push(
-        new SceneEdit(*this, tr("move off-screen point"), before, after, Drag{VertexRef(), drag}));
+    edit(
+        tr("move off-screen point"), pieceAtEnd(),
+        [&](ScenePiece &piece) { piece.scene.frame.offScreenPoint = position; },
+        Drag{VertexRef(), drag});
 }
 
 } // namespace pixelplumb

@@ -13,11 +13,11 @@ namespace {
 /// The run's only primitive, with its place.
 HiddenPrimitive onlyPrimitive(const ScenePiece &piece)
 {
-    if (!piece.run.shapes.empty())
-        return {piece.firstShape, piece.run.shapes.front()};
-    HiddenTriangle kept{piece.run.triangles.front(), {}};
-    if (!piece.run.attributes.empty())
-        kept.attributes = piece.run.attributes.front();
+    if (!piece.scene.shapes.empty())
+        return {piece.firstShape, piece.scene.shapes.front()};
+    HiddenTriangle kept{piece.scene.triangles.front(), {}};
+    if (!piece.scene.attributes.empty())
+        kept.attributes = piece.scene.attributes.front();
     kept.attributes.triangle = 0;
     return {piece.firstTriangle, kept};
 }
@@ -34,8 +34,8 @@ auto behind(const HiddenPrimitive &place)
 void removeRun(ScenePiece &piece)
 {
     const HiddenPrimitive removed = onlyPrimitive(piece);
-    piece.run = {};
-    for (HiddenPrimitive &each : piece.hidden)
+    piece.clearRun();
+    for (HiddenPrimitive &each : piece.scene.hidden)
         each.place -= behind(removed)(each) ? 1 : 0;
 }
 
@@ -80,10 +80,8 @@ void SceneDocument::deletePrimitive(int primitive)
 {
     if (primitive < 0 || primitive >= primitiveCount())
         return;
-    const ScenePiece before = pieceWith(primitive);
-    ScenePiece after = before;
-    removeRun(after);
-    edit(tr("delete primitive"), before, after);
+    edit(tr("delete primitive"), pieceWith(primitive),
+         [&](ScenePiece &piece) { removeRun(piece); });
 }
 
 void SceneDocument::hidePrimitive(int primitive)
@@ -96,9 +94,9 @@ void SceneDocument::hidePrimitive(int primitive)
     const auto isBehind = [&hidden](const HiddenPrimitive &each) {
         return behind(hidden)(each) || (hidden.isTriangle() && !each.isTriangle());
     };
-    after.hidden.insert(std::ranges::find_if(after.hidden, isBehind), hidden);
+    after.scene.hidden.insert(std::ranges::find_if(after.scene.hidden, isBehind), hidden);
     removeRun(after);
-    edit(tr("hide primitive"), before, after);
+    m_undoStack.push(new SceneEdit(*this, tr("hide primitive"), before, after));
 }
 
 void SceneDocument::showHidden(int index)
@@ -106,19 +104,19 @@ void SceneDocument::showHidden(int index)
     if (index < 0 || index >= hiddenCount())
         return;
     ScenePiece before = pieceAtEnd();
-    const HiddenPrimitive hidden = before.hidden[std::size_t(index)];
+    const HiddenPrimitive hidden = before.scene.hidden[std::size_t(index)];
     (hidden.isTriangle() ? before.firstTriangle : before.firstShape) = hidden.place;
     ScenePiece after = before;
     if (const auto *triangle = std::get_if<HiddenTriangle>(&hidden.primitive))
         after.setTriangle(triangle->triangle, triangle->attributes);
     else
-        after.run.shapes = {std::get<Shape>(hidden.primitive)};
-    auto later = after.hidden.erase(after.hidden.begin() + index);
-    for (; later != after.hidden.end(); ++later) {
+        after.scene.shapes = {std::get<Shape>(hidden.primitive)};
+    auto later = after.scene.hidden.erase(after.scene.hidden.begin() + index);
+    for (; later != after.scene.hidden.end(); ++later) {
         if (later->isTriangle() == hidden.isTriangle())
             ++later->place;
     }
-    edit(tr("show primitive"), before, after);
+    m_undoStack.push(new SceneEdit(*this, tr("show primitive"), before, after));
 }
 
 void SceneDocument::showAllHidden()
@@ -132,10 +130,8 @@ void SceneDocument::deleteHidden(int index)
 {
     if (index < 0 || index >= hiddenCount())
         return;
-    const ScenePiece before = pieceAtEnd();
-    ScenePiece after = before;
-    after.hidden.erase(after.hidden.begin() + index);
-    edit(tr("delete primitive"), before, after);
+    edit(tr("delete primitive"), pieceAtEnd(),
+         [&](ScenePiece &piece) { piece.scene.hidden.erase(piece.scene.hidden.begin() + index); });
 }
 
 } // namespace pixelplumb

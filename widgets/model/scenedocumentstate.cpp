@@ -113,9 +113,8 @@ void SceneDocument::setSettings(const ScanSettings &settings)
     const Method *method = methodNamed(QString::fromStdString(m_scene.method));
     const ScanSettings kept = method ? method->adapted(settings) : settings;
     if (kept != m_scene.settings) {
-        ScenePiece after = pieceAtEnd();
-        after.settings = kept;
-        edit(tr("change settings"), pieceAtEnd(), after);
+        edit(tr("change settings"), pieceAtEnd(),
+             [&](ScenePiece &piece) { piece.scene.settings = kept; });
     }
     tellAdaptation(settings);
 }
@@ -133,8 +132,8 @@ void SceneDocument::setMethod(const std::string &method)
     const ScanSettings asked = m_scene.settings;
     const ScenePiece before = pieceAtEnd();
     ScenePiece after = before;
-    after.settings = chosen->adapted(asked);
-    after.method = method;
+    after.scene.settings = chosen->adapted(asked);
+    after.scene.method = method;
     if (kindPlacedWith(*chosen) != placedKind())
         after.pending.clear();
     m_undoStack.push(new SceneEdit(*this, tr("change method"), before, after, std::nullopt,
@@ -165,21 +164,18 @@ void SceneDocument::setSolid(std::size_t index, const Solid &solid, int drag)
 {
     if (index >= m_scene.solids.size() || m_scene.solids[index] == solid)
         return;
-    const ScenePiece before = withPending(pieceWithSolids(m_scene, index, 1));
-    ScenePiece after = before;
-    after.solids = {solid};
-    m_undoStack.push(
-        new SceneEdit(*this, tr("change solid"), before, after, Drag{VertexRef(), drag}));
+    edit(
+        tr("change solid"), withPending(pieceWithSolids(m_scene, index, 1)),
+        [&](ScenePiece &piece) { piece.scene.solids = {solid}; }, Drag{VertexRef(), drag});
 }
 
 void SceneDocument::setSolidShown(std::size_t index, bool shown)
 {
     if (index >= m_scene.solids.size() || m_scene.solids[index].isHidden != shown)
         return;
-    const ScenePiece before = withPending(pieceWithSolids(m_scene, index, 1));
-    ScenePiece after = before;
-    after.solids.front().isHidden = !shown;
-    edit(shown ? tr("show solid") : tr("hide solid"), before, after);
+    edit(shown ? tr("show solid") : tr("hide solid"),
+         withPending(pieceWithSolids(m_scene, index, 1)),
+         [&](ScenePiece &piece) { piece.scene.solids.front().isHidden = !shown; });
 }
 
 bool SceneDocument::canMoveSolid(std::size_t index, int places) const
@@ -194,21 +190,17 @@ void SceneDocument::moveSolid(std::size_t index, int places)
     if (places == 0 || !canMoveSolid(index, places))
         return;
     const std::size_t first = places > 0 ? index : index - std::size_t(-places);
-    const ScenePiece before
-        = withPending(pieceWithSolids(m_scene, first, std::size_t(std::abs(places)) + 1));
-    ScenePiece after = before;
-    after.rotate(places > 0 ? 1 : -1);
-    edit(tr("change drawing order"), before, after);
+    edit(tr("change drawing order"),
+         withPending(pieceWithSolids(m_scene, first, std::size_t(std::abs(places)) + 1)),
+         [&](ScenePiece &piece) { piece.rotate(places > 0 ? 1 : -1); });
 }
 
 void SceneDocument::deleteSolid(std::size_t index)
 {
     if (index >= m_scene.solids.size())
         return;
-    const ScenePiece before = withPending(pieceWithSolids(m_scene, index, 1));
-    ScenePiece after = before;
-    after.solids.clear();
-    edit(tr("delete solid"), before, after);
+    edit(tr("delete solid"), withPending(pieceWithSolids(m_scene, index, 1)),
+         [&](ScenePiece &piece) { piece.scene.solids.clear(); });
 }
 
 } // namespace pixelplumb

@@ -38,26 +38,33 @@ void replaceAttributes(std::vector<TriangleAttributes> &all, const ScenePiece &b
                        const ScenePiece &after)
 {
     const std::size_t first = before.firstTriangle;
-    const std::size_t removed = before.run.triangles.size();
-    const std::size_t inserted = after.run.triangles.size();
-    if (removed == inserted && before.run.attributes == after.run.attributes)
+    const std::size_t removed = before.scene.triangles.size();
+    const std::size_t inserted = after.scene.triangles.size();
+    if (removed == inserted && before.scene.attributes == after.scene.attributes)
         return;
     const auto [begin, end] = placesOfAttributes(all, first, first + removed);
     for (auto behind = end; behind != all.end(); ++behind)
         behind->triangle += inserted - removed;
     const auto place = all.erase(begin, end);
-    all.insert(place, after.run.attributes.begin(), after.run.attributes.end());
+    all.insert(place, after.scene.attributes.begin(), after.scene.attributes.end());
 }
 
 } // namespace
 
+void ScenePiece::clearRun()
+{
+    scene.triangles.clear();
+    scene.attributes.clear();
+    scene.shapes.clear();
+}
+
 void ScenePiece::completePending(PrimitiveKind kind)
 {
-    const Method *drawing = methodNamed(QString::fromStdString(method));
+    const Method *drawing = methodNamed(QString::fromStdString(scene.method));
     if (kind == PrimitiveKind::Triangle)
-        run.triangles.push_back({{pending[0], pending[1], pending[2]}});
+        scene.triangles.push_back({{pending[0], pending[1], pending[2]}});
     else
-        run.shapes.push_back(
+        scene.shapes.push_back(
             shapeFrom(kind, pending, drawing ? drawing->fills : std::vector<ShapeFill>()));
     pending.clear();
 }
@@ -68,26 +75,26 @@ void ScenePiece::rotate(int by)
         if (!all.empty())
             std::rotate(all.begin(), by > 0 ? all.begin() + 1 : all.end() - 1, all.end());
     };
-    rotated(run.triangles);
-    rotated(run.shapes);
-    rotated(solids);
-    const std::size_t count = run.triangles.size();
-    for (TriangleAttributes &each : run.attributes) {
+    rotated(scene.triangles);
+    rotated(scene.shapes);
+    rotated(scene.solids);
+    const std::size_t count = scene.triangles.size();
+    for (TriangleAttributes &each : scene.attributes) {
         const std::size_t place = each.triangle - firstTriangle;
         each.triangle = firstTriangle + (by > 0 ? place + count - 1 : place + 1) % count;
     }
-    std::ranges::sort(run.attributes, {}, &TriangleAttributes::triangle);
+    std::ranges::sort(scene.attributes, {}, &TriangleAttributes::triangle);
 }
 
 void ScenePiece::setTriangle(const Triangle &triangle, TriangleAttributes attributes)
 {
-    run.triangles = {triangle};
+    scene.triangles = {triangle};
     attributes.triangle = firstTriangle;
-    run.attributes.clear();
+    scene.attributes.clear();
     TriangleAttributes byDefault;
     byDefault.triangle = firstTriangle;
     if (attributes != byDefault)
-        run.attributes = {attributes};
+        scene.attributes = {attributes};
 }
 
 Vertex &ScenePiece::vertex(const VertexRef &ref)
@@ -95,37 +102,30 @@ Vertex &ScenePiece::vertex(const VertexRef &ref)
     const auto index = std::size_t(ref.vertex);
     if (ref.primitive == VertexRef::pending)
         return pending[index];
-    return run.shapes.empty() ? run.triangles.front().vertices[index]
-                              : run.shapes.front().vertices[index];
-}
-
-bool ScenePiece::hasSceneOf(const ScenePiece &other) const
-{
-    return frame == other.frame && settings == other.settings && method == other.method
-        && run == other.run && solids == other.solids && camera == other.camera
-        && appearance == other.appearance && motion == other.motion && hidden == other.hidden;
+    return scene.shapes.empty() ? scene.triangles.front().vertices[index]
+                                : scene.shapes.front().vertices[index];
 }
 
 bool solidsStay(const ScenePiece &before, const ScenePiece &after)
 {
-    return before.solids == after.solids
-        || (before.solids.size() == 1 && after.solids.size() == 1
-            && before.solids.front().isHidden == after.solids.front().isHidden);
+    return before.scene.solids == after.scene.solids
+        || (before.scene.solids.size() == 1 && after.scene.solids.size() == 1
+            && before.scene.solids.front().isHidden == after.scene.solids.front().isHidden);
 }
 
 ScenePiece pieceAtEnd(const Scene &scene)
 {
     ScenePiece piece;
-    piece.frame = scene.frame;
-    piece.settings = scene.settings;
-    piece.method = scene.method;
+    piece.scene.frame = scene.frame;
+    piece.scene.settings = scene.settings;
+    piece.scene.method = scene.method;
+    piece.scene.camera = scene.camera;
+    piece.scene.appearance = scene.appearance;
+    piece.scene.motion = scene.motion;
+    piece.scene.hidden = scene.hidden;
     piece.firstTriangle = scene.triangles.size();
     piece.firstSolid = scene.solids.size();
     piece.firstShape = scene.shapes.size();
-    piece.camera = scene.camera;
-    piece.appearance = scene.appearance;
-    piece.motion = scene.motion;
-    piece.hidden = scene.hidden;
     return piece;
 }
 
@@ -140,14 +140,14 @@ ScenePiece pieceWithRun(const Scene &scene, std::size_t first, std::size_t count
     if (first >= scene.triangles.size()) {
         piece.firstShape = first - scene.triangles.size();
         const auto begin = scene.shapes.begin() + std::ptrdiff_t(piece.firstShape);
-        piece.run.shapes.assign(begin, begin + std::ptrdiff_t(count));
+        piece.scene.shapes.assign(begin, begin + std::ptrdiff_t(count));
         return piece;
     }
     piece.firstTriangle = first;
     const auto triangles = scene.triangles.begin() + std::ptrdiff_t(first);
-    piece.run.triangles.assign(triangles, triangles + std::ptrdiff_t(count));
+    piece.scene.triangles.assign(triangles, triangles + std::ptrdiff_t(count));
     const auto [begin, end] = placesOfAttributes(scene.attributes, first, first + count);
-    piece.run.attributes.assign(begin, end);
+    piece.scene.attributes.assign(begin, end);
     return piece;
 }
 
@@ -156,35 +156,30 @@ ScenePiece pieceWithSolids(const Scene &scene, std::size_t first, std::size_t co
     ScenePiece piece = pieceAtEnd(scene);
     piece.firstSolid = first;
     const auto begin = scene.solids.begin() + std::ptrdiff_t(first);
-    piece.solids.assign(begin, begin + std::ptrdiff_t(count));
+    piece.scene.solids.assign(begin, begin + std::ptrdiff_t(count));
     return piece;
 }
 
 ScenePiece wholePiece(const Scene &scene)
 {
-    ScenePiece piece = pieceAtEnd(scene);
-    piece.firstTriangle = 0;
-    piece.firstSolid = 0;
-    piece.firstShape = 0;
-    piece.run = {scene.triangles, scene.shapes, scene.attributes};
-    piece.solids = scene.solids;
+    ScenePiece piece;
+    piece.scene = scene;
     return piece;
 }
 
 void replace(Scene &scene, const ScenePiece &before, const ScenePiece &after)
 {
-    scene.frame = after.frame;
-    scene.settings = after.settings;
-    scene.method = after.method;
-    scene.camera = after.camera;
-    scene.appearance = after.appearance;
-    scene.motion = after.motion;
-    scene.hidden = after.hidden;
-    replaceAttributes(scene.attributes, before, after);
-    replaceRun(scene.triangles, before.firstTriangle, before.run.triangles.size(),
-               after.run.triangles);
-    replaceRun(scene.solids, before.firstSolid, before.solids.size(), after.solids);
-    replaceRun(scene.shapes, before.firstShape, before.run.shapes.size(), after.run.shapes);
+    Scene next = after.scene;
+    next.triangles = std::move(scene.triangles);
+    next.attributes = std::move(scene.attributes);
+    next.solids = std::move(scene.solids);
+    next.shapes = std::move(scene.shapes);
+    replaceAttributes(next.attributes, before, after);
+    replaceRun(next.triangles, before.firstTriangle, before.scene.triangles.size(),
+               after.scene.triangles);
+    replaceRun(next.solids, before.firstSolid, before.scene.solids.size(), after.scene.solids);
+    replaceRun(next.shapes, before.firstShape, before.scene.shapes.size(), after.scene.shapes);
+    scene = std::move(next);
 }
 
 SceneEdit::SceneEdit(SceneDocument &document, const QString &text, ScenePiece before,

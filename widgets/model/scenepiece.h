@@ -24,21 +24,14 @@ struct VertexRef {
 /// of solids, one of shapes, and all small members. The runs hold only what differs, so that a
 /// scene of a million triangles is edited without a copy.
 struct ScenePiece {
-    FrameSpec frame;
-    ScanSettings settings;
-    std::string method;
+    Scene scene; ///< of the primitives, the runs; attributes by the triangle's index in the scene
     std::size_t firstTriangle = 0; ///< the run's start in the scene
     std::size_t firstSolid = 0;
     std::size_t firstShape = 0;
-    Primitives run; ///< in the scene's coordinates; attributes by the triangle's index in the scene
-    std::vector<Solid> solids; ///< of the run
-    std::optional<Camera> camera;
-    Appearance appearance;
-    std::optional<Motion> motion;
-    HiddenPrimitives hidden;
     std::vector<Vertex> pending; ///< vertices that wait for their primitive
     std::optional<Colour> chosenColour; ///< for the next vertex alone
 
+    void clearRun(); ///< of triangles or shapes
     /// Makes the pending vertices the run's last primitive.
     void completePending(PrimitiveKind kind);
     /// Moves the run's first primitive to its end, or, with −1, its last to the front.
@@ -49,7 +42,7 @@ struct ScenePiece {
     Vertex &vertex(const VertexRef &ref);
 
     /// Whether the set-up and the runs are equal: the scene is the same before and after.
-    bool hasSceneOf(const ScenePiece &other) const;
+    bool hasSceneOf(const ScenePiece &other) const { return scene == other.scene; }
     friend bool operator==(const ScenePiece &, const ScenePiece &) = default;
 };
 

@@ -8,10 +8,7 @@
 #include "widgets/space/stagetree.h"
 #include "widgets/space/surfacespanel.h"
 
-#include <QLabel>
-#include <QSplitter>
-#include <QTabWidget>
-#include <QVBoxLayout>
+#include <QtWidgets>
 
 #include <map>
 

@@ -5,10 +5,7 @@
 #include "widgets/look/parts.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QSignalBlocker>
-#include <QSlider>
+#include <QtWidgets>
 
 #include <algorithm>
 

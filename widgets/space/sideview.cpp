@@ -3,10 +3,7 @@
 
 #include "widgets/look/parts.h"
 
-#include <QKeyEvent>
-#include <QMouseEvent>
-#include <QWheelEvent>
-#include <QtMath>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <cmath>

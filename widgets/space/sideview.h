@@ -24,7 +24,6 @@ public:
 
     double turn() const { return m_turn; } ///< about the camera's up, degrees
     double tilt() const { return m_tilt; } ///< seen from above, degrees
-    double magnification() const { return m_magnification; } ///< 1: all points fit
 
     void turnBy(double turn, double tilt); ///< degrees; the tilt stops at ±largestTilt
     void magnifyBy(double factor); ///< within 1/8 … 64
@@ -43,7 +42,7 @@ private:
 
     double m_turn = firstTurn;
     double m_tilt = firstTilt;
-    double m_magnification = 1;
+    double m_magnification = 1; ///< 1: all points fit
     double m_scale = 1; ///< logical pixels per unit
     QPointF m_middle; ///< of the points, turned
     QPointF m_centre; ///< of the rectangle

@@ -6,10 +6,7 @@
 #include "widgets/look/parts.h"
 #include "widgets/look/symboltext.h"
 
-#include <QApplication>
-#include <QHeaderView>
-#include <QPainter>
-#include <QRegularExpression>
+#include <QtWidgets>
 
 #include <cmath>
 #include <set>

@@ -10,11 +10,7 @@
 #include "widgets/space/segmentsliders.h"
 #include "widgets/space/stagetree.h"
 
-#include <QBoxLayout>
-#include <QLabel>
-#include <QScrollBar>
-#include <QSlider>
-#include <QTextBrowser>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <optional>

@@ -4,9 +4,7 @@
 #include "widgets/look/parts.h"
 #include "widgets/model/steptext.h"
 
-#include <QHelpEvent>
-#include <QMouseEvent>
-#include <QToolTip>
+#include <QtWidgets>
 
 #include <chrono>
 #include <limits>

@@ -4,15 +4,7 @@
 #include "widgets/look/labels.h"
 #include "widgets/look/parts.h"
 
-#include <QAction>
-#include <QBoxLayout>
-#include <QComboBox>
-#include <QFontMetrics>
-#include <QLabel>
-#include <QSignalBlocker>
-#include <QSlider>
-#include <QStyleOptionToolButton>
-#include <QStylePainter>
+#include <QtWidgets>
 
 #include <cmath>
 

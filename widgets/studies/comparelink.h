@@ -20,7 +20,6 @@ public:
 
     void setFrame(const FrameSpec &frame);
     const FrameSpec &frame() const { return m_frame; }
-    bool isFitted() const { return m_place == Place::Fitted; }
 
     /// The mapping for a view of that size.
     ViewMapping mappingFor(const QSizeF &size, double devicePixelRatio,

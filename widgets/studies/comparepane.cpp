@@ -13,10 +13,7 @@
 #include "widgets/studies/comparetext.h"
 #include "widgets/studies/compareview.h"
 
-#include <QBoxLayout>
-#include <QComboBox>
-#include <QLabel>
-#include <QPainter>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

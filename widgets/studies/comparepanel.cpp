@@ -11,10 +11,7 @@
 #include "widgets/studies/comparetext.h"
 #include "widgets/studies/compareview.h"
 
-#include <QBoxLayout>
-#include <QLabel>
-#include <QPushButton>
-#include <QToolButton>
+#include <QtWidgets>
 
 namespace pixelplumb {
 
@@ -231,7 +228,6 @@ void ComparePanel::take(const std::shared_ptr<const Contest> &contest)
     m_contest = contest;
     tellAgreement();
     m_timing.measure(contest);
-    emit contestChanged();
 }
 
 void ComparePanel::tellAgreement()

@@ -40,9 +40,6 @@ public slots:
     void lookAt(const QPoint &pixel);
     void cancel();
 
-signals:
-    void contestChanged();
-
 private:
     void addControls(QBoxLayout *layout);
     void addPane();

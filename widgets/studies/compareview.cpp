@@ -8,12 +8,7 @@
 #include "widgets/model/playhead.h"
 #include "widgets/studies/comparelink.h"
 
-#include <QApplication>
-#include <QEvent>
-#include <QKeyEvent>
-#include <QMouseEvent>
-#include <QPainter>
-#include <QWheelEvent>
+#include <QtWidgets>
 
 #include <cmath>
 

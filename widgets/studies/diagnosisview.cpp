@@ -7,10 +7,7 @@
 #include "widgets/model/studentpicture.h"
 #include "widgets/studies/studypanel.h"
 
-#include <QBoxLayout>
-#include <QLabel>
-#include <QListWidget>
-#include <QPushButton>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

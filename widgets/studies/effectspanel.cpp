@@ -14,12 +14,7 @@
 #include "widgets/model/scenedocument.h"
 #include "widgets/studies/effectstext.h"
 
-#include <QBoxLayout>
-#include <QComboBox>
-#include <QHeaderView>
-#include <QPushButton>
-#include <QTableWidget>
-#include <QVBoxLayout>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

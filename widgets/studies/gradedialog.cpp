@@ -3,12 +3,7 @@
 
 #include "widgets/look/parts.h"
 
-#include <QDialogButtonBox>
-#include <QFileDialog>
-#include <QFormLayout>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPushButton>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -6,13 +6,7 @@
 #include "widgets/studies/gradebook.h"
 #include "widgets/studies/openings.h"
 
-#include <QBoxLayout>
-#include <QComboBox>
-#include <QKeyEvent>
-#include <QLabel>
-#include <QPlainTextEdit>
-#include <QScrollArea>
-#include <QToolButton>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <array>

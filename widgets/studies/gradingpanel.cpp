@@ -10,12 +10,7 @@
 #include "widgets/studies/gradetable.h"
 #include "widgets/studies/studypanel.h"
 
-#include <QBoxLayout>
-#include <QComboBox>
-#include <QDir>
-#include <QFileDialog>
-#include <QLineEdit>
-#include <QToolButton>
+#include <QtWidgets>
 
 #include <algorithm>
 

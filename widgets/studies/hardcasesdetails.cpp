@@ -5,14 +5,7 @@
 #include "widgets/look/parts.h"
 #include "widgets/studies/hardcasespicture.h"
 
-#include <QBoxLayout>
-#include <QEvent>
-#include <QLabel>
-#include <QProgressBar>
-#include <QPushButton>
-#include <QResizeEvent>
-#include <QScrollArea>
-#include <QScrollBar>
+#include <QtWidgets>
 
 #include <algorithm>
 

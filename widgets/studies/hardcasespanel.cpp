@@ -6,11 +6,7 @@
 #include "widgets/model/playhead.h"
 #include "widgets/studies/hardcasesdetails.h"
 
-#include <QBoxLayout>
-#include <QFile>
-#include <QHeaderView>
-#include <QSplitter>
-#include <QTreeWidget>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -7,10 +7,7 @@
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 
-#include <QCoreApplication>
-#include <QHeaderView>
-#include <QPainter>
-#include <QPixmap>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <map>

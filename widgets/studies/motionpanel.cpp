@@ -9,17 +9,7 @@
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QHBoxLayout>
-#include <QHeaderView>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPushButton>
-#include <QSignalBlocker>
-#include <QSlider>
-#include <QSpinBox>
-#include <QStyle>
-#include <QTableWidget>
-#include <QToolButton>
+#include <QtWidgets>
 
 namespace pixelplumb {
 
@@ -214,7 +204,6 @@ void MotionPanel::take(std::optional<MotionStudy> study)
     showAllColumns();
     m_table->setCurrentCell(m_slider->value(), 0);
     tellStudy();
-    emit studied();
 }
 
 void MotionPanel::tellStudy()

@@ -37,7 +37,6 @@ public:
 
 signals:
     void neededHeightChanged();
-    void studied();
 
 protected:
     void hideEvent(QHideEvent *event) override;

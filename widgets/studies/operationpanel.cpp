@@ -10,9 +10,7 @@
 #include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 
-#include <QHeaderView>
-#include <QTableWidget>
-#include <QVBoxLayout>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

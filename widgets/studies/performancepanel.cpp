@@ -9,12 +9,7 @@
 #include "widgets/model/playhead.h"
 #include "widgets/studies/studypanel.h"
 
-#include <QCoreApplication>
-#include <QEvent>
-#include <QLabel>
-#include <QPushButton>
-#include <QScrollArea>
-#include <QVBoxLayout>
+#include <QtWidgets>
 
 #include <cmath>
 

@@ -6,10 +6,7 @@
 #include "widgets/model/playhead.h"
 #include "widgets/studies/precisionplot.h"
 
-#include <QBoxLayout>
-#include <QComboBox>
-#include <QLabel>
-#include <QToolButton>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <cmath>
@@ -116,7 +113,6 @@ void PrecisionPanel::take(std::vector<BoundErrors> errors)
         m_plot->showPlaces(first.place.coordinate, last.place.coordinate);
     }
     showErrors();
-    emit errorsChanged();
 }
 
 void PrecisionPanel::showErrors()

@@ -24,9 +24,6 @@ public:
     const std::vector<BoundErrors> &errors() const { return m_errors; }
     PrecisionPlot *plot() const { return m_plot; }
 
-signals:
-    void errorsChanged();
-
 protected:
     void showEvent(QShowEvent *event) override;
 

@@ -8,11 +8,7 @@
 #include "widgets/studies/diagnosisview.h"
 #include "widgets/studies/submissionview.h"
 
-#include <QBoxLayout>
-#include <QCoreApplication>
-#include <QEvent>
-#include <QScrollArea>
-#include <QToolButton>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -14,10 +14,7 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QActionGroup>
-#include <QApplication>
-#include <QClipboard>
-#include <QFileInfo>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -6,12 +6,7 @@
 #include "widgets/look/parts.h"
 #include "widgets/studies/hardcasespicture.h"
 
-#include <QBoxLayout>
-#include <QDialogButtonBox>
-#include <QListWidget>
-#include <QMap>
-#include <QPainter>
-#include <QPushButton>
+#include <QtWidgets>
 
 #include <algorithm>
 

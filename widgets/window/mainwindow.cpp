@@ -37,12 +37,7 @@
 #include "widgets/window/windowstatusbar.h"
 #include "widgets/window/workspaces.h"
 
-#include <QBoxLayout>
-#include <QGuiApplication>
-#include <QLabel>
-#include <QMenu>
-#include <QMenuBar>
-#include <QToolBar>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

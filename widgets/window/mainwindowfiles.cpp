@@ -15,12 +15,7 @@
 #include "widgets/window/windowdocks.h"
 #include "widgets/window/windowsettings.h"
 
-#include <QCloseEvent>
-#include <QLocale>
-#include <QMessageBox>
-#include <QPushButton>
-#include <QSessionManager>
-#include <QSettings>
+#include <QtWidgets>
 
 /// How scenes and grades come into the window, and what happens to them when it closes.
 namespace pixelplumb {

@@ -18,10 +18,7 @@
 #include "widgets/stepping/stepactions.h"
 #include "widgets/window/whatsthis.h"
 
-#include <QCoreApplication>
-#include <QMenuBar>
-#include <QMessageBox>
-#include <QSysInfo>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -8,11 +8,7 @@
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QAbstractItemView>
-#include <QBoxLayout>
-#include <QComboBox>
-#include <QLabel>
-#include <QStandardItemModel>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -4,13 +4,7 @@
 #include "widgets/model/playhead.h"
 #include "widgets/window/windowdocks.h"
 
-#include <QDockWidget>
-#include <QEvent>
-#include <QGuiApplication>
-#include <QLabel>
-#include <QLibraryInfo>
-#include <QMainWindow>
-#include <QStyle>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <iterator>

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/window/whatsthis.h"
 
-#include <QAction>
-#include <QCoreApplication>
-#include <QWhatsThis>
-#include <QWidget>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <iterator>

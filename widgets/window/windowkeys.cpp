@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/window/windowkeys.h"
 
-#include <QAbstractButton>
-#include <QAbstractItemView>
-#include <QAbstractSpinBox>
-#include <QApplication>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QKeyEvent>
-#include <QMenu>
-#include <QMenuBar>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

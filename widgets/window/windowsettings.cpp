@@ -6,9 +6,7 @@
 #include "widgets/model/scenedocument.h"
 #include "widgets/window/workspaces.h"
 
-#include <QMainWindow>
-#include <QScreen>
-#include <QSettings>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

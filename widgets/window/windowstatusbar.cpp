@@ -16,11 +16,7 @@
 #include "widgets/model/studentpicture.h"
 #include "widgets/studies/submissionview.h"
 
-#include <QBoxLayout>
-#include <QFrame>
-#include <QLabel>
-#include <QProgressBar>
-#include <QToolButton>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -4,12 +4,7 @@
 #include "widgets/look/parts.h"
 #include "widgets/window/firstarrangement.h"
 
-#include <QAction>
-#include <QBoxLayout>
-#include <QMainWindow>
-#include <QSettings>
-#include <QToolBar>
-#include <QToolButton>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

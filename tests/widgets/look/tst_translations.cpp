@@ -211,14 +211,6 @@ private slots:
                  qPrintable("no longer in the sources: " + left + "\nThen: " + mending));
     }
 
-    void theManualNamesTheCommandThatMendsThem()
-    {
-        QFile manual(sources + "/resources/extending.md");
-        QVERIFY(manual.open(QIODevice::ReadOnly));
-
-        QVERIFY(QString::fromUtf8(manual.readAll()).simplified().contains(mending));
-    }
-
     void theFirstTranslatedLanguageIsUsed_data()
     {
         QTest::addColumn<QStringList>("wanted");

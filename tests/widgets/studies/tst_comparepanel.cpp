@@ -35,18 +35,6 @@ private slots:
     }
     void cleanup() { m_window.reset(); }
 
-    void isHiddenAtFirstAndNeverHidesTheCanvas()
-    {
-        QVERIFY(!m_panel->isVisible());
-        QVERIFY(!m_panel->contest());
-
-        open();
-
-        QVERIFY(m_panel->isVisible());
-        QVERIFY(m_window->parts().canvas->isVisible());
-        QVERIFY(m_window->parts().canvas->height() >= 200);
-    }
-
     void comparesTheCurrentMethodWithItsOtherNumbersAtFirst()
     {
         open();

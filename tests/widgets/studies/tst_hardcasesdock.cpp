@@ -35,18 +35,6 @@ private slots:
     }
     void cleanup() { m_window.reset(); }
 
-    void isHiddenAtFirstAndNeverHidesTheCanvas()
-    {
-        QVERIFY(!m_panel->isVisible());
-        QVERIFY(m_panel->cases().empty()); // nothing is read before the panel is shown
-
-        open();
-
-        QVERIFY(m_panel->isVisible());
-        QVERIFY(m_window->parts().canvas->isVisible());
-        QVERIFY(m_window->parts().canvas->width() >= 240);
-    }
-
     void holdsEveryCaseThatHasAPicture()
     {
         open();

@@ -41,15 +41,6 @@ class TestPerformanceDock : public QObject {
     Q_OBJECT
 
 private slots:
-    void promisesItsNames()
-    {
-        Playhead playhead;
-        PerformancePanel panel(&playhead);
-        QCOMPARE(panel.objectName(), QStringLiteral("performance"));
-        for (const char *name : {"performanceMeasure", "performanceCancel", "performanceProgress",
-                                 "performanceSummary", "performanceTimes", "performanceRoutes"})
-            QVERIFY2(named<QWidget>(panel, name), name);
-    }
 
     void measuresWhenAskedTo()
     {

@@ -138,26 +138,6 @@ private slots:
         QTRY_VERIFY(!shownText());
     }
 
-    void keysThatAPersonMayChangeAreNotInTheTexts()
-    {
-        const auto window = openedWindow();
-        QString texts;
-        for (const QString &name : explainedParts(*window))
-            texts += named<QWidget>(*window, qPrintable(name))->whatsThis() + u'\n';
-        int keys = 0;
-        for (const QAction *each : window->findChildren<QAction *>()) {
-            for (const QKeySequence &sequence : each->shortcuts()) {
-                const QString key = sequence.toString(QKeySequence::NativeText);
-                if (key.isEmpty())
-                    continue;
-                ++keys;
-                const QString told = key.size() == 1 ? u'(' + key + u')' : key;
-                QVERIFY2(!texts.contains(told), qPrintable(told));
-            }
-        }
-        QVERIFY2(keys >= 40, qPrintable(QString::number(keys)));
-    }
-
     void escapeEndsIt()
     {
         const auto window = openedWindow();

@@ -187,18 +187,6 @@ private slots:
         QVERIFY(dockNamed(*window, "columnsDock")->isVisible());
     }
 
-    void theOneArrangementOfAnOlderVersionIsLeftAlone()
-    {
-        {
-            const auto window = openedWindow();
-            dockNamed(*window, "formulaDock")->close();
-            QSettings().setValue("window/layout", window->saveState(318));
-        }
-        const auto window = openedWindow();
-        QCOMPARE(current(*window), "stepWorkspace");
-        QVERIFY(dockNamed(*window, "formulaDock")->isVisible());
-    }
-
     void whatIsNoArrangementIsNotShown()
     {
         QSettings().setValue("workspaces/current", 7);
