@@ -66,7 +66,7 @@ QStringList diagnosisLines(const Diagnosis &diagnosis, std::span<const Submissio
         lines += QStringLiteral("the search for defects ended in an error: %1")
                      .arg(*diagnosis.failure);
     else if (diagnosis.candidates.empty() && isWrong)
-        lines += QStringLiteral("no known defect comes nearer");
+        lines += QStringLiteral("no known defect explains it");
     else if (!diagnosis.isExplained() && isWrong)
         lines += QStringLiteral("no known defect explains it; the nearest ones:");
     for (const DiagnosisCandidate &candidate : diagnosis.candidates) {

@@ -60,7 +60,7 @@ QStringList diffLines(const PictureDiff &diff)
                        .arg(diff.height)
                        .arg(counts.join(QStringLiteral(", ")));
     if (diff.largestError > 0)
-        text += QStringLiteral("; a byte by %1 at most").arg(diff.largestError);
+        text += QStringLiteral("; largest channel difference %1").arg(diff.largestError);
     QStringList lines = {text};
     constexpr qsizetype mostCauses = 3;
     for (const PictureCause &cause : diff.causes) {

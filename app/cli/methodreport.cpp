@@ -129,7 +129,7 @@ void printDescription(const Method &method)
     printNames(QStringLiteral("  true in      "), namesOf(method.stableArithmetics));
     printNames(QStringLiteral("  fill rules   "), namesOf(method.fillRules));
     if (!method.fillRuleReason.isEmpty())
-        printLine(QStringLiteral("  no others:   %1").arg(method.fillRuleReason));
+        printLine(QStringLiteral("  no others:   because %1").arg(method.fillRuleReason));
     printNames(QStringLiteral("  effects      "), namesOf(method.effects));
     printNames(QStringLiteral("  beyond colour and clipping in "),
                namesOf(method.shadingArithmetics));

@@ -142,7 +142,7 @@ QStringList textOf(const PlanReport &report)
     const EffectPlan &plan = report.plan;
     std::vector<QStringList> rows
         = {{QStringLiteral("effect"), QStringLiteral("verdict"), QStringLiteral("runs"),
-            QStringLiteral("primitives"), QStringLiteral("pixels ≤"), QStringLiteral("reason")}};
+            QStringLiteral("primitives"), QStringLiteral("pixels at most"), QStringLiteral("reason")}};
     for (const Effect effect : allEffects) {
         const EffectVerdict &verdict = plan.verdicts[effect];
         rows.push_back({nameText(nameOf(effect)), nameText(nameOf(verdict.verdict)),

@@ -1378,6 +1378,10 @@
         <source>recording ended at its limit</source>
         <translation>Aufzeichnung endete an ihrer Grenze</translation>
     </message>
+    <message>
+        <source>? hidden by Predict</source>
+        <translation>? von Vorhersagen verdeckt</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::ComparePane</name>
@@ -1604,15 +1608,15 @@
         <translation>Die Suche nach Defekten endete mit einem Fehler: %1.</translation>
     </message>
     <message>
-        <source>No known defect comes near.</source>
+        <source>No known bug explains it.</source>
         <translation>Kein bekannter Defekt kommt in die Nähe.</translation>
     </message>
     <message>
-        <source>No known defect explains it; the nearest ones:</source>
+        <source>No known bug explains it; the nearest ones:</source>
         <translation>Kein bekannter Defekt erklärt es; die nächsten:</translation>
     </message>
     <message numerus="yes">
-        <source>%n sets of known defects draw this very picture:</source>
+        <source>%n sets of known bugs produce this picture:</source>
         <translation>
             <numerusform>Eine Menge bekannter Defekte zeichnet genau dieses Bild:</numerusform>
             <numerusform>%n Mengen bekannter Defekte zeichnen genau dieses Bild:</numerusform>
@@ -1710,7 +1714,7 @@
         <translation>Erste falsche Zahl: Schritt %1, %2: %3.</translation>
     </message>
     <message>
-        <source>Known defects draw this picture, but for pixels that may be either way:</source>
+        <source>Known bugs produce this picture, except for pixels that may be either way:</source>
         <translation>Bekannte Defekte zeichnen dieses Bild, bis auf Pixel, die so oder so sein dürfen:</translation>
     </message>
     <message numerus="yes">
@@ -1859,7 +1863,7 @@
         <translation>Farbe des nächsten Eckpunkts</translation>
     </message>
     <message>
-        <source>Copy the last not&amp;e</source>
+        <source>Copy the last m&amp;essage</source>
         <translation>Letzte &amp;Meldung kopieren</translation>
     </message>
     <message>
@@ -1906,8 +1910,8 @@
         <translation>Primitive</translation>
     </message>
     <message>
-        <source>pixels ≤</source>
-        <translation>Pixel ≤</translation>
+        <source>pixels at most</source>
+        <translation>Pixel höchstens</translation>
     </message>
     <message>
         <source>ns a pixel</source>
@@ -2504,16 +2508,16 @@
         <translation>Einen Ordner bewerten</translation>
     </message>
     <message>
-        <source>&amp;Submissions, a folder</source>
-        <translation>&amp;Abgaben, ein Ordner</translation>
+        <source>&amp;Submissions folder</source>
+        <translation>Ordner der &amp;Abgaben</translation>
     </message>
     <message>
-        <source>&amp;Assignment, a file</source>
-        <translation>Auf&amp;gabe, eine Datei</translation>
+        <source>&amp;Assignment file</source>
+        <translation>Datei der Auf&amp;gabe</translation>
     </message>
     <message>
-        <source>&amp;Results, a folder</source>
-        <translation>&amp;Ergebnisse, ein Ordner</translation>
+        <source>&amp;Results folder</source>
+        <translation>Ordner der &amp;Ergebnisse</translation>
     </message>
     <message>
         <source>&amp;Grade</source>
@@ -2567,8 +2571,8 @@
         <translation>Diese Bewertung ist geprüft und geht so hinaus (A)</translation>
     </message>
     <message>
-        <source>For this cause</source>
-        <translation>Für diese Ursache</translation>
+        <source>Copy to all with this bug</source>
+        <translation>Für alle mit diesem Fehler</translation>
     </message>
     <message>
         <source>Give every submission of the same cause this comment</source>
@@ -2656,8 +2660,8 @@
         <translation>Die Berichte wurden nicht geschrieben: %1</translation>
     </message>
     <message>
-        <source>The reports in %1 have the comments.</source>
-        <translation>Die Berichte in %1 enthalten die Kommentare.</translation>
+        <source>The reports with your comments are written to %1.</source>
+        <translation>Die Berichte mit Ihren Kommentaren sind in %1 geschrieben.</translation>
     </message>
     <message>
         <source>Cancelled; what is graded stays, and grading goes on from there.</source>
@@ -2762,7 +2766,7 @@
         <translation>%1 in anderer Farbe</translation>
     </message>
     <message>
-        <source>right</source>
+        <source>correct</source>
         <translation>richtig</translation>
     </message>
 </context>
@@ -2853,8 +2857,8 @@
         <translation>Wird mit dem aktuellen Verfahren gezeichnet.</translation>
     </message>
     <message>
-        <source>Left: %1, %2. Right: the truth.</source>
-        <translation>Links: %1, %2. Rechts: die Wahrheit.</translation>
+        <source>Left: %1: %2. Right: the truth.</source>
+        <translation>Links: %1: %2. Rechts: die Wahrheit.</translation>
     </message>
 </context>
 <context>
@@ -3112,7 +3116,7 @@
         <translation>Farbe des ausgewählten Eckpunkts</translation>
     </message>
     <message>
-        <source>Give up the vertices that wait; then, no vertex is selected</source>
+        <source>Discard the unfinished vertices; no vertex is selected then</source>
         <translation>Wartende Eckpunkte aufgeben; danach ist keiner ausgewählt</translation>
     </message>
     <message>
@@ -3725,7 +3729,7 @@
         <translation>Alle Überlagerungen &amp;ausblenden</translation>
     </message>
     <message>
-        <source>&amp;First affine map again</source>
+        <source>&amp;Reset the affine map</source>
         <translation>&amp;Erste affine Abbildung wieder</translation>
     </message>
     <message>
@@ -3983,8 +3987,8 @@
         <translation>&amp;Rundung</translation>
     </message>
     <message>
-        <source>&amp;Variants, as printed</source>
-        <translation>&amp;Varianten, wie gedruckt</translation>
+        <source>Misprints and &amp;typical mistakes</source>
+        <translation>Druckfehler und &amp;typische Fehler</translation>
     </message>
     <message>
         <source>%1, in place of %2. %3
@@ -5231,7 +5235,7 @@
         <translation>Das Vorzeichen ist das andere.</translation>
     </message>
     <message>
-        <source>Not yet: %1. Put the numbers in, or have it shown.</source>
+        <source>Not yet: %1. Substitute the numbers, or press Show.</source>
         <translation>Noch nicht: %1. Die Zahlen einsetzen oder zeigen lassen.</translation>
     </message>
 </context>
@@ -6423,8 +6427,8 @@
         <translation>Einheit des Abspielens</translation>
     </message>
     <message>
-        <source>Play by primitives, spans or samples</source>
-        <translation>Nach Primitiven, Spannen oder Abtastpunkten abspielen</translation>
+        <source>Play by primitives, by columns (rows, steps) or by pixels</source>
+        <translation>Nach Primitiven, Spalten (Zeilen, Schritten) oder Pixeln abspielen</translation>
     </message>
     <message>
         <source>Speed of playing</source>

@@ -52,10 +52,10 @@
 <context>
     <name>pixelplumb::DiagnosisView</name>
     <message numerus="yes">
-        <source>%n sets of known defects draw this very picture:</source>
+        <source>%n sets of known bugs produce this picture:</source>
         <translation>
-            <numerusform>One set of known defects draws this very picture:</numerusform>
-            <numerusform>%n sets of known defects draw this very picture:</numerusform>
+            <numerusform>Exactly one set of known bugs produces this picture:</numerusform>
+            <numerusform>%n sets of known bugs produce this picture:</numerusform>
         </translation>
     </message>
     <message numerus="yes">

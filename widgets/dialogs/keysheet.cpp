@@ -80,7 +80,7 @@ QString canvasKeyRows()
         + row(KeySheet::tr("Ctrl+arrows"), KeySheet::tr("Move the selected vertex"))
         + row(KeySheet::tr("Enter, C"), KeySheet::tr("Colour of the selected vertex"))
         + row(KeySheet::tr("Esc"),
-              KeySheet::tr("Give up the vertices that wait; then, no vertex is selected"))
+              KeySheet::tr("Discard the unfinished vertices; no vertex is selected then"))
         + row(KeySheet::tr("+, −, 0"), KeySheet::tr("Zoom in, out, see the whole frame"))
         + row(KeySheet::tr("Shift+arrows"), KeySheet::tr("Move the view"));
 }

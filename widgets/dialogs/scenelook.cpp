@@ -182,9 +182,9 @@ Result<Look> SceneLook::look() const
     look.appearance.forced = m_forced;
     // Primitives name materials by their place; a file has them by name.
     for (int row = 0; row < m_materials->rowCount(); ++row) {
-        const auto named = std::ranges::find(look.appearance.materials,
-                                             m_materials->child(row)->text().toStdString(),
-                                             &Material::name);
+        const auto named
+            = std::ranges::find(look.appearance.materials,
+                                m_materials->child(row)->text().toStdString(), &Material::name);
         std::iter_swap(look.appearance.materials.begin() + row, named);
     }
     return look;

@@ -49,6 +49,7 @@ ColumnTablePanel::ColumnTablePanel(Playhead *playhead, QWidget *parent)
     setFocusProxy(m_table);
 
     connect(playhead, &Playhead::tracedChanged, this, &ColumnTablePanel::describe);
+    connect(playhead, &Playhead::aheadHiddenChanged, this, &ColumnTablePanel::describe);
     describe();
 }
 
@@ -117,6 +118,8 @@ void ColumnTablePanel::describe()
         text += QStringLiteral(" · ") + tr("%n primitives", nullptr, int(trace.primitiveCount()));
     if (trace.isCut())
         text += QStringLiteral(" · ") + tr("recording ended at its limit");
+    if (m_playhead->isAheadHidden())
+        text = tr("? hidden by Predict") + QStringLiteral(" · ") + text;
     m_summary->setWholeText(text);
 }
 

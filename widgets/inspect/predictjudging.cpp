@@ -87,7 +87,7 @@ QString verdictText(const Prediction &prediction, Guess guess)
     case Guess::Wrong:
         break;
     }
-    return PredictWords::tr("Not yet: %1. Put the numbers in, or have it shown.")
+    return PredictWords::tr("Not yet: %1. Substitute the numbers, or press Show.")
         .arg(meaningOf(prediction.rule));
 }
 

@@ -124,7 +124,7 @@ void StepperBar::addUnitBox(const StepActions &actions)
 {
     m_unitBox = named(new QComboBox(this), "unitBox", tr("Unit of playing"));
     m_unitBox->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    m_unitBox->setToolTip(tr("Play by primitives, spans or samples"));
+    m_unitBox->setToolTip(tr("Play by primitives, by columns (rows, steps) or by pixels"));
     for (QAction *unit : actions.units()) {
         const int row = m_unitBox->count();
         m_unitBox->addItem(unit->text());

@@ -60,7 +60,7 @@ QString resultInSigns(const ContenderRun &run)
 {
     if (run.tally.written == 0 || run.contender.isTruth())
         return resultText(run);
-    return QStringLiteral("%1 px: %2 ?, %3 !, %4 c")
+    return QStringLiteral("%1 px: %2 missing, %3 extra, %4 wrong colour")
         .arg(QString::number(run.tally.written), countOf(run, Difference::Missing),
              countOf(run, Difference::Extra), countOf(run, Difference::Colour));
 }

@@ -247,15 +247,15 @@ QString diagnosisText(const Diagnosis &diagnosis)
                   .arg(*diagnosis.failure);
     if (diagnosis.candidates.empty())
         return diagnosis.verdict == DiagnosisVerdict::Wrong
-            ? verdict + u' ' + DiagnosisView::tr("No known defect comes near.")
+            ? verdict + u' ' + DiagnosisView::tr("No known bug explains it.")
             : verdict;
     if (!diagnosis.isExplained())
-        return verdict + u' ' + DiagnosisView::tr("No known defect explains it; the nearest ones:");
+        return verdict + u' ' + DiagnosisView::tr("No known bug explains it; the nearest ones:");
     return verdict + u' '
         + (diagnosis.candidates.front().undecidable > 0
                ? DiagnosisView::tr(
-                   "Known defects draw this picture, but for pixels that may be either way:")
-               : DiagnosisView::tr("%n sets of known defects draw this very picture:", nullptr,
+                   "Known bugs produce this picture, except for pixels that may be either way:")
+               : DiagnosisView::tr("%n sets of known bugs produce this picture:", nullptr,
                                    int(diagnosis.candidates.size())));
 }
 

@@ -67,7 +67,7 @@ void EffectsPanel::makeTable()
     m_table->setRowCount(int(allEffects.size()));
     m_table->setColumnCount(EffectColumnCount);
     m_table->setHorizontalHeaderLabels({tr("effect"), tr("verdict"), tr("switch"), tr("primitives"),
-                                        tr("pixels ≤"), tr("ns a pixel"), tr("operations a pixel"),
+                                        tr("pixels at most"), tr("ns a pixel"), tr("operations a pixel"),
                                         tr("times as long"), tr("reason")});
     m_table->horizontalHeaderItem(EffectPerPixel)
         ->setToolTip(

@@ -88,7 +88,7 @@ void Gradebook::writeReports()
             if (error)
                 emit complaint(tr("The reports were not written: %1").arg(error->message()));
             else
-                emit notice(tr("The reports in %1 have the comments.").arg(m_results));
+                emit notice(tr("The reports with your comments are written to %1.").arg(m_results));
         });
 }
 

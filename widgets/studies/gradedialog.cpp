@@ -15,9 +15,9 @@ GradeDialog::GradeDialog(QWidget *parent)
     auto *layout = withParts(new QVBoxLayout(this), {}, 16, 16);
     auto *form = new QFormLayout;
     form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
-    m_submissions = addPath(form, "gradeSubmissions", tr("&Submissions, a folder"));
-    m_assignment = addPath(form, "gradeAssignment", tr("&Assignment, a file"));
-    m_results = addPath(form, "gradeResults", tr("&Results, a folder"));
+    m_submissions = addPath(form, "gradeSubmissions", tr("&Submissions folder"));
+    m_assignment = addPath(form, "gradeAssignment", tr("&Assignment file"));
+    m_results = addPath(form, "gradeResults", tr("&Results folder"));
     layout->addLayout(form);
     m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     m_buttons->button(QDialogButtonBox::Ok)->setText(tr("&Grade"));

@@ -50,7 +50,7 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
     m_accept = namedButton("gradingAccept", tr("Accept (A)"),
                            tr("This grade is reviewed and goes out as it is (A)"), this);
     m_accept->setCheckable(true);
-    m_forCluster = namedButton("gradingCommentCluster", tr("For this cause"),
+    m_forCluster = namedButton("gradingCommentCluster", tr("Copy to all with this bug"),
                                tr("Give every submission of the same cause this comment"), this);
     auto *row = new QHBoxLayout; // a single row: a low window's lines are for the texts
     row->setSpacing(4);

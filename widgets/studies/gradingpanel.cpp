@@ -136,8 +136,11 @@ void GradingPanel::openResults()
 void GradingPanel::gradeFolder()
 {
     GradeDialog dialog(this);
-    if (dialog.exec() == QDialog::Accepted)
-        m_book->grade(dialog.submissions(), dialog.assignment(), dialog.results());
+    dialog.setPaths(m_paths.submissions, m_paths.assignment, m_paths.results);
+    const bool isAccepted = dialog.exec() == QDialog::Accepted;
+    m_paths = {dialog.submissions(), dialog.assignment(), dialog.results()};
+    if (isAccepted)
+        m_book->grade(m_paths.submissions, m_paths.assignment, m_paths.results);
 }
 
 void GradingPanel::followJob()

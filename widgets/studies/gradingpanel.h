@@ -69,6 +69,10 @@ private:
     ElidedLabel *m_confinement = nullptr;
     ElidedLabel *m_summary = nullptr;
     QTimer m_taking; ///< runs while the selected row is not the current submission yet
+    /// As the dialog had them last.
+    struct {
+        QString submissions, assignment, results;
+    } m_paths;
 };
 
 } // namespace pixelplumb

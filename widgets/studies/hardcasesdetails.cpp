@@ -150,7 +150,7 @@ void HardCasesDetails::showPicture()
     m_picture->setIcon(sideBySide(m_shown, size, palette(), devicePixelRatioF()));
     m_caption->setText(m_shown.drawn.isNull()
                            ? tr("Being drawn by the current method.")
-                           : tr("Left: %1, %2. Right: the truth.")
+                           : tr("Left: %1: %2. Right: the truth.")
                                  .arg(m_shown.contender.name(), m_shown.verdict()));
 }
 

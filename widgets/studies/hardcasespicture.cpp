@@ -163,7 +163,7 @@ QString HardCasePicture::verdict() const
         parts.append(CaseVerdict::tr("%1 extra").arg(extra));
     if (otherColour > 0)
         parts.append(CaseVerdict::tr("%1 in another colour").arg(otherColour));
-    return parts.isEmpty() ? CaseVerdict::tr("right") : parts.join(QStringLiteral(", "));
+    return parts.isEmpty() ? CaseVerdict::tr("correct") : parts.join(QStringLiteral(", "));
 }
 
 HardCasePicture pictureOf(const HardCase &hardCase, const Method &method,

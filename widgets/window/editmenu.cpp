@@ -84,7 +84,7 @@ void EditMenu::addClipboard()
     addMenuAction(this, "copyRaster", tr("Copy the raster (&ASCII)"),
                   Qt::CTRL | Qt::SHIFT | Qt::Key_C, [exports] { exports->copyRaster(); });
     MessageBar *bar = m_parts.messageBar;
-    QAction *copyNote = addMenuAction(this, "copyNote", tr("Copy the last not&e"), {},
+    QAction *copyNote = addMenuAction(this, "copyNote", tr("Copy the last m&essage"), {},
                                       [bar] { QApplication::clipboard()->setText(bar->text()); });
     copyNote->setToolTip(tr("Copies the last note shown over the canvas, even after it has gone"));
     connect(this, &QMenu::aboutToShow, copyNote,

@@ -120,7 +120,7 @@ LayersMenu::LayersMenu(const WindowParts &parts, QWidget *window)
     connect(options, &DisplayOptions::changed, none, update);
     update();
     QAction *firstMap
-        = addMenuAction(this, "firstAffineMap", tr("&First affine map again"), {},
+        = addMenuAction(this, "firstAffineMap", tr("&Reset the affine map"), {},
                         [options, document = parts.document] {
                             document->undoStack()->push(new ImageEdit(*options, std::nullopt));
                         });

@@ -49,7 +49,7 @@ MethodMenu::MethodMenu(const WindowParts &parts, QWidget *window)
 
 void MethodMenu::addVariants()
 {
-    QMenu *menu = addMenu(tr("&Variants, as printed"));
+    QMenu *menu = addMenu(tr("Misprints and &typical mistakes"));
     menu->setObjectName(QStringLiteral("variantMenu"));
     menu->setToolTipsVisible(true);
     for (const Variant variant : allVariants) {

@@ -496,7 +496,7 @@ private slots:
         nameTheBug(*window);
 
         const QString verdict = text(*window, "diagnosisVerdict");
-        QVERIFY2(verdict.startsWith("Wrong. One set of known defects"), qPrintable(verdict));
+        QVERIFY2(verdict.startsWith("Wrong. Exactly one set of known bugs"), qPrintable(verdict));
         auto *candidates = named<QListWidget>(*window, "diagnosisCandidates");
         QCOMPARE(candidates->count(), 1);
         QCOMPARE(candidates->item(0)->text(), "Look at how a colour becomes a byte.");
