@@ -140,9 +140,9 @@ QJsonObject jsonOf(const EffectTiming &timing, const EffectCost &cost)
 QStringList textOf(const PlanReport &report)
 {
     const EffectPlan &plan = report.plan;
-    std::vector<QStringList> rows
-        = {{QStringLiteral("effect"), QStringLiteral("verdict"), QStringLiteral("runs"),
-            QStringLiteral("primitives"), QStringLiteral("pixels at most"), QStringLiteral("reason")}};
+    std::vector<QStringList> rows = {{QStringLiteral("effect"), QStringLiteral("verdict"),
+                                      QStringLiteral("runs"), QStringLiteral("primitives"),
+                                      QStringLiteral("pixels at most"), QStringLiteral("reason")}};
     for (const Effect effect : allEffects) {
         const EffectVerdict &verdict = plan.verdicts[effect];
         rows.push_back({nameText(nameOf(effect)), nameText(nameOf(verdict.verdict)),

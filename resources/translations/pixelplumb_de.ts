@@ -1380,7 +1380,7 @@
     </message>
     <message>
         <source>? hidden by Predict</source>
-        <translation>? von Vorhersagen verdeckt</translation>
+        <translation>? von „Vorhersagen“ verborgen</translation>
     </message>
 </context>
 <context>
