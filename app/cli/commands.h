@@ -77,7 +77,7 @@ LayerRequest layerRequestFrom(const CommandLine &line);
 
 /// The picture at the position, each pixel a square of `scale` pixels a side, with the layers over
 /// it. Texts that belong to the layers, and why one shows nothing, go to stderr.
-QImage pictureWithLayers(const Scene &scene, const LayerRequest &request, std::int64_t scale);
+QImage pictureWithLayers(const SceneRun &run, const LayerRequest &request, std::int64_t scale);
 
 /// The kinds of primitive the method draws: "triangle", …
 QStringList kindsOf(const Method &method);

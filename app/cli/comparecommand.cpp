@@ -88,13 +88,16 @@ ExitCode compare(const Command &command, const QStringList &arguments)
     const auto limit = wholeNumberOf(line, limitOption, {});
     const auto format = pictureFormatOf(line, drawingOption);
     refuseStandardOutput(line.value(drawingOption), QStringLiteral("a file"));
-    const Scene scene = readScene(line, line.argument(0));
+    const SceneRun run = readScene(line, line.argument(0));
+    const Scene &scene = run.scene;
     const std::vector<Contender> contenders
         = contendersNamed(line.value(methodsOption), scene.settings);
+    std::vector<SceneRun> runs;
     for (const Contender &contender : contenders) {
         if (contender.isTruth())
             continue;
-        refuseIf(refusalOf(sceneFor(scene, contender), QStringLiteral("--methods")));
+        runs.emplace_back(sceneFor(scene, contender), run.primitives);
+        refuseIf(refusalOf(runs.back(), QStringLiteral("--methods")));
     }
 
     if (line.isSet(drawingOption))
@@ -104,11 +107,10 @@ ExitCode compare(const Command &command, const QStringList &arguments)
         options.progress = listener;
         return compareContenders(scene, contenders, options);
     });
-    for (const Contender &contender : contenders) {
-        if (!contender.isTruth())
-            reportRejections(line.argument(0) + QStringLiteral(", ") + contender.name(),
-                             rejectedPrimitives(sceneFor(scene, contender)));
-    }
+    for (const SceneRun &each : runs)
+        reportRejections(line.argument(0) + QStringLiteral(", ")
+                             + Contender{each.method, each.settings}.name(),
+                         rejectedPrimitives(each));
 
     const CompareReport report{*contest, std::size_t(limit.value())};
     line.asksForJson() ? printJson(compareJson(report)) : printLines(compareLines(report));

@@ -128,7 +128,7 @@ namespace {
 Submission readSubmission(const CommandLine &line, const QString &scenePath,
                           const QString &picturePath)
 {
-    Scene scene = readScene(line, scenePath);
+    Scene scene = readScene(line, scenePath).scene;
     refuseToJudgeBy(scene, scenePath);
     Picture picture = readPicture(picturePath);
     if (picture.hasColours)

@@ -108,8 +108,9 @@ Side readSide(const QString &path)
     if (!text.startsWith('{'))
         return {required(parsePicture(content, path, formats)), std::nullopt};
     const Scene scene = sceneIn(content, path).scene;
-    refuseIf(refusalOf(scene, path));
-    return {pictureOf(scene), scene};
+    const SceneRun run(scene);
+    refuseIf(refusalOf(run, path));
+    return {pictureOf(run), scene};
 }
 
 /// What the scene on either side leaves open at the other side's pixels.

@@ -54,7 +54,7 @@ ExitCode motion(const Command &command, const QStringList &arguments)
                           QStringLiteral("motion counts in all frames of the scene"),
                           QStringLiteral("it without --frame; one frame is drawn by "
                                          "“render --frame”")});
-    const Scene scene = readScene(line, line.argument(0));
+    const Scene scene = readScene(line, line.argument(0)).scene;
     if (!scene.motion)
         refuse(InputError{
             line.argument(0), QStringLiteral("the scene does not move"),

@@ -89,8 +89,8 @@ Positional scenesPositional();
 /// settings, and --force.
 void addSettingOptions(CommandLine &line);
 
-/// Why the scene's method cannot draw it; none where it can.
-std::optional<InputError> refusalOf(const Scene &scene, const QString &path);
+/// Why the run's method cannot draw its scene; none where it can.
+std::optional<InputError> refusalOf(const SceneRun &run, const QString &path);
 
 /// Reads a scene from the text of the file at `path`; its references are relative to that file.
 SceneReading sceneIn(const QByteArray &text, const QString &path);
@@ -102,9 +102,9 @@ SceneReading readSceneAt(const QString &path);
 /// the path. Settings in neither the options nor the scene are the method's own.
 Scene underOptions(const CommandLine &line, SceneReading reading, const QString &path);
 
-/// Reads the scene of a file ("-" is stdin) under the options' settings. Snapped vertices are
-/// reported on stderr.
-Scene readScene(const CommandLine &line, const QString &path);
+/// Reads the scene of a file ("-" is stdin) under the options' settings, with its run. Snapped
+/// vertices are reported on stderr.
+SceneRun readScene(const CommandLine &line, const QString &path);
 
 /// Like readScene(), but accepts a scene that its method cannot draw: for commands that choose
 /// another method.
@@ -113,9 +113,9 @@ Scene readSceneForAnyMethod(const CommandLine &line, const QString &path);
 /// A scene with its name on the command line; none where it could not be read, which was reported.
 struct NamedScene {
     QString path;
-    std::optional<Scene> scene;
+    std::optional<SceneRun> run;
 };
-using SceneReader = Scene (*)(const CommandLine &line, const QString &path);
+using SceneReader = SceneRun (*)(const CommandLine &line, const QString &path);
 /// Reads every scene that the command line names. All are read before anything is written, since an
 /// output may be a file that one of them refers to.
 std::vector<NamedScene> readScenes(const CommandLine &line, SceneReader read);
@@ -130,8 +130,9 @@ const Method *chosenMethod(const CommandLine &line, const QString &unset);
 Arithmetic chosenArithmetic(const CommandLine &line, Arithmetic unset);
 FillRule chosenFillRule(const CommandLine &line, FillRule unset);
 
-/// Traces a scene, and shows how far it is.
-std::shared_ptr<const TracedScene> tracedWithProgress(const Scene &scene);
+/// Makes a scene's run, and traces it, and shows how far it is.
+SceneRun runWithProgress(const Scene &scene);
+std::shared_ptr<const TracedScene> tracedWithProgress(SceneRun run);
 
 /// What --triangle can name: a run's primitives, counted from 0.
 WholeRange primitivesOf(const ScanTrace &trace);

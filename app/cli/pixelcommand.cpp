@@ -21,6 +21,8 @@ Colour finalColour(const FrameSpec &frame, const std::vector<PixelAttempt> &atte
 
 Colour trueColourOfAll(const TracedScene &traced, std::int64_t x, std::int64_t y)
 {
+    if (traced.drawsAll())
+        return unpacked(*traced.truth.view().at(x, y));
     FrameSpec pixel = traced.scene.frame;
     pixel.width = pixel.height = 1;
     pixel.firstColumn = int(x);
@@ -56,8 +58,8 @@ ExitCode pixel(const Command &command, const QStringList &arguments)
     line.addJsonOption();
     addSettingOptions(line);
     line.parse(arguments);
-    const Scene scene = readScene(line, line.argument(0));
-    const FrameSpec &frame = scene.frame;
+    SceneRun run = readScene(line, line.argument(0));
+    const FrameSpec frame = run.scene.frame;
     const auto along = [](std::int64_t first, std::int64_t size) {
         return WholeRange{first, first + size - 1, QStringLiteral("outside the frame")};
     };
@@ -66,7 +68,7 @@ ExitCode pixel(const Command &command, const QStringList &arguments)
     const auto y
         = wholeNumber(QStringLiteral("Y"), line.argument(2), along(frame.firstRow, frame.height));
 
-    const auto traced = traceScene(scene);
+    const auto traced = traceScene(std::move(run));
     reportRejections(line.argument(0) + QStringLiteral(", ") + traced->method->id,
                      rejectedPrimitives(*traced));
     const PixelReport report = reportOf(*traced, x, y);

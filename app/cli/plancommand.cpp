@@ -4,7 +4,7 @@
 #include "app/cli/options.h"
 #include "core/effects/effectplan.h"
 #include "core/measure/effecttiming.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "core/scan/choicenames.h"
 
 #include <QJsonArray>
@@ -214,15 +214,15 @@ ExitCode plan(const Command &command, const QStringList &arguments)
     line.addJsonOption();
     addSettingOptions(line);
     line.parse(arguments);
-    const Scene scene = readSceneForAnyMethod(line, line.argument(0));
-    const auto refusal = refusalOf(scene, line.argument(0));
-    PlanReport report{planOf(scene), scene.appearance.forced, std::nullopt,
+    const SceneRun run = runWithProgress(readSceneForAnyMethod(line, line.argument(0)));
+    const auto refusal = refusalOf(run, line.argument(0));
+    PlanReport report{planOf(run), run.scene.appearance.forced, std::nullopt,
                       refusal ? refusal->message() : QString()};
     if (line.isSet(measureOption) && !refusal)
-        report.timing = withProgress([&scene](const ProgressListener &listener) {
+        report.timing = withProgress([&run](const ProgressListener &listener) {
             TimingOptions options;
             options.progress = listener;
-            return timeEffects(scene, options);
+            return timeEffects(run.scene, options);
         });
     line.asksForJson() ? printJson(jsonOf(report)) : printLines(textOf(report));
     if (refusal)

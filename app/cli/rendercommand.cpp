@@ -31,20 +31,20 @@ struct RenderRequest {
     bool wantsPicture = false;
     bool wantsAscii = false;
     std::int64_t scale = 1;
-    LayerRequest run;
+    LayerRequest layers;
 };
 
-QImage pictureOf(const Scene &scene, const RenderRequest &request)
+QImage pictureOf(const SceneRun &run, const RenderRequest &request)
 {
-    if (request.run.asksForRun())
-        return pictureWithLayers(scene, request.run, request.scale);
-    const FrameBuffer frame(scene.frame);
-    drawScene(scene, frame);
+    if (request.layers.asksForRun())
+        return pictureWithLayers(run, request.layers, request.scale);
+    const FrameBuffer frame(run.scene.frame);
+    run.draw(frame.view());
     return enlarged(frame.image().copy(), request.scale); // the frame ends here
 }
 
 /// The scene with the cheapest method, by the published order of cost, that meets the budget.
-Scene withinBudget(const Scene &scene, const QString &word)
+SceneRun withinBudget(const Scene &scene, const QString &word)
 {
     const QString place = QStringLiteral("--accuracy");
     const auto budget = budgetNamed(word.toStdString());
@@ -58,13 +58,10 @@ Scene withinBudget(const Scene &scene, const QString &word)
     if (!choice->contender)
         refuse({place, choice->reason, {}});
     sayLine(QStringLiteral("%1: %2, %3").arg(word, choice->contender->id, choice->reason));
-    Scene drawn = scene;
-    drawn.method = choice->contender->method->id.toStdString();
-    drawn.settings = choice->settings;
-    return drawn;
+    return runWithProgress(sceneFor(scene, {choice->contender->method, choice->settings}));
 }
 
-Scene sceneToRender(const CommandLine &line, const QString &path)
+SceneRun sceneToRender(const CommandLine &line, const QString &path)
 {
     if (!line.isSet(accuracyOption))
         return readScene(line, path);
@@ -72,29 +69,30 @@ Scene sceneToRender(const CommandLine &line, const QString &path)
 }
 
 /// Whether a scene covers no pixel; only few primitives are drawn once more to find out.
-bool isLeftEmpty(const Scene &scene)
+bool isLeftEmpty(const SceneRun &run)
 {
+    const Scene &scene = run.scene;
     constexpr std::size_t few = 1000;
     const std::size_t count = scene.triangles.size() + scene.shapes.size();
     return count > 0 && count <= few && scene.solids.empty()
-        && coverageOf(scene) == CoverageMask(scene.frame);
+        && coverageOf(run) == CoverageMask(scene.frame);
 }
 
 ExitCode renderScene(const RenderRequest &request, const NamedScene &named,
                      const QString &outputPath)
 {
-    const Scene &scene = *named.scene;
-    const QString drawnBy = named.path + QStringLiteral(", ") + scene.method.c_str();
-    const std::vector<RejectedPrimitive> rejected = rejectedPrimitives(scene);
+    const SceneRun &run = *named.run;
+    const QString drawnBy = named.path + QStringLiteral(", ") + run.method->id;
+    const std::vector<RejectedPrimitive> rejected = rejectedPrimitives(run);
     reportRejections(drawnBy, rejected);
-    if (rejected.empty() && isLeftEmpty(scene))
+    if (rejected.empty() && isLeftEmpty(run))
         sayLine(drawnBy + QStringLiteral(": nothing is drawn in the frame"));
     if (request.wantsPicture) {
         Output output(outputPath);
-        writePicture(pictureOf(scene, request), output, request.format);
+        writePicture(pictureOf(run, request), output, request.format);
     }
     if (request.wantsAscii)
-        printLines(asciiRaster(coverageOf(scene)).chopped(1).split(u'\n'));
+        printLines(asciiRaster(coverageOf(run)).chopped(1).split(u'\n'));
     return ExitCode::Done;
 }
 
@@ -115,8 +113,8 @@ RenderRequest requestFrom(const CommandLine &line)
                 QStringLiteral("--accuracy chooses method and arithmetic itself"),
                 QStringLiteral("it alone")});
     request.scale = wholeNumberOf(line, scaleOption, {1, 64}).value();
-    request.run = layerRequestFrom(line);
-    if (request.run.asksForRun() && !request.wantsPicture)
+    request.layers = layerRequestFrom(line);
+    if (request.layers.asksForRun() && !request.wantsPicture)
         refuse({{},
                 QStringLiteral("--layers and --position need a picture"),
                 QStringLiteral("-o FILE")});
@@ -163,7 +161,7 @@ ExitCode render(const Command &command, const QStringList &arguments)
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         if (request.wantsAscii && scenes.size() > 1)
             printLine(scenes[i].path + u':');
-        code = std::max(code, !scenes[i].scene ? ExitCode::Usage : endOf(line.command(), [&] {
+        code = std::max(code, !scenes[i].run ? ExitCode::Usage : endOf(line.command(), [&] {
                             return renderScene(request, scenes[i],
                                                request.pictures.value(qsizetype(i)));
                         }));

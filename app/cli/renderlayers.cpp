@@ -137,9 +137,9 @@ LayerRequest layerRequestFrom(const CommandLine &line)
     return request;
 }
 
-QImage pictureWithLayers(const Scene &scene, const LayerRequest &request, std::int64_t scale)
+QImage pictureWithLayers(const SceneRun &run, const LayerRequest &request, std::int64_t scale)
 {
-    const auto traced = tracedWithProgress(scene);
+    const auto traced = tracedWithProgress(run);
     const ScanTrace &trace = *traced->trace;
     if (request.position && std::size_t(*request.position) > trace.stepCount())
         refuse({QStringLiteral("--") + positionOption, QString::number(*request.position),
@@ -150,12 +150,12 @@ QImage pictureWithLayers(const Scene &scene, const LayerRequest &request, std::i
     LayerView view;
     view.traced = traced.get();
     view.position = request.position ? std::size_t(*request.position) : trace.stepCount();
-    view.seen = samplesOf(windowOf(scene.frame));
+    view.seen = samplesOf(windowOf(run.scene.frame));
     view.cell = double(scale);
     if (request.primitive)
         view.primitive = std::size_t(*request.primitive);
     view.image = imageOf(request, view);
-    TraceCursor cursor(trace, scene.frame);
+    TraceCursor cursor(trace, run.scene.frame);
     cursor.seek(view.position);
     QImage picture = enlarged(cursor.frame().copy(), scale);
     paintLayers(picture, request, view);

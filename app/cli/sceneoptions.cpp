@@ -4,7 +4,7 @@
 #include "app/cli/options.h"
 #include "core/grade/defect.h"
 #include "core/runs/clampeddepths.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/fileaccess.h"
 #include "core/scene/scenefile.h"
@@ -144,15 +144,12 @@ FillRule chosenFillRule(const CommandLine &line, FillRule unset)
     return chosen(line, fillRuleOption, allFillRules, unset);
 }
 
-std::optional<InputError> refusalOf(const Scene &scene, const QString &path)
+std::optional<InputError> refusalOf(const SceneRun &run, const QString &path)
 {
-    const QString objection = objectionTo(scene);
+    const QString objection = objectionTo(run);
     if (objection.isEmpty())
         return std::nullopt;
-    return InputError{
-        path,
-        QStringLiteral("method “%1” %2").arg(QString::fromStdString(scene.method), objection),
-        {}};
+    return InputError{path, QStringLiteral("method “%1” %2").arg(run.method->id, objection), {}};
 }
 
 SceneReading sceneIn(const QByteArray &text, const QString &path)
@@ -215,25 +212,24 @@ Scene readSceneForAnyMethod(const CommandLine &line, const QString &path)
     return underOptions(line, readSceneAt(path), path);
 }
 
-Scene readScene(const CommandLine &line, const QString &path)
+SceneRun readScene(const CommandLine &line, const QString &path)
 {
     SceneReading reading = readSceneAt(path);
     const OpenSettings open = openUnder(line, reading.open);
-    Scene scene = underOptions(line, std::move(reading), path);
-    const Method &method = *methodNamed(QString::fromStdString(scene.method));
-    if (open.method && !method.objection(scene.settings).isEmpty())
+    SceneRun run = runWithProgress(underOptions(line, std::move(reading), path));
+    const Scene &scene = run.scene;
+    if (open.method && !run.method->objection(scene.settings).isEmpty())
         refuse({path, refusalOfAll(scene, open), {}});
-    refuseIf(refusalOf(scene, path));
+    refuseIf(refusalOf(run, path));
     // A scene may name a method for things yet to be drawn; this explains the empty picture.
     if (!drawsAnyOf(scene))
         sayLine(QStringLiteral("%1: %2; see `pixelplumb-cli methods` for one that does")
                     .arg(path, drawsNoneText(scene)));
     if (scene.appearance.depthFormat != DepthFormat::Exact) {
-        if (const QString clamped = clampedDepthsText(primitivesOnSamples(scene));
-            !clamped.isEmpty())
+        if (const QString clamped = clampedDepthsText(run.primitives); !clamped.isEmpty())
             sayLine(path + QStringLiteral(": ") + clamped);
     }
-    return scene;
+    return run;
 }
 
 std::vector<NamedScene> readScenes(const CommandLine &line, SceneReader read)
@@ -242,7 +238,7 @@ std::vector<NamedScene> readScenes(const CommandLine &line, SceneReader read)
     for (const QString &path : line.arguments()) {
         NamedScene &named = scenes.emplace_back(NamedScene{path, std::nullopt});
         endOf(line.command(), [&] {
-            named.scene = read(line, path);
+            named.run.emplace(read(line, path));
             return ExitCode::Done;
         });
     }
@@ -256,12 +252,18 @@ void refuseToJudgeBy(const Scene &scene, const QString &path)
                 QStringLiteral("a method that draws one, in the scene or as --method")});
 }
 
-std::shared_ptr<const TracedScene> tracedWithProgress(const Scene &scene)
+SceneRun runWithProgress(const Scene &scene)
 {
-    return withProgress([&scene](const ProgressListener &listener) {
+    return *withProgress(
+        [&](const ProgressListener &listener) { return sceneRunOf(scene, listener); });
+}
+
+std::shared_ptr<const TracedScene> tracedWithProgress(SceneRun run)
+{
+    return withProgress([&run](const ProgressListener &listener) {
         TraceOptions recording;
         recording.progress = listener;
-        return traceScene(scene, recording);
+        return traceScene(std::move(run), recording);
     });
 }
 

@@ -163,9 +163,8 @@ struct TraceRequest {
 ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const NamedScene &named,
                  const QString &outputPath)
 {
-    const std::optional<Scene> &scene = named.scene;
     const QString &path = named.path;
-    const auto traced = tracedWithProgress(*scene);
+    const auto traced = tracedWithProgress(*named.run);
     // The columns depend on the effects that the scene calls for, known only now.
     const QStringList columns = chosenColumns(line, traced->trace->numbers(), request.level);
     const RowChoice rows = chosenRows(line, *traced, request.level);
@@ -191,8 +190,8 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const Nam
     if (!written)
         refuse(output.error());
     output.finish();
-    if (request.level == TraceLevel::Stage && !scene->hasSolids()
-        && !lightsVertices(scene->appearance))
+    if (request.level == TraceLevel::Stage && !named.run->scene.hasSolids()
+        && !lightsVertices(named.run->scene.appearance))
         sayLine(
             QStringLiteral("%1: no stages: there is no solid in it that comes from space to the "
                            "frame, and no light at vertices")
@@ -246,7 +245,7 @@ ExitCode trace(const Command &command, const QStringList &arguments)
     ExitCode code = ExitCode::Done;
     const std::vector<NamedScene> scenes = readScenes(line, readScene);
     for (std::size_t i = 0; i < scenes.size(); ++i)
-        code = std::max(code, !scenes[i].scene ? ExitCode::Usage : endOf(line.command(), [&] {
+        code = std::max(code, !scenes[i].run ? ExitCode::Usage : endOf(line.command(), [&] {
                             return traceTo(line, request, scenes[i], outputs.at(qsizetype(i)));
                         }));
     return code;

@@ -166,7 +166,7 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
     std::vector<SceneTrial> tried;
     std::vector<Submission> submissions;
     for (const QString &path : scenes) {
-        Scene scene = readScene(line, path);
+        Scene scene = readScene(line, path).scene;
         refuseToJudgeBy(scene, path);
         Result<Trial> trial = pixelplumb::tryProgram(student, scene, terms);
         if (!trial)

@@ -112,8 +112,8 @@ QStringList valueShortfalls(const HardCase &hardCase, const ScanSettings &settin
         || !hardCase.displacements.isEmpty())
         return {};
     const WrittenFrame frame(hardCase.canvas);
-    const std::unique_ptr<ScanTrace> trace = method.trace(
-        Primitives{hardCase.triangles, {}, hardCase.attributes}, settings, frame.view(), {});
+    const Run run(&method, {hardCase.triangles, {}, hardCase.attributes}, settings, frame.view());
+    const std::unique_ptr<ScanTrace> trace = run.trace(frame.view());
     QStringList shortfalls;
     for (const ExpectedPoint &point : hardCase.points) {
         const auto covered = point.covered.find(settings.fillRule);

@@ -61,12 +61,14 @@ QString refusalOf(const Contender &contender, const HardCase &hardCase)
 QStringList paintingShortfalls(const HardCase &hardCase, const Contender &contender)
 {
     const Method &method = *contender.method;
+    const Drawing drawn = drawingBy(method, Kernels::Plain);
     if (isStrokeCase(hardCase, method))
-        return strokeShortfalls(hardCase, contender.settings, method.draw);
-    QStringList shortfalls = shortfallsOf(hardCase, contender.settings, method.draw);
-    if (!method.drawFast)
+        return strokeShortfalls(hardCase, contender.settings, drawn);
+    QStringList shortfalls = shortfallsOf(hardCase, contender.settings, drawn);
+    if (!method.hasFastKernels)
         return shortfalls;
-    const QStringList byFast = shortfallsOf(hardCase, contender.settings, method.drawFast);
+    const QStringList byFast
+        = shortfallsOf(hardCase, contender.settings, drawingBy(method, Kernels::Fastest));
     if (byFast != shortfalls) {
         for (const QString &shortfall : byFast)
             shortfalls += QStringLiteral("fast kernels: ") + shortfall;

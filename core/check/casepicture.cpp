@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/check/casepicture.h"
 
-#include "core/oracle/truepicture.h"
-
 #include <QCryptographicHash>
 #include <QStringList>
 
@@ -20,7 +18,15 @@ FrameSpec mirrored(FrameSpec canvas)
 
 void drawTruly(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
 {
-    oracle::drawPicture(primitives, settings, planBeyondColour(primitives, settings, frame), frame);
+    Run(nullptr, primitives, settings, frame).drawTruth(frame);
+}
+
+Drawing drawingBy(const Method &method, Kernels kernels)
+{
+    return [&method, kernels](const Primitives &primitives, const ScanSettings &settings,
+                              FrameView frame) {
+        Run(&method, primitives, settings, frame, kernels).draw(frame);
+    };
 }
 
 CasePicture::CasePicture(const FrameSpec &canvas, FillRule rule)

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/frame/writtenframe.h"
-#include "core/geometry/shape.h"
-#include "core/scan/scansettings.h"
+#include "core/methods/run.h"
 
 #include <QByteArray>
 #include <QString>
@@ -16,6 +15,7 @@ namespace pixelplumb {
 using Drawing = std::function<void(const Primitives &primitives, const ScanSettings &settings,
                                    FrameView frame)>;
 
+Drawing drawingBy(const Method &method, Kernels kernels);
 /// Draws with the oracle, under any rule.
 void drawTruly(const Primitives &primitives, const ScanSettings &settings, FrameView frame);
 

@@ -114,8 +114,8 @@ QStringList shapeShortfalls(const HardCase &hardCase, const ScanSettings &settin
 QString shapeRefusal(const HardCase &hardCase, const ScanSettings &settings, const Method &method)
 {
     const WrittenFrame frame(hardCase.canvas);
-    const std::unique_ptr<ScanTrace> trace
-        = method.trace(Primitives{{}, hardCase.shapes}, settings, frame.view(), {});
+    const Run run(&method, {{}, hardCase.shapes}, settings, frame.view());
+    const std::unique_ptr<ScanTrace> trace = run.trace(frame.view());
     for (std::size_t shape = 0; shape < trace->primitiveCount(); ++shape) {
         const std::optional<Rejection> rejection = trace->setUp(shape).rejection;
         if (rejection == PrimitiveRejection::NotConvex

@@ -86,7 +86,7 @@ std::unique_ptr<ScanTrace> spansOf(const Scene &scene, const Method &method,
     options.detail = TraceDetail::Spans;
     options.progress = listener;
     const FrameBuffer unseen(scene.frame);
-    return method.trace(primitives, settings, unseen.view(), options);
+    return Run(&method, primitives, settings, unseen.view()).trace(unseen.view(), options);
 }
 
 BoundErrors errorsOf(const ScanTrace &trace, const Triangle &triangle, const ScanTrace *exactRun)

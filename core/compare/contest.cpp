@@ -35,7 +35,7 @@ public:
             draw(contenders[std::size_t(i)]);
         }
         for (std::int64_t i = 0; i < count; ++i)
-            record(m_contest->runs[std::size_t(i)], {JobPhase::Recording, i, count});
+            record(std::size_t(i), {JobPhase::Recording, i, count});
         m_contest->agreement = AgreementMap(m_contest->scene.frame, int(contenders.size()));
         findAgreement();
         compareCarried();
@@ -52,17 +52,20 @@ private:
     void draw(const Contender &contender)
     {
         ContenderRun &run = m_contest->runs.emplace_back(contender, m_contest->scene.frame);
-        const Primitives drawn = primitivesFor(m_contest->primitives, contender);
-        drawTruly(drawn, contender.settings, run.truth.view());
-        if (drawn.size() < m_contest->primitives.size()) {
-            run.wholeTruth.emplace(m_contest->scene.frame);
-            drawTruly(m_contest->primitives, contender.settings, run.wholeTruth->view());
-        }
+        const Primitives &all = m_contest->primitives;
+        std::optional<SceneRun> &drawn = m_runs.emplace_back();
         if (contender.isTruth()) {
-            drawTruly(drawn, contender.settings, run.picture.view());
+            const Run truth(nullptr, all, contender.settings, run.truth.view());
+            for (const WrittenFrame *frame : {&run.picture, &run.truth})
+                truth.draw(frame->view());
         } else {
-            contender.method->drawFastest(m_contest->primitives, contender.settings,
-                                          run.picture.view());
+            drawn.emplace(sceneFor(m_contest->scene, contender), all);
+            drawn->draw(run.picture.view());
+            drawn->drawTruth(run.truth.view());
+            if (!drawn->drawsAll()) {
+                run.wholeTruth.emplace(m_contest->scene.frame);
+                drawTruly(all, contender.settings, run.wholeTruth->view());
+            }
         }
         count(run);
     }
@@ -91,8 +94,9 @@ private:
             && !m_contest->primitives.attributes.empty();
     }
 
-    void record(ContenderRun &run, const JobProgress &progress) const
+    void record(std::size_t index, const JobProgress &progress)
     {
+        ContenderRun &run = m_contest->runs[index];
         const bool departs = departsFromTruth(run);
         const bool isNeeded
             = departs || m_options.recorded == Recorded::All || carries(run.contender);
@@ -101,17 +105,17 @@ private:
         TraceOptions recording;
         recording.progress
             = [&](const JobProgress &) { return goesOn(m_options.progress, progress); };
-        run.traced = traceScene(sceneFor(m_contest->scene, run.contender), recording);
+        run.traced = traceScene(std::move(*m_runs[index]), recording);
         if (!run.traced)
             throw Cancelled{};
-        const Method &method = *run.contender.method;
         if (!departs || run.contender.settings.arithmetic == Arithmetic::Exact
-            || !method.supports(Arithmetic::Exact))
+            || !run.contender.method->supports(Arithmetic::Exact))
             return;
         ScanSettings exact = run.contender.settings;
         exact.arithmetic = Arithmetic::Exact;
         run.inExactArithmetic.emplace(m_contest->scene.frame);
-        method.draw(m_contest->primitives, exact, run.inExactArithmetic->view());
+        const FrameView frame = run.inExactArithmetic->view();
+        Run(run.contender.method, m_contest->primitives, exact, frame).draw(frame);
     }
 
     /// Column by column, each from its lowest row.
@@ -180,6 +184,7 @@ private:
 
     const ContestOptions &m_options;
     std::shared_ptr<Contest> m_contest;
+    std::vector<std::optional<SceneRun>> m_runs; ///< none of the truth
 };
 
 QString undrawnText(const Method &method, const QStringList &primitives)

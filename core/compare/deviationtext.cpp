@@ -55,7 +55,7 @@ QString coloursText(const Deviation &deviation, const JudgedRun &run, std::int64
         used = trace.samples(span)[*visit - trace.firstSampleOf(span)].colour;
     }
     // With effects the bytes do not come from these levels.
-    if (!run.traced->plan)
+    if (!run.traced->shading())
         exact = exactLevelsAt(*run.traced, *deviation.primitive, x, y);
     QStringList parts;
     for (std::size_t channel = 0; channel < 3; ++channel) {

@@ -91,11 +91,11 @@ std::optional<MotionStudy> studyMotion(const Scene &scene, const ProgressListene
     for (int number = 0; number < count; ++number) {
         if (!goesOn(listener, {JobPhase::Drawing, number, count}))
             return std::nullopt;
-        const Scene moved = sceneAtFrame(silhouette, number);
-        FrameBuffer drawn(moved.frame);
-        FrameBuffer truth(moved.frame);
-        drawScene(moved, drawn);
-        drawTruth(moved, truth);
+        const SceneRun moved(sceneAtFrame(silhouette, number));
+        FrameBuffer drawn(silhouette.frame);
+        FrameBuffer truth(silhouette.frame);
+        moved.draw(drawn.view());
+        moved.drawTruth(truth.view());
         MotionFrame frame;
         const bool isFirst = !drawnBefore;
         std::tie(frame.drawn, frame.toggled)

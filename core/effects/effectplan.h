@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -118,10 +117,5 @@ PerEffect<EffectVerdict> requirementsOf(const Primitives &primitives, const Scan
 /// What is run: the requirements, with effects forced on or off.
 EffectPlan planFor(const Primitives &primitives, const ScanSettings &settings,
                    const FrameView &frame);
-
-/// The plan of a scene that calls for more than colour; none where one colour per triangle, or
-/// three interpolated ones, painted over the frame are enough.
-std::optional<EffectPlan> planBeyondColour(const Primitives &primitives,
-                                           const ScanSettings &settings, const FrameView &frame);
 
 } // namespace pixelplumb

@@ -18,16 +18,16 @@ inline bool isSmoothLine(const Shape &shape)
         && shape.vertices.front().colour != shape.vertices.back().colour;
 }
 
-/// Calls function(primitives) with the primitives as drawn: where smooth colour is forced off, each
+/// Calls function(run) with a run's primitives as drawn: where smooth colour is forced off, each
 /// line has the colour of its first vertex.
-template <class Function>
-decltype(auto) withDrawnColours(const Primitives &primitives, const Function &function)
+template <class Run, class Function>
+auto withDrawnColours(const Run &run, const Function &function)
 {
-    const bool isOff = primitives.appearance.forced[Effect::SmoothColour] == Forcing::Off;
-    if (!isOff || std::ranges::none_of(primitives.shapes, isSmoothLine))
-        return function(primitives);
-    Primitives flat = primitives;
-    for (Shape &shape : flat.shapes) {
+    const bool isOff = run.primitives.appearance.forced[Effect::SmoothColour] == Forcing::Off;
+    if (!isOff || std::ranges::none_of(run.primitives.shapes, isSmoothLine))
+        return function(run);
+    Run flat = run;
+    for (Shape &shape : flat.primitives.shapes) {
         if (isSmoothLine(shape))
             shape.vertices.back().colour = shape.vertices.front().colour;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/assignment.h"
 #include "core/grade/defect.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/choicereader.h"
 #include "core/scene/fileaccess.h"

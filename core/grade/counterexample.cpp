@@ -7,7 +7,7 @@
 #include "core/grade/redrawing.h"
 #include "core/grade/showntext.h"
 #include "core/grade/studentoutput.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "core/scene/scenefile.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "core/grade/defectivescene.h"
 #include "core/grade/redrawing.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 
 #include <QHash>
 #include <QSet>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/drawntwice.h"
 
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 
 namespace pixelplumb {
 
@@ -10,7 +10,7 @@ std::int64_t drawnTwice(const Scene &scene, const Picture &found)
     Scene closed = scene;
     closed.settings.fillRule = FillRule::Closed;
     const bool canBeTold = found.hasColours && closed != scene && mayCallForEffects(scene)
-        && planOf(scene).runs(Effect::Blending) && objectionTo(closed).isEmpty();
+        && planOf(SceneRun(scene)).runs(Effect::Blending) && objectionTo(closed).isEmpty();
     if (!canBeTold)
         return 0;
     const Picture once = pictureOf(scene);

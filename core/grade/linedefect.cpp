@@ -4,7 +4,7 @@
 #include "core/grade/linechoice.h"
 #include "core/grade/spandefect.h"
 #include "core/methods/method.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "core/scan/linestep.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "core/frame/framebuffer.h"
 #include "core/grade/linechoice.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "core/scan/errorlimit.h"
 #include "core/scan/outlinefill.h"
 

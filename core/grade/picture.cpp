@@ -100,13 +100,14 @@ Picture emptyPicture(const FrameSpec &frame)
     return picture;
 }
 
-Picture pictureOf(const Scene &scene)
+Picture pictureOf(const SceneRun &run)
 {
-    const FrameBuffer frame(scene.frame);
-    drawScene(scene, frame);
-    Picture picture = blankPicture(scene.frame.width, scene.frame.height);
+    const FrameSpec &spec = run.scene.frame;
+    const FrameBuffer frame(spec);
+    run.draw(frame.view());
+    Picture picture = blankPicture(spec.width, spec.height);
     takeColours(frame.image(), picture);
-    takeCoverage(coverageOf(scene), picture);
+    takeCoverage(coverageOf(run), picture);
     return picture;
 }
 

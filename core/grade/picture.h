@@ -3,8 +3,8 @@
 
 #include "core/frame/framespec.h"
 #include "core/geometry/colour.h"
+#include "core/runs/scenerun.h"
 #include "core/scene/result.h"
-#include "core/scene/scene.h"
 
 #include <cstdint>
 #include <optional>
@@ -45,7 +45,8 @@ void coverAllBut(const Colour &background, Picture &picture);
 /// All background, nothing covered.
 Picture emptyPicture(const FrameSpec &frame);
 /// What the scene's method draws; the pixels it writes are covered.
-Picture pictureOf(const Scene &scene);
+Picture pictureOf(const SceneRun &run);
+inline Picture pictureOf(const Scene &scene) { return pictureOf(SceneRun(scene)); }
 
 /// Nothing is covered yet.
 Picture pictureIn(QImage image);

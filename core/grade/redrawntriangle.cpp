@@ -5,7 +5,7 @@
 #include "core/grade/planelevels.h"
 #include "core/grade/programwalk.h"
 #include "core/oracle/oracle.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 
 #include <algorithm>
 

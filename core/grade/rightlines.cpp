@@ -3,7 +3,7 @@
 
 #include "core/grade/trianglemargin.h"
 #include "core/oracle/oracle.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/scenedefect.h"
 
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "core/frame/framebuffer.h"
 #include "core/oracle/oracle.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "core/scan/edgeteststate.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "core/grade/programwalk.h"
 #include "core/grade/spanredrawings.h"
 #include "core/grade/walkdefect.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 
 #include <algorithm>
 #include <iterator>

@@ -7,7 +7,7 @@
 #include "core/grade/picturediff.h"
 #include "core/grade/sharedsamples.h"
 #include "core/grade/trianglemargin.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 
 #include <algorithm>
 #include <iterator>

@@ -4,7 +4,8 @@
 #include "core/frame/writtenframe.h"
 #include "core/lab/picturejudge.h"
 #include "core/oracle/oracle.h"
-#include "core/oracle/truepicture.h"
+#include "core/runs/contender.h"
+#include "core/runs/scenerun.h"
 
 namespace pixelplumb {
 
@@ -42,15 +43,14 @@ const std::vector<LabContender> &orderedContenders()
 
 /// False if the listener, asked after each plain triangle, ended it.
 template <class GoesOn>
-bool drawTruth(const Primitives &primitives, const Scene &scene, const EffectPlan &plan,
-               const FrameView &frame, const GoesOn &goesOn)
+bool drawTruth(const SceneRun &run, const FrameView &frame, const GoesOn &goesOn)
 {
-    if (!plan.isPlain()) {
-        oracle::drawPicture(primitives, scene.settings, plan, frame);
+    if (run.shading()) {
+        run.drawTruth(frame);
         return goesOn();
     }
-    for (const Triangle &triangle : primitives.triangles) {
-        oracle::draw(triangle, boundaryRuleOf(scene), scene.settings.rounding, frame);
+    for (const Triangle &triangle : run.primitives.triangles) {
+        oracle::draw(triangle, boundaryRuleOf(run.scene), run.settings.rounding, frame);
         if (!goesOn())
             return false;
     }
@@ -73,29 +73,26 @@ std::optional<CostOrderChoice> firstInOrder(Budget budget, const Scene &scene,
             return std::nullopt;
         ScanSettings settings = scene.settings;
         settings.arithmetic = contender.arithmetic;
-        const WrittenFrame drawn(scene.frame);
-        const EffectPlan plan = planFor(primitives, settings, drawn.view());
-        if (!contender.method->refusal(settings).isEmpty()
-            || !contender.method->objection(plan, settings).isEmpty())
+        SceneRun run(sceneFor(scene, {contender.method, settings}), primitives);
+        if (!objectionTo(run).isEmpty())
             continue;
         // The proofs hold only for triangles without effects.
-        if (contender.isProved() && plan.isPlain()) {
+        const bool isPlain = !run.plan || run.plan->isPlain();
+        if (contender.isProved() && isPlain) {
             return CostOrderChoice{&contender, BudgetGround::Proof,
                                    QStringLiteral("proved for ") + contender.domain(), settings};
         }
-        if (budget == Budget::Exact && plan.isPlain())
+        if (budget == Budget::Exact && isPlain)
             continue;
         if (!truth) {
             truth.emplace(scene.frame);
-            if (!drawTruth(primitives, scene, plan, truth->view(), [&] {
+            if (!drawTruth(run, truth->view(), [&] {
                     return goesOn(listener, {JobPhase::Judging, done, all});
                 }))
                 return std::nullopt;
         }
-        if (plan.isPlain())
-            contender.draw(primitives, settings, drawn.view());
-        else
-            contender.method->draw(primitives, settings, drawn.view());
+        const WrittenFrame drawn(scene.frame);
+        run.draw(drawn.view());
         const AccuracyFigures figures = figuresOfPicture(truth->view(), drawn.view());
         if (!meets(budget, figures))
             continue;

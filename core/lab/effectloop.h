@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/effects/effectplan.h"
 #include "core/frame/framespec.h"
+#include "core/methods/run.h"
 
 #include <span>
 #include <vector>
@@ -29,9 +29,7 @@ std::span<const EffectLoop> loopsOfSurfaces();
 /// The scene of a loop as its kernel receives it.
 struct EffectLoopScene {
     FrameSpec frame;
-    ScanSettings settings; ///< float32, half-open columns
-    Primitives primitives;
-    EffectPlan plan;
+    Run run; ///< of the column scan in float32, under the rule of half-open columns
 
     explicit EffectLoopScene(const EffectLoop &loop);
 };

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lab/effectloopscenes.h"
 
-#include "core/frame/framebuffer.h"
+#include "core/frame/frameview.h"
 #include "core/geometry/seededrandom.h"
 #include "core/lab/effectloop.h"
+#include "core/methods/method.h"
 
 namespace pixelplumb::effectscenes {
 
@@ -127,13 +128,23 @@ Primitives sampled()
 
 namespace pixelplumb {
 
-EffectLoopScene::EffectLoopScene(const EffectLoop &loop)
-    : settings{Arithmetic::Float32, FillRule::HalfOpenColumn, ByteRounding::Nearest}
-    , primitives(loop.makeScene())
+namespace {
+
+FrameSpec frameOfLoops()
 {
+    FrameSpec frame;
     frame.width = frame.height = effectLoopSide;
     frame.background = {{30, 60, 90}}; // not a texel's colour
-    plan = planFor(primitives, settings, FrameBuffer(frame).view());
+    return frame;
+}
+
+} // namespace
+
+EffectLoopScene::EffectLoopScene(const EffectLoop &loop)
+    : frame(frameOfLoops())
+    , run(methodNamed(u"column-scan"), loop.makeScene(),
+          {Arithmetic::Float32, FillRule::HalfOpenColumn, ByteRounding::Nearest}, windowOf(frame))
+{
 }
 
 } // namespace pixelplumb

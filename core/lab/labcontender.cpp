@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lab/labcontender.h"
 
-#include "core/fast/fastscan.h"
 #include "core/frame/framebuffer.h"
 #include "core/scan/choicenames.h"
 
@@ -14,16 +13,10 @@ namespace {
 const QString fastWord = QStringLiteral("fast");
 const QString peerWord = QStringLiteral("peer");
 
-void drawFastOnOneThread(const Primitives &primitives, const ScanSettings &settings,
-                         FrameView frame)
-{
-    drawFast(primitives.triangles, settings, frame, {1, std::nullopt});
-}
-
-/// What core/fast has kernels for: the column scan, which uses its plain kernel for the rest.
+/// What core/fast has kernels for; for the rest it uses the plain one.
 bool isFastIn(const Method &method, Arithmetic arithmetic)
 {
-    return &method == methodNamed(u"column-scan")
+    return method.hasFastKernels
         && (arithmetic == Arithmetic::Exact || arithmetic == Arithmetic::Float32);
 }
 
@@ -69,14 +62,21 @@ ScanSettings LabContender::settingsUnder(FillRule rule) const
     return method->adapted({arithmetic, rule, ByteRounding::Nearest});
 }
 
+Run LabContender::runOf(Primitives triangles, const ScanSettings &settings,
+                        const FrameView &frame) const
+{
+    return {method, std::move(triangles), settings, frame,
+            kernel == LabKernel::Fast ? Kernels::FastestOnOneThread : Kernels::Plain};
+}
+
 SpanAxis LabContender::spanAxis() const
 {
     const FrameBuffer frame{FrameSpec()};
     Primitives primitives;
     primitives.triangles
         = {{{{{latticePixel(2, 2), {}}, {latticePixel(9, 3), {}}, {latticePixel(4, 8), {}}}}}};
-    const auto trace = method->trace(primitives, settingsUnder(FillRule::Closed), frame.view(),
-                                     {.progress = {}, .detail = TraceDetail::Spans});
+    const auto trace = runOf(primitives, settingsUnder(FillRule::Closed), frame.view())
+                           .trace(frame.view(), {.progress = {}, .detail = TraceDetail::Spans});
     return trace && trace->spanCount() > 0 ? trace->placeOf(0).axis : SpanAxis::Free;
 }
 
@@ -103,7 +103,7 @@ LabContender contenderOf(const Method &method, Arithmetic arithmetic, LabKernel 
     contender.method = &method;
     contender.arithmetic = arithmetic;
     contender.kernel = kernel;
-    contender.draw = isFast ? drawFastOnOneThread : method.draw;
+    contender.draw = [](const Run &run, FrameView frame) { run.draw(frame); };
     if (!isFast)
         contender.straight = straightLoopOf(method.id.toStdString(), arithmetic);
     return contender;

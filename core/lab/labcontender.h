@@ -38,10 +38,9 @@ struct LabContender {
     const Method *method = nullptr; ///< for a peer: the method that shows its misses in a scene
     Arithmetic arithmetic = Arithmetic::Exact;
     LabKernel kernel = LabKernel::Plain;
-    /// Draws triangles (sample coordinates) in order, on the calling thread. May throw: the study
-    /// then shows it as failed.
-    std::function<void(const Primitives &primitives, const ScanSettings &settings, FrameView frame)>
-        draw;
+    /// Draws the triangles of runOf() in order, on the calling thread. May throw: the study then
+    /// shows it as failed.
+    std::function<void(const Run &run, FrameView frame)> draw;
     /// What it is measured against; null if it has no straight loop.
     const StraightLoop *straight = nullptr;
     std::optional<LoadedDrawing> loaded = {}; ///< timed in place of draw()
@@ -52,6 +51,8 @@ struct LabContender {
     bool isProved() const { return kernel != LabKernel::Peer && method->isStableIn(arithmetic); }
     /// Where the proof holds, and what replaces it beyond; empty if nothing is proved.
     QString domain() const;
+    /// Triangles in sample coordinates, as the contender draws them.
+    Run runOf(Primitives triangles, const ScanSettings &settings, const FrameView &frame) const;
     /// Under the rule, or the method's first one if it does not support that; under a peer's own.
     ScanSettings settingsUnder(FillRule rule) const;
     /// The axis of its method's spans in a trace of a triangle.

@@ -69,9 +69,13 @@ bool LabRace::enter(std::size_t row, const LabContender &contender, const TimedF
 void LabRace::sample(Entry &entry) const
 {
     const LabContender &contender = *entry.contender;
+    std::vector<Run> runs;
+    for (const Picture &picture : entry.part->pictures)
+        runs.push_back(contender.runOf(picture.primitives, entry.settings, picture.frame.view()));
     std::function<void()> draw = [&] {
+        auto run = runs.begin();
         for (const Picture &picture : entry.part->pictures)
-            contender.draw(picture.primitives, entry.settings, picture.frame.view());
+            contender.draw(*run++, picture.frame.view());
     };
     if (contender.loaded) { // only in families of one picture
         const Picture &picture = entry.part->pictures.front();

@@ -60,7 +60,7 @@ bool probeLevels(const Method &method, const ScanSettings &settings, const Trian
 {
     if (!method.draws(PrimitiveKind::Triangle))
         return false;
-    const auto trace = method.trace({{triangle}, {}}, settings, frame, {});
+    const auto trace = Run(&method, {{triangle}, {}}, settings, frame).trace(frame);
     const ExactLevels exact(triangle);
     for (std::size_t span = 0; span < trace->spanCount(); ++span) {
         for (const SampleRecord &sample : trace->samplesWithoutCells(span)) {

@@ -54,10 +54,9 @@ std::optional<SceneCost> costOf(const std::shared_ptr<const Scene> &scene,
     // The study knows a draw's time from its pictures; here the first triangle gives it.
     const LabPicture &picture = family->pictures.front();
     const FrameBuffer frame(picture.frame);
+    const Run first = contender.runOf({{picture.triangles.front()}, {}}, *settings, frame.view());
     const Stopwatch stopwatch;
-    if (failureOf([&] {
-            contender.draw({{picture.triangles.front()}, {}}, *settings, frame.view());
-        }))
+    if (failureOf([&] { contender.draw(first, frame.view()); }))
         return std::nullopt;
     LabRace race({});
     if (!race.enter(0, contender, part, *settings,

@@ -67,7 +67,7 @@ void addWrites(StudyFamily &described, const TimedPicture &timed, FillRule rule)
             vertex.colour = {{255, 255, 255}};
     }
     const WrittenFrame frame(black);
-    scan.drawFastest({white, {}}, exact, frame.view());
+    Run(&scan, {white, {}}, exact, frame.view()).draw(frame.view());
     described.timedBytes += bytesOfLines(frame.view());
 }
 

@@ -82,7 +82,7 @@ void drawIsolines(const LayerMoment &moment, LayerDrawing &drawing)
     if (moment.hidesSteps())
         return drawing.notes.append(QStringLiteral("Contour lines of %1: levels are still ahead")
                                         .arg(channelLetters[channel]));
-    const std::optional<EffectPlan> &plan = moment.view.traced->plan;
+    const EffectPlan *plan = moment.view.traced->shading();
     if (plan && plan->runs(Effect::Perspective))
         drawing.notes.append(QStringLiteral("Contour lines: of levels that change evenly over the "
                                             "frame, while the picture takes perspective into "

@@ -4,18 +4,13 @@
 #include "core/effects/shadeddrawing.h"
 #include "core/frame/writtenframe.h"
 #include "core/measure/stopwatch.h"
-#include "core/methods/method.h"
+#include "core/runs/tracedscene.h"
 
 #include <cmath>
 
 namespace pixelplumb {
 
 namespace {
-
-const Method &methodOfScene(const Scene &scene)
-{
-    return *methodNamed(QString::fromStdString(scene.method));
-}
 
 DifferenceMap differingPixels(const FrameBuffer &a, const FrameBuffer &b)
 {
@@ -53,12 +48,10 @@ std::vector<EffectWork> workOf(Effect effect)
     return {};
 }
 
-/// The scene's primitives with this forcing.
-Primitives primitivesForced(const Scene &scene, const EffectForcing &forced)
+Scene forced(Scene scene, const EffectForcing &forcing)
 {
-    Scene drawn = scene;
-    drawn.appearance.forced = forced;
-    return primitivesOnSamples(drawn);
+    scene.appearance.forced = forcing;
+    return scene;
 }
 
 /// Draws the scene with one effect on and off.
@@ -66,10 +59,8 @@ class EffectRace {
 public:
     EffectRace(const Scene &scene, const TimingOptions &options)
         : m_options(options)
-        , m_method(methodOfScene(scene))
         , m_scene(scene)
-        , m_settings(scene.settings)
-        , m_on(primitivesOnSamples(scene))
+        , m_on(scene)
         , m_off(m_on)
         , m_onFrame(scene.frame)
         , m_offFrame(scene.frame)
@@ -96,15 +87,19 @@ public:
 private:
     void force(Effect effect)
     {
-        for (auto &[primitives, forcing] :
+        for (auto &[run, forcing] :
              {std::pair(&m_on, Forcing::On), std::pair(&m_off, Forcing::Off)}) {
-            EffectForcing forced;
-            forced[effect] = forcing;
+            EffectForcing forcings;
+            forcings[effect] = forcing;
+            const Scene scene = forced(m_scene, forcings);
             // Light may be part of the colours from set-up on.
-            if (effect == Effect::Light
-                || primitives->appearance.forced[Effect::Light] != Forcing())
-                *primitives = primitivesForced(m_scene, forced);
-            primitives->appearance.forced = forced;
+            const bool isLitAnew = effect == Effect::Light
+                || run->primitives.appearance.forced[Effect::Light] != Forcing();
+            Primitives primitives
+                = isLitAnew ? primitivesOnSamples(scene) : std::move(run->primitives);
+            primitives.appearance.forced = forcings;
+            *run = SceneRun(scene, std::move(primitives));
+            run->kernels = Kernels::Plain;
         }
     }
 
@@ -119,14 +114,14 @@ private:
     /// Whether the method can draw both, and whether they differ at all.
     bool differs()
     {
-        const EffectPlan on = planFor(m_on, m_settings, m_onFrame.view());
-        const EffectPlan off = planFor(m_off, m_settings, m_offFrame.view());
-        const bool isSame = on.runsAs(off);
+        const Method &method = *m_on.method;
+        const bool isSame = m_on.plan->runsAs(*m_off.plan);
         const bool canDraw
-            = m_method.objection(on, m_settings).isEmpty()
-            && m_method.objection(off, m_settings).isEmpty()
-            && std::ranges::all_of(m_on.shapes, [this](const Shape &shape) {
-                   return m_method.objection(shape, m_on.appearance, m_settings).isEmpty();
+            = method.objection(*m_on.plan, m_on.settings).isEmpty()
+            && method.objection(*m_off.plan, m_off.settings).isEmpty()
+            && std::ranges::all_of(m_on.primitives.shapes, [&](const Shape &shape) {
+                   return method.objection(shape, m_on.primitives.appearance, m_on.settings)
+                       .isEmpty();
                });
         if (isSame || !canDraw)
             m_done += m_options.rounds;
@@ -136,7 +131,7 @@ private:
     std::int64_t writtenPixels() const
     {
         const WrittenFrame written(m_onFrame.spec());
-        m_method.draw(m_on, m_settings, written.view());
+        m_on.draw(written.view());
         std::int64_t count = 0;
         const FrameView view = written.view();
         for (std::int64_t y = view.firstRow; y < view.endRow(); ++y) {
@@ -150,13 +145,14 @@ private:
     std::optional<std::int64_t> countOperations(Effect effect) const
     {
         const std::vector<EffectWork> work = workOf(effect);
-        if (work.empty() || m_on.triangles.empty())
+        if (work.empty() || m_on.primitives.triangles.empty())
             return std::nullopt;
-        const ScanSettings exact{Arithmetic::Exact, m_settings.fillRule, m_settings.rounding};
-        const EffectTally tally
-            = drawShaded(ShadedMethod::ColumnScan, m_on, exact, m_onFrame.view(),
-                         planFor(m_on, exact, m_onFrame.view()))
-                  .value();
+        const ScanSettings &settings = m_on.settings;
+        const ScanSettings exact{Arithmetic::Exact, settings.fillRule, settings.rounding};
+        const FrameView frame = m_onFrame.view();
+        const EffectTally tally = drawShaded(ShadedMethod::ColumnScan, m_on.primitives, exact,
+                                             frame, planFor(m_on.primitives, exact, frame))
+                                      .value();
         std::int64_t operations = 0;
         for (const EffectWork each : work)
             operations += tally[each];
@@ -193,20 +189,18 @@ private:
     }
 
     /// ns per draw.
-    double timeOf(const Primitives &primitives, const FrameBuffer &frame, int times) const
+    static double timeOf(const Run &run, const FrameBuffer &frame, int times)
     {
         const Stopwatch watch;
         for (int i = 0; i < times; ++i)
-            m_method.draw(primitives, m_settings, frame.view());
+            run.draw(frame.view());
         return std::max(watch.elapsed().thread, 1.0) / times;
     }
 
     const TimingOptions &m_options;
-    const Method &m_method;
     const Scene &m_scene;
-    ScanSettings m_settings;
-    Primitives m_on;
-    Primitives m_off;
+    SceneRun m_on;
+    SceneRun m_off;
     FrameBuffer m_onFrame;
     FrameBuffer m_offFrame;
     int m_done = 0;
@@ -217,19 +211,17 @@ private:
 
 std::optional<EffectTiming> timeEffects(const Scene &scene, const TimingOptions &options)
 {
-    Scene asCalledFor = scene;
-    asCalledFor.appearance.forced = {};
+    const Scene asCalledFor = forced(scene, {});
     return EffectRace(asCalledFor, options).run();
 }
 
-DifferenceMap changesByForcing(const Scene &scene)
+DifferenceMap changesByForcing(const SceneRun &run)
 {
-    const FrameBuffer forced(scene.frame);
-    const FrameBuffer asCalledFor(scene.frame);
-    const Method &method = methodOfScene(scene);
-    method.drawFastest(primitivesOnSamples(scene), scene.settings, forced.view());
-    method.drawFastest(primitivesForced(scene, {}), scene.settings, asCalledFor.view());
-    return differingPixels(forced, asCalledFor);
+    const FrameBuffer drawn(run.scene.frame);
+    const FrameBuffer asCalledFor(run.scene.frame);
+    run.draw(drawn.view());
+    drawScene(forced(run.scene, {}), asCalledFor);
+    return differingPixels(drawn, asCalledFor);
 }
 
 } // namespace pixelplumb

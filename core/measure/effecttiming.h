@@ -4,6 +4,7 @@
 #include "core/geometry/effect.h"
 #include "core/measure/scenetiming.h"
 #include "core/runs/differencemap.h"
+#include "core/runs/scenerun.h"
 
 namespace pixelplumb {
 
@@ -42,8 +43,8 @@ struct EffectTiming {
 /// ended. The method must be able to draw the scene (objectionTo).
 std::optional<EffectTiming> timeEffects(const Scene &scene, const TimingOptions &options);
 
-/// The pixels whose bytes the scene's forced effects change from its picture as called for: all of
-/// them Difference::Colour.
-DifferenceMap changesByForcing(const Scene &scene);
+/// The pixels whose bytes the forced effects of a run's scene change from its picture as called
+/// for: all of them Difference::Colour.
+DifferenceMap changesByForcing(const SceneRun &run);
 
 } // namespace pixelplumb

@@ -5,13 +5,29 @@
 #include "core/methods/edgewalktraces.h"
 #include "core/methods/plannedmethod.h"
 
+#include <algorithm>
+#include <span>
+
 namespace pixelplumb {
 
 namespace {
 
-void drawColumnsFast(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
+/// By core/fast unless the run asks for the plain kernel, in pieces of some milliseconds.
+bool drawColumnScan(const Run &run, FrameView frame, const ProgressListener &listener)
 {
-    drawFast(primitives.triangles, settings, frame);
+    if (run.kernels == Kernels::Plain)
+        return drawWith<ColumnScanKernel>(run, frame, listener);
+    constexpr std::size_t pieceSize = std::size_t(1) << 16;
+    FastOptions options;
+    options.threads = run.kernels == Kernels::FastestOnOneThread ? 1 : 0;
+    const std::span<const Triangle> triangles = run.primitives.triangles;
+    for (std::size_t first = 0; first < triangles.size(); first += pieceSize) {
+        if (!run.goesOnAt(first, listener))
+            return false;
+        drawFast(triangles.subspan(first, std::min(pieceSize, triangles.size() - first)),
+                 run.settings, frame, options);
+    }
+    return true;
 }
 
 } // namespace
@@ -35,11 +51,9 @@ Method columnScanMethod()
     method.stableArithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::Open};
     method.variants = edgeWalkVariants();
+    method.hasFastKernels = true;
     constexpr ShadedMethod shaded = ShadedMethod::ColumnScan;
-    method.draw
-        = drawVaried<drawPlanned<shaded, drawWith<ColumnScanKernel>>, drawWith<VariedColumnScan>>;
-    method.drawFast = drawVaried<drawPlanned<shaded, drawColumnsFast>, drawWith<VariedColumnScan>>;
-    method.drawEffects = drawEffects<shaded>;
+    method.draw = drawVaried<drawPlanned<shaded, drawColumnScan>, drawWith<VariedColumnScan>>;
     method.trace = traceVaried<tracePlanned<shaded, traceWith<ColumnScanKernel>>,
                                traceWith<VariedColumnScan>>;
     return method;

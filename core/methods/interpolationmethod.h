@@ -13,13 +13,15 @@ namespace pixelplumb {
 CarriedChannels carriedBy(const Primitives &primitives);
 
 template <InterpolationForm Form>
-std::unique_ptr<ScanTrace> traceCarried(const Primitives &primitives, const ScanSettings &settings,
-                                        FrameView frame, const TraceOptions &options)
+std::unique_ptr<ScanTrace> traceCarried(const Run &run, FrameView frame,
+                                        const TraceOptions &options)
 {
     using Kernel = InterpolationKernel<Form>;
+    const Primitives &primitives = run.primitives;
+    const ScanSettings &settings = run.settings;
     const CarriedChannels carried = carriedBy(primitives);
     if (carried.count() == colourChannelCount)
-        return traceWith<Kernel>(primitives, settings, frame, options);
+        return traceWith<Kernel>(run, frame, options);
     return Kernel::withNumbers(settings, IntegerWidth::Bits128, [&]<class Number>() {
         using R = InterpolationRecording<Form, Number, channelCount>;
         return recordTrace<R>(
@@ -70,7 +72,6 @@ Method interpolationMethod()
 {
     Method method = plainInterpolationMethod<Form>();
     method.draw = drawPlanned<shaded, drawWith<InterpolationKernel<Form>>>;
-    method.drawEffects = drawEffects<shaded>;
     method.trace = tracePlanned<shaded, traceCarried<Form>>;
     method.shadedPseudocode = pixelplumb::shadedPseudocode(Form);
     method.effects.assign(allEffects.begin(), allEffects.end());

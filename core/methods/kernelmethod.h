@@ -62,23 +62,28 @@ void drawGeometry(const Geometry &geometry, const ScanSettings &settings, FrameV
     });
 }
 
+/// False if the listener ended it.
 template <class Kernel>
-void drawWith(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
+bool drawWith(const Run &run, FrameView frame, const ProgressListener &listener)
 {
+    const Primitives &primitives = run.primitives;
     for (std::size_t index = 0; index < primitives.size(); ++index) {
+        if (!run.goesOnAt(index, listener))
+            return false;
         if (Kernel::draws(primitives, index))
-            drawGeometry<Kernel>(Kernel::geometryOf(primitives, index), settings, frame);
+            drawGeometry<Kernel>(Kernel::geometryOf(primitives, index), run.settings, frame);
     }
+    return true;
 }
 
-using TraceFunction = std::unique_ptr<ScanTrace>(const Primitives &, const ScanSettings &,
-                                                 FrameView, const TraceOptions &);
+using TraceFunction = std::unique_ptr<ScanTrace>(const Run &, FrameView, const TraceOptions &);
 
 /// A trace has one number type, the widest.
 template <class Kernel>
-std::unique_ptr<ScanTrace> traceWith(const Primitives &primitives, const ScanSettings &settings,
-                                     FrameView frame, const TraceOptions &options)
+std::unique_ptr<ScanTrace> traceWith(const Run &run, FrameView frame, const TraceOptions &options)
 {
+    const Primitives &primitives = run.primitives;
+    const ScanSettings &settings = run.settings;
     return Kernel::withNumbers(settings, IntegerWidth::Bits128, [&]<class A>() {
         using Widest = WidestOf<A>;
         return recordTrace<typename Kernel::template Recording<Widest>>(

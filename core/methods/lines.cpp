@@ -9,19 +9,17 @@ namespace pixelplumb {
 namespace {
 
 template <class Kernel>
-void drawLines(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
+bool drawLines(const Run &run, FrameView frame, const ProgressListener &listener)
 {
-    withDrawnColours(primitives,
-                     [&](const Primitives &drawn) { drawWith<Kernel>(drawn, settings, frame); });
+    return withDrawnColours(
+        run, [&](const Run &drawn) { return drawWith<Kernel>(drawn, frame, listener); });
 }
 
 template <class Kernel>
-std::unique_ptr<ScanTrace> traceLines(const Primitives &primitives, const ScanSettings &settings,
-                                      FrameView frame, const TraceOptions &options)
+std::unique_ptr<ScanTrace> traceLines(const Run &run, FrameView frame, const TraceOptions &options)
 {
-    return withDrawnColours(primitives, [&](const Primitives &drawn) {
-        return traceWith<Kernel>(drawn, settings, frame, options);
-    });
+    return withDrawnColours(
+        run, [&](const Run &drawn) { return traceWith<Kernel>(drawn, frame, options); });
 }
 
 /// The common part of all line methods.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/method.h"
 
-#include "core/effects/edgepixels.h"
-#include "core/effects/requirements.h"
 #include "core/methods/barycentric.h"
 #include "core/methods/bezierfill.h"
 #include "core/methods/columnscan.h"
@@ -25,43 +23,6 @@ QString spanRuleReason(SpanAxis axis)
 {
     return QStringLiteral("a %1 ends at its two bounds whatever edge they belong to")
         .arg(axis == SpanAxis::Row ? QStringLiteral("row") : QStringLiteral("column"));
-}
-
-bool Method::drawInPieces(const Primitives &primitives, const ScanSettings &settings,
-                          FrameView frame, const ProgressListener &listener) const
-{
-    const auto mayGoOn = [&](std::size_t done) {
-        return goesOn(listener,
-                      {JobPhase::Drawing, std::int64_t(done), std::int64_t(primitives.size())});
-    };
-    if (drawEffects) {
-        if (const auto plan = planBeyondColour(primitives, settings, frame))
-            return drawEffects(primitives, settings, frame, *plan, listener);
-    }
-    // Nothing but colour: no triangle depends on what earlier ones left.
-    const std::span<const Triangle> triangles = primitives.triangles;
-    for (std::size_t first = 0; first < triangles.size(); first += pieceSize()) {
-        if (!mayGoOn(first))
-            return false;
-        const auto piece
-            = triangles.subspan(first, std::min(pieceSize(), triangles.size() - first));
-        drawFastest({{piece.begin(), piece.end()}, {}}, settings, frame);
-    }
-    // Samples keep what earlier shapes left in them.
-    const bool keepsSamples = supports(Effect::Antialiasing)
-        && !samplePattern(strokeAntialiasing(primitives, frame)).empty();
-    const std::span<const Shape> shapes = primitives.shapes;
-    const std::size_t together = keepsSamples ? shapes.size() : 1;
-    for (std::size_t first = 0; first < shapes.size(); first += together) {
-        if (!mayGoOn(triangles.size() + first))
-            return false;
-        const auto piece = shapes.subspan(first, together);
-        Primitives drawn;
-        drawn.shapes.assign(piece.begin(), piece.end());
-        drawn.appearance = primitives.appearance;
-        drawFastest(drawn, settings, frame);
-    }
-    return true;
 }
 
 bool Method::supports(Arithmetic arithmetic) const

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/effects/effectplan.h"
-#include "core/frame/frameview.h"
-#include "core/geometry/shape.h"
 #include "core/methods/pseudocode.h"
-#include "core/trace/tracerecorder.h"
+#include "core/methods/run.h"
 
 #include <QStringList>
 
-#include <memory>
 #include <span>
 
 namespace pixelplumb {
@@ -46,32 +42,13 @@ struct Method {
     /// For runs that call for nothing but colour; a trace has its own (ScanTrace::numbers).
     TraceNumbers numbers = {};
 
-    /// Draws the primitives of its kinds (sample coordinates) in order.
-    void (*draw)(const Primitives &primitives, const ScanSettings &settings, FrameView frame);
-    /// Draws draw()'s picture, bit for bit, as fast as the machine allows; null if there is no such
-    /// way.
-    void (*drawFast)(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
-        = nullptr;
-    /// Draws the triangles by a plan that runs more than colour; false if the listener, which
-    /// receives the number drawn, ended it. Null if the method supports no effects.
-    bool (*drawEffects)(const Primitives &primitives, const ScanSettings &settings, FrameView frame,
-                        const EffectPlan &plan, const ProgressListener &listener)
-        = nullptr;
-    /// Draws and records. Null when options.progress cancelled it.
-    std::unique_ptr<ScanTrace> (*trace)(const Primitives &primitives, const ScanSettings &settings,
-                                        FrameView frame, const TraceOptions &options);
-    /// The picture, by drawFast where there is one.
-    void drawFastest(const Primitives &primitives, const ScanSettings &settings,
-                     FrameView frame) const
-    {
-        (drawFast ? drawFast : draw)(primitives, settings, frame);
-    }
-    /// Draws like drawFastest(), in pieces; false if the listener, which receives the number of
-    /// primitives drawn, ended it.
-    bool drawInPieces(const Primitives &primitives, const ScanSettings &settings, FrameView frame,
-                      const ProgressListener &listener) const;
-    /// Triangles between two checks whether to go on: some milliseconds each.
-    std::size_t pieceSize() const { return std::size_t(1) << (drawFast ? 16 : 10); }
+    bool hasFastKernels = false; ///< untraced pictures come from core/fast
+
+    /// Behind Run::draw() and Run::trace().
+    bool (*draw)(const Run &run, FrameView frame, const ProgressListener &listener);
+    std::unique_ptr<ScanTrace> (*trace)(const Run &run, FrameView frame,
+                                        const TraceOptions &options);
+
     bool supports(Arithmetic arithmetic) const;
     bool supports(FillRule rule) const;
     bool supports(Effect effect) const;

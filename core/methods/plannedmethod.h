@@ -8,28 +8,18 @@
 namespace pixelplumb {
 
 template <ShadedMethod method, auto plain>
-void drawPlanned(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
+bool drawPlanned(const Run &run, FrameView frame, const ProgressListener &listener)
 {
-    if (const auto plan = planBeyondColour(primitives, settings, frame))
-        drawShaded(method, primitives, settings, frame, *plan);
-    else
-        plain(primitives, settings, frame);
-}
-
-template <ShadedMethod method>
-bool drawEffects(const Primitives &primitives, const ScanSettings &settings, FrameView frame,
-                 const EffectPlan &plan, const ProgressListener &listener)
-{
-    return drawShaded(method, primitives, settings, frame, plan, listener).has_value();
+    if (const EffectPlan *plan = run.shading())
+        return drawShaded(method, run.primitives, run.settings, frame, *plan, listener).has_value();
+    return plain(run, frame, listener);
 }
 
 template <ShadedMethod method, auto plain>
-std::unique_ptr<ScanTrace> tracePlanned(const Primitives &primitives, const ScanSettings &settings,
-                                        FrameView frame, const TraceOptions &options)
+std::unique_ptr<ScanTrace> tracePlanned(const Run &run, FrameView frame,
+                                        const TraceOptions &options)
 {
-    if (const auto plan = planBeyondColour(primitives, settings, frame))
-        return traceShaded(method, primitives, settings, frame, *plan, options);
-    return plain(primitives, settings, frame, options);
+    return run.shading() ? traceShaded(method, run, frame, options) : plain(run, frame, options);
 }
 
 } // namespace pixelplumb

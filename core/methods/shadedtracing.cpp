@@ -40,10 +40,12 @@ ShadedScope scopeOf(InterpolationForm form, const Primitives &primitives,
 
 } // namespace
 
-std::unique_ptr<ScanTrace> traceShaded(ShadedMethod method, const Primitives &primitives,
-                                       const ScanSettings &settings, FrameView frame,
-                                       const EffectPlan &plan, const TraceOptions &options)
+std::unique_ptr<ScanTrace> traceShaded(ShadedMethod method, const Run &run, FrameView frame,
+                                       const TraceOptions &options)
 {
+    const Primitives &primitives = run.primitives;
+    const ScanSettings &settings = run.settings;
+    const EffectPlan &plan = *run.shading();
     const InterpolationForm form = formOf(method);
     const auto trace = [&]<class N, class A>() {
         using R = ShadedRecording<N, A>;

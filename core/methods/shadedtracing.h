@@ -6,9 +6,9 @@
 
 namespace pixelplumb {
 
-/// Draws the triangles as the plan says and records it. Null when options.progress cancelled it.
-std::unique_ptr<ScanTrace> traceShaded(ShadedMethod method, const Primitives &primitives,
-                                       const ScanSettings &settings, FrameView frame,
-                                       const EffectPlan &plan, const TraceOptions &options);
+/// Draws the triangles as the run's shading() plan says and records it. Null when options.progress
+/// cancelled it.
+std::unique_ptr<ScanTrace> traceShaded(ShadedMethod method, const Run &run, FrameView frame,
+                                       const TraceOptions &options);
 
 } // namespace pixelplumb

@@ -2,7 +2,6 @@
 #include "core/methods/strokes.h"
 
 #include "core/effects/linecolours.h"
-#include "core/effects/requirements.h"
 #include "core/methods/strokerecording.h"
 
 namespace pixelplumb {
@@ -14,30 +13,34 @@ bool drawsStroke(const Primitives &primitives, std::size_t index)
     return !primitives.isTriangle(index) && isStroke(primitives.shape(index));
 }
 
-void drawStrokes(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
+bool drawStrokes(const Run &run, FrameView frame, const ProgressListener &listener)
 {
-    StrokeCanvas canvas(frame, strokeAntialiasing(primitives, frame));
-    withDrawnColours(primitives, [&](const Primitives &drawn) {
-        for (const Shape &shape : drawn.shapes) {
-            if (isStroke(shape))
-                StrokeScan(shape, settings, canvas, NullObserver{}).run();
+    StrokeCanvas canvas(frame, run.strokeAntialiasing());
+    return withDrawnColours(run, [&](const Run &drawn) {
+        for (std::size_t index = 0; index < drawn.primitives.size(); ++index) {
+            if (!drawn.goesOnAt(index, listener))
+                return false;
+            if (drawsStroke(drawn.primitives, index))
+                StrokeScan(drawn.primitives.shape(index), drawn.settings, canvas, NullObserver{})
+                    .run();
         }
+        return true;
     });
 }
 
-std::unique_ptr<ScanTrace> traceStrokes(const Primitives &primitives, const ScanSettings &settings,
-                                        FrameView frame, const TraceOptions &options)
+std::unique_ptr<ScanTrace> traceStrokes(const Run &run, FrameView frame,
+                                        const TraceOptions &options)
 {
-    const Antialiasing antialiasing = strokeAntialiasing(primitives, frame);
-    StrokeCanvas canvas(frame, antialiasing);
-    return withDrawnColours(primitives, [&](const Primitives &drawn) {
+    StrokeCanvas canvas(frame, run.strokeAntialiasing());
+    return withDrawnColours(run, [&](const Run &drawn) {
+        const Primitives &primitives = drawn.primitives;
         return recordTrace<StrokeRecording>(
-            drawn.size(), settings, options,
-            [&](std::size_t index) { return drawsStroke(drawn, index); },
+            primitives.size(), drawn.settings, options,
+            [&](std::size_t index) { return drawsStroke(primitives, index); },
             [&](std::size_t index, const ObserverOf<StrokeRecording> &recorder) {
-                StrokeScan(drawn.shape(index), settings, canvas, recorder).run();
+                StrokeScan(primitives.shape(index), drawn.settings, canvas, recorder).run();
             },
-            TablesOf<StrokeRecording>::of(antialiasing));
+            TablesOf<StrokeRecording>::of(run.strokeAntialiasing()));
     });
 }
 

@@ -36,15 +36,14 @@ inline std::vector<Variant> edgeWalkVariants()
 /// Draws and traces a method that has a second kernel type for departures: uses it only if the
 /// settings ask for some.
 template <auto right, auto varied>
-void drawVaried(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
+bool drawVaried(const Run &run, FrameView frame, const ProgressListener &listener)
 {
-    (settings.variants.isEmpty() ? right : varied)(primitives, settings, frame);
+    return (run.settings.variants.isEmpty() ? right : varied)(run, frame, listener);
 }
 template <auto right, auto varied>
-std::unique_ptr<ScanTrace> traceVaried(const Primitives &primitives, const ScanSettings &settings,
-                                       FrameView frame, const TraceOptions &options)
+std::unique_ptr<ScanTrace> traceVaried(const Run &run, FrameView frame, const TraceOptions &options)
 {
-    return (settings.variants.isEmpty() ? right : varied)(primitives, settings, frame, options);
+    return (run.settings.variants.isEmpty() ? right : varied)(run, frame, options);
 }
 
 } // namespace pixelplumb

@@ -37,9 +37,9 @@ void drawShapes(const Primitives &primitives, const ScanSettings &settings,
 } // namespace
 
 void drawPicture(const Primitives &primitives, const ScanSettings &settings,
-                 const std::optional<EffectPlan> &plan, FrameView frame)
+                 const EffectPlan *shading, FrameView frame)
 {
-    if (plan) {
+    if (shading) {
         drawEffects(primitives, settings, truthOf(primitives.appearance), frame);
     } else {
         for (const Triangle &triangle : primitives.triangles)

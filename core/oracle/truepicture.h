@@ -4,15 +4,13 @@
 #include "core/effects/effectplan.h"
 #include "core/frame/frameview.h"
 
-#include <optional>
-
 namespace pixelplumb::oracle {
 
 /// Draws the true picture of all primitives, in opaque pixels as oracle::draw does: the triangles
-/// with their effects where there is a plan beyond colour, then the shapes, with lines and curves
+/// with their effects where a plan shades them (else null), then the shapes, with lines and curves
 /// antialiased where the appearance asks for it. The frame may be a band of the one that was
 /// planned for.
 void drawPicture(const Primitives &primitives, const ScanSettings &settings,
-                 const std::optional<EffectPlan> &plan, FrameView frame);
+                 const EffectPlan *shading, FrameView frame);
 
 } // namespace pixelplumb::oracle

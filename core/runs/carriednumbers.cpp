@@ -12,8 +12,8 @@ std::vector<std::size_t> carriedNumbers(const TracedScene &traced, std::size_t p
            QStringLiteral("N_x"), QStringLiteral("N_y"), QStringLiteral("N_z")};
     const Primitives &primitives = traced.primitives;
     // Effects compute what they call for on every triangle; u and v of lines and circles differ.
-    const bool isGiven
-        = primitives.isTriangle(primitive) && (traced.plan || primitives.attributesOf(primitive));
+    const bool isGiven = primitives.isTriangle(primitive)
+        && (traced.shading() || primitives.attributesOf(primitive));
     std::vector<std::size_t> places;
     const std::vector<NumberDescription> &numbers = traced.trace->numbers().sample;
     for (std::size_t i = 0; isGiven && i < numbers.size(); ++i) {

@@ -29,19 +29,6 @@ Scene sceneFor(const Scene &scene, const Contender &contender)
     return drawn;
 }
 
-Primitives primitivesFor(Primitives primitives, const Contender &contender)
-{
-    if (contender.isTruth())
-        return primitives;
-    const std::size_t all = primitives.size();
-    if (!contender.method->draws(PrimitiveKind::Triangle))
-        primitives = {{}, std::move(primitives.shapes), {}, std::move(primitives.appearance)};
-    std::erase_if(primitives.shapes,
-                  [&contender](const Shape &shape) { return !contender.method->draws(shape); });
-    primitives.isPart = primitives.size() < all;
-    return primitives;
-}
-
 Primitives aloneOf(const Primitives &primitives, std::size_t index)
 {
     Primitives one;

@@ -25,8 +25,6 @@ Contender contenderFor(const Method &method, const ScanSettings &wanted);
 /// The scene as the contender draws it; for the truth the scene keeps its own method.
 Scene sceneFor(const Scene &scene, const Contender &contender);
 
-/// The primitives that the contender draws: those of its method's kinds, and for the truth all.
-Primitives primitivesFor(Primitives primitives, const Contender &contender);
 /// One of the primitives, with a triangle's attributes.
 Primitives aloneOf(const Primitives &primitives, std::size_t index);
 

@@ -108,7 +108,7 @@ std::array<Quantity, 3> exactLevelsAt(const TracedScene &traced, std::size_t pri
     const Primitives &primitives = traced.primitives;
     if (!primitives.isTriangle(primitive))
         return {};
-    if (!traced.plan)
+    if (!traced.shading())
         return oracle::colourAt(primitives.triangles[primitive], x, y);
     return oracle::colourLevelsAt(primitives, primitive, oracle::truthOf(primitives.appearance), x,
                                   y);
@@ -167,9 +167,9 @@ std::vector<ExactSample> exactSamplesOf(const TracedScene &traced, std::size_t s
         else
             exact[i].cells.resize(numbers.size());
         // A mean of samples, or a sample refused by depth, has no levels of its own.
-        if (!traced.plan || !sample.colour[0].isNone())
+        if (!traced.shading() || !sample.colour[0].isNone())
             exact[i].colour = exactLevelsAt(traced, primitive, sample.x, sample.y);
-        if (traced.plan)
+        if (traced.shading())
             showLevels(exact[i], numbers);
     }
     return exact;

@@ -215,7 +215,7 @@ Explanation explainSample(const TracedScene &traced, const TraceStep &step)
                     exactSpanCells(traced, step.span), ofSpan, startOfSpan(trace, step.span));
     const ExactSample exact = exactSamplesOf(traced, step.span, {&sample, 1}).front();
     appendLines(explanation, words.numbers, sample.cells, exact.cells, names, startOfSample(place));
-    if (traced.plan)
+    if (traced.shading())
         appendGiven(explanation, words.numbers, sample.cells);
     if (isWritten)
         appendBytes(explanation, traced,

@@ -24,9 +24,9 @@ void judge(PixelAttempt &attempt, const TracedScene &traced, std::int64_t x, std
         const Triangle &triangle = primitives.triangles[attempt.primitive];
         const BoundaryRule rule = boundaryRuleOf(traced.scene);
         attempt.verdict = oracle::judge(triangle, rule, x, y);
-        if (traced.plan)
+        if (traced.shading())
             attempt.verdict.covered
-                = oracle::coversPart(triangle, rule, traced.plan->antialiasing, x, y);
+                = oracle::coversPart(triangle, rule, traced.antialiasing(), x, y);
     } else {
         attempt.verdict.covered
             = oracle::covers(primitives.shape(attempt.primitive), primitives.appearance,

@@ -161,7 +161,7 @@ QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced, std:
     const bool isAntialiasedShape = attempt.kind != PrimitiveKind::Triangle
         && oracle::truthOf(traced.primitives.appearance).antialiasing != Antialiasing::None
         && traced.method->supports(Effect::Antialiasing);
-    if ((traced.plan || isAntialiasedShape) && attempt.sample)
+    if ((traced.shading() || isAntialiasedShape) && attempt.sample)
         return shadedText(attempt, traced);
     const auto approximation = [&] { return approximationText(*traced.trace, attempt.primitive); };
     if (!attempt.written) {

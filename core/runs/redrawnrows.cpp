@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/redrawnrows.h"
 
-#include "core/runs/sceneplan.h"
-
 #include <algorithm>
 
 namespace pixelplumb {
@@ -59,7 +57,7 @@ bool isDrawnByRows(const Scene &scene, const Method &method)
     // These reach any row: what wraps, and edges that run past their ends.
     const bool leaves
         = scene.settings.arithmetic == Arithmetic::Fixed16 || !scene.settings.variants.isEmpty();
-    return method.drawFast && !leaves && scene.shapes.empty() && !mayCallForEffects(scene)
+    return method.hasFastKernels && !leaves && scene.shapes.empty() && !mayCallForEffects(scene)
         && scene.triangles.size() <= mostCompared
         && std::ranges::all_of(scene.triangles, staysNearItsBox);
 }

@@ -3,7 +3,6 @@
 
 #include "core/effects/framereach.h"
 #include "core/effects/framesquare.h"
-#include "core/effects/requirements.h"
 #include "core/frame/framebuffer.h"
 #include "core/methods/rejectiontext.h"
 #include "core/polygons/contours.h"
@@ -31,11 +30,9 @@ bool wroteNothing(const ScanTrace &trace, std::size_t primitive)
     return true;
 }
 
-SampledFrame drawnSamplesOf(const Primitives &primitives, const Scene &scene)
+SampledFrame drawnSamplesOf(const SceneRun &run)
 {
-    const FrameView frame = windowOf(scene.frame);
-    return {frame, scene.settings.fillRule,
-            triangleAntialiasing(primitives, scene.settings, frame)};
+    return {windowOf(run.scene.frame), run.settings.fillRule, run.antialiasing()};
 }
 
 /// The edges that bound a primitive, or that it consists of.
@@ -109,27 +106,27 @@ QString RejectedPrimitive::message() const
         .arg(nameOf(kind), rejectionText(rejection));
 }
 
-std::vector<RejectedPrimitive> rejectedPrimitives(const Scene &scene)
+std::vector<RejectedPrimitive> rejectedPrimitives(const SceneRun &run)
 {
-    const Method &method = *methodNamed(QString::fromStdString(scene.method));
-    const Primitives primitives = primitivesOnSamples(scene);
-    const FrameBuffer frame(scene.frame);
-    const SampledFrame where = drawnSamplesOf(primitives, scene);
+    const Primitives &primitives = run.primitives;
+    const FrameBuffer frame(run.scene.frame);
+    const SampledFrame where = drawnSamplesOf(run);
     std::vector<RejectedPrimitive> rejected;
     TraceOptions untilTheFirstSpan;
     untilTheFirstSpan.detail = TraceDetail::Spans;
     untilTheFirstSpan.progress = [](const JobProgress &) { return false; };
     for (std::size_t index = 0; index < primitives.size(); ++index) {
         const PrimitiveKind kind = primitives.kindOf(index);
-        if (!method.draws(kind)) {
+        if (!run.method->draws(kind)) {
             rejected.push_back({index, kind, PrimitiveRejection::NotOfThisMethod});
             continue;
         }
-        const Primitives one = aloneOf(primitives, index);
+        const Run one(run.method, aloneOf(primitives, index), run.settings, frame.view());
         // Cancelled, and so null, if a span was entered.
-        auto trace = method.trace(one, scene.settings, frame.view(), untilTheFirstSpan);
-        if (!trace && primitives.isTriangle(index) && reachOf(one.triangles[0], where).isEmpty()) {
-            trace = method.trace(one, scene.settings, frame.view(), {});
+        auto trace = one.trace(frame.view(), untilTheFirstSpan);
+        if (!trace && primitives.isTriangle(index)
+            && reachOf(primitives.triangles[index], where).isEmpty()) {
+            trace = one.trace(frame.view());
             if (!trace->isCut() && wroteNothing(*trace, 0))
                 rejected.push_back({index, kind, missOf(primitives, index, where.frame)});
             continue;
@@ -137,7 +134,7 @@ std::vector<RejectedPrimitive> rejectedPrimitives(const Scene &scene)
         if (!trace || trace->primitiveCount() == 0)
             continue;
         if (const auto rejection = trace->setUp(0).rejection)
-            rejected.push_back({index, kind, decided(*rejection, primitives, index, scene)});
+            rejected.push_back({index, kind, decided(*rejection, primitives, index, run.scene)});
     }
     return rejected;
 }
@@ -146,7 +143,7 @@ std::vector<RejectedPrimitive> rejectedPrimitives(const TracedScene &traced)
 {
     const Primitives &primitives = traced.primitives;
     const ScanTrace &trace = *traced.trace;
-    const SampledFrame where = drawnSamplesOf(primitives, traced.scene);
+    const SampledFrame where = drawnSamplesOf(traced);
     const auto liesBetween = [&](std::size_t triangle) {
         return reachOf(primitives.triangles[triangle], where).isEmpty()
             && wroteNothing(trace, triangle);

@@ -23,10 +23,10 @@ struct RejectedPrimitive {
 /// sample in the frame, whether it lies outside it or reaches into it. None for any other.
 std::optional<Rejection> rejectionOf(const TracedScene &traced, std::size_t primitive);
 
-/// What the scene's method rejects, in drawing order, without a recording. It runs the kernel
+/// What the run's method rejects, in drawing order, without a recording. It runs the kernel
 /// itself, primitive by primitive, and stops it before it writes the first pixel; for a triangle
 /// between the samples the kernel tries all of them.
-std::vector<RejectedPrimitive> rejectedPrimitives(const Scene &scene);
+std::vector<RejectedPrimitive> rejectedPrimitives(const SceneRun &run);
 
 /// What was rejected in a recorded run, and which triangles lie between the samples.
 std::vector<RejectedPrimitive> rejectedPrimitives(const TracedScene &traced);

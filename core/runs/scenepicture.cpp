@@ -4,7 +4,7 @@
 #include "core/frame/keptrows.h"
 #include "core/frame/pixelrows.h"
 #include "core/runs/redrawnrows.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "core/scan/columndrawing.h"
 
 #include <algorithm>
@@ -21,9 +21,9 @@ Difference differenceBetween(QRgb drawn, QRgb twin)
     return qAlpha(twin) == 0 ? Difference::Extra : Difference::Colour;
 }
 
-ScanSettings exactSettingsOf(const Scene &scene)
+ScanSettings exactSettingsOf(const ScanSettings &settings)
 {
-    return {Arithmetic::Exact, scene.settings.fillRule, scene.settings.rounding};
+    return {Arithmetic::Exact, settings.fillRule, settings.rounding};
 }
 
 } // namespace
@@ -60,90 +60,68 @@ ScenePicture::Twin ScenePicture::twinOf(const Scene &scene, const Method &method
 
 bool ScenePicture::draw(const std::shared_ptr<const Scene> &scene, const ProgressListener &listener)
 {
-    const Method *method = methodNamed(QString::fromStdString(scene->method));
-    Q_ASSERT(method && objectionTo(*scene).isEmpty());
+    m_method = methodNamed(QString::fromStdString(scene->method));
+    Q_ASSERT(m_method && objectionTo(*scene).isEmpty());
     Q_ASSERT(scene->frame == spec());
-    const FrameRows rows = rowsToDraw(*scene, *method);
-    m_twinKind = twinOf(*scene, *method);
+    const FrameRows rows = rowsToDraw(*scene);
+    m_twinKind = twinOf(*scene, *m_method);
     m_scene.reset();
     if (m_twinKind == Twin::Drawn && !m_twin)
         m_twin = std::make_unique<FrameBuffer>(spec());
     if (rows == allRowsOf(spec())) {
         clear(rows);
-        if (!drawAll(*scene, *method, listener))
+        if (!drawAll(*scene, listener))
             return false;
-    } else if (rows.first < rows.end && !drawRows(rows, *scene, *method, listener)) {
+    } else if (rows.first < rows.end && !drawRows(rows, *scene, listener)) {
         return false;
     }
     compareRows(rows);
-    if (isDrawnByRows(*scene, *method))
+    if (isDrawnByRows(*scene, *m_method))
         m_scene = scene;
     return true;
 }
 
 /// The rows that differ from the current picture.
-FrameRows ScenePicture::rowsToDraw(const Scene &scene, const Method &method) const
+FrameRows ScenePicture::rowsToDraw(const Scene &scene) const
 {
-    const bool knowsRows = m_scene && isDrawnByRows(scene, method);
+    const bool knowsRows = m_scene && isDrawnByRows(scene, *m_method);
     return knowsRows ? rowsThatDiffer(scene, *m_scene) : allRowsOf(spec());
 }
 
-bool ScenePicture::drawAll(const Scene &scene, const Method &method,
-                           const ProgressListener &listener)
+bool ScenePicture::drawAll(const Scene &scene, const ProgressListener &listener)
 {
+    // Triangles may depend on earlier ones, and strokes share samples: one piece.
+    if (mayCallForEffects(scene)) {
+        auto primitives = primitivesOnSamples(scene, listener);
+        return primitives && drawPiece(std::move(*primitives), scene.settings, listener);
+    }
     const auto count = std::int64_t(scene.triangles.size() + scene.shapes.size());
-    if (mayCallForEffects(scene))
-        return drawWhole(scene, method, listener);
-    const std::size_t pieceSize = method.pieceSize();
-    for (std::size_t first = 0; first < scene.triangles.size(); first += pieceSize) {
-        if (!goesOn(listener, {JobPhase::Drawing, std::int64_t(first), count}))
-            return false;
-        takePiece(scene, first, std::min(pieceSize, scene.triangles.size() - first));
-        drawPiece(scene, method);
-    }
-    Scene rest;
-    rest.frame = scene.frame;
-    auto done = std::int64_t(scene.triangles.size());
-    for (const Shape &shape : scene.shapes) {
-        if (!goesOn(listener, {JobPhase::Drawing, done++, count}))
-            return false;
-        rest.shapes = {shape};
-        m_piece = primitivesOnSamples(rest);
-        drawPiece(scene, method);
-    }
-    return true;
-}
-
-/// Triangles may depend on earlier ones: draws both pictures in one piece, one after the other.
-bool ScenePicture::drawWhole(const Scene &scene, const Method &method,
-                             const ProgressListener &listener)
-{
-    const auto primitives = primitivesOnSamples(scene, listener);
-    if (!primitives)
-        return false;
-    const std::int64_t pictures = m_twinKind == Twin::Drawn ? 2 : 1;
-    std::int64_t drawn = 0;
+    std::int64_t done = 0;
+    std::int64_t size = 0; // of the piece
     const auto tell = [&](const JobProgress &progress) {
-        return goesOn(
-            listener,
-            {progress.phase, progress.done + drawn * progress.total, pictures * progress.total});
+        return goesOn(listener,
+                      {progress.phase, done + progress.done * size / progress.total, count});
     };
-    if (!method.drawInPieces(*primitives, scene.settings, m_drawn.view(), tell))
-        return false;
-    ++drawn;
-    return drawn == pictures
-        || methodNamed(u"column-scan")
-               ->drawInPieces(*primitives, exactSettingsOf(scene), m_twin->view(), tell);
+    constexpr std::int64_t mostTriangles = std::int64_t(1) << 16;
+    const auto triangles = std::int64_t(scene.triangles.size());
+    for (; done < triangles; done += size) {
+        size = std::min(mostTriangles, triangles - done);
+        takeTriangles(scene, done, size);
+        if (!drawPiece({std::move(m_triangles), {}}, scene.settings, tell))
+            return false;
+    }
+    Scene shapes;
+    shapes.frame = scene.frame;
+    shapes.shapes = scene.shapes;
+    size = std::int64_t(shapes.shapes.size());
+    return size == 0 || drawPiece(primitivesOnSamples(shapes), scene.settings, tell);
 }
 
 /// Draws the triangles that may reach into the rows, and restores what they paint outside: in a
 /// window of only these rows, rounded increments would start afresh at its first row.
-bool ScenePicture::drawRows(FrameRows rows, const Scene &scene, const Method &method,
-                            const ProgressListener &listener)
+bool ScenePicture::drawRows(FrameRows rows, const Scene &scene, const ProgressListener &listener)
 {
-    if (!goesOn(listener, {JobPhase::Drawing, 0, 1}))
-        return false;
-    takePiece(scene, 0, 0); // empties it and keeps its memory
+    m_triangles.clear(); // and keeps its memory
     const Lattice offset = sampleOffset(scene.frame);
     FrameRows painted = rows;
     for (const Triangle &each : scene.triangles) {
@@ -152,7 +130,7 @@ bool ScenePicture::drawRows(FrameRows rows, const Scene &scene, const Method &me
         if (reached.end <= rows.first || reached.first >= rows.end)
             continue;
         painted = {std::min(painted.first, reached.first), std::max(painted.end, reached.end)};
-        m_piece.triangles.push_back(triangle);
+        m_triangles.push_back(triangle);
     }
     const FrameRows all = allRowsOf(spec());
     painted = {std::max(painted.first, all.first), std::min(painted.end, all.end)};
@@ -162,18 +140,32 @@ bool ScenePicture::drawRows(FrameRows rows, const Scene &scene, const Method &me
         kept.emplace_back(rowsOf(frame->view(), rows.end, painted.end));
     }
     clear(rows);
-    drawPiece(scene, method);
+    const bool isComplete = drawPiece({std::move(m_triangles), {}}, scene.settings, listener);
     for (const KeptRows &each : kept)
         each.putBack();
-    return true;
+    return isComplete;
 }
 
-void ScenePicture::drawPiece(const Scene &scene, const Method &method)
+/// Draws into both pictures, one after the other.
+bool ScenePicture::drawPiece(Primitives piece, const ScanSettings &settings,
+                             const ProgressListener &listener)
 {
-    method.drawFastest(m_piece, scene.settings, m_drawn.view());
-    if (m_twinKind != Twin::Drawn)
-        return;
-    methodNamed(u"column-scan")->drawFastest(m_piece, exactSettingsOf(scene), m_twin->view());
+    const auto pictures = std::int64_t(frames().size());
+    std::int64_t drawn = 0;
+    const auto tell = [&](const JobProgress &progress) {
+        return goesOn(
+            listener,
+            {progress.phase, progress.done + drawn * progress.total, pictures * progress.total});
+    };
+    Run run(m_method, std::move(piece), settings, m_drawn.view());
+    bool isComplete = run.draw(m_drawn.view(), tell);
+    if (isComplete && ++drawn < pictures) {
+        run = Run(methodNamed(u"column-scan"), std::move(run.primitives), exactSettingsOf(settings),
+                  m_twin->view());
+        isComplete = run.draw(m_twin->view(), tell);
+    }
+    m_triangles = std::move(run.primitives.triangles);
+    return isComplete;
 }
 
 /// The frames that are drawn into.
@@ -191,24 +183,14 @@ void ScenePicture::clear(FrameRows rows)
         fillTransparent(rowsOf(frame->view(), rows.first, rows.end), spec().background);
 }
 
-void ScenePicture::takePiece(const Scene &scene, std::size_t first, std::size_t count)
+void ScenePicture::takeTriangles(const Scene &scene, std::int64_t first, std::int64_t count)
 {
-    const auto begin = scene.triangles.begin() + std::ptrdiff_t(first);
-    m_piece.triangles.assign(begin, begin + std::ptrdiff_t(count));
-    m_piece.shapes.clear();
+    const auto begin = scene.triangles.begin() + first;
+    m_triangles.assign(begin, begin + count);
     if (const Lattice offset = sampleOffset(scene.frame); offset != 0) {
-        for (Triangle &triangle : m_piece.triangles)
+        for (Triangle &triangle : m_triangles)
             triangle = onSamples(triangle, offset);
     }
-    const auto isBefore = [](const TriangleAttributes &attributes, std::size_t triangle) {
-        return attributes.triangle < triangle;
-    };
-    m_piece.attributes.assign(
-        std::lower_bound(scene.attributes.begin(), scene.attributes.end(), first, isBefore),
-        std::lower_bound(scene.attributes.begin(), scene.attributes.end(), first + count,
-                         isBefore));
-    for (TriangleAttributes &attributes : m_piece.attributes)
-        attributes.triangle -= first;
 }
 
 /// Notes what differs and makes the background opaque, in one pass over the frames.

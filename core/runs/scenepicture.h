@@ -45,15 +45,14 @@ private:
     };
 
     static Twin twinOf(const Scene &scene, const Method &method);
-    FrameRows rowsToDraw(const Scene &scene, const Method &method) const;
-    bool drawAll(const Scene &scene, const Method &method, const ProgressListener &listener);
-    bool drawWhole(const Scene &scene, const Method &method, const ProgressListener &listener);
-    bool drawRows(FrameRows rows, const Scene &scene, const Method &method,
-                  const ProgressListener &listener);
-    void drawPiece(const Scene &scene, const Method &method);
+    FrameRows rowsToDraw(const Scene &scene) const;
+    bool drawAll(const Scene &scene, const ProgressListener &listener);
+    bool drawRows(FrameRows rows, const Scene &scene, const ProgressListener &listener);
+    bool drawPiece(Primitives piece, const ScanSettings &settings,
+                   const ProgressListener &listener);
     std::vector<const FrameBuffer *> frames() const;
     void clear(FrameRows rows);
-    void takePiece(const Scene &scene, std::size_t first, std::size_t count);
+    void takeTriangles(const Scene &scene, std::int64_t first, std::int64_t count);
     void compareRows(FrameRows rows);
     void forgetDifferences(std::int64_t y);
     void noteDifferences(std::int64_t y, const QRgb *drawnRow, const QRgb *twinRow);
@@ -63,7 +62,9 @@ private:
     Twin m_twinKind = Twin::None;
     DifferenceMap m_differences;
     std::shared_ptr<const Scene> m_scene; ///< whose picture it is; null if it is incomplete
-    Primitives m_piece; ///< of the scene that is being drawn, in sample coordinates
+    const Method *m_method = nullptr; ///< of the scene that is being drawn
+    /// Of that scene, a piece, in sample coordinates; its memory is used again.
+    std::vector<Triangle> m_triangles;
 };
 
 } // namespace pixelplumb

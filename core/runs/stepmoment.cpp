@@ -60,7 +60,7 @@ VariantSet variantsFor(const TracedScene &traced, std::size_t primitive)
 /// Adds the line that lights the vertices before anything is scanned.
 Pseudocode litCode(Pseudocode code, const TracedScene &traced)
 {
-    if (traced.plan && traced.plan->vertexLight)
+    if (traced.shading() && traced.shading()->vertexLight)
         code.insert(code.begin(),
                     {0,
                      QStringLiteral("R, G, B of the vertices ← ambient and, of each light, the "
@@ -88,16 +88,16 @@ Moment momentOf(const ScanTrace &trace, std::size_t stepIndex)
 
 Pseudocode pseudocodeOf(const TracedScene &traced, std::size_t primitive)
 {
-    if (!traced.plan || traced.method->shadedPseudocode.empty())
+    if (!traced.shading() || traced.method->shadedPseudocode.empty())
         return litCode(
             underRule(
                 linesOf(isSegment(*traced.trace, primitive) ? LineOf::Segment : LineOf::Area,
                         variedCode(traced.method->pseudocode, variantsFor(traced, primitive))),
                 traced.scene.settings.fillRule, traced.scene.frame.origin),
             traced);
-    const EffectSet effects = effectsOf(*traced.plan, primitive);
+    const EffectSet effects = effectsOf(*traced.shading(), primitive);
     Pseudocode code = traced.method->shadedPseudocode;
-    const Antialiasing antialiasing = traced.plan->antialiasing;
+    const Antialiasing antialiasing = traced.antialiasing();
     std::erase_if(code, [&](const PseudocodeLine &line) {
         return (line.effect && !contains(effects, *line.effect))
             || (!line.antialiasing.empty()

@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/tracedscene.h"
 
-#include "core/frame/coveragemask.h"
 #include "core/frame/pixelrows.h"
-#include "core/oracle/truepicture.h"
-#include "core/runs/contender.h"
-#include "core/runs/sceneplan.h"
+#include "core/frame/writtenframe.h"
 #include "core/runs/tracemarks.h"
-#include "core/scene/asciiraster.h"
 
 #include <algorithm>
 
 namespace pixelplumb {
 
 namespace {
-
-const Method &methodOf(const Scene &scene)
-{
-    const Method *method = methodNamed(QString::fromStdString(scene.method));
-    Q_ASSERT(method && objectionTo(scene).isEmpty());
-    return *method;
-}
 
 /// The rows [firstRow, firstRow + height) of a frame.
 FrameView bandOf(FrameView frame, std::int32_t firstRow, std::int32_t height)
@@ -73,22 +62,22 @@ DifferenceMap differencesBetween(const FrameBuffer &drawn, const CoverageMask &d
 /// silently at the limits: the exact numbers are then none.
 std::unique_ptr<const ScanTrace> exactTwinOf(const TracedScene &traced, const TraceOptions &options)
 {
-    const Scene &scene = traced.scene;
-    const Method &method = *traced.method;
-    if (scene.settings.arithmetic == Arithmetic::Exact || !method.supports(Arithmetic::Exact))
+    if (traced.settings.arithmetic == Arithmetic::Exact
+        || !traced.method->supports(Arithmetic::Exact))
         return nullptr;
-    ScanSettings exact = scene.settings;
+    ScanSettings exact = traced.settings;
     exact.arithmetic = Arithmetic::Exact;
     TraceOptions spansAlone = options;
     // Where samples depend on what their pixels held, spans alone could not give them.
-    if (!traced.plan)
+    if (!traced.shading())
         spansAlone.detail = TraceDetail::Spans;
     spansAlone.progress = [&options](const JobProgress &progress) {
         return goesOn(options.progress,
                       {JobPhase::RecordingExactly, progress.done, progress.total});
     };
-    FrameBuffer unseen(scene.frame);
-    return method.trace(traced.primitives, exact, unseen.view(), spansAlone);
+    const FrameBuffer unseen(traced.scene.frame);
+    return Run(traced.method, traced.primitives, exact, unseen.view())
+        .trace(unseen.view(), spansAlone);
 }
 
 } // namespace
@@ -122,18 +111,13 @@ std::optional<TracedScene::WrongPixel> TracedScene::firstWrongPixel() const
     return first;
 }
 
-std::shared_ptr<const TracedScene> traceScene(const Scene &scene, const TraceOptions &options)
+std::shared_ptr<const TracedScene> traceScene(SceneRun run, const TraceOptions &options)
 {
-    const Method &method = methodOf(scene);
-    auto onSamples = primitivesOnSamples(scene, options.progress);
-    if (!onSamples)
-        return nullptr;
-    auto traced = std::make_shared<TracedScene>(scene, std::move(*onSamples), &method);
-    const Primitives &primitives = traced->primitives;
-    FrameBuffer drawn(scene.frame);
-    if (method.draws(PrimitiveKind::Triangle))
-        traced->plan = planBeyondColour(primitives, scene.settings, drawn.view());
-    traced->trace = method.trace(primitives, scene.settings, drawn.view(), options);
+    Q_ASSERT(objectionTo(run).isEmpty());
+    auto traced = std::make_shared<TracedScene>(std::move(run));
+    const Scene &scene = traced->scene;
+    const FrameBuffer drawn(scene.frame);
+    traced->trace = traced->Run::trace(drawn.view(), options);
     if (!traced->trace)
         return nullptr;
     const ScanTrace &trace = *traced->trace;
@@ -141,17 +125,12 @@ std::shared_ptr<const TracedScene> traceScene(const Scene &scene, const TraceOpt
 
     const FrameView truth = traced->truth.view();
     fillTransparent(truth, scene.frame.background);
-    const Primitives ofMethod = primitivesFor(primitives, {&method, scene.settings});
-    const auto drawBand = [&](FrameView band) {
-        oracle::drawPicture(ofMethod, scene.settings, traced->plan, band);
-    };
-    if (!drawByBands(truth, options.progress, drawBand))
+    if (!drawByBands(truth, options.progress, [&](FrameView band) { traced->drawTruth(band); }))
         return nullptr;
 
     traced->differences = trace.isCut()
         ? DifferenceMap(scene.frame) // an unfinished picture has not gone wrong yet
-        : differencesBetween(drawn, coverageAt(trace, scene.frame, trace.stepCount()),
-                             traced->truth);
+        : differencesBetween(drawn, coverageAt(*traced, trace.stepCount()), traced->truth);
     for (std::int64_t y = truth.firstRow; y < truth.endRow(); ++y) {
         std::uint32_t *const row = truth.at(truth.firstColumn, y);
         traced->truePixels
@@ -163,18 +142,36 @@ std::shared_ptr<const TracedScene> traceScene(const Scene &scene, const TraceOpt
     return traced;
 }
 
-void drawScene(const Scene &scene, const FrameBuffer &frame)
+std::shared_ptr<const TracedScene> traceScene(const Scene &scene, const TraceOptions &options)
 {
-    const Method &method = methodOf(scene);
-    method.drawFastest(primitivesOnSamples(scene), scene.settings, frame.view());
+    auto run = sceneRunOf(scene, options.progress);
+    return run ? traceScene(std::move(*run), options) : nullptr;
 }
+
+void drawScene(const Scene &scene, const FrameBuffer &frame) { SceneRun(scene).draw(frame.view()); }
 
 void drawTruth(const Scene &scene, const FrameBuffer &frame)
 {
-    const Primitives primitives
-        = primitivesFor(primitivesOnSamples(scene), {&methodOf(scene), scene.settings});
-    oracle::drawPicture(primitives, scene.settings,
-                        planBeyondColour(primitives, scene.settings, frame.view()), frame.view());
+    SceneRun(scene).drawTruth(frame.view());
+}
+
+CoverageMask coverageOf(const SceneRun &run)
+{
+    const WrittenFrame frame(run.scene.frame);
+    run.draw(frame.view());
+    return frame.coverage();
+}
+
+CoverageMask coverageAt(const TracedScene &traced, std::size_t position)
+{
+    CoverageMask coverage(traced.scene.frame);
+    const auto &changes = traced.trace->changes();
+    const std::size_t done = traced.trace->samplesDoneAt(position);
+    for (std::size_t i = 0; i < done; ++i) {
+        if (changes[i].isWritten())
+            coverage.cover(changes[i].x, changes[i].y);
+    }
+    return coverage;
 }
 
 } // namespace pixelplumb

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/effects/effectplan.h"
-#include "core/methods/method.h"
+#include "core/frame/coveragemask.h"
 #include "core/runs/decidedpositions.h"
-#include "core/scene/scene.h"
+#include "core/runs/scenerun.h"
 #include "core/trace/tracecursor.h"
 
 #include <memory>
@@ -28,25 +27,16 @@ struct TraceMark {
     friend bool operator==(const TraceMark &, const TraceMark &) = default;
 };
 
-/// A scene, drawn and recorded by its method, with the truth. A value that views receive whole and
+/// A scene's run, drawn and recorded, with the truth. A value that views receive whole and
 /// never change; built outside the GUI thread.
-struct TracedScene {
-    TracedScene(const Scene &whole, Primitives onSamples, const Method *drawnBy)
-        : scene(whole)
-        , primitives(std::move(onSamples))
-        , method(drawnBy)
-        , truth(whole.frame)
-        , differences(whole.frame)
+struct TracedScene : SceneRun {
+    explicit TracedScene(SceneRun run)
+        : SceneRun(std::move(run))
+        , truth(scene.frame)
+        , differences(scene.frame)
     {
     }
 
-    Scene scene;
-    Primitives primitives; ///< in sample coordinates: what the kernel was given
-    const Method *method = nullptr;
-    /// What ran, if the scene called for more than colour.
-    std::optional<EffectPlan> plan;
-    /// How the pixels of triangles were sampled.
-    Antialiasing antialiasing() const { return plan ? plan->antialiasing : Antialiasing::None; }
     std::unique_ptr<const ScanTrace> trace;
     /// The spans of the same method in exact arithmetic; null if the trace itself is exact or the
     /// method has no exact arithmetic.
@@ -94,11 +84,17 @@ std::vector<ExactSample> exactSamplesOf(const TracedScene &traced, std::size_t s
 
 /// Null when options.progress ended it. The scene's method must be able to draw it (see
 /// objectionTo).
+std::shared_ptr<const TracedScene> traceScene(SceneRun run, const TraceOptions &options = {});
 std::shared_ptr<const TracedScene> traceScene(const Scene &scene, const TraceOptions &options = {});
 
 /// The picture alone, by the scene's method.
 void drawScene(const Scene &scene, const FrameBuffer &frame);
 /// The oracle's picture of the scene.
 void drawTruth(const Scene &scene, const FrameBuffer &frame);
+
+/// The pixels that a run writes, whatever their colours.
+CoverageMask coverageOf(const SceneRun &run);
+/// Those that a recorded run has written at a position.
+CoverageMask coverageAt(const TracedScene &traced, std::size_t position);
 
 } // namespace pixelplumb

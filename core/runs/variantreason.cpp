@@ -16,7 +16,8 @@ QRgb pixelOf(std::size_t primitive, const TracedScene &traced, VariantSet varian
     ScanSettings settings = traced.scene.settings;
     settings.variants = variants;
     const FrameBuffer frame(traced.scene.frame);
-    traced.method->draw(aloneOf(traced.primitives, primitive), settings, frame.view());
+    Run(traced.method, aloneOf(traced.primitives, primitive), settings, frame.view())
+        .draw(frame.view());
     return *frame.view().at(x, y);
 }
 

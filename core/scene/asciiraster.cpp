@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/asciiraster.h"
 
-#include "core/frame/writtenframe.h"
-#include "core/methods/method.h"
+#include "core/frame/framebuffer.h"
 
 #include <QStringList>
 
@@ -52,26 +51,6 @@ QString asciiRaster(const CoverageMask &coverage)
         text += u'\n';
     }
     return text;
-}
-
-CoverageMask coverageOf(const Scene &scene)
-{
-    const WrittenFrame frame(scene.frame);
-    const Method *method = methodNamed(QString::fromStdString(scene.method));
-    Q_ASSERT(method);
-    method->draw(primitivesOnSamples(scene), scene.settings, frame.view());
-    return frame.coverage();
-}
-
-CoverageMask coverageAt(const ScanTrace &trace, const FrameSpec &spec, std::size_t position)
-{
-    CoverageMask coverage(spec);
-    const std::size_t done = trace.samplesDoneAt(position);
-    for (std::size_t i = 0; i < done; ++i) {
-        if (trace.changes()[i].isWritten())
-            coverage.cover(trace.changes()[i].x, trace.changes()[i].y);
-    }
-    return coverage;
 }
 
 bool looksLikeRaster(const QByteArray &content)

@@ -3,8 +3,6 @@
 
 #include "core/frame/coveragemask.h"
 #include "core/scene/result.h"
-#include "core/scene/scene.h"
-#include "core/trace/scantrace.h"
 
 #include <QStringView>
 
@@ -13,11 +11,6 @@ namespace pixelplumb {
 /// A picture as text, top line first: `#` covered, `.` not; every line ends with a line feed. Meant
 /// for the clipboard, tests and mails.
 QString asciiRaster(const CoverageMask &coverage);
-
-/// The pixels that the scene's method writes, whatever their colours.
-CoverageMask coverageOf(const Scene &scene);
-/// The pixels that a recorded run has written at a position.
-CoverageMask coverageAt(const ScanTrace &trace, const FrameSpec &spec, std::size_t position);
 
 /// Whether a file or an output is meant as a raster: its first line begins with # or a full stop,
 /// and consists mostly of these.

@@ -61,7 +61,7 @@ bool canEffects(const Method &method, const Scene &scene, const ScanSettings &se
             || method.objection(scene.shapes.front(), withNothingOff(scene.appearance), settings)
                    .isEmpty();
     return !mayRunMore(method, scene)
-        || (method.drawEffects && method.shadesIn(settings.arithmetic));
+        || (method.supports(Effect::Blending) && method.shadesIn(settings.arithmetic));
 }
 
 /// Whether any method that draws the scene's first primitive keeps the settings, but for open ones.

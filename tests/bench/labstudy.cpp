@@ -48,9 +48,9 @@ LabContender labPeer(Contender &peer, const TieRule &rule)
     contender.method = methodNamed(u"column-scan");
     contender.kernel = LabKernel::Peer;
     contender.ownRule = rule.rule;
-    contender.draw
-        = [&peer, rule](const Primitives &primitives, const ScanSettings &,
-                        const FrameView &frame) { drawMirrored(peer, rule, primitives, frame); };
+    contender.draw = [&peer, rule](const Run &run, const FrameView &frame) {
+        drawMirrored(peer, rule, run.primitives, frame);
+    };
     contender.loaded = {[&peer](const Primitives &primitives, const FrameView &frame) {
                             peer.load({{frame.width, frame.height}, primitives.triangles});
                         },

@@ -49,13 +49,14 @@ public:
     void load(const Scene &scene) override
     {
         setFrame(scene.size);
-        m_primitives.triangles.assign(scene.triangles.begin(), scene.triangles.end());
+        m_run.emplace(m_method, Primitives{{scene.triangles.begin(), scene.triangles.end()}, {}},
+                      info().sameAsPlain->settings, view(), Kernels::Plain);
     }
-    void draw() override { m_method->draw(m_primitives, info().sameAsPlain->settings, view()); }
+    void draw() override { m_run->draw(view()); }
 
 private:
     const Method *m_method;
-    Primitives m_primitives;
+    std::optional<Run> m_run;
 };
 
 class StraightContender final : public FrameContender {

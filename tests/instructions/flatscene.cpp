@@ -24,13 +24,13 @@ int main(int argc, char **argv)
         primitives.triangles.push_back({{{{latticePixel(3 + i, 5), {{255, 0, 0}}},
                                           {latticePixel(497, 11 + 7 * i), {{0, 255, 0}}},
                                           {latticePixel(101 + i, 499), {{0, 0, 255}}}}}});
-    const ScanSettings settings;
     for (int repeat = 0; repeat < 5; ++repeat) {
+        const Run run(nullptr, primitives, {}, frame.view());
         if (std::strcmp(argv[1], "planned") == 0)
-            drawPlanned<ShadedMethod::ColumnScan, drawWith<ColumnScanKernel>>(primitives, settings,
-                                                                              frame.view());
+            drawPlanned<ShadedMethod::ColumnScan, drawWith<ColumnScanKernel>>(run, frame.view(),
+                                                                              {});
         else
-            drawWith<ColumnScanKernel>(primitives, settings, frame.view());
+            drawWith<ColumnScanKernel>(run, frame.view(), {});
     }
     return EXIT_SUCCESS;
 }

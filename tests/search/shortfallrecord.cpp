@@ -97,7 +97,8 @@ CaseRecord shortfallsOf(const HardCase &hardCase, QStringView methodId)
         for (const Contender &contender : contendersFor(hardCase, rule, methodId)) {
             const QString text = hardCase.triangles.empty()
                 ? shapeText(hardCase, contender)
-                : countsText(truth.shortfallOf(contender.method->draw, contender.settings));
+                : countsText(truth.shortfallOf(drawingBy(*contender.method, Kernels::Plain),
+                                               contender.settings));
             if (!text.isEmpty())
                 record[text].append(contender.name());
         }

@@ -55,7 +55,8 @@ public:
     }
     void drawByMethod(const Triangle &triangle, const ScanSettings &settings)
     {
-        columnScan().draw(Primitives{{triangle}, {}}, settings, m_frame.view());
+        const FrameView frame = m_frame.view();
+        Run(&columnScan(), {{triangle}, {}}, settings, frame, Kernels::Plain).draw(frame);
     }
     void drawByOracle(const Triangle &triangle, const ScanSettings &settings)
     {

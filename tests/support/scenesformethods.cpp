@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenesformethods.h"
 
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/polygons.h"
 #include "tests/support/shapes.h"
@@ -41,7 +41,7 @@ std::vector<NamedScene> scenesForEveryMethod()
                        QDir::Files);
     while (files.hasNext()) {
         Scene scene = readSceneFile(files.next())->scene;
-        if (!planOf(scene).isPlain())
+        if (!planOf(SceneRun(scene)).isPlain())
             continue;
         scene.frame.width = std::min(scene.frame.width, 16);
         scene.frame.height = std::min(scene.frame.height, 16);

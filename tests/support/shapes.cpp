@@ -49,7 +49,7 @@ Shape circleAt(std::int64_t x, std::int64_t y, std::int64_t radius, ShapeFill fi
 CasePicture pictureBy(QStringView method, const Shape &shape, const FrameSpec &spec,
                       Arithmetic arithmetic)
 {
-    return pictureOf(shape, spec, methodNamed(method)->draw, arithmetic);
+    return pictureOf(shape, spec, drawingBy(*methodNamed(method), Kernels::Plain), arithmetic);
 }
 
 CasePicture truthOf(const Shape &shape, const FrameSpec &spec)

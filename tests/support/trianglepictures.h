@@ -38,7 +38,7 @@ public:
 
     void draw(const Method &method, const Triangle &triangle, const ScanSettings &settings)
     {
-        method.draw({{triangle}, {}}, settings, view());
+        Run(&method, {{triangle}, {}}, settings, view(), Kernels::Plain).draw(view());
     }
     void drawTruth(const Triangle &triangle, const ScanSettings &settings)
     {

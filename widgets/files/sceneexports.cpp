@@ -60,7 +60,7 @@ bool SceneExports::writePicture(const QString &path, ExportMoment moment)
     const Scene &scene = m_playhead->traced()->scene;
     FrameBuffer finished(scene.frame);
     if (moment == ExportMoment::Finished)
-        drawScene(scene, finished); // a recording may have ended early
+        m_playhead->traced()->draw(finished.view()); // a recording may have ended early
     const FrameBuffer &shown = moment == ExportMoment::Finished ? finished : *m_playhead->frame();
     QImage picture = shown.image();
     const QString frame = frameText(*m_document);
@@ -124,10 +124,9 @@ bool SceneExports::writeRaster(const QString &path, ExportMoment moment)
     if (!mayWriteTo(path))
         return false;
     const TracedScene &traced = *m_playhead->traced();
-    const QString raster
-        = asciiRaster(moment == ExportMoment::Finished
-                          ? coverageOf(traced.scene)
-                          : coverageAt(*traced.trace, traced.scene.frame, m_playhead->position()));
+    const QString raster = asciiRaster(moment == ExportMoment::Finished
+                                           ? coverageOf(traced)
+                                           : coverageAt(traced, m_playhead->position()));
     const std::optional<InputError> error = writeFile(path, raster.toLatin1());
     return tellOutcome(path, error ? error->message() : QString(), frameText(*m_document));
 }
@@ -178,7 +177,7 @@ void SceneExports::copyRaster()
                        "(F5), or Predict is closed."));
         return;
     }
-    const CoverageMask coverage = coverageOf(m_playhead->traced()->scene);
+    const CoverageMask coverage = coverageOf(*m_playhead->traced());
     QApplication::clipboard()->setText(asciiRaster(coverage));
     const QString frame = frameText(*m_document);
     emit notice(tr("The finished picture's raster is on the clipboard: %1 × %2, # is covered.")

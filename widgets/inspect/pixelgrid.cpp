@@ -242,7 +242,7 @@ QString PixelGrid::describe(const QPoint &pixel) const
     if (!triangle)
         return lines.join(u'\n');
     const Triangle &geometry = traced.primitives.triangles[*triangle];
-    const Antialiasing antialiasing = traced.plan ? traced.plan->antialiasing : Antialiasing::None;
+    const Antialiasing antialiasing = traced.antialiasing();
     if (!oracle::coversPart(geometry, boundaryRuleOf(traced.scene), antialiasing, pixel.x(),
                             pixel.y())) {
         lines.append(tr("not covered by triangle %1").arg(*triangle));

@@ -43,7 +43,7 @@ QString PixelHistoryModel::attemptText(const PixelAttempt &attempt, int column) 
         if (attempt.written)
             return (attempt.step < m_position ? tr("%1 wrote it") : tr("%1 will write it"))
                 .arg(nameText(attempt));
-        if (attempt.verdict.covered && attempt.sample && m_traced->plan)
+        if (attempt.verdict.covered && attempt.sample && m_traced->shading())
             return tr("%1 is hidden or refused").arg(nameText(attempt)); // as its reason says
         return (attempt.verdict.covered ? tr("%1 missed it") : tr("%1 refuses it"))
             .arg(nameText(attempt));
@@ -61,7 +61,7 @@ QString PixelHistoryModel::attemptText(const PixelAttempt &attempt, int column) 
     }
     if (!attempt.written)
         return {};
-    const bool isInPart = m_traced->plan && m_traced->plan->antialiasing != Antialiasing::None;
+    const bool isInPart = m_traced->antialiasing() != Antialiasing::None;
     if (isInPart && attempt.isCentreRefused())
         return tr("covered in part");
     return attempt.verdict.covered ? QString() : tr("not covered");

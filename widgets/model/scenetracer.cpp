@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/model/scenetracer.h"
 
-#include "core/runs/sceneplan.h"
-#include "core/runs/tracedscene.h"
+#include "core/runs/scenerun.h"
 #include "core/scene/scenelimits.h"
 #include "widgets/model/runnotes.h"
 
@@ -40,31 +39,24 @@ QString tooLargeForMemory(const Scene &scene)
         .arg(SceneTracer::tr("%n triangles", nullptr, int(triangles)));
 }
 
-std::shared_ptr<const TracedScene> tracedOrNull(const Scene &scene)
+std::shared_ptr<const TracedScene> tracedOrNull(SceneRun run)
 {
     try {
-        return traceScene(scene);
+        return traceScene(std::move(run));
     } catch (const std::bad_alloc &) {
         return nullptr;
     }
 }
 
-QString refusalOf(const Scene &scene)
+/// The run of a scene that is traced at once; examines only scenes that may be small.
+std::optional<SceneRun> smallRunOf(const Scene &scene)
 {
-    const QString id = QString::fromStdString(scene.method);
-    const Method *method = methodNamed(id);
-    if (method) {
-        const QString objection = objectionTo(scene);
-        return objection.isEmpty() ? objection : objectionNote(*method, objection);
-    }
-    return SceneTracer::tr("There is no method named “%1”.").arg(id);
-}
-
-/// Whether to trace at once; examines only scenes that may be small.
-bool isSmall(const Scene &scene)
-{
-    return std::int64_t(trianglesOf(scene) + scene.shapes.size()) <= TraceCost::mostTrianglesOfSmall
-        && traceCostOf(scene).isSmall();
+    if (std::int64_t(trianglesOf(scene) + scene.shapes.size()) > TraceCost::mostTrianglesOfSmall)
+        return std::nullopt;
+    Primitives primitives = primitivesOnSamples(scene);
+    return traceCostOf(primitives, scene.frame).isSmall()
+        ? std::optional<SceneRun>(std::in_place, scene, std::move(primitives))
+        : std::nullopt;
 }
 
 /// The least and the greatest of one coordinate.
@@ -98,39 +90,30 @@ constexpr std::int64_t largestPreview = std::int64_t(1) << 25;
 
 } // namespace
 
-TraceCost traceCostOf(const Scene &scene)
+TraceCost traceCostOf(const Primitives &primitives, const FrameSpec &frame)
 {
     TraceCost cost;
-    const FrameSpec &frame = scene.frame;
-    const Lattice offset = scene.solids.empty() ? sampleOffset(frame) : 0;
     const auto add = [&](std::span<const Vertex> vertices, Lattice margin) {
         const auto [left, right] = extentOf(vertices, &LatticePoint::x, margin);
         const auto [low, high] = extentOf(vertices, &LatticePoint::y, margin);
-        const auto samples = [offset](Lattice first, Lattice last, std::int64_t frameFirst,
-                                      std::int64_t frameSize) {
-            const std::int64_t begin = std::max(ceilPixel(first - offset), frameFirst);
-            const std::int64_t end
-                = std::min(floorPixel(last - offset) + 1, frameFirst + frameSize);
-            return std::max<std::int64_t>(0, end - begin);
-        };
+        const auto samples
+            = [](Lattice first, Lattice last, std::int64_t frameFirst, std::int64_t frameSize) {
+                  const std::int64_t begin = std::max(ceilPixel(first), frameFirst);
+                  const std::int64_t end = std::min(floorPixel(last) + 1, frameFirst + frameSize);
+                  return std::max<std::int64_t>(0, end - begin);
+              };
         const std::int64_t columns = samples(left, right, frame.firstColumn, frame.width);
         ++cost.triangles;
         cost.columns += columns;
         cost.pixels += columns * samples(low, high, frame.firstRow, frame.height);
     };
-    const auto addAll = [&](const auto &primitives) {
-        for (const Triangle &triangle : primitives.triangles)
-            add(triangle.vertices, 0);
-        for (const Shape &shape : primitives.shapes) {
-            add(shape.vertices, reachOf(shape));
-            cost.corners += std::int64_t(shape.vertices.size())
-                + cornersOfLetter * std::int64_t(shape.text.size());
-        }
-    };
-    if (scene.solids.empty())
-        addAll(scene);
-    else
-        addAll(primitivesOnSamples(scene));
+    for (const Triangle &triangle : primitives.triangles)
+        add(triangle.vertices, 0);
+    for (const Shape &shape : primitives.shapes) {
+        add(shape.vertices, reachOf(shape));
+        cost.corners += std::int64_t(shape.vertices.size())
+            + cornersOfLetter * std::int64_t(shape.text.size());
+    }
     return cost;
 }
 
@@ -145,19 +128,29 @@ void SceneTracer::trace(const Scene &scene) { trace(std::make_shared<const Scene
 
 void SceneTracer::trace(const std::shared_ptr<const Scene> &scene)
 {
-    if (const QString refusal = refusalOf(*scene); !refusal.isEmpty()) {
+    const auto refuse = [this](const QString &refusal) {
         m_job.cancel();
         emit failed(refusal);
-        return;
-    }
-    if (isSmall(*scene)) {
+    };
+    const QString id = QString::fromStdString(scene->method);
+    const Method *method = methodNamed(id);
+    if (!method)
+        return refuse(tr("There is no method named “%1”.").arg(id));
+    std::optional<SceneRun> small = smallRunOf(*scene);
+    const QString objection = small ? objectionTo(*small) : objectionTo(*scene);
+    if (!objection.isEmpty())
+        return refuse(objectionNote(*method, objection));
+    if (small) {
         m_job.cancel();
-        take(*scene, tracedOrNull(*scene));
+        take(*scene, tracedOrNull(std::move(*small)));
         return;
     }
     m_job.start(
-        [scene](const ProgressListener &listener) {
-            const std::int64_t expectedSpans = traceCostOf(*scene).columns;
+        [scene](const ProgressListener &listener) -> std::shared_ptr<const TracedScene> {
+            auto run = sceneRunOf(*scene, listener);
+            if (!run)
+                return nullptr;
+            const std::int64_t expectedSpans = traceCostOf(run->primitives, scene->frame).columns;
             TraceOptions options;
             options.progress = [&listener, expectedSpans](JobProgress progress) {
                 if (progress.phase == JobPhase::Recording
@@ -165,7 +158,7 @@ void SceneTracer::trace(const std::shared_ptr<const Scene> &scene)
                     progress.total = std::max(expectedSpans, progress.done);
                 return listener(progress);
             };
-            return traceScene(*scene, options);
+            return traceScene(std::move(*run), options);
         },
         [this, scene](const std::shared_ptr<const TracedScene> &outcome) {
             take(*scene, outcome);

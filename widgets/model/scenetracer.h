@@ -38,7 +38,8 @@ struct TraceCost {
     friend bool operator==(const TraceCost &, const TraceCost &) = default;
 };
 
-TraceCost traceCostOf(const Scene &scene);
+/// Of primitives on samples.
+TraceCost traceCostOf(const Primitives &primitives, const FrameSpec &frame);
 
 /// Traces scenes in a worker thread; small ones, which take a few milliseconds, at once. A newer
 /// request cancels an older one, whose result is dropped, and waits until no more arrive: traces

@@ -4,7 +4,7 @@
 #include "core/grade/resultsfolder.h"
 #include "core/grade/undecidable.h"
 #include "core/methods/method.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "core/scene/fileaccess.h"
 #include "widgets/look/typesetting.h"
 #include "widgets/model/scenetracer.h"
@@ -24,7 +24,7 @@ bool isJudgedAtOnce(const Scene &scene)
         && scene.solids.empty()
         && std::int64_t(scene.triangles.size() + scene.shapes.size())
         <= TraceCost::mostTrianglesOfSmall
-        && traceCostOf(scene).isSmall();
+        && traceCostOf(primitivesOnSamples(scene), scene.frame).isSmall();
 }
 
 bool canBeDrawn(const Scene &scene)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/comparepanel.h"
 
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "widgets/look/labels.h"
 #include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"

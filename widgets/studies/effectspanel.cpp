@@ -2,7 +2,7 @@
 #include "widgets/studies/effectspanel.h"
 
 #include "core/methods/method.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/appearancenames.h"
 #include "widgets/look/corewords.h"
@@ -135,9 +135,10 @@ void EffectsPanel::forget()
 
 EffectsPanel::Finding EffectsPanel::findingOf(const Scene &scene)
 {
-    Finding finding{planOf(scene), objectionTo(scene), nullptr};
+    const SceneRun run(scene);
+    Finding finding{planOf(run), objectionTo(run), nullptr};
     if (scene.appearance.forced != EffectForcing{} && finding.objection.isEmpty())
-        finding.changes = std::make_shared<DifferenceMap>(changesByForcing(scene));
+        finding.changes = std::make_shared<DifferenceMap>(changesByForcing(run));
     return finding;
 }
 

@@ -171,13 +171,12 @@ HardCasePicture pictureOf(const HardCase &hardCase, const Method &method,
 {
     const Scene scene = sceneOf(hardCase, method, settings);
     HardCasePicture picture;
-    picture.contender = {methodNamed(QString::fromStdString(scene.method)), scene.settings};
-    const Primitives primitives = primitivesOnSamples(scene);
+    const SceneRun run(scene);
+    picture.contender = {run.method, run.settings};
     const WrittenFrame drawn(scene.frame);
     const WrittenFrame truth(scene.frame);
-    const Method &drawnBy = *picture.contender.method;
-    drawnBy.drawFastest(primitives, scene.settings, drawn.view());
-    drawTruly(primitivesFor(primitives, picture.contender), scene.settings, truth.view());
+    run.draw(drawn.view());
+    run.drawTruth(truth.view());
 
     Focus focus;
     const FrameView window = drawn.view();
@@ -201,7 +200,7 @@ HardCasePicture pictureOf(const HardCase &hardCase, const Method &method,
     const QRect part(picture.firstPixel, QSize(width, height));
     picture.drawn = crop(drawn, scene.frame, part);
     picture.truth = crop(truth, scene.frame, part);
-    picture.edges = edgesOf(primitives, part);
+    picture.edges = edgesOf(run.primitives, part);
     for (int row = 0; row < height; ++row) {
         for (int column = 0; column < width; ++column) {
             const Difference kind

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/motionpanel.h"
 
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "core/scene/coordinatetext.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/look/parts.h"

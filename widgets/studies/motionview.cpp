@@ -40,12 +40,12 @@ constexpr QColor outlineColour(150, 150, 150); // visible on black and on white
 
 MotionPicture motionPicture(const Scene &scene, int frame)
 {
-    const Scene moved = sceneAtFrame(scene, frame);
-    const FrameBuffer buffer(moved.frame);
-    const FrameBuffer truth(moved.frame);
-    const FrameBuffer empty(moved.frame);
-    drawScene(moved, buffer);
-    drawTruth(moved, truth);
+    const SceneRun moved(sceneAtFrame(scene, frame));
+    const FrameBuffer buffer(scene.frame);
+    const FrameBuffer truth(scene.frame);
+    const FrameBuffer empty(scene.frame);
+    moved.draw(buffer.view());
+    moved.drawTruth(truth.view());
     MotionPicture picture{buffer.copy(), toggledPixels(scene, frame), {}, {}};
     const QImage right = truth.copy();
     const QImage background = empty.copy();
@@ -56,8 +56,8 @@ MotionPicture motionPicture(const Scene &scene, int frame)
                 picture.missing.emplace_back(x, y);
         }
     }
-    for (const Triangle &triangle : moved.triangles)
-        picture.outlines.push_back(outlineOf(triangle, moved.frame));
+    for (const Triangle &triangle : moved.scene.triangles)
+        picture.outlines.push_back(outlineOf(triangle, scene.frame));
     return picture;
 }
 

@@ -61,7 +61,7 @@ private slots:
                 const auto traced = traceScene(scene);
 
                 const auto recorded = rejectedPrimitives(*traced);
-                QCOMPARE(rejectedPrimitives(scene), recorded);
+                QCOMPARE(rejectedPrimitives(SceneRun(scene)), recorded);
                 QSet<std::size_t> rejected;
                 for (const RejectedPrimitive &each : recorded)
                     rejected.insert(each.primitive);
@@ -107,7 +107,7 @@ private slots:
         QVERIFY(traced->trace->spanCount() > 0);
         const auto recorded = rejectedPrimitives(*traced);
         QCOMPARE(recorded.size(), std::size_t(isDrawn ? 0 : 1));
-        QCOMPARE(rejectedPrimitives(drawn), recorded);
+        QCOMPARE(rejectedPrimitives(SceneRun(drawn)), recorded);
         for (const RejectedPrimitive &each : recorded)
             QCOMPARE(each.message(),
                      QStringLiteral("primitive 0 (triangle): It reaches into the frame, but no "
@@ -142,7 +142,7 @@ private slots:
         for (const char *method : {"column-scan", "edge-equations", "barycentric-rectangle"}) {
             Scene scene = reading->scene;
             scene.method = method;
-            const auto rejected = rejectedPrimitives(scene);
+            const auto rejected = rejectedPrimitives(SceneRun(scene));
             QCOMPARE(rejected.size(), std::size_t(1));
             QVERIFY2(rejected[0].message().contains(reachesIn ? QStringLiteral("reaches into")
                                                               : QStringLiteral("lies outside")),
@@ -161,7 +161,7 @@ private slots:
                                      " 'colors': ['#0000ff', '#0000ff', '#0000ff'] }"));
         const Scene scene = readScene(hidden)->scene;
         QVERIFY(rejectedPrimitives(*traceScene(scene)).empty());
-        QVERIFY(rejectedPrimitives(scene).empty());
+        QVERIFY(rejectedPrimitives(SceneRun(scene)).empty());
     }
 };
 

@@ -105,7 +105,7 @@ private slots:
 
         const QStringList shortfalls
             = shortfallsOf(caseNamed(m_cases, id), {arithmetic, rule, ByteRounding::Nearest},
-                           methodNamed(u"column-scan")->draw);
+                           drawingBy(*methodNamed(u"column-scan"), Kernels::Plain));
 
         QVERIFY2(shortfalls.join(u'\n').contains(remark), qPrintable(shortfalls.join(u'\n')));
     }

@@ -50,7 +50,7 @@ private slots:
     void aPixelsHistoryHasWhatTheInterpolationCarried()
     {
         const auto traced = traceScene(carryingScene(Arithmetic::Float32));
-        QVERIFY(!traced->plan);
+        QVERIFY(!traced->shading());
         const PixelAttempt attempt = pixelHistory(*traced, 27, 19).front();
         QCOMPARE(titlesOf(attempt), (QStringList{"z", "u", "v"}));
         for (const PixelAttempt::Carried &number : attempt.carried) {

@@ -286,7 +286,7 @@ private slots:
             segment.appearance.forced[Effect::SmoothColour] = Forcing::Off;
             segment.appearance.antialiasing = Antialiasing::Area;
             const FrameBuffer frame(frameOf(6, 6));
-            methodNamed(u"column-scan")->draw(segment, ScanSettings(), frame.view());
+            Run(methodNamed(u"column-scan"), segment, {}, frame.view()).draw(frame.view());
             QCOMPARE(*frame.view().at(2, 2), packed(red));
         } while (std::ranges::next_permutation(order).found);
     }

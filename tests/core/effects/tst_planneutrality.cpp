@@ -7,8 +7,8 @@
 #include "core/oracle/oracle.h"
 #include "core/oracle/squarearea.h"
 #include "core/oracle/truepicture.h"
+#include "core/runs/tracedscene.h"
 #include "core/scan/edgeteststate.h"
-#include "core/scene/asciiraster.h"
 #include "tests/support/effectscenes.h"
 #include "tests/support/plannedtriangles.h"
 #include "tests/support/sanitized.h"
@@ -45,7 +45,9 @@ FrameBuffer pictureOf(const QString &method, const Primitives &primitives, const
                       FillRule rule = FillRule::Closed)
 {
     FrameBuffer frame(spec);
-    methodNamed(method)->draw(primitives, {Arithmetic::Exact, rule, {}}, frame.view());
+    Run(methodNamed(method), primitives, {Arithmetic::Exact, rule, {}}, frame.view(),
+        Kernels::Plain)
+        .draw(frame.view());
     return frame;
 }
 
@@ -280,7 +282,7 @@ private slots:
         QCOMPARE(plan.antialiasing, antialiasing);
         QCOMPARE(plan.verdicts[Effect::Antialiasing].verdict, Verdict::CalledFor);
         QCOMPARE(plan.verdicts[Effect::Antialiasing].primitives, std::size_t(1));
-        oracle::drawPicture(primitives, {}, plan, truth.view());
+        oracle::drawPicture(primitives, {}, &plan, truth.view());
         const FrameBuffer drawn = pictureOf(QStringLiteral("column-scan"), primitives, spec);
         QVERIFY(areSame(drawn, truth));
         primitives.appearance.forced[Effect::Antialiasing] = Forcing::Off;
@@ -395,9 +397,9 @@ private slots:
         scene.triangles = primitives.triangles;
         scene.attributes = primitives.attributes;
         scene.appearance = primitives.appearance;
-        QVERIFY(coverageOf(scene) == CoverageMask(scene.frame));
+        QVERIFY(coverageOf(SceneRun(scene)) == CoverageMask(scene.frame));
         scene.appearance.forced[Effect::Perspective] = Forcing::Off;
-        QVERIFY(!(coverageOf(scene) == CoverageMask(scene.frame)));
+        QVERIFY(!(coverageOf(SceneRun(scene)) == CoverageMask(scene.frame)));
     }
 
     /// The stroke's border lies on the border of the frame's squares, and the stroke is on the
@@ -479,7 +481,7 @@ private slots:
         primitives.appearance.forced[Effect::SmoothColour] = Forcing::Off;
         const FrameBuffer flat = pictureOf(method, primitives, spec);
         FrameBuffer truth(spec);
-        oracle::drawPicture(primitives, {}, {}, truth.view());
+        oracle::drawPicture(primitives, {}, nullptr, truth.view());
         for (int x = 2; x < 9; ++x) {
             QCOMPARE(*flat.view().at(x, 4), qRgb(255, 0, 0));
             QCOMPARE(*truth.view().at(x, 4), qRgb(255, 0, 0));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/check/casecheck.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/caselist.h"
 #include "tests/support/sanitized.h"
@@ -52,7 +52,7 @@ private slots:
     void aPlanSaysThatLinesAreAntialiased()
     {
         const Scene scene = sceneOf(lineAt(1, 1, 9, 4), Antialiasing::Area);
-        const EffectVerdict verdict = planOf(scene).verdicts[Effect::Antialiasing];
+        const EffectVerdict verdict = planOf(SceneRun(scene)).verdicts[Effect::Antialiasing];
         QCOMPARE(verdict.verdict, Verdict::CalledFor);
         QCOMPARE(verdict.primitives, std::size_t(1));
         QVERIFY(verdict.pixels < 12 * 8);
@@ -79,7 +79,7 @@ private slots:
     {
         QFETCH(Shape, stroke);
         stroke.vertices.back().colour = {{1, 2, 3}};
-        const EffectPlan plan = planOf(sceneOf(stroke, Antialiasing::Samples4));
+        const EffectPlan plan = planOf(SceneRun(sceneOf(stroke, Antialiasing::Samples4)));
         for (const Effect effect : allEffects) {
             QVERIFY2(!plan.runs(effect), nameOf(effect).data());
             QCOMPARE(plan.verdicts[effect].verdict, Verdict::NotCalledFor);
@@ -94,7 +94,7 @@ private slots:
         Shape line = lineAt(3, 3, 3, 3);
         line.vertices[1].position.x += unitsPerPixel / 16;
         line.vertices[1].colour = {{1, 2, 3}};
-        const EffectPlan plan = planOf(sceneOf(line, Antialiasing::Samples4));
+        const EffectPlan plan = planOf(SceneRun(sceneOf(line, Antialiasing::Samples4)));
         for (const Effect effect : allEffects)
             QCOMPARE(plan.runs(effect), effect == Effect::Antialiasing);
     }

@@ -20,7 +20,6 @@ namespace {
 constexpr std::array kindsOfAntialiasing
     = {Antialiasing::Area, Antialiasing::Samples4, Antialiasing::Samples16};
 
-const Method &strokeMethod() { return *methodNamed(u"stroke-coverage"); }
 
 Scene sceneOf(const std::vector<Shape> &shapes, const FrameSpec &frame, Antialiasing antialiasing)
 {
@@ -238,22 +237,6 @@ private slots:
             const auto traced = traceScene(scene);
             QCOMPARE(replayed(*traced->trace, scene.frame), drawn.copy());
             QCOMPARE(traced->differences.total(), 0);
-        }
-    }
-
-    void aPictureInPiecesIsTheSame_data() { everyPictureIsTheTruth_data(); }
-    void aPictureInPiecesIsTheSame()
-    {
-        QFETCH(int, seed);
-        const RandomStrokes strokes{std::uint64_t(seed)};
-        for (const Antialiasing antialiasing : kindsOfAntialiasing) {
-            const Scene scene = sceneOf(strokes.shapes(), strokes.frame(), antialiasing);
-            const FrameBuffer whole(scene.frame);
-            const FrameBuffer inPieces(scene.frame);
-            drawScene(scene, whole);
-            QVERIFY(strokeMethod().drawInPieces(primitivesOnSamples(scene), scene.settings,
-                                                inPieces.view(), {}));
-            QCOMPARE(inPieces.copy(), whole.copy());
         }
     }
 

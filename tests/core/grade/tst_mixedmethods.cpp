@@ -3,7 +3,7 @@
 #include "core/grade/diagnosis.h"
 #include "core/grade/redrawing.h"
 #include "core/methods/method.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "tests/support/probescenes.h"
 #include "tests/support/shapeexamples.h"
 #include "tests/support/shapes.h"

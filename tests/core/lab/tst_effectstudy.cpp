@@ -151,9 +151,9 @@ private slots:
         });
         QVERIFY(loop != loops.end());
         const EffectLoopScene scene(*loop);
-        QCOMPARE(scene.plan.batches.size(), std::size_t(1));
-        QVERIFY(scene.plan.batches[0].effects == effects);
-        QCOMPARE(scene.plan.antialiasing, antialiasing);
+        QCOMPARE(scene.run.plan->batches.size(), std::size_t(1));
+        QVERIFY(scene.run.plan->batches[0].effects == effects);
+        QCOMPARE(scene.run.antialiasing(), antialiasing);
     }
 
     void aKernelFarBehindItsLoopIsMarked()

@@ -76,9 +76,9 @@ LabContender altered(std::vector<std::array<int, 2>> missing, std::vector<std::a
 {
     LabContender contender = named("column-scan:exact");
     contender.kernel = LabKernel::Fast; // no number of its own is needed
-    contender.draw = [missing, extra](const Primitives &primitives, const ScanSettings &settings,
-                                      FrameView frame) {
-        oracle::draw(primitives.triangles.front(), {settings, frame}, settings.rounding, frame);
+    contender.draw = [missing, extra](const Run &run, FrameView frame) {
+        oracle::draw(run.primitives.triangles.front(), {run.settings, frame}, run.settings.rounding,
+                     frame);
         for (const auto &[x, y] : missing) {
             if (frame.contains(x, y))
                 *frame.at(x, y) = 0;
@@ -113,7 +113,7 @@ private slots:
         std::int64_t missing = 0, extra = 0, bytes = 0, pixels = 0;
         for (const Triangle &triangle : family.pictures.front().triangles) {
             const WrittenFrame frame(frameOf(5, 5));
-            contender.draw({{triangle}, {}}, settings, frame.view());
+            contender.draw(contender.runOf({{triangle}, {}}, settings, frame.view()), frame.view());
             for (int y = 0; y < 5; ++y) {
                 for (int x = 0; x < 5; ++x) {
                     const bool isCovered = oracle::covers(triangle, settings.fillRule, x, y);
@@ -249,9 +249,9 @@ private slots:
              triangleAt(latticePixel(50, 4), latticePixel(50, 50), latticePixel(4, 50))});
         family.isMesh = true;
         LabContender closed = named("column-scan:exact");
-        closed.draw = [](const Primitives &primitives, ScanSettings settings, FrameView frame) {
-            settings.fillRule = FillRule::Closed;
-            methodNamed(u"column-scan")->draw(primitives, settings, frame);
+        closed.draw = [](Run run, FrameView frame) {
+            run.settings.fillRule = FillRule::Closed;
+            run.draw(frame);
         };
 
         const AccuracyFigures watertight = figuresOf(family, named("column-scan:exact"));

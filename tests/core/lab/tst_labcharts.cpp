@@ -352,12 +352,10 @@ private slots:
             if (!isDrawn)
                 continue;
             QCOMPARE(choice->ground, BudgetGround::Measurement);
-            const Primitives primitives = primitivesOnSamples(scene);
             FrameBuffer truth(scene.frame);
             FrameBuffer drawn(scene.frame);
-            oracle::drawPicture(primitives, scene.settings,
-                                planFor(primitives, scene.settings, truth.view()), truth.view());
-            choice->contender->method->draw(primitives, choice->settings, drawn.view());
+            drawTruth(scene, truth);
+            drawScene(sceneFor(scene, {choice->contender->method, choice->settings}), drawn);
             QVERIFY(drawn.image() == truth.image());
         }
     }

@@ -42,9 +42,7 @@ StudySettings smallStudy()
 LabContender thrower()
 {
     LabContender contender = *labContenderNamed(QStringLiteral("row-walk:exact"));
-    contender.draw = [](const Primitives &, const ScanSettings &, FrameView) {
-        throw std::runtime_error("out of luck");
-    };
+    contender.draw = [](const Run &, FrameView) { throw std::runtime_error("out of luck"); };
     return contender;
 }
 
@@ -124,11 +122,10 @@ private slots:
     void aContenderThatHangsIsShownSo()
     {
         StudySettings settings = smallStudy();
-        settings.contenders[1].draw
-            = [](const Primitives &primitives, const ScanSettings &drawn, FrameView frame) {
-                  for (int i = 0; i < 2000; ++i)
-                      methodNamed(u"column-scan")->draw(primitives, drawn, frame);
-              };
+        settings.contenders[1].draw = [](const Run &run, FrameView frame) {
+            for (int i = 0; i < 2000; ++i)
+                run.draw(frame);
+        };
         settings.hangSeconds = 1e-6;
         settings.contenders.resize(2);
 
@@ -154,10 +151,9 @@ private slots:
         StudySettings slow = settings;
         slow.hangSeconds = 3600;
         for (LabContender &contender : slow.contenders) {
-            contender.draw = [draw = contender.draw](const Primitives &primitives,
-                                                     const ScanSettings &drawn, FrameView frame) {
+            contender.draw = [](const Run &run, FrameView frame) {
                 for (int i = 0; i < 50; ++i)
-                    draw(primitives, drawn, frame);
+                    run.draw(frame);
             };
         }
 

@@ -76,7 +76,8 @@ private slots:
                     const Primitives primitives = primitivesOnSamples(scene);
                     const FrameBuffer drawn(scene.frame);
                     const FrameBuffer counted(scene.frame);
-                    method.draw(primitives, settings, drawn.view());
+                    Run(&method, primitives, settings, drawn.view(), Kernels::Plain)
+                        .draw(drawn.view());
                     const auto counts
                         = countOperations(method, settings, primitives, counted.view());
                     QVERIFY2(drawn.image() == counted.image(),

@@ -76,7 +76,7 @@ private slots:
             }
             for (const Triangle &triangle : primitives.triangles)
                 draw(triangleFor(loop, triangle), rawFrameFor(loop, byLoop.view()));
-            contender.draw(primitives, *settings, byKernel.view());
+            contender.runOf(primitives, *settings, byKernel.view()).draw(byKernel.view());
             QVERIFY2(byLoop.image() == byKernel.image(), id);
             // 16.16 draws only whole pixels.
             QVERIFY2(!primitives.triangles.empty() || loop.arithmetic == Arithmetic::Fixed16, id);

@@ -291,8 +291,8 @@ private slots:
         FrameBuffer b(downward);
         QVERIFY(a.view().stride < 0);
         QVERIFY(b.view().stride > 0);
-        columnScan().draw(Primitives{{triangle}, {}}, {}, a.view());
-        columnScan().draw(Primitives{{triangle}, {}}, {}, b.view());
+        Run(&columnScan(), {{triangle}, {}}, {}, a.view(), Kernels::Plain).draw(a.view());
+        Run(&columnScan(), {{triangle}, {}}, {}, b.view(), Kernels::Plain).draw(b.view());
         QCOMPARE(a.copy().mirrored(), b.copy());
     }
 };

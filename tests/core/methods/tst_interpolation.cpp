@@ -387,7 +387,7 @@ private slots:
         for (const char *form : forms) {
             scene.method = form;
             const auto traced = traceScene(scene);
-            QVERIFY(!traced->plan);
+            QVERIFY(!traced->shading());
             QVERIFY(traced->trace->writtenCount() > 0);
             const QStringList names = namesOf(traced->trace->numbers().sample);
             for (const char *channel : {"z", "u", "v", "N_x"})

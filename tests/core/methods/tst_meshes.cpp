@@ -244,7 +244,7 @@ private:
             primitives.attributes.push_back(attributes);
         }
         const FrameBuffer drawn(spec);
-        method.draw(primitives, settings, drawn.view());
+        Run(&method, primitives, settings, drawn.view()).draw(drawn.view());
         const FrameBuffer truth(spec);
         oracle::drawEffects(primitives, settings, oracle::truthOf(primitives.appearance),
                             truth.view());

@@ -204,7 +204,7 @@ private slots:
             for (std::size_t edge = 0; edge < 3; ++edge)
                 outline.shapes.push_back(lineAtUnits(triangle.vertices[edge].position,
                                                      triangle.vertices[(edge + 1) % 3].position));
-            bresenham.draw(outline, {}, lines.view());
+            Run(&bresenham, outline, {}, lines.view()).draw(lines.view());
             for (std::int64_t x = -3; x < 21; ++x) {
                 std::int64_t lowest = 1000;
                 std::int64_t highest = -1000;

@@ -56,7 +56,7 @@ private slots:
         for (const char *words : {"", " ", "   ", "\u2003"}) {
             const Scene scene
                 = sceneOf({textOf(words, {300, 2200}, 2304)}, frameOf(60, 40), "text-outlines");
-            const auto rejected = rejectedPrimitives(scene);
+            const auto rejected = rejectedPrimitives(SceneRun(scene));
             QCOMPARE(rejected.size(), std::size_t(1));
             QVERIFY(rejected.front().rejection == PrimitiveRejection::NoOutline);
             QVERIFY(rejected.front().message().contains(QStringLiteral("has no outline")));

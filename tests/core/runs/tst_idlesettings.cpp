@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/idlesetting.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "core/runs/tracedscene.h"
 #include "tests/support/scenesformethods.h"
 #include "tests/support/shapes.h"

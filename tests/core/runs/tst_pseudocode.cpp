@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "core/runs/stepmoment.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/scenesformethods.h"
@@ -26,7 +26,7 @@ std::vector<NamedScene> scenesWithEffects()
     const QDir folder(resource(QStringLiteral("/scenes")));
     for (const QString &name : folder.entryList({QStringLiteral("*.json")})) {
         Scene scene = readSceneFile(folder.filePath(name))->scene;
-        if (planOf(scene).isPlain())
+        if (planOf(SceneRun(scene)).isPlain())
             continue;
         scene.frame.width = std::min(scene.frame.width, 60);
         scene.frame.height = std::min(scene.frame.height, 60);
@@ -127,7 +127,8 @@ private slots:
             if (QTest::currentTestFailed())
                 return;
             for (const PseudocodeLine &line : pseudocodeOf(*traced, 0))
-                QVERIFY2(!line.effect || traced->plan->runs(*line.effect), qPrintable(line.text));
+                QVERIFY2(!line.effect || traced->shading()->runs(*line.effect),
+                         qPrintable(line.text));
         }
         QStringList missing = linesNotIn(method->shadedPseudocode, done);
         missing.removeAll(QStringLiteral("if no sample is to be drawn: done"));

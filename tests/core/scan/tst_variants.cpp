@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "core/runs/tracedscene.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/scenefile.h"
@@ -103,7 +103,8 @@ private slots:
             QCOMPARE(objectionTo(scene), QString());
             const QImage drawn = drawingOf(scene);
             FrameBuffer plain(scene.frame);
-            method.draw(primitivesOnSamples(scene), scene.settings, plain.view());
+            Run(&method, primitivesOnSamples(scene), scene.settings, plain.view(), Kernels::Plain)
+                .draw(plain.view());
             QCOMPARE(plain.copy(), drawn); // not the fast path
             Scene right = scene;
             right.settings.variants = {};
@@ -140,10 +141,10 @@ private slots:
             primitives.shapes = {line};
             WindowPicture whole(160, 160, -60, -60);
             WindowPicture part(20, 20);
-            const Method &bresenham = *methodNamed(u"line-bresenham");
+            const Method *bresenham = methodNamed(u"line-bresenham");
             const ScanSettings settings = settingsWith(only(Variant::StayAtZero));
-            bresenham.draw(primitives, settings, whole.view());
-            bresenham.draw(primitives, settings, part.view());
+            Run(bresenham, primitives, settings, whole.view()).draw(whole.view());
+            Run(bresenham, primitives, settings, part.view()).draw(part.view());
             for (int x = 0; x < 20; ++x) {
                 for (int y = 0; y < 20; ++y)
                     QCOMPARE(part.at(x, y), whole.at(x, y));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/tracedscene.h"
 #include "core/scene/asciiraster.h"
 #include "tests/support/testprogram.h"
 
@@ -61,22 +62,23 @@ private slots:
         Scene scene = sceneOf(7, 6, rightAngle);
         scene.frame.origin = origin;
 
-        QCOMPARE(asciiRaster(coverageOf(scene)), raster);
+        QCOMPARE(asciiRaster(coverageOf(SceneRun(scene))), raster);
     }
 
     void coversATriangleInTheBackgroundsColour()
     {
         Scene scene = sceneOf(7, 6, rightAngle, {{1, 2, 3}});
-        const QString raster = asciiRaster(coverageOf(scene));
+        const QString raster = asciiRaster(coverageOf(SceneRun(scene)));
         scene.frame.background = {{1, 2, 3}};
 
-        QCOMPARE(asciiRaster(coverageOf(scene)), raster);
+        QCOMPARE(asciiRaster(coverageOf(SceneRun(scene))), raster);
         QVERIFY(raster.contains(u'#'));
     }
 
     void coversBlackOnBlack()
     {
-        const QString raster = asciiRaster(coverageOf(sceneOf(7, 6, rightAngle, {{0, 0, 0}})));
+        const QString raster
+            = asciiRaster(coverageOf(SceneRun(sceneOf(7, 6, rightAngle, {{0, 0, 0}}))));
 
         QCOMPARE(raster.count(u'#'), qsizetype(11));
     }
@@ -87,7 +89,7 @@ private slots:
         scene.frame.firstColumn = 1;
         scene.frame.firstRow = 3;
 
-        QCOMPARE(asciiRaster(coverageOf(scene)), QStringLiteral("#..\n##.\n"));
+        QCOMPARE(asciiRaster(coverageOf(SceneRun(scene))), QStringLiteral("#..\n##.\n"));
     }
 
     void readsBackWhatItWrote_data()

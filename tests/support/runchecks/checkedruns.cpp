@@ -2,7 +2,7 @@
 #include "tests/support/runchecks/checkedruns.h"
 
 #include "core/runs/formulaexplanation.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "core/scan/choicenames.h"
 #include "tests/support/casestorun.h"
 #include "tests/support/hardcasescenes.h"

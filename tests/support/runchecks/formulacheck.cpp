@@ -40,7 +40,7 @@ QString faultOf(const CheckedRun &run, Tally &tally)
     for (const ExplainedStep &each : run.steps) {
         for (const FormulaLine &line : each.explanation.lines) {
             // With effects, a number that no formula gives is shown without one.
-            if (run.traced->plan && line.substituted.isEmpty())
+            if (run.traced->shading() && line.substituted.isEmpty())
                 continue;
             const Arithmetic arithmetic = arithmeticOf(line, run.traced->scene.settings.arithmetic);
             const auto range = FormulaRange::of(line.substituted, arithmetic);

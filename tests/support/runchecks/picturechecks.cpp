@@ -64,7 +64,7 @@ QString truthFault(const CheckedRun &run)
 {
     const TracedScene &traced = *run.traced;
     // With effects, square roots are not decided exactly everywhere.
-    if (traced.plan || !traced.method->isStableUnder(traced.scene.settings)
+    if (traced.shading() || !traced.method->isStableUnder(traced.scene.settings)
         || refusesSome(*traced.trace) || traced.differences.total() == 0)
         return {};
     return QStringLiteral("%1 pixels missing, %2 extra, %3 in another colour")
@@ -90,7 +90,7 @@ std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> lastVisitsOf(const 
 QString decidedFault(const CheckedRun &run)
 {
     const TracedScene &traced = *run.traced;
-    if (traced.plan)
+    if (traced.shading())
         return {};
     const auto mark = std::ranges::find(traced.marks, MarkKind::FirstDifference, &TraceMark::kind);
     if (traced.differences.total() == 0)
@@ -124,7 +124,7 @@ QString levelFault(const CheckedRun &run)
 {
     const TracedScene &traced = *run.traced;
     const ScanTrace &trace = *traced.trace;
-    if (traced.plan || !traced.method->draws(PrimitiveKind::Triangle))
+    if (traced.shading() || !traced.method->draws(PrimitiveKind::Triangle))
         return {};
     for (std::size_t span = 0; span < trace.spanCount(); ++span) {
         const std::vector<SampleRecord> samples = trace.samples(span);

@@ -45,7 +45,7 @@ QString faultOf(const CheckedRun &run, std::set<QString> &done)
             if (std::ranges::find(line.moments, moment) == line.moments.end())
                 continue;
             isListed = true;
-            if (run.origin == RunOrigin::Scene && !run.traced->plan)
+            if (run.origin == RunOrigin::Scene && !run.traced->shading())
                 done.insert(line.text);
         }
         if (!isListed)

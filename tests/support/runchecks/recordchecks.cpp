@@ -57,7 +57,7 @@ QString sampleFault(const CheckedRun &run)
 {
     const ScanTrace &trace = *run.traced->trace;
     // With effects, a pixel may be visited for several samples.
-    if (run.traced->plan)
+    if (run.traced->shading())
         return {};
     for (std::size_t span = 0; span < trace.spanCount(); ++span) {
         const SpanRecord record = trace.span(span);

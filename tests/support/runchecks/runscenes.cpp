@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/runchecks/runscenes.h"
 
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/polygons.h"
 #include "tests/support/shapes.h"
@@ -120,7 +120,7 @@ std::vector<NamedScene> scenesWithEffects()
     const QDir folder(resource(QStringLiteral("/scenes")));
     for (const QString &name : folder.entryList({QStringLiteral("*.json")})) {
         const Scene example = readSceneFile(folder.filePath(name))->scene;
-        if (planOf(example).isPlain())
+        if (planOf(SceneRun(example)).isPlain())
             continue;
         const Scene middle = middleOf(example);
         scenes.push_back({name, middle});

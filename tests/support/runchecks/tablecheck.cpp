@@ -19,7 +19,7 @@ RunCheck tableCheck(TableFolder &folder)
             [&folder, runs](const CheckedRun &run) {
                 // The tables of runs with effects belong to the tests of effects and of the trace
                 // command.
-                if (run.traced->plan)
+                if (run.traced->shading())
                     return QString();
                 return (*runs)++ % keptShare == 0 || areAllCasesRun()
                     ? folder.faultOfKept(*run.traced, run.name)

@@ -47,7 +47,7 @@ QString testedFault(const CheckedRun &run)
         && std::ranges::find(method.numbers.sample, NumberGroup::Decision,
                              &NumberDescription::group)
             != method.numbers.sample.end();
-    if (tests || run.traced->plan)
+    if (tests || run.traced->shading())
         return {};
     for (const ExplainedStep &each : run.steps) {
         if (each.explanation.sentence.contains(QStringLiteral("tested one by one")))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/method.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/sanitized.h"

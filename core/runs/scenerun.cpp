@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/scenerun.h"
+
+#include "core/effects/bordercrossing.h"
+#include "core/effects/requirements.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+const Method *methodOf(const Scene &scene)
+{
+    return methodNamed(QString::fromStdString(scene.method));
+}
+
+/// Whether what the scene calls for cannot matter: nothing may be, or the method supports
+/// everything for its triangles.
+bool isDrawnWhateverItCallsFor(const Method &method, const Scene &scene)
+{
+    if (!mayCallForEffects(scene))
+        return true;
+    return method.draws(PrimitiveKind::Triangle) && scene.hasTriangles()
+        && scene.settings.variants.isEmpty()
+        && std::ranges::all_of(allEffects,
+                               [&method](Effect effect) { return method.supports(effect); })
+        && method.shadesIn(scene.settings.arithmetic);
+}
+
+/// The objection to those shapes that reach the frame.
+QString objectionToShapes(const SceneRun &run)
+{
+    const Scene &scene = run.scene;
+    const SampledFrame where
+        = {windowOf(scene.frame), scene.settings.fillRule, antialiasingOf(scene.appearance)};
+    for (const Shape &shape : run.primitives.shapes) {
+        if (borderCrossingOf(shape, where) == BorderCrossing::Outside)
+            continue;
+        QString objection = run.method->objection(shape, scene.appearance, scene.settings);
+        if (!objection.isEmpty())
+            return objection;
+    }
+    return {};
+}
+
+} // namespace
+
+SceneRun::SceneRun(const Scene &of, Primitives onSamples)
+    : Run(methodOf(of), std::move(onSamples), of.settings, windowOf(of.frame))
+    , scene(of)
+{
+}
+
+SceneRun::SceneRun(const Scene &of)
+    : SceneRun(of, primitivesOnSamples(of))
+{
+}
+
+std::optional<SceneRun> sceneRunOf(const Scene &scene, const ProgressListener &listener)
+{
+    auto primitives = primitivesOnSamples(scene, listener);
+    return primitives ? std::optional<SceneRun>(std::in_place, scene, std::move(*primitives))
+                      : std::nullopt;
+}
+
+EffectPlan planOf(const SceneRun &run) { return planOf(run, windowOf(run.scene.frame)); }
+
+QString objectionTo(const SceneRun &run)
+{
+    const Scene &scene = run.scene;
+    QString objection = run.method->objection(scene.settings);
+    if (!objection.isEmpty() || isDrawnWhateverItCallsFor(*run.method, scene))
+        return objection;
+    if (!run.method->draws(PrimitiveKind::Triangle) || !scene.hasTriangles())
+        return objectionToShapes(run);
+    return run.plan ? run.method->objection(*run.plan, scene.settings) : objection;
+}
+
+QString objectionTo(const Scene &scene)
+{
+    const Method &method = *methodOf(scene);
+    QString objection = method.objection(scene.settings);
+    return !objection.isEmpty() || isDrawnWhateverItCallsFor(method, scene)
+        ? objection
+        : objectionTo(SceneRun(scene));
+}
+
+bool drawsAnyOf(const Scene &scene)
+{
+    const Method &method = *methodOf(scene);
+    return scene.isEmpty() || (scene.hasTriangles() && method.draws(PrimitiveKind::Triangle))
+        || std::ranges::any_of(scene.shapes,
+                               [&method](const Shape &shape) { return method.draws(shape); });
+}
+
+} // namespace pixelplumb
