@@ -4,6 +4,7 @@
 #include "core/effects/bordercrossing.h"
 #include "core/effects/requirements.h"
 #include "core/methods/method.h"
+#include "core/methods/objectiontext.h"
 #include "core/runs/contender.h"
 
 #include <algorithm>
@@ -48,14 +49,20 @@ EffectPlan planOf(const Scene &scene)
 QString objectionTo(const Scene &scene)
 {
     const Method &method = *methodNamed(QString::fromStdString(scene.method));
-    QString objection = method.objection(scene.settings);
-    if (!objection.isEmpty() || !mayCallForEffects(scene))
+    const QString objection = method.objection(scene.settings);
+    if (!mayCallForEffects(scene))
         return objection;
     if (!method.draws(PrimitiveKind::Triangle) || !scene.hasTriangles())
-        return objectionToShapes(method, scene);
-    if (canAll(method, scene.settings))
+        return joinedObjections({objection, objectionToShapes(method, scene)});
+    const ScanSettings kept = method.adapted(scene.settings);
+    if (canAll(method, kept))
         return objection;
-    return method.objection(planOf(scene), scene.settings);
+    // What stays in the way once its own objection is met; methods named for that keep the
+    // settings.
+    const EffectPlan plan = planOf(scene);
+    const QString ofEffects = method.objection(plan, kept);
+    return joinedObjections(
+        {objection, ofEffects.isEmpty() ? ofEffects : method.objection(plan, scene.settings)});
 }
 
 bool drawsAnyOf(const Scene &scene)
