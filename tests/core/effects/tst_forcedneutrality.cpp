@@ -54,14 +54,17 @@ EffectScene scarcelyNeutral(std::uint64_t seed, EffectHardship hardship)
     SeededRandom random(seed * 77 + std::uint64_t(hardship));
     const bool hasOneW = random.coin();
     const bool isOpaque = random.coin();
+    const bool hasOneDepth = random.between(0, 3) == 0;
+    const Attribute depth = random.between(0, attributeOne);
     for (TriangleAttributes &attributes : scene.primitives.attributes) {
         const Attribute w = random.between(1, 5 * attributeOne);
         for (VertexAttributes &vertex : attributes.vertices) {
             vertex.w = hasOneW ? w : vertex.w;
             vertex.alpha = isOpaque ? 255 : vertex.alpha;
+            vertex.z = hasOneDepth ? depth : vertex.z;
         }
     }
-    if (random.coin())
+    if (!hasOneDepth && random.coin())
         putOnOnePlane(scene, random);
     scene.primitives.appearance.depth = DepthUse::Auto;
     return scene;
