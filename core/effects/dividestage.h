@@ -31,7 +31,7 @@ void divideByW(StagedSamples<N> &run)
         run.isDivided = true;
     } else {
         for (const std::size_t channel : *run.carried) {
-            if (!followsPerspective(channelAt(channel)))
+            if (!followsPerspective(channelAt(channel)) || run.setUp->isCommon[channel])
                 continue;
             for (std::size_t i = 0; i < run.count; ++i)
                 run.value[channel][i] = run.value[channel][i] / reciprocal[i];

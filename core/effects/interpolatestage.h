@@ -3,6 +3,8 @@
 
 #include "core/effects/stagedsamples.h"
 
+#include <algorithm>
+
 /// The first stage: each channel's value at the samples, in one of three forms.
 namespace pixelplumb::stages {
 
@@ -105,6 +107,12 @@ void interpolateByWeights(StagedSamples<N> &run)
             run.read[sample].weight[i] = weight[i][sample];
     }
     for (const std::size_t channel : *run.carried) {
+        if (run.setUp->isCommon[channel]) { // the sum of rounded weights need not be 1
+            const Number all = run.setUp->commonValue(channel);
+            std::fill_n(run.value[channel].begin(), run.count,
+                        N::isExact ? Number(all * run.setUp->area) : all);
+            continue;
+        }
         const auto &corner = run.setUp->vertices;
         const Number &first = corner[0].channels[channel];
         const Number &second = corner[1].channels[channel];

@@ -94,6 +94,18 @@ std::vector<EffectBatch> batchesOf(const Primitives &primitives, const SampledFr
     return std::move(list).batches();
 }
 
+/// Depth that is forced on compares rounded depths, and so may refuse samples of a triangle that is
+/// not behind; a triangle of one depth has that depth unrounded.
+bool mayRoundInOrder(const Appearance &appearance, const ScanSettings &settings,
+                     const DepthAnswer &depth)
+{
+    const bool isRounded
+        = settings.arithmetic == Arithmetic::Float32 || settings.arithmetic == Arithmetic::Float64;
+    return isRounded && appearance.forced[Effect::Depth] == Forcing::On
+        && appearance.depth == DepthUse::Auto && depth.ground != DepthAnswer::Ground::FewTriangles
+        && depth.ground != DepthAnswer::Ground::SameDepth;
+}
+
 /// Whether lines in the frame change from colour to colour.
 bool runsOnLines(const Primitives &primitives, const SampledFrame &where)
 {
@@ -126,6 +138,10 @@ EffectPlan planFor(const Primitives &primitives, const ScanSettings &settings,
     const SampledFrame where = sampledFrame(frame, settings, plan.antialiasing);
     const DepthAnswer depth = depthQuestion(primitives, settings, frame, plan.antialiasing);
     plan.verdicts = requirementsWith(primitives, where, depth);
+    if (mayRoundInOrder(appearance, settings, depth))
+        plan.verdicts[Effect::Depth].reason
+            += QStringLiteral("; forced on, it compares depths that are rounded: where two are "
+                              "equal or nearly so, the later triangle may lose the pixel");
     plan.batches = batchesOf(primitives, where, depth);
     plan.smoothLines
         = runsOnLines(primitives, {frame, settings.fillRule, antialiasingOf(appearance)});

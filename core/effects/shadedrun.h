@@ -77,9 +77,13 @@ public:
     const EffectCounts &work() const { return m_samples.done; }
 
 private:
-    ShadedTriangle triangleAt(std::size_t index) const
+    ShadedTriangle triangleAt(std::size_t index, const EffectSet &effects) const
     {
-        return {m_primitives.triangles[index], m_primitives.attributesOf(index)};
+        const Triangle &triangle = m_primitives.triangles[index];
+        const TriangleAttributes *attributes = m_primitives.attributesOf(index);
+        const bool corrects
+            = effects.perspective && hasHorizon(triangle, attributes, m_primitives.appearance);
+        return {triangle, attributes, corrects ? DivisionBy::W : DivisionBy::One};
     }
 
     /// What the triangle's samples are shaded with.
@@ -176,12 +180,12 @@ void ShadedRun<N, A, Observer>::draw(std::size_t index, const EffectSet &effects
                                      ShadedSurroundings<N> &surroundings,
                                      const SampledPixels *pixels)
 {
-    const ShadedTriangle given = triangleAt(index);
+    const ShadedTriangle given = triangleAt(index, effects);
     // A segment covers whole pixels: all their samples are taken as at the pixel's own.
     const Triangle seen = pixels && doubledArea(given.triangle) != 0
         ? seenFrom(given.triangle, pixels->sample)
         : given.triangle;
-    const ShadedTriangle triangle{seen, given.attributes};
+    const ShadedTriangle triangle{seen, given.attributes, given.division};
     const auto setUp = shadedSetUpOf<N>(m_form, triangle, effects);
     if (!begins(triangle, setUp))
         return;
@@ -206,7 +210,7 @@ template <class N, class A, class Observer>
 void ShadedRun<N, A, Observer>::drawAreas(std::size_t index, const EffectSet &effects,
                                           FrameView frame, ShadedSurroundings<N> &surroundings)
 {
-    const ShadedTriangle given = triangleAt(index);
+    const ShadedTriangle given = triangleAt(index, effects);
     if (doubledArea(given.triangle) == 0)
         return draw(index, effects, frame, surroundings);
     // The area acts as an alpha: it is the only one where blending is forced off.
@@ -217,18 +221,15 @@ void ShadedRun<N, A, Observer>::drawAreas(std::size_t index, const EffectSet &ef
         for (VertexAttributes &vertex : opaque.vertices)
             vertex.alpha = VertexAttributes().alpha;
     }
-    const ShadedTriangle triangle{given.triangle, isOpaque ? &opaque : given.attributes};
-    // Where nothing divided by w differs, samples beyond the horizon have the same values.
-    EffectSet needed = effects;
-    needed.perspective = effects.perspective
-        && hasHorizon(given.triangle, given.attributes, surroundings.appearance);
-    EffectSet covering = needed;
+    const ShadedTriangle triangle{given.triangle, isOpaque ? &opaque : given.attributes,
+                                  given.division};
+    EffectSet covering = effects;
     covering.blending = true;
     const auto setUp = shadedSetUpOf<N>(m_form, triangle, covering);
     if (!begins(triangle, setUp))
         return;
     const ShadedSurface<N> whole = surfaceOf(triangle, surroundings);
-    const StageList<N> ofWhole = stagesOf(needed, whole, false);
+    const StageList<N> ofWhole = stagesOf(effects, whole, false);
     const StageList<N> ofParts = stagesOf(covering, whole, true);
     std::array<LatticePoint, 3> corners;
     for (std::size_t i = 0; i < 3; ++i)

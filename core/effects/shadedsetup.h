@@ -42,10 +42,15 @@ constexpr std::int64_t channelUnits(const Vertex &vertex, const VertexAttributes
     return 0;
 }
 
+/// What the vertices' w do: where they are equal, or nothing that is divided by them differs, there
+/// is nothing to correct.
+enum class DivisionBy : std::uint8_t { W, One };
+
 /// One triangle with its attributes.
 struct ShadedTriangle {
     const Triangle &triangle;
     const TriangleAttributes *attributes = nullptr; ///< null: none; both must outlive this
+    DivisionBy division = DivisionBy::W;
 
     std::int64_t valueAt(std::size_t vertex, Channel channel) const
     {
@@ -82,6 +87,9 @@ struct ShadedSetUp {
     InterpolationForm form = InterpolationForm::Bilinear;
     EffectSet effects;
     ShadedChannels carried{{}}; ///< the channels that the effects read
+    /// Channels in which the vertices agree: they have that value everywhere, whatever the form and
+    /// the arithmetic. 1/w is among them where there is nothing to correct: it is 1 then.
+    PerChannel<bool> isCommon = {};
     std::array<ShadedCorner<N>, 3> vertices; ///< in the caller's order
     /// The exact denominator: doubled area, unsigned, in square lattice units; for a segment its
     /// length along the axis, lattice units; for a point 1.
@@ -90,6 +98,19 @@ struct ShadedSetUp {
     PerChannel<std::array<Number, 3>> plane = {};
     /// The weight of a vertex, a·x + b·y + c; in exact numbers over the area.
     std::array<std::array<Number, 3>, 3> weight = {};
+
+    /// Whether the channel is divided by w at the vertices.
+    bool divides(std::size_t channel) const
+    {
+        return effects.perspective && channelAt(channel) != Channel::Depth && !isCommon[channel]
+            && !isCommon[indexOf(Channel::Reciprocal)];
+    }
+    /// A vertex that has the common values.
+    std::size_t commonVertex() const { return zeroArea ? std::size_t(order[0]) : 0; }
+    const Number &commonValue(std::size_t channel) const
+    {
+        return vertices[commonVertex()].channels[channel];
+    }
 };
 
 /// The set-up with the vertices' data, for observers that read numbers.
@@ -151,6 +172,30 @@ inline bool fitsNarrowShading(const ShadedTriangle &triangle, const EffectSet &e
 
 namespace shadedsetup {
 
+/// Of a segment only its two ends count, of a point only its first vertex. The three colours count
+/// as one channel: one that is interpolated is interpolated as without effects.
+template <class N>
+void setCommonChannels(ShadedSetUp<N> &setUp, const ShadedTriangle &triangle)
+{
+    const auto agree = [&](Channel channel) {
+        const auto valueAt = [&](std::size_t corner) {
+            return triangle.valueAt(std::size_t(setUp.order[corner]), channel);
+        };
+        const auto &place = setUp.vertices;
+        const bool isPoint = setUp.zeroArea
+            && place[std::size_t(setUp.order[0])].position
+                == place[std::size_t(setUp.order[2])].position;
+        return isPoint
+            || (valueAt(0) == valueAt(2) && (setUp.zeroArea || valueAt(0) == valueAt(1)));
+    };
+    const bool isOneColour = agree(Channel::Red) && agree(Channel::Green) && agree(Channel::Blue);
+    for (const Channel channel : {Channel::Red, Channel::Green, Channel::Blue})
+        setUp.isCommon[indexOf(channel)] = isOneColour;
+    for (const Channel channel : {Channel::Alpha, Channel::Depth})
+        setUp.isCommon[indexOf(channel)] = agree(channel);
+    setUp.isCommon[indexOf(Channel::Reciprocal)] = triangle.division == DivisionBy::One;
+}
+
 template <class Integer>
 void setWeights(ShadedSetUp<ExactShading<Integer>> &setUp)
 {
@@ -173,7 +218,6 @@ template <class Integer>
 void setNumbers(ShadedSetUp<ExactShading<Integer>> &setUp, const ShadedTriangle &triangle)
 {
     const auto w = reducedW(triangle);
-    const bool corrects = setUp.effects.perspective;
     if (setUp.zeroArea)
         setSegmentWeights(setUp);
     else
@@ -181,15 +225,14 @@ void setNumbers(ShadedSetUp<ExactShading<Integer>> &setUp, const ShadedTriangle 
     /// The factor for each vertex's values: the product of the other two w.
     std::array<Integer, 3> factor;
     for (std::size_t i = 0; i < 3; ++i)
-        factor[i] = corrects ? Integer(w[(i + 1) % 3]) * w[(i + 2) % 3] : Integer(1);
+        factor[i] = Integer(w[(i + 1) % 3]) * w[(i + 2) % 3];
     for (const std::size_t channel : setUp.carried) {
         std::array<Integer, 3> &plane = setUp.plane[channel];
         plane = {Integer(0), Integer(0), Integer(0)};
         for (std::size_t i = 0; i < 3; ++i) {
-            const bool isDivided = channelAt(channel) != Channel::Depth;
             Integer &value = setUp.vertices[i].channels[channel];
             value = triangle.valueAt(i, channelAt(channel));
-            if (isDivided)
+            if (setUp.divides(channel))
                 value *= factor[i];
             for (std::size_t k = 0; k < 3; ++k)
                 plane[k] += value * setUp.weight[i][k];
@@ -200,7 +243,6 @@ void setNumbers(ShadedSetUp<ExactShading<Integer>> &setUp, const ShadedTriangle 
 template <std::floating_point Float>
 void setNumbers(ShadedSetUp<FloatShading<Float>> &setUp, const ShadedTriangle &triangle)
 {
-    const bool corrects = setUp.effects.perspective;
     for (const std::size_t channel : setUp.carried) {
         const Channel which = channelAt(channel);
         for (std::size_t i = 0; i < 3; ++i) {
@@ -209,8 +251,7 @@ void setNumbers(ShadedSetUp<FloatShading<Float>> &setUp, const ShadedTriangle &t
                 ? Float(units)
                 : Float(double(units) / double(attributeOne));
             const auto w = Float(double(triangle.wAt(i)) / double(attributeOne));
-            const bool isDivided = corrects && which != Channel::Depth;
-            setUp.vertices[i].channels[channel] = isDivided ? value / w : value;
+            setUp.vertices[i].channels[channel] = setUp.divides(channel) ? value / w : value;
         }
     }
 }
@@ -223,6 +264,10 @@ void setForm(ShadedSetUp<FloatShading<Float>> &setUp)
         setSegmentForm(setUp);
     } else if (setUp.form == InterpolationForm::Plane) {
         for (const std::size_t channel : setUp.carried) {
+            if (setUp.isCommon[channel]) {
+                setUp.plane[channel] = {0, 0, setUp.commonValue(channel)};
+                continue;
+            }
             const PlaneNormal<Float> normal = planeNormal<Float>(setUp.vertices, channel);
             setUp.plane[channel]
                 = {-normal.a / normal.c, -normal.b / normal.c, -normal.d / normal.c};
@@ -258,6 +303,7 @@ ShadedSetUp<N> shadedSetUpOf(InterpolationForm form, const ShadedTriangle &trian
     setUp.zeroArea = area == 0;
     for (std::size_t i = 0; i < 3; ++i)
         setUp.vertices[i].position = triangle.triangle.vertices[i].position;
+    shadedsetup::setCommonChannels(setUp, triangle);
     shadedsetup::setNumbers(setUp, triangle);
     shadedsetup::setForm(setUp);
     return setUp;

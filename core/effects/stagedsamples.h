@@ -133,9 +133,11 @@ struct StagedSamples {
     {
         const ByteRounding rounding = surface->rounding;
         const auto &values = value[indexOf(channel)];
+        const bool isCommon = setUp->isCommon[indexOf(channel)];
         for (std::size_t i = 0; i < count; ++i) {
             if constexpr (N::isExact)
-                levels[i] = N::level(values[i], denominatorOf(i), rounding);
+                levels[i]
+                    = N::level(values[i], isCommon ? setUp->area : denominatorOf(i), rounding);
             else
                 levels[i] = N::level(values[i], rounding);
         }

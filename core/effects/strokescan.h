@@ -191,8 +191,13 @@ private:
             m_canvas.paint(i, pixel.x, pixel.y,
                            m_colour.colourAt(m_colour.placeOf(pixel.x, pixel.y, pattern[i])));
         }
-        if (sample.covered == 0)
+        if constexpr (readsNumbers<Observer>)
+            sample.current = m_canvas.samples(pixel.x, pixel.y);
+        if (sample.covered == 0) {
+            sample.after = sample.before;
+            m_observer.sampleRejected(pixel.x, pixel.y, sample.before, sample);
             return;
+        }
         if (m_canvas.hasSampleFrames())
             takeMean(sample, pixel);
         else
@@ -212,8 +217,6 @@ private:
     {
         sample.place = {};
         sample.after = m_canvas.mean(pixel.x, pixel.y).pixel();
-        if constexpr (readsNumbers<Observer>)
-            sample.current = m_canvas.samples(pixel.x, pixel.y);
         for (std::size_t i = 0; i < 3; ++i)
             sample.level[i] = unpacked(sample.after).channels[i];
     }

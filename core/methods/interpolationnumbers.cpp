@@ -187,6 +187,9 @@ void specifyValue(NumberDescription &number, InterpolationForm form, const QStri
     if (!state.start.hasPlane) {
         number.formula = segmentFormula(form, name, state);
         number.startFormula.clear();
+    } else if (form == InterpolationForm::Barycentric && state.hasOneColour
+               && QStringLiteral("RGB").contains(name)) {
+        number.formula = name + QStringLiteral(" = ") + name + u'₀';
     } else if (isBilinear(form) && state.start.isPoint) {
         number.formula = QStringLiteral("%1 ← %1′").arg(name);
         number.startFormula = walkNames(form).filled(name + QStringLiteral(" ← ")

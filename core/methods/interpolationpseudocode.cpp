@@ -41,7 +41,10 @@ Pseudocode valueLines(InterpolationForm form)
     if (form == InterpolationForm::Plane)
         return {{2, QStringLiteral("each value v ← a·x + b·y + c"), {First, Next}}};
     return {{2, QStringLiteral("α, β, γ ← a·x + b·y + c, of each its own"), {First, Next}},
-            {2, QStringLiteral("each value v ← α·v₀ + β·v₁ + γ·v₂"), {First, Next}}};
+            {2,
+             QStringLiteral("each value v ← α·v₀ + β·v₁ + γ·v₂; a colour, alpha or z that is the "
+                            "same at all three: v ← v₀"),
+             {First, Next}}};
 }
 
 /// The vertices keep their names where only the walk along the edges needs their order.
@@ -131,6 +134,9 @@ Pseudocode withSamples(Pseudocode code, InterpolationForm form)
     if (form == InterpolationForm::Barycentric) {
         add(QStringLiteral("α ← a_α·x + b_α·y + c_α; β and γ likewise"), LineOf::Area);
         add(QStringLiteral("R ← α·R₀ + β·R₁ + γ·R₂; G and B likewise"), LineOf::Area);
+        add(QStringLiteral("if R₀ = R₁ = R₂ and G₀ = G₁ = G₂ and B₀ = B₁ = B₂: R ← R₀; G and B "
+                           "likewise"),
+            LineOf::Area);
     } else {
         add(QStringLiteral("for each value v of R, G, B: v ← a_v·x + b_v·y + c_v"), LineOf::Area);
     }
@@ -183,8 +189,9 @@ Pseudocode shadedPseudocode(InterpolationForm form)
     code.insert(columns + 1, everyColumn);
     code.insert(code.begin() + 2,
                 {0,
-                 QStringLiteral("divide what the vertices carry by their w, but for z; 1/w is "
-                                "carried, too"),
+                 QStringLiteral("divide what the vertices carry by their w, but for z and a "
+                                "colour or alpha that is the same at all of them; 1/w is "
+                                "carried, too, as 1 if nothing is divided"),
                  {SetUp},
                  Effect::Perspective});
     const std::vector<Moment> atSamples = {First, Next, Refused};
@@ -226,7 +233,7 @@ Pseudocode shadedPseudocode(InterpolationForm form)
                     QStringLiteral("if z is greater than the depth that stands here: on to the "
                                    "next sample; else the depth ← z"),
                     atSamples, Effect::Depth});
-    append(QStringLiteral("each value v ← (v/w)/(1/w)"), Effect::Perspective);
+    append(QStringLiteral("each value v that was divided ← (v/w)/(1/w)"), Effect::Perspective);
     append(QStringLiteral("colour ← the bytes of R, G, B"), {});
     append(QStringLiteral("colour ← ⌊colour·t/255 + ½⌋ with the texel t at (u, v)"),
            Effect::Texture);

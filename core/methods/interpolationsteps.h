@@ -68,6 +68,7 @@ struct InterpolationSampleState : InterpolationSample<Quantity> {
     std::array<int, 3> order = {0, 1, 2}; ///< P0, P1, P2 in the caller's triangle
     EdgeWalkStart start;
     bool isPoint = false; ///< all vertices coincide
+    bool hasOneColour = false; ///< not weighted in floating numbers
 };
 
 template <InterpolationForm Form, class Number, std::size_t channelsInAll>
@@ -182,7 +183,8 @@ InterpolationSampleState interpolationStateOf(
     InterpolationSampleState state{{channelQuantities(sample.value), {}, sample.level},
                                    step.setUp.order,
                                    interpolationWalkOf<Form, Number, channelsInAll>(step).start,
-                                   false};
+                                   false,
+                                   pixelplumb::hasOneColour(step.setUp)};
     const auto corner = [&](std::size_t number) {
         return step.setUp.vertices[std::size_t(step.setUp.order[number])].position;
     };

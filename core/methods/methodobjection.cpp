@@ -2,6 +2,7 @@
 #include "core/effects/requirements.h"
 #include "core/effects/strokestrip.h"
 #include "core/methods/method.h"
+#include "core/methods/objectiontext.h"
 #include "core/scan/choicenames.h"
 
 #include <algorithm>
@@ -140,19 +141,20 @@ QString smoothColourObjection(const Method &method, const EffectPlan &plan,
 
 QString Method::objection(const ScanSettings &settings) const
 {
+    QStringList objections;
     if (!supports(settings.arithmetic))
-        return QStringLiteral("does not compute in %1; it knows %2")
-            .arg(quoted(nameOf(settings.arithmetic)),
-                 namesOf(arithmetics).join(QStringLiteral(", ")));
+        objections += QStringLiteral("does not compute in %1; it knows %2")
+                          .arg(quoted(nameOf(settings.arithmetic)),
+                               namesOf(arithmetics).join(QStringLiteral(", ")));
     if (!supports(settings.fillRule))
-        return QStringLiteral("cannot keep the fill rule %1: %2; it keeps %3")
-            .arg(quoted(nameOf(settings.fillRule)), fillRuleReason,
-                 namesOf(fillRules).join(QStringLiteral(", ")));
+        objections += QStringLiteral("cannot keep the fill rule %1: %2; it keeps %3")
+                          .arg(quoted(nameOf(settings.fillRule)), fillRuleReason,
+                               namesOf(fillRules).join(QStringLiteral(", ")));
     for (const Variant variant : variantsIn(settings.variants)) {
         if (!supports(variant))
-            return unknownVariantText(*this, variant, settings);
+            objections += unknownVariantText(*this, variant, settings);
     }
-    return {};
+    return joinedObjections(objections);
 }
 
 QString Method::objection(const EffectPlan &plan, const ScanSettings &settings) const
@@ -169,16 +171,22 @@ QString Method::objection(const EffectPlan &plan, const ScanSettings &settings) 
     if (!missing.empty())
         return lackText(missing, askerText(plan, missing),
                         ableText(missing, settings, drawsTriangles));
+    QStringList hindrances;
+    QStringList ways;
+    if (!settings.variants.isEmpty() && !run.empty()) {
+        hindrances += QStringLiteral("with variants, which depart from its colours alone");
+        ways += QStringLiteral("without them");
+    }
     const QString separator = QStringLiteral(", ");
-    if (!settings.variants.isEmpty() && !run.empty())
-        return QStringLiteral("cannot do %1, %2, with variants: they depart from its colours alone")
-            .arg(namesOf(run).join(separator), askerText(plan, run));
-    const Arithmetic arithmetic = settings.arithmetic;
-    if (!shadesIn(arithmetic))
-        return QStringLiteral("cannot do %1, %2, in %3; it can in %4")
-            .arg(namesOf(run).join(separator), askerText(plan, run), quoted(nameOf(arithmetic)),
-                 namesOf(shadingArithmetics).join(separator));
-    return {};
+    if (!shadesIn(settings.arithmetic)) {
+        hindrances += QStringLiteral("in %1").arg(quoted(nameOf(settings.arithmetic)));
+        ways += QStringLiteral("in %1").arg(namesOf(shadingArithmetics).join(separator));
+    }
+    if (hindrances.isEmpty())
+        return {};
+    return QStringLiteral("cannot do %1, %2, %3; it can %4")
+        .arg(namesOf(run).join(separator), askerText(plan, run),
+             hindrances.join(QStringLiteral(", nor ")), ways.join(QStringLiteral(" and ")));
 }
 
 QString Method::objection(const Shape &shape, const Appearance &appearance,

@@ -91,11 +91,14 @@ void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
                  return state.linear[channel][vertexIn(state, form, digit)];
              },
              [=](NumberDescription &number, const ShadedSetUpState &state) {
-                 if (state.effects.perspective)
+                 if (state.isDivided[channel])
                      return;
+                 const bool divides = state.isDivided[indexOf(Channel::Reciprocal)];
                  number.formula = QStringLiteral("%1 = %2").arg(number.title, above);
-                 number.toolTip
-                     = QStringLiteral("%1 itself: no w differs in this triangle.").arg(above);
+                 number.toolTip = (divides ? QStringLiteral("%1 itself: the vertices agree in it.")
+                                           : QStringLiteral("%1 itself: there is nothing to "
+                                                            "correct in this triangle."))
+                                      .arg(above);
              }});
     }
 }

@@ -55,10 +55,12 @@ void appendLinear(Table &table, const ShadedScope &scope, std::size_t channel)
     table.push_back({comparedNumber(name, name, isLevel(which) ? unit::levels() : QString(),
                                     toolTip, formula, Group::FirstColour),
                      [channel](const State &state) { return state.linear[channel]; },
-                     [=, isBilinear = scope.form == InterpolationForm::Bilinear](
-                         NumberDescription &number, const State &state) {
-                         if (isBilinear && state.startsRun)
+                     [=, form = scope.form](NumberDescription &number, const State &state) {
+                         if (form == InterpolationForm::Bilinear && state.startsRun)
                              number.formula = direct;
+                         if (form == InterpolationForm::Barycentric && state.isCommon[channel])
+                             number.formula = QStringLiteral("%1 = %1").arg(name)
+                                 + vertexDigits[state.commonVertex];
                      }});
 }
 
@@ -75,7 +77,7 @@ void appendQuotient(Table &table, const ShadedScope &scope, std::size_t channel)
          [channel](const State &state) { return state.value[channel]; },
          [which, linear = linearName(which, scope.effects)](NumberDescription &number,
                                                             const State &state) {
-             if (state.effects.perspective)
+             if (state.isDivided[indexOf(which)])
                  return;
              number.formula = QStringLiteral("%1 = %2").arg(number.title, linear);
              number.toolTip = atSampleText(which) + u'.';

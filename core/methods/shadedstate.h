@@ -37,6 +37,8 @@ struct ShadedSetUpState {
     InterpolationForm form = InterpolationForm::Bilinear;
     OfVertices<LatticePoint> position;
     EffectSet effects; ///< of the triangle
+    PerChannel<bool> isCommon = {}; ///< in which the vertices agree
+    PerChannel<bool> isDivided = {}; ///< by w
     bool zeroArea = false; ///< its segment is drawn
     PerChannel<OfVertices<Quantity>> given; ///< as the vertices give them
     OfVertices<Quantity> w;
@@ -77,6 +79,9 @@ struct ShadedSampleState {
     bool isWritten = false;
     bool isBlended = false; ///< and has an alpha
     EffectSet effects; ///< of the triangle
+    PerChannel<bool> isCommon = {}; ///< in which the vertices agree
+    PerChannel<bool> isDivided = {}; ///< by w
+    std::size_t commonVertex = 0; ///< has the common values
     PixelSamples pixelSamples; ///< 4 or 16: then none of the rest is set
     std::uint16_t samplesWritten = 0;
     bool isBeyondHorizon = false; ///< 1/w is not positive there
@@ -113,6 +118,15 @@ struct ShadedSampleState {
     }
 };
 
+template <class N>
+PerChannel<bool> dividedChannelsOf(const ShadedSetUp<N> &setUp)
+{
+    PerChannel<bool> isDivided = {};
+    for (const std::size_t channel : setUp.carried)
+        isDivided[channel] = setUp.divides(channel);
+    return isDivided;
+}
+
 /// How the numbers of one kernel become quantities.
 template <class N>
 struct ShadedQuantities;
@@ -122,7 +136,7 @@ struct ShadedQuantities<FloatShading<Float>> {
     using N = FloatShading<Float>;
 
     explicit ShadedQuantities(const ShadedSetUpRead<N> &setUp)
-        : perspective(setUp.effects.perspective)
+        : isDivided(dividedChannelsOf(setUp))
     {
     }
     Quantity linear(std::size_t, Float value) const { return Quantity::of(value); }
@@ -131,15 +145,15 @@ struct ShadedQuantities<FloatShading<Float>> {
     Quantity value(const ShadedSample<N> &sample, std::size_t channel) const
     {
         const Float value = sample.value[channel];
-        return Quantity::of(perspective ? value / sample.value[indexOf(Channel::Reciprocal)]
-                                        : value);
+        return Quantity::of(isDivided[channel] ? value / sample.value[indexOf(Channel::Reciprocal)]
+                                               : value);
     }
     Quantity depth(Float value) const
     {
         return std::isfinite(value) ? Quantity::of(value) : Quantity();
     }
 
-    bool perspective;
+    PerChannel<bool> isDivided;
 };
 
 template <class Integer>
@@ -147,10 +161,10 @@ struct ShadedQuantities<ExactShading<Integer>> {
     using N = ExactShading<Integer>;
 
     explicit ShadedQuantities(const ShadedSetUpRead<N> &setUp)
-        : perspective(setUp.effects.perspective)
+        : isDivided(dividedChannelsOf(setUp))
         , area(setUp.area)
     {
-        if (!perspective)
+        if (!isDivided[indexOf(Channel::Reciprocal)])
             return;
         // The kernel has a·w_j·w_k for a/w_i: too much by the product of all three w, and without
         // the powers of two that they have in common.
@@ -171,19 +185,15 @@ struct ShadedQuantities<ExactShading<Integer>> {
         return isLevel(which) || which == Channel::Reciprocal ? BigInteger(1)
                                                               : BigInteger(attributeOne);
     }
-    bool isDivided(std::size_t channel) const
-    {
-        return perspective && channelAt(channel) != Channel::Depth;
-    }
     Quantity linear(std::size_t channel, const Integer &numerator) const
     {
         const BigInteger below = BigInteger(area) * unitOf(channel);
-        return isDivided(channel) ? quotientOf(BigInteger(numerator) * scale, below * product)
+        return isDivided[channel] ? quotientOf(BigInteger(numerator) * scale, below * product)
                                   : quotientOf(BigInteger(numerator), below);
     }
     Quantity vertex(std::size_t channel, const Integer &value) const
     {
-        return isDivided(channel) ? quotientOf(BigInteger(value) * scale, unitOf(channel) * product)
+        return isDivided[channel] ? quotientOf(BigInteger(value) * scale, unitOf(channel) * product)
                                   : quotientOf(BigInteger(value), unitOf(channel));
     }
     /// A rise over `run` > 0 lattice units, per column.
@@ -191,7 +201,7 @@ struct ShadedQuantities<ExactShading<Integer>> {
     {
         const BigInteger above = BigInteger(rise) * unitsPerPixel;
         const BigInteger below = unitOf(channel) * run;
-        return isDivided(channel) ? quotientOf(above * scale, below * product)
+        return isDivided[channel] ? quotientOf(above * scale, below * product)
                                   : quotientOf(above, below);
     }
     Quantity weight(const Integer &numerator) const
@@ -200,7 +210,8 @@ struct ShadedQuantities<ExactShading<Integer>> {
     }
     Quantity value(const ShadedSample<N> &sample, std::size_t channel) const
     {
-        const Integer &below = perspective ? sample.value[indexOf(Channel::Reciprocal)] : area;
+        const Integer &below
+            = isDivided[channel] ? sample.value[indexOf(Channel::Reciprocal)] : area;
         if (below <= 0)
             return {};
         return quotientOf(BigInteger(sample.value[channel]), BigInteger(below) * unitOf(channel));
@@ -214,7 +225,7 @@ struct ShadedQuantities<ExactShading<Integer>> {
                           BigInteger(depth.denominator) * attributeOne);
     }
 
-    bool perspective;
+    PerChannel<bool> isDivided;
     Integer area;
     BigInteger product = 1;
     BigInteger scale = 1;

@@ -55,6 +55,8 @@ ShadedSetUpState shadedStateOf(const ShadedSetUpRead<N> &setUp)
     state.order = setUp.order;
     state.form = setUp.form;
     state.effects = setUp.effects;
+    state.isCommon = setUp.isCommon;
+    state.isDivided = dividedChannelsOf(setUp);
     state.zeroArea = setUp.zeroArea;
     state.material = setUp.material;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -228,6 +230,9 @@ ShadedSampleState shadedStateOf(
     state.y = step.y;
     state.isWritten = step.fate == SampleFate::Written;
     state.effects = setUp.effects;
+    state.isCommon = setUp.isCommon;
+    state.isDivided = dividedChannelsOf(setUp);
+    state.commonVertex = setUp.commonVertex();
     state.before = unpacked(sample.before);
     state.after = unpacked(sample.after);
     state.pixelSamples = sample.samples.current;

@@ -51,7 +51,7 @@ void tellShaded(StepWords &words, const ShadedSetUpState &state)
     words.sentence = verticesText(state.form, state.order, state.position);
     if (state.zeroArea)
         words.sentence += segmentText(state.form, state.order);
-    if (state.effects.perspective)
+    if (state.isDivided[indexOf(Channel::Reciprocal)])
         words.sentence += QStringLiteral(" What the vertices carry is divided by w, because that "
                                          "is what changes linearly in the frame.");
 }

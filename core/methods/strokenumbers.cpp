@@ -92,6 +92,27 @@ void appendStrokeColours(NumberTable<StrokeSetUp> &table)
                        });
 }
 
+/// What decides whether a pixel's one sample lies in the rectangle of a line.
+void appendDistances(NumberTable<StrokeSampleState> &table)
+{
+    const auto whole = QStringLiteral("((x₁ − x₀)·h_y − (y₁ − y₀)·h_x)");
+    table.push_back({strokeNumber(QStringLiteral("d_across"), QStringLiteral("half widths"),
+                                  QStringLiteral("How far the sample lies from a line, which "
+                                                 "covers it from −1 to 1."),
+                                  QStringLiteral("d_across = ((x₁ − x₀)·(y − y₀) − (y₁ − y₀)·(x − "
+                                                 "x₀))/")
+                                      + whole,
+                                  Group::Decision),
+                     [](const StrokeSampleState &state) { return state.across(); }});
+    table.push_back(
+        {strokeNumber(QStringLiteral("d_along"), QStringLiteral("lengths"),
+                      QStringLiteral("How far along a line the sample lies; from 0 to "
+                                     "1 the line covers it."),
+                      QStringLiteral("d_along = ((x − x₀)·h_y − (y − y₀)·h_x)/") + whole,
+                      Group::Decision),
+         [](const StrokeSampleState &state) { return state.along(); }});
+}
+
 /// R, G and B of a byte.
 void appendStrokeBytes(NumberTable<StrokeSampleState> &table, QChar letter, const QString &toolTip,
                        const QString &formula,
@@ -105,7 +126,8 @@ void appendStrokeBytes(NumberTable<StrokeSampleState> &table, QChar letter, cons
                     .formula = formula,
                     .group = Group::FirstColour},
                    [read](const StrokeSampleState &state, std::size_t channel) {
-                       return Quantity::integer(read(state, channel));
+                       return state.isRefused ? Quantity()
+                                              : Quantity::integer(read(state, channel));
                    });
 }
 
@@ -150,7 +172,7 @@ void appendStrokeSource(NumberTable<StrokeSampleState> &table)
          .formula = {},
          .group = Group::FirstColour},
         [](const StrokeSampleState &state, std::size_t channel) {
-            return Quantity::integer(state.sample.level[channel]);
+            return state.isRefused ? Quantity() : Quantity::integer(state.sample.level[channel]);
         },
         [](NumberDescription &number, const StrokeSampleState &state) {
             number.formula = state.rounding == ByteRounding::Nearest
@@ -171,14 +193,54 @@ QString writtenFormula(Antialiasing antialiasing)
 
 } // namespace
 
+namespace {
+
+Int128 crossOf(const StrokePoint &a, const StrokePoint &b)
+{
+    return Int128(a.x) * b.y - Int128(a.y) * b.x;
+}
+
+StrokePoint strokePoint(const LatticePoint &point)
+{
+    return {point.x * strokeUnitsPerLattice, point.y * strokeUnitsPerLattice};
+}
+
+StrokePoint from(const LatticePoint &start, const LatticePoint &end)
+{
+    return strokePoint({end.x - start.x, end.y - start.y});
+}
+
+} // namespace
+
+Quantity StrokeSampleState::across(const LatticePoint &offset) const
+{
+    if (setUp.shape.kind != PrimitiveKind::Line)
+        return {};
+    const LatticePoint &start = setUp.shape.vertices[0].position;
+    const StrokePoint line = from(start, setUp.shape.vertices[1].position);
+    const LatticePoint sample = {x * unitsPerPixel + offset.x, y * unitsPerPixel + offset.y};
+    return Quantity::rational(crossOf(line, from(start, sample)), crossOf(line, setUp.half));
+}
+
+Quantity StrokeSampleState::along(const LatticePoint &offset) const
+{
+    if (setUp.shape.kind != PrimitiveKind::Line)
+        return {};
+    const LatticePoint &start = setUp.shape.vertices[0].position;
+    const StrokePoint line = from(start, setUp.shape.vertices[1].position);
+    const LatticePoint sample = {x * unitsPerPixel + offset.x, y * unitsPerPixel + offset.y};
+    return Quantity::rational(crossOf(from(start, sample), setUp.half), crossOf(line, setUp.half));
+}
+
 Quantity StrokeSampleState::place() const
 {
-    return isOnLine() ? Quantity::rational(sample.place.run, sample.place.length) : Quantity();
+    return isOnLine() && !isRefused ? Quantity::rational(sample.place.run, sample.place.length)
+                                    : Quantity();
 }
 
 Quantity StrokeSampleState::level(std::size_t channel) const
 {
-    if (isMean())
+    if (isMean() || isRefused)
         return {};
     const Int128 from = setUp.shape.vertices.front().colour.channels[channel];
     if (!isOnLine())
@@ -252,6 +314,8 @@ NumberTable<StrokeSampleState> strokeSampleNumbers(Antialiasing antialiasing)
                          }});
     }
     const std::size_t samples = samplePattern(antialiasing).size();
+    if (antialiasing == Antialiasing::None)
+        appendDistances(table);
     if (samples > 0)
         appendSampleSums(table, [](const StrokeSampleState &state) -> const PixelSamples & {
             return state.sample.current;

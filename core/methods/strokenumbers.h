@@ -13,11 +13,16 @@ struct StrokeSampleState {
     const StrokeSetUp &setUp;
     const StrokeSample &sample;
     ByteRounding rounding = ByteRounding::Nearest;
-    std::int64_t y = 0;
+    std::int64_t x = 0, y = 0;
+    bool isRefused = false;
 
     bool isOnLine() const { return setUp.shape.kind == PrimitiveKind::Line; }
     bool isByArea() const { return sample.samples == 0; }
     bool isMean() const { return sample.samples > 1; } ///< of samples that have their own colours
+    /// Where a sample lies in the rectangle of a line, which covers it from −1 to 1 half widths
+    /// across and from 0 to 1 length along; `offset` is from the pixel's own sample.
+    Quantity across(const LatticePoint &offset = {}) const;
+    Quantity along(const LatticePoint &offset = {}) const;
     Quantity place() const; ///< t
     Quantity level(std::size_t channel) const; ///< before rounding
 };

@@ -26,7 +26,8 @@ struct StrokeRecording : StrokeNumbers {
     static const Span &stateOf(const CurrentSpan<SetUp, Span> &step) { return step.span; }
     static StrokeSampleState stateOf(const CurrentSample<SetUp, Span, Sample> &step)
     {
-        return {step.setUp, step.sample, step.settings.rounding, step.y};
+        return {step.setUp, step.sample, step.settings.rounding,
+                step.x,     step.y,      step.fate == SampleFate::Refused};
     }
     template <class State>
     static auto tell(StepWords &words, const State &state) -> decltype(tellStroke(words, state))

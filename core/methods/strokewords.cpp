@@ -2,7 +2,62 @@
 #include "core/methods/formulatext.h"
 #include "core/methods/strokenumbers.h"
 
+#include <cmath>
+
 namespace pixelplumb {
+
+namespace {
+
+bool isOnBorder(double across, double along)
+{
+    return std::abs(across) == 1 || along == 0 || along == 1;
+}
+
+/// Where a sample lies, as far as that decides: beyond a line's end, or so far from the line.
+QString placeText(const StrokeSampleState &state, const LatticePoint &offset)
+{
+    const Quantity across = state.across(offset);
+    const Quantity along = state.along(offset);
+    if (across.isNone())
+        return {};
+    if (along.toDouble() < 0 || along.toDouble() > 1)
+        return QStringLiteral(", which lies beyond its end: d_along = %1").arg(term(along));
+    const QString lies
+        = QStringLiteral(", which lies %1 half widths from the line").arg(term(across));
+    return isOnBorder(across.toDouble(), along.toDouble()) ? lies
+            + QStringLiteral(" on the border of its rectangle, where it counts as displaced to the "
+                             "right and, by less, up")
+                                                           : lies;
+}
+
+/// Where the samples lie that a line does not cover.
+QString uncoveredText(const StrokeSampleState &state)
+{
+    if (!state.isOnLine())
+        return {};
+    const auto pattern = samplePattern(state.sample.samples == 4 ? Antialiasing::Samples4
+                                                                 : Antialiasing::Samples16);
+    QStringList texts;
+    for (std::size_t i = 0; i < pattern.size(); ++i) {
+        if ((state.sample.covered >> i & 1U) != 0)
+            continue;
+        const Quantity along = state.along(pattern[i]);
+        const bool isBeyondEnd = along.toDouble() < 0 || along.toDouble() > 1;
+        texts += QStringLiteral("%1 at %2")
+                     .arg(i + 1)
+                     .arg(isBeyondEnd
+                              ? QStringLiteral("d_along = ") + term(along)
+                              : QStringLiteral("d_across = ") + term(state.across(pattern[i])));
+    }
+    return texts.isEmpty() ? QString()
+                           : QStringLiteral(" The line covers d_across from −1 to 1 half widths "
+                                            "and d_along from 0 to 1 of its length, a sample "
+                                            "on that border as if displaced to the right and, by "
+                                            "less, up; outside lie the samples ")
+            + texts.join(QStringLiteral(", ")) + u'.';
+}
+
+} // namespace
 
 void tellStroke(StepWords &words, const StrokeSetUp &setUp)
 {
@@ -41,14 +96,26 @@ void tellStroke(StepWords &words, const StrokeSampleState &state)
         return;
     }
     if (sample.samples == 1) {
-        words.sentence = QStringLiteral("The stroke covers the pixel's sample: it is painted.");
+        const QString lies = placeText(state, {});
+        words.sentence = state.isRefused
+            ? QStringLiteral("Refused: the stroke does not cover the pixel's sample") + lies + u'.'
+            : QStringLiteral("The stroke covers the pixel's sample") + lies
+                + QStringLiteral(": it is painted.");
+        return;
+    }
+    if (state.isRefused) {
+        words.sentence
+            = QStringLiteral("Refused: the stroke covers none of the pixel's %1 samples.")
+                  .arg(sample.samples)
+            + uncoveredText(state);
         return;
     }
     words.sentence
         = QStringLiteral("Of the pixel's %2 samples the stroke covers %1; the pixel is the "
                          "mean of what they hold now.")
               .arg(sampleNumbersText(sample.covered, sample.samples))
-              .arg(sample.samples);
+              .arg(sample.samples)
+        + uncoveredText(state);
 }
 
 } // namespace pixelplumb

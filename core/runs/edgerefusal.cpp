@@ -162,10 +162,13 @@ QString triangleRefusalText(const PixelAttempt &attempt, const TracedScene &trac
     const bool isBesideBox = isUntested(attempt, *traced.trace);
     const bool isOfTruthAlone = attempt.written || isBesideBox || mayDecideOtherwise(traced)
         || isDecidedByOutline(attempt, *traced.trace);
+    const QString untested = isBesideBox ? untestedText(attempt, traced) : QString();
     if (attempt.verdict.zeroArea)
         return segmentRefusalText(attempt, traced, x, y,
                                   isOfTruthAlone
-                                      ? QStringLiteral("The triangle has no area. In truth, %1.")
+                                      ? untested
+                                          + QStringLiteral("The triangle has no area. In truth, "
+                                                           "%1.")
                                       : QStringLiteral("The triangle has no area, and %1."));
     if (!noPartText(traced).isEmpty() && !attempt.isCentreRefused())
         return noPartText(traced);
@@ -177,10 +180,10 @@ QString triangleRefusalText(const PixelAttempt &attempt, const TracedScene &trac
     const QString own = ownReasonText(attempt, traced, x, y);
     if (refusing.edgeFunction == 0) {
         const QString ties = tiesText(attempt, traced, x, y, TieSide::Other);
-        return QStringLiteral("The sample lies %1.").arg(ties)
+        return untested + QStringLiteral("The sample lies %1.").arg(ties)
             + (own.contains(ties) ? QString() : own);
     }
-    return (isBesideBox ? untestedText(attempt, traced) : QString())
+    return untested
         + QStringLiteral("%1 %2: the sample is at %3, under the rule %4.")
               .arg(isOfTruthAlone ? QStringLiteral("The truth refuses it by")
                                   : QStringLiteral("Refused by"),

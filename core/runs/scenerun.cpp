@@ -3,6 +3,7 @@
 
 #include "core/effects/bordercrossing.h"
 #include "core/effects/requirements.h"
+#include "core/methods/objectiontext.h"
 
 #include <algorithm>
 
@@ -16,16 +17,16 @@ const Method *methodOf(const Scene &scene)
 }
 
 /// Whether what the scene calls for cannot matter: nothing may be, or the method supports
-/// everything for its triangles.
+/// everything for its triangles, once an objection of its own is met.
 bool isDrawnWhateverItCallsFor(const Method &method, const Scene &scene)
 {
     if (!mayCallForEffects(scene))
         return true;
-    return method.draws(PrimitiveKind::Triangle) && scene.hasTriangles()
-        && scene.settings.variants.isEmpty()
+    const ScanSettings kept = method.adapted(scene.settings);
+    return method.draws(PrimitiveKind::Triangle) && scene.hasTriangles() && kept.variants.isEmpty()
         && std::ranges::all_of(allEffects,
                                [&method](Effect effect) { return method.supports(effect); })
-        && method.shadesIn(scene.settings.arithmetic);
+        && method.shadesIn(kept.arithmetic);
 }
 
 /// The objection to those shapes that reach the frame.
@@ -69,21 +70,27 @@ EffectPlan planOf(const SceneRun &run) { return planOf(run, windowOf(run.scene.f
 QString objectionTo(const SceneRun &run)
 {
     const Scene &scene = run.scene;
-    QString objection = run.method->objection(scene.settings);
-    if (!objection.isEmpty() || isDrawnWhateverItCallsFor(*run.method, scene))
+    const Method &method = *run.method;
+    const QString objection = method.objection(scene.settings);
+    if (isDrawnWhateverItCallsFor(method, scene))
         return objection;
-    if (!run.method->draws(PrimitiveKind::Triangle) || !scene.hasTriangles())
-        return objectionToShapes(run);
-    return run.plan ? run.method->objection(*run.plan, scene.settings) : objection;
+    if (!method.draws(PrimitiveKind::Triangle) || !scene.hasTriangles())
+        return joinedObjections({objection, objectionToShapes(run)});
+    if (!run.plan)
+        return objection;
+    // What stays in the way once its own objection is met; methods named for that keep the
+    // settings.
+    const bool areEffectsInTheWay
+        = !method.objection(*run.plan, method.adapted(scene.settings)).isEmpty();
+    return joinedObjections(
+        {objection, areEffectsInTheWay ? method.objection(*run.plan, scene.settings) : QString()});
 }
 
 QString objectionTo(const Scene &scene)
 {
     const Method &method = *methodOf(scene);
-    QString objection = method.objection(scene.settings);
-    return !objection.isEmpty() || isDrawnWhateverItCallsFor(method, scene)
-        ? objection
-        : objectionTo(SceneRun(scene));
+    return isDrawnWhateverItCallsFor(method, scene) ? method.objection(scene.settings)
+                                                    : objectionTo(SceneRun(scene));
 }
 
 bool drawsAnyOf(const Scene &scene)

@@ -110,12 +110,42 @@ QString stepsNextToText(const ScanTrace &trace, std::size_t primitive, std::int6
     if (spans.empty()) {
         if (const auto nearest = nearestWritten(trace, primitive, x, y))
             spans.push_back(trace.spanOf(*nearest));
+        else if (!trace.isCut())
+            return QStringLiteral(" None of its steps writes a pixel of the frame.");
     }
     std::ranges::sort(spans);
     QString text;
     for (const std::size_t span : spans)
         text += stepText(trace, span);
     return text;
+}
+
+/// That a line's walk has no step in the pixel's column or row; empty where it has, or has none.
+QString noStepText(const ScanTrace &trace, std::size_t primitive, std::int64_t x, std::int64_t y)
+{
+    const std::size_t first = trace.firstSpanOf(primitive);
+    const std::size_t end = trace.endSpanOf(primitive);
+    if (first >= end || trace.isCut())
+        return {};
+    const SpanAxis axis = trace.placeOf(first).axis;
+    std::int64_t least = trace.placeOf(first).coordinate;
+    std::int64_t greatest = least;
+    for (std::size_t span = first; span < end; ++span) {
+        least = std::min(least, trace.placeOf(span).coordinate);
+        greatest = std::max(greatest, trace.placeOf(span).coordinate);
+    }
+    const bool isColumn = axis == SpanAxis::Column;
+    const QString kind = isColumn ? QStringLiteral("column") : QStringLiteral("row");
+    const QString steps = least == greatest
+        ? QStringLiteral("its only step in the frame is that of the %1 %2").arg(kind).arg(least)
+        : QStringLiteral("its steps in the frame are those of the %1s %2 … %3")
+              .arg(kind)
+              .arg(least)
+              .arg(greatest);
+    return QStringLiteral(" The walk along the line has no step on the %1 %2: %3.")
+        .arg(kind)
+        .arg(isColumn ? x : y)
+        .arg(steps);
 }
 
 } // namespace
@@ -148,6 +178,8 @@ QString stepBesideText(const PixelAttempt &attempt, const ScanTrace &trace, std:
     const bool isTold = attempt.kind == PrimitiveKind::Line || isDecidedByOutline(attempt, trace)
         || (step && !attempt.sample && attempt.kind != PrimitiveKind::Triangle
             && (trace.placeOf(*step).axis == SpanAxis::Row || isOutline));
+    if (!step && attempt.kind == PrimitiveKind::Line)
+        return noStepText(trace, attempt.primitive, x, y);
     return step && isTold ? stepText(trace, *step) : QString();
 }
 

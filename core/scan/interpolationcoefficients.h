@@ -70,6 +70,20 @@ PlaneNormal<Exact> planeNormal(const std::array<Corner, 3> &vertices, std::size_
     return {{a, unit * units}, {b, unit * units}, {c, unit * unit}, {d, unit * unit * units}};
 }
 
+/// Whether every sample has the vertices' one colour, which floating numbers would round away.
+template <class Number, std::size_t channelsInAll>
+bool hasOneColour(const InterpolationSetUp<Number, channelsInAll> &setUp)
+{
+    if (!FloatingNumber<Number> || setUp.zeroArea)
+        return false;
+    const auto &[a, b, c] = setUp.vertices;
+    const auto agree = [&](std::size_t channel) {
+        return a.channels[channel] == b.channels[channel]
+            && a.channels[channel] == c.channels[channel];
+    };
+    return agree(0) && agree(1) && agree(2);
+}
+
 /// The plane (Scan Conversion slides, "2. Plane Equation"): v = −(A/C)·x − (B/C)·y − D/C.
 template <class Integer, std::size_t channelsInAll>
 void setPlane(InterpolationSetUp<FractionOf<Integer>, channelsInAll> &setUp, std::size_t channel)
@@ -98,6 +112,11 @@ template <FloatingNumber Float, std::size_t channelsInAll>
 [[gnu::always_inline]] inline void setPlane(InterpolationSetUp<Float, channelsInAll> &setUp,
                                             std::size_t channel)
 {
+    if (hasOneColour(setUp) && channel < colourChannelCount) {
+        setUp.plane[channel]
+            = {0, 0, realValue<Float>(setUp.vertices[0].channels[channel], channel)};
+        return;
+    }
     const PlaneNormal<Float> normal = planeNormal<Float>(setUp.vertices, channel);
     setUp.plane[channel] = {-normal.a / normal.c, -normal.b / normal.c, -normal.d / normal.c};
 }

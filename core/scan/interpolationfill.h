@@ -85,8 +85,14 @@ template <InterpolationForm Form, class Number, std::size_t channelsInAll, class
                 advance(value[channel], column.rate[channel]);
         });
     } else {
+        [[maybe_unused]] const bool isOneColour = hasOneColour(setUp);
         colourColumn(column, rounding, frame, observer, [&](std::int64_t y, Sample &sample) {
             evaluate<Form>(setUp, column.x, y, sample);
+            // The sum of rounded weights need not be 1.
+            if constexpr (Form == InterpolationForm::Barycentric && FloatingNumber<Number>) {
+                for (std::size_t i = 0; isOneColour && i < colourChannelCount; ++i)
+                    sample.value[i] = setUp.weighted[i][0];
+            }
         });
     }
 }

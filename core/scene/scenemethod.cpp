@@ -64,13 +64,70 @@ bool canEffects(const Method &method, const Scene &scene, const ScanSettings &se
         || (method.supports(Effect::Blending) && method.shadesIn(settings.arithmetic));
 }
 
-/// Whether any method that draws the scene's first primitive keeps the settings, but for open ones.
-bool isKeptByAny(const Scene &scene, const ScanSettings &settings, const OpenSettings &open)
+/// A setting that the scene names.
+struct NamedSetting {
+    QString kind; ///< "the fill rule"
+    std::string_view name;
+    std::optional<Variant> variant = {};
+    bool OpenSettings::*open = nullptr; ///< of a setting that is no variant
+
+    void drop(ScanSettings &settings, OpenSettings &others) const
+    {
+        if (variant)
+            settings.variants = settings.variants.without(*variant);
+        else
+            others.*open = true;
+    }
+};
+
+std::vector<NamedSetting> namedSettings(const ScanSettings &settings, const OpenSettings &open)
 {
+    std::vector<NamedSetting> named;
+    if (!open.fillRule)
+        named.push_back({QStringLiteral("the fill rule"), nameOf(settings.fillRule), std::nullopt,
+                         &OpenSettings::fillRule});
+    if (!open.arithmetic)
+        named.push_back({QStringLiteral("the arithmetic"), nameOf(settings.arithmetic),
+                         std::nullopt, &OpenSettings::arithmetic});
+    for (const Variant variant : variantsIn(settings.variants))
+        named.push_back({QStringLiteral("the variant"), nameOf(variant), variant});
+    return named;
+}
+
+/// Whether some method draws the scene, effects included, once these settings are no longer named.
+bool isDrawnWithout(const std::vector<NamedSetting> &dropped, const Scene &scene, OpenSettings open)
+{
+    ScanSettings settings = scene.settings;
+    for (const NamedSetting &setting : dropped)
+        setting.drop(settings, open);
     return std::ranges::any_of(methods(), [&](const Method &method) {
-        return drawsFirst(method, scene)
-            && method.objection(settledFor(method, settings, open)).isEmpty();
+        const ScanSettings settled = settledFor(method, settings, open);
+        // Effects are never run with variants.
+        const bool shades = (settled.variants.isEmpty() || !mayRunMore(method, scene))
+            && canEffects(method, scene, settled);
+        return drawsFirst(method, scene) && method.objection(settled).isEmpty() && shades;
     });
+}
+
+/// Each smallest set of named settings without which some method draws the scene; pairs are tried
+/// where no single one is in the way, and all of them where no pair is.
+std::vector<std::vector<NamedSetting>> waysOut(const std::vector<NamedSetting> &named,
+                                               const Scene &scene, const OpenSettings &open)
+{
+    std::vector<std::vector<NamedSetting>> ways;
+    const auto tryWithout = [&](const std::vector<NamedSetting> &dropped) {
+        if (isDrawnWithout(dropped, scene, open))
+            ways.push_back(dropped);
+    };
+    for (const NamedSetting &setting : named)
+        tryWithout({setting});
+    for (std::size_t i = 0; ways.empty() && i < named.size(); ++i) {
+        for (std::size_t k = i + 1; k < named.size(); ++k)
+            tryWithout({named[i], named[k]});
+    }
+    if (ways.empty())
+        tryWithout(named);
+    return ways;
 }
 
 } // namespace
@@ -118,28 +175,23 @@ const Method &methodFor(const Scene &scene, const OpenSettings &open)
 
 QString refusalOfAll(const Scene &scene, const OpenSettings &open)
 {
-    const ScanSettings &settings = scene.settings;
-    QStringList named;
-    QStringList ways;
-    const auto ask = [&](const QString &setting, std::string_view name, const ScanSettings &without,
-                         const OpenSettings &opened) {
-        named += QStringLiteral("%1 “%2”").arg(setting, nameText(name));
-        if (isKeptByAny(scene, without, opened))
-            ways += QStringLiteral("without ") + setting;
+    const std::vector<NamedSetting> named = namedSettings(scene.settings, open);
+    const auto textOf = [](const NamedSetting &setting) {
+        return QStringLiteral("%1 “%2”").arg(setting.kind, nameText(setting.name));
     };
-    if (!open.fillRule)
-        ask(QStringLiteral("the fill rule"), nameOf(settings.fillRule), settings,
-            {open.method, open.arithmetic, true});
-    if (!open.arithmetic)
-        ask(QStringLiteral("the arithmetic"), nameOf(settings.arithmetic), settings,
-            {open.method, true, open.fillRule});
-    for (const Variant variant : variantsIn(settings.variants)) {
-        ScanSettings without = settings;
-        without.variants = without.variants.without(variant);
-        ask(QStringLiteral("the variant"), nameOf(variant), without, open);
+    const bool hasSeveralVariants = variantsIn(scene.settings.variants).size() > 1;
+    QStringList texts;
+    for (const NamedSetting &setting : named)
+        texts += textOf(setting);
+    QStringList ways;
+    for (const std::vector<NamedSetting> &way : waysOut(named, scene, open)) {
+        QStringList dropped;
+        for (const NamedSetting &setting : way)
+            dropped += setting.variant && hasSeveralVariants ? textOf(setting) : setting.kind;
+        ways += QStringLiteral("without ") + dropped.join(QStringLiteral(" and "));
     }
     const QString text = QStringLiteral("no method that draws its first primitive keeps ")
-        + named.join(QStringLiteral(" and "));
+        + texts.join(QStringLiteral(" and "));
     return ways.isEmpty()
         ? text
         : text + QStringLiteral("; one does ") + ways.join(QStringLiteral(", or "));

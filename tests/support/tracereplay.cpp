@@ -10,7 +10,8 @@ QImage replayed(const ScanTrace &trace, const FrameSpec &frame)
     FrameBuffer buffer(frame);
     for (std::size_t i = 0; i < trace.sampleCount(); ++i) {
         const PixelChange &change = trace.changes()[i];
-        *buffer.view().at(change.x, change.y) = change.after;
+        if (change.isWritten())
+            *buffer.view().at(change.x, change.y) = change.after;
     }
     return buffer.copy();
 }

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/method.h"
+#include "core/runs/sceneplan.h"
+#include "core/scan/choicenames.h"
+#include "core/scene/scenefile.h"
+#include "tests/support/testprogram.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+namespace tst_waysout {
+
+using namespace pixelplumb;
+
+namespace {
+
+constexpr auto plainTriangle = "'triangle': [[1, 1], [9, 2], [3, 8]], 'colors': ['#ff0000', "
+                               "'#00ff00', '#0000ff']";
+
+/// A setting of a scene file; an empty value leaves it open.
+struct FileSettings {
+    QString fillRule, arithmetic;
+    QStringList variants;
+};
+
+QByteArray sceneText(const QString &body, const FileSettings &settings)
+{
+    QString text = QStringLiteral("{ 'pixelplumb': 1, 'frame': { 'width': 12, 'height': 10 }, ");
+    if (!settings.fillRule.isEmpty())
+        text += QStringLiteral("'fillRule': '%1', ").arg(settings.fillRule);
+    if (!settings.arithmetic.isEmpty())
+        text += QStringLiteral("'arithmetic': '%1', ").arg(settings.arithmetic);
+    if (!settings.variants.isEmpty())
+        text += QStringLiteral("'variants': ['%1'], ")
+                    .arg(settings.variants.join(QStringLiteral("', '")));
+    return QString(text + body + u'}').replace(u'\'', u'"').toUtf8();
+}
+
+QStringList bodies()
+{
+    const QString triangle = QString::fromLatin1(plainTriangle);
+    return {QStringLiteral("'primitives': [{ %1 }]").arg(triangle),
+            QStringLiteral("'primitives': [{ %1 }]")
+                .arg(triangle)
+                .replace(QStringLiteral("ff0000"), QStringLiteral("ff000080")),
+            QStringLiteral("'antialiasing': 4, 'primitives': [{ %1 }]").arg(triangle),
+            QStringLiteral(
+                "'primitives': [{ 'line': [[1, 1], [9, 4]], 'colors': ['#ff0000', '#00ff00'] }]"),
+            QStringLiteral("'antialiasing': 'area', 'primitives': [{ 'line': [[1, 1], [9, 4]], "
+                           "'colors': ['#ff0000', '#00ff00'] }]")};
+}
+
+/// The settings without those that a way out names: "without the fill rule and the arithmetic".
+FileSettings without(const QString &way, FileSettings settings)
+{
+    if (way.contains(QStringLiteral("the fill rule")))
+        settings.fillRule.clear();
+    if (way.contains(QStringLiteral("the arithmetic")))
+        settings.arithmetic.clear();
+    if (!way.contains(QStringLiteral("the variant")))
+        return settings;
+    const qsizetype all = settings.variants.size();
+    settings.variants.removeIf(
+        [&](const QString &variant) { return way.contains(u'“' + variant + u'”'); });
+    if (settings.variants.size() == all)
+        settings.variants.clear();
+    return settings;
+}
+
+QString captured(const QString &text, const char *pattern)
+{
+    const auto match = QRegularExpression(QString::fromLatin1(pattern)).match(text);
+    return match.hasMatch() ? match.captured(1) : QString();
+}
+
+/// Does what the first way that an objection names says.
+void follow(const QString &objection, Scene &scene)
+{
+    ScanSettings &settings = scene.settings;
+    const QString other = captured(objection, "; ([a-z0-9-]+)(?:, [a-z0-9-]+)* can(?:,|$)");
+    if (!other.isEmpty()) {
+        scene.method = other.toStdString();
+        const QString not_ = captured(objection, " can, but not (.*)$");
+        if (not_.contains(QStringLiteral("fill rule")))
+            settings.fillRule = methodNamed(other)->fillRules.front();
+        if (not_.contains(QStringLiteral("in “")))
+            settings.arithmetic = Arithmetic::Exact;
+        if (not_.contains(QStringLiteral("variants")))
+            settings.variants = {};
+        return;
+    }
+    if (const QString known = captured(objection, "it knows ([a-z]+[0-9]*(?:\\.[0-9]+)?)");
+        !known.isEmpty())
+        settings.arithmetic = *arithmeticNamed(known.toStdString());
+    if (const QString kept = captured(objection, "it keeps ([a-z-]+)"); !kept.isEmpty())
+        settings.fillRule = *fillRuleNamed(kept.toStdString());
+    if (const QString able
+        = captured(objection, "it can (?:without them and )?in ([a-z]+[0-9]*(?:\\.[0-9]+)?)");
+        !able.isEmpty())
+        settings.arithmetic = *arithmeticNamed(able.toStdString());
+    if (objection.contains(QStringLiteral("without them")))
+        settings.variants = {};
+    for (const Variant variant : variantsIn(settings.variants)) {
+        if (objection.contains(QStringLiteral("knows no variant “") + nameText(nameOf(variant))))
+            settings.variants = settings.variants.without(variant);
+    }
+}
+
+QStringList namesWithNone(const auto &choices)
+{
+    QStringList names = {QString()};
+    for (const auto choice : choices)
+        names.append(nameText(nameOf(choice)));
+    return names;
+}
+
+/// None, each alone, and some pairs.
+std::vector<QStringList> variantLists()
+{
+    std::vector<QStringList> lists = {{}};
+    for (const Variant variant : allVariants)
+        lists.push_back({nameText(nameOf(variant))});
+    const std::size_t single = lists.size();
+    for (std::size_t i = 1; i + 3 < single; i += 3)
+        lists.push_back(lists[i] + lists[i + 3]);
+    return lists;
+}
+
+} // namespace
+
+/// A refusal names a way out, and the way works, however many settings are in the way.
+class TestWaysOut : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whatNoMethodKeepsSomeMethodDrawsWithoutWhatIsNamed()
+    {
+        int refused = 0;
+        int pairs = 0;
+        for (const QString &body : bodies()) {
+            for (const QString &rule : namesWithNone(allFillRules)) {
+                for (const QString &arithmetic : namesWithNone(allArithmetics)) {
+                    for (const QStringList &variants : variantLists()) {
+                        const FileSettings settings{rule, arithmetic, variants};
+                        const auto reading = readScene(sceneText(body, settings));
+                        if (reading)
+                            continue;
+                        const QString text = reading.error().message();
+                        const qsizetype at = text.indexOf(QStringLiteral("; one does "));
+                        QVERIFY2(at >= 0, qPrintable(text));
+                        for (const QString &way :
+                             text.mid(at + 11).split(QStringLiteral(", or "))) {
+                            const auto freed = readScene(sceneText(body, without(way, settings)));
+                            QVERIFY2(freed, qPrintable(text));
+                            QVERIFY2(objectionTo(freed->scene).isEmpty(),
+                                     qPrintable(text + u'\n' + objectionTo(freed->scene)));
+                            pairs += way.contains(QStringLiteral(" and ")) ? 1 : 0;
+                        }
+                        ++refused;
+                    }
+                }
+            }
+        }
+        QVERIFY(refused > 100);
+        QVERIFY(pairs > 10);
+    }
+
+    void whatAMethodObjectsToIsNamedAtOnce()
+    {
+        int refused = 0;
+        int several = 0;
+        for (const QString &body : bodies()) {
+            const auto reading = readScene(sceneText(body, {}));
+            QVERIFY(reading);
+            for (const Method &method : methods()) {
+                if (!method.draws(reading->scene.hasTriangles() ? PrimitiveKind::Triangle
+                                                                : PrimitiveKind::Line))
+                    continue;
+                for (const FillRule rule : allFillRules) {
+                    for (const Arithmetic arithmetic : allArithmetics) {
+                        for (const QStringList &variants : variantLists()) {
+                            Scene scene = reading->scene;
+                            scene.method = method.id.toStdString();
+                            scene.settings.fillRule = rule;
+                            scene.settings.arithmetic = arithmetic;
+                            for (const QString &variant : variants)
+                                scene.settings.variants = scene.settings.variants.with(
+                                    *variantNamed(variant.toStdString()));
+                            const QString objection = objectionTo(scene);
+                            if (objection.isEmpty())
+                                continue;
+                            follow(objection, scene);
+                            QVERIFY2(objectionTo(scene).isEmpty(),
+                                     qPrintable(method.id + u' ' + objection
+                                                + QStringLiteral("\nthen ") + objectionTo(scene)));
+                            ++refused;
+                            several += objection.contains(QStringLiteral("It also")) ? 1 : 0;
+                        }
+                    }
+                }
+            }
+        }
+        QVERIFY(refused > 1000);
+        QVERIFY(several > 100);
+    }
+};
+
+PIXELPLUMB_TEST(TestWaysOut)
+
+} // namespace tst_waysout
+
+#include "tst_waysout.moc"
