@@ -9,17 +9,15 @@ constexpr const char *anewQuestion = "With which colour does each %1 begin?";
 
 std::vector<WalkRow> edgeStepRows()
 {
-    const VariantSet minusOne = VariantSet().with(Variant::DivisorMinusOne);
-    const VariantSet plusOne = VariantSet().with(Variant::DivisorPlusOne);
     return {
         {"edge-colour-divisor-minus-one",
          walkquestions::edgeDivisor,
          "The colours of an edge are divided by Δ%2 − 1 in place of Δ%2; its slope is not.",
-         {.departures = minusOne, .divided = EdgeRates::Colours}},
+         {.edgeChanges = edgechange::divisorMinusOne, .divided = EdgeRates::Colours}},
         {"edge-colour-divisor-plus-one",
          walkquestions::edgeDivisor,
          "The colours of an edge are divided by Δ%2 + 1 in place of Δ%2; its slope is not.",
-         {.departures = plusOne, .divided = EdgeRates::Colours}},
+         {.edgeChanges = edgechange::divisorPlusOne, .divided = EdgeRates::Colours}},
         {"edge-colours-divided-by-rise",
          walkquestions::edgeDivisor,
          "The colours of an edge are divided by Δ%3 in place of Δ%2; its slope is not. Those of an "
@@ -97,40 +95,40 @@ std::vector<WalkRow> edgeChannelRows()
         {"green-stepped-as-red-along-edges",
          walkquestions::channels,
          "Green is stepped along the edges by the step of red; at an edge's first %1 it is right.",
-         {.stepsAlongEdgesOf = {0, 0, 2}}},
+         {.stepsAlongEdgesOf = ChannelSource::GreenOfRed}},
         {"blue-stepped-as-red-along-edges",
          walkquestions::channels,
          "Blue is stepped along the edges by the step of red; at an edge's first %1 it is right.",
-         {.stepsAlongEdgesOf = {0, 1, 0}}},
+         {.stepsAlongEdgesOf = ChannelSource::BlueOfRed}},
         {"blue-stepped-as-green-along-edges",
          walkquestions::channels,
          "Blue is stepped along the edges by the step of green; at an edge's first %1 it is right.",
-         {.stepsAlongEdgesOf = {0, 1, 1}}},
+         {.stepsAlongEdgesOf = ChannelSource::BlueOfGreen}},
         {"colours-stepped-as-red-along-edges",
          walkquestions::channels,
          "Green and blue are stepped along the edges by the step of red; at an edge's first %1 "
          "they are right.",
-         {.stepsAlongEdgesOf = {0, 0, 0}}},
+         {.stepsAlongEdgesOf = ChannelSource::AllOfRed}},
         {"green-rate-of-red-along-edges",
          walkquestions::channels,
          "Green is stepped along the edges by the step of red, in the pre-step to an edge's first "
          "%1, too.",
-         {.ratesAlongEdgesOf = {0, 0, 2}}},
+         {.ratesAlongEdgesOf = ChannelSource::GreenOfRed}},
         {"blue-rate-of-red-along-edges",
          walkquestions::channels,
          "Blue is stepped along the edges by the step of red, in the pre-step to an edge's first "
          "%1, too.",
-         {.ratesAlongEdgesOf = {0, 1, 0}}},
+         {.ratesAlongEdgesOf = ChannelSource::BlueOfRed}},
         {"blue-rate-of-green-along-edges",
          walkquestions::channels,
          "Blue is stepped along the edges by the step of green, in the pre-step to an edge's first "
          "%1, too.",
-         {.ratesAlongEdgesOf = {0, 1, 1}}},
+         {.ratesAlongEdgesOf = ChannelSource::BlueOfGreen}},
         {"rates-of-red-along-edges",
          walkquestions::channels,
          "Green and blue are stepped along the edges by the step of red, in the pre-step to an "
          "edge's first %1, too.",
-         {.ratesAlongEdgesOf = {0, 0, 0}}},
+         {.ratesAlongEdgesOf = ChannelSource::AllOfRed}},
         {"no-edge-colour-pre-step-of-green",
          walkquestions::channels,
          "Green has no pre-step along the edges: at an edge's first %1 it is its vertex' own. Red "

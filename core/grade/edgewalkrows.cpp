@@ -199,8 +199,6 @@ std::vector<WalkRow> orderRows()
 
 std::vector<WalkRow> rateRows()
 {
-    const VariantSet minusOne = VariantSet().with(Variant::DivisorMinusOne);
-    const VariantSet plusOne = VariantSet().with(Variant::DivisorPlusOne);
     return {
         {"slopes-inverted",
          slopeQuestion,
@@ -222,11 +220,25 @@ std::vector<WalkRow> rateRows()
         {"slope-divisor-minus-one",
          walkquestions::edgeDivisor,
          "The slope of an edge is divided by Δ%2 − 1 in place of Δ%2; its colours are not.",
-         {.departures = minusOne, .divided = EdgeRates::Slope}},
+         {.edgeChanges = edgechange::divisorMinusOne, .divided = EdgeRates::Slope}},
         {"slope-divisor-plus-one",
          walkquestions::edgeDivisor,
          "The slope of an edge is divided by Δ%2 + 1 in place of Δ%2; its colours are not.",
-         {.departures = plusOne, .divided = EdgeRates::Slope}},
+         {.edgeChanges = edgechange::divisorPlusOne, .divided = EdgeRates::Slope}},
+    };
+}
+
+/// Mistakes only of columns: in rows the lesser x is the left bound, whatever the slopes.
+std::vector<WalkRow> columnRows()
+{
+    return {
+        {"sides-by-slopes",
+         "Which of the two edges is the upper bound? Which slope has one along a %1?",
+         "Which of the two edges that begin at the first vertex is the lower bound is told by "
+         "their slopes, m₀₁ ≤ m₀₂, and an edge along a %1 is given the slope 0: where two "
+         "vertices lie on the first %1 bounds are exchanged, and the triangle is not drawn, where "
+         "the long edge does not go back.",
+         {.upperEdge = UpperEdge::LongBySlopes}},
     };
 }
 
@@ -236,24 +248,11 @@ const std::vector<WalkRow> &edgeWalkRows()
 {
     static const std::vector<WalkRow> rows = [] {
         std::vector<WalkRow> all;
-        for (const std::vector<WalkRow> &some : {stepRows(), orderRows(), numberRows(), rateRows()})
+        for (const std::vector<WalkRow> &some :
+             {stepRows(), orderRows(), numberRows(), rateRows(), columnRows()})
             all.insert(all.end(), some.begin(), some.end());
         return all;
     }();
-    return rows;
-}
-
-const std::vector<WalkRow> &columnWalkRows()
-{
-    static const std::vector<WalkRow> rows = {
-        {"sides-by-slopes",
-         "Which of the two edges is the upper bound? Which slope has one along a %1?",
-         "Which of the two edges that begin at the first vertex is the lower bound is told by "
-         "their slopes, m₀₁ ≤ m₀₂, and an edge along a %1 is given the slope 0: where two "
-         "vertices lie on the first %1 bounds are exchanged, and the triangle is not drawn, where "
-         "the long edge does not go back.",
-         {.upperEdge = UpperEdge::LongBySlopes}},
-    };
     return rows;
 }
 

@@ -10,24 +10,23 @@ constexpr const char *singleEdgeQuestion
 
 std::vector<WalkRow> shortEdgeRows()
 {
-    const VariantSet withoutPreStep = VariantSet().with(Variant::NoEdgePreStep);
     constexpr auto carriedOn = ShortEdgeBehind::CarriedOn;
     return {
         {"no-pre-step-behind-middle",
          "Where does the second of the two short edges begin? And what colour does it have there?",
          "The edge from the middle vertex to the last has no pre-step: at its first %1 it has the "
          "vertex' own place and colour. The others have theirs.",
-         {.departures = withoutPreStep, .departing = WalkedEdges::Second}},
+         {.edgeChanges = edgechange::noPreStep, .departing = WalkedEdges::Second}},
         {"no-pre-step-of-first-edge",
          "Where does the first of the two short edges meet its first %1?",
          "The edge from the first vertex to the middle one has no pre-step: at its first %1 it has "
          "the vertex' own place and colour. The others have theirs.",
-         {.departures = withoutPreStep, .departing = WalkedEdges::First}},
+         {.edgeChanges = edgechange::noPreStep, .departing = WalkedEdges::First}},
         {"no-pre-step-of-long-edge",
          "Where does the long edge meet its first %1?",
          "The long edge has no pre-step: at its first %1 it has the vertex' own place and colour. "
          "The others have theirs.",
-         {.departures = withoutPreStep, .departing = WalkedEdges::Long}},
+         {.edgeChanges = edgechange::noPreStep, .departing = WalkedEdges::Long}},
         {"middle-span-in-both-halves",
          "To which of the two halves does the %1 of the middle vertex belong?",
          "The %1 on which the middle vertex lies is drawn in both halves, ≤ in the first one's "

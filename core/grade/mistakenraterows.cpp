@@ -140,25 +140,22 @@ std::vector<WalkRow> longRateRows()
 /// An edge along a span lends another edge the slope 0.
 std::vector<WalkRow> exchangedRows()
 {
-    constexpr auto first = WalkedEdges::First;
-    constexpr auto second = WalkedEdges::Second;
-    constexpr auto across = WalkedEdges::Long;
     return {
         {"slopes-of-short-edges-exchanged",
          walkquestions::differences,
          "The slopes of the two short edges are exchanged: each has the other's; the colours are "
          "stepped by their own steps.",
-         {.slopesOf = {second, first, across}}},
+         {.slopesOf = SlopeExchange::OfShort}},
         {"slopes-of-first-and-long-edge-exchanged",
          walkquestions::differences,
          "The slopes of the edge from the first vertex to the middle one and of the long edge are "
          "exchanged: each has the other's; the colours are stepped by their own steps.",
-         {.slopesOf = {across, second, first}}},
+         {.slopesOf = SlopeExchange::OfFirstAndLong}},
         {"slopes-of-second-and-long-edge-exchanged",
          walkquestions::differences,
          "The slopes of the edge from the middle vertex to the last and of the long edge are "
          "exchanged: each has the other's; the colours are stepped by their own steps.",
-         {.slopesOf = {first, across, second}}},
+         {.slopesOf = SlopeExchange::OfSecondAndLong}},
     };
 }
 

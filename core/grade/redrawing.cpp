@@ -54,7 +54,7 @@ Picture rightPicture(const Scene &alone, const RoundingSide &side)
         return boundedPicture(alone, side);
     Picture picture = emptyPicture(alone.frame);
     RedrawnTriangle(
-        alone, redrawingBy({}, LevelOverflow::Clamps), [&alone] { return pictureOf(alone); }, side)
+        alone, redrawingBy({}), [&alone] { return pictureOf(alone); }, side)
         .paintOn(picture, Repainting::Over, alone.frame.background);
     return picture;
 }

@@ -5,27 +5,13 @@
 #include "core/methods/method.h"
 #include "core/scan/boundaryrule.h"
 #include "core/scan/edgeteststate.h"
-#include "core/scan/interval.h"
+#include "core/scan/walkedtriangle.h"
 
 #include <functional>
 #include <memory>
 #include <optional>
 
 namespace pixelplumb {
-
-/// The end from which a triangle's spans are visited; a right program draws the same either way.
-enum class SpanOrder { Ascending, Descending };
-
-/// An interval seen from its other end.
-constexpr Interval reversed(Interval interval)
-{
-    if (interval == Interval::ClosedOpen)
-        return Interval::OpenClosed;
-    return interval == Interval::OpenClosed ? Interval::ClosedOpen : interval;
-}
-
-/// R G B of a sample, rounded but not clamped.
-using WholeLevels = std::array<std::int64_t, 3>;
 
 /// The samples of one column, or one row for a program that goes by rows.
 struct SampleRun {
@@ -37,16 +23,10 @@ struct SampleRun {
     std::int64_t firstLevelled = 0; ///< the sample that the first of these belongs to
 };
 
-/// One triangle as it is walked; `triangle` has x and y exchanged when the walk goes by rows.
-struct TriangleRuns {
-    Triangle triangle;
-    SpanOrder order = SpanOrder::Ascending; ///< the method's
-    ScanIntervals intervals; ///< of its spans, ascending, and of its samples
-    ScanSettings settings;
+/// One triangle as it is drawn; `triangle` has x and y exchanged when the walk goes by rows.
+struct TriangleRuns : WalkedTriangle {
     BoundaryRule rule = FillRule::Closed;
     SampleBox visited; ///< the bounding box as the program rounds it; x is a column
-    std::int64_t firstSpan = 0, endSpan = 0; ///< in the frame
-    std::int64_t firstSample = 0, endSample = 0; ///< in the frame, of a span
     std::vector<SampleRun> runs; ///< in painting order
     std::optional<RoundingSide> side = {}; ///< the walk's side of rounding; none: its own numbers
     /// Whether a run that nothing paints over later is acceptable; none: all are. A walk ends at
@@ -58,8 +38,6 @@ struct TriangleRuns {
 /// A triangle with x and y exchanged.
 Triangle exchanged(Triangle triangle);
 
-/// How a level outside 0 … 255 is treated.
-enum class LevelOverflow { Clamps, Wraps };
 /// What a pixel painted twice shows: the later colour, or nothing.
 enum class Repainting { Over, Toggles };
 
@@ -81,7 +59,6 @@ struct LevelBytes {
 /// and from ⌊y_min⌋ to ⌈y_max⌉.
 enum class VisitedBox { OfScene, Outward };
 
-struct ProgramWalk;
 struct ProgramEdgeTest;
 
 struct Redrawing {
@@ -89,7 +66,7 @@ struct Redrawing {
     LevelOverflow overflow = LevelOverflow::Clamps;
     Repainting repainting = Repainting::Over;
     LevelBytes bytes = {};
-    std::shared_ptr<const ProgramWalk> walk = {}; ///< set if the change is only this walk
+    std::shared_ptr<const ScanBugs> walk = {}; ///< set if the change is only a walk with these
     std::shared_ptr<const ProgramEdgeTest> edgeTest = {}; ///< set if the change is only this test
     VisitedBox box = VisitedBox::OfScene;
 };

@@ -147,14 +147,13 @@ void appendSamplesOnBounds(std::vector<Defect> &defects, const Scene &scene, Spa
     const BoundaryRule rule = boundaryRuleOf(scene);
     const Interval samples
         = (axis == SpanAxis::Row ? rowIntervals(rule) : columnIntervals(rule.rule)).rows;
-    const auto add = [&](const QString &id, const char *what, const ProgramWalk &walk,
-                         bool isOwned) {
+    const auto add = [&](const QString &id, const char *what, const ScanBugs &bugs, bool isOwned) {
         const auto words = isOwned ? QStringLiteral("%1 is left out: < in place of ≤.")
                                    : QStringLiteral("%1 is drawn: ≤ in place of <.");
         defects.push_back(redrawnDefect(
             (isOwned ? QStringLiteral("open-at-") : QStringLiteral("closed-at-")) + id,
             QStringLiteral("Does a sample that lies on an edge belong to a %1?"),
-            words.arg(QString::fromUtf8(what)), redrawingBy(walk, LevelOverflow::Clamps), axis));
+            words.arg(QString::fromUtf8(what)), redrawingBy(bugs), axis));
     };
     constexpr auto otherwise = EndRounding::OnBoundOtherwise;
     add(QStringLiteral("lower-bound"), "A sample on the lower bound of a %1", {.first = otherwise},

@@ -24,8 +24,7 @@ std::vector<WalkRow> endRows()
          boundEndsQuestion,
          "Both bounds of a %1 are cast to whole numbers, and levels beyond 0 … 255, which come "
          "from that, wrap.",
-         {.first = down, .last = down},
-         LevelOverflow::Wraps},
+         {.first = down, .last = down, .overflow = LevelOverflow::Wraps}},
         {"ends-nearest",
          boundEndsQuestion,
          "Both bounds of a %1 are rounded to the nearest.",

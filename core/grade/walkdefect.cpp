@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/walkdefect.h"
 
+#include "core/grade/programwalk.h"
 #include "core/grade/walkrows.h"
 #include "core/scan/choicenames.h"
+#include "core/scan/variededge.h"
 
 #include <algorithm>
 #include <iterator>
@@ -14,45 +16,37 @@ namespace {
 
 struct NamedWalk {
     QString id, forStudent, forAssistant;
-    ProgramWalk walk;
-    LevelOverflow overflow = LevelOverflow::Clamps;
+    ScanBugs bugs;
 };
 
-/// The walk with whole numbers as by Python's //; none where it has no such division.
-std::optional<ProgramWalk> dividedDown(ProgramWalk walk)
+/// The bugs with whole numbers as by Python's //; none where they have no such division.
+std::optional<ScanBugs> dividedDown(ScanBugs bugs)
 {
     bool isDivided = false;
-    for (Truncation *kept : {&walk.slopes, &walk.edgeColours, &walk.preSteps, &walk.steps}) {
+    for (Truncation *kept : {&bugs.slopes, &bugs.edgeColours, &bugs.preSteps, &bugs.steps}) {
         if (*kept != Truncation::TowardZero)
             continue;
         *kept = Truncation::Down;
         isDivided = true;
     }
-    return isDivided ? std::optional(walk) : std::nullopt;
+    return isDivided ? std::optional(bugs) : std::nullopt;
 }
 
-/// The rows, each one that divides as C does followed by its version that divides as Python does.
-std::vector<NamedWalk> namedWalks(const std::vector<WalkRow> &rows)
+/// A row, or where it divides as C does, also its version that divides as Python does.
+std::vector<NamedWalk> namedWalks(const WalkRow &row)
 {
-    std::vector<NamedWalk> walks;
-    for (const WalkRow &row : rows) {
-        NamedWalk walk{QString::fromLatin1(row.id), QString::fromUtf8(row.forStudent),
-                       QString::fromUtf8(row.forAssistant), row.walk, row.overflow};
-        const auto down = dividedDown(row.walk);
-        if (!down) {
-            walks.push_back(walk);
-            continue;
-        }
-        NamedWalk ofPython = walk;
-        ofPython.id.replace(QStringLiteral("whole-"), QStringLiteral("floor-"));
-        ofPython.walk = *down;
-        ofPython.forAssistant
-            += QStringLiteral(" A quotient is rounded down, as by // in Python, not toward 0.");
-        walk.forAssistant += QStringLiteral(" A quotient is cut toward 0, as by / in C.");
-        walks.push_back(walk);
-        walks.push_back(ofPython);
-    }
-    return walks;
+    NamedWalk named{QString::fromLatin1(row.id), QString::fromUtf8(row.forStudent),
+                    QString::fromUtf8(row.forAssistant), row.bugs};
+    const auto down = dividedDown(row.bugs);
+    if (!down)
+        return {named};
+    NamedWalk ofPython = named;
+    ofPython.id.replace(QStringLiteral("whole-"), QStringLiteral("floor-"));
+    ofPython.bugs = *down;
+    ofPython.forAssistant
+        += QStringLiteral(" A quotient is rounded down, as by // in Python, not toward 0.");
+    named.forAssistant += QStringLiteral(" A quotient is cut toward 0, as by / in C.");
+    return {named, ofPython};
 }
 
 QString orderSentence(SpanOrder order)
@@ -77,7 +71,7 @@ NamedWalk fromBelow(NamedWalk named)
 {
     named.id += QStringLiteral("-from-below");
     named.forAssistant += orderSentence(SpanOrder::Ascending);
-    named.walk.order = SpanOrder::Ascending;
+    named.bugs.order = WalkOrder::Ascending;
     return named;
 }
 
@@ -136,35 +130,38 @@ std::vector<Defect> walkDefectsFor(SpanAxis axis)
     if (axis == SpanAxis::Free)
         return {};
     std::vector<Defect> defects;
+    const bool goesByRows = axis == SpanAxis::Row;
     const auto add = [&](const NamedWalk &named) {
         defects.push_back(redrawnDefect(named.id, named.forStudent, named.forAssistant,
-                                        redrawingBy(named.walk, named.overflow), axis));
+                                        redrawingBy(named.bugs), axis));
     };
-    std::ranges::for_each(namedWalks(spanWalkRows()), add);
-    std::ranges::for_each(namedWalks(spanColourRows()), add);
-    const bool hasOrder = axis == SpanAxis::Row;
-    std::vector<NamedWalk> alongEdges;
-    for (const auto &rows :
-         {edgeWalkRows(), edgeColourRows(), middleWalkRows(), mistakenRateRows()})
-        std::ranges::move(namedWalks(rows), std::back_inserter(alongEdges));
-    if (!hasOrder)
-        std::ranges::move(namedWalks(columnWalkRows()), std::back_inserter(alongEdges));
-    for (const NamedWalk &named : alongEdges) {
-        if (!hasOrder) {
-            add(withWays(named, SpanOrder::Ascending));
-            continue;
-        }
+    const auto addFromBothEnds = [&](const NamedWalk &named) {
         NamedWalk ofMethod = withWays(named, SpanOrder::Descending);
         ofMethod.forAssistant += orderSentence(SpanOrder::Descending);
         add(ofMethod);
         add(fromBelow(withWays(named, SpanOrder::Ascending)));
+    };
+    for (const auto &rows : {spanWalkRows(), spanColourRows(), edgeWalkRows(), edgeColourRows(),
+                             middleWalkRows(), mistakenRateRows()}) {
+        for (const WalkRow &row : rows) {
+            if (goesByRows && row.bugs.upperEdge == UpperEdge::LongBySlopes)
+                continue; // the lesser x is the left bound, whatever the slopes
+            for (const NamedWalk &named : namedWalks(row)) {
+                if (goesByRows && named.bugs.hasOrder())
+                    addFromBothEnds(named);
+                else
+                    add(withWays(named, SpanOrder::Ascending));
+            }
+        }
     }
     for (const Variant variant : variantsAlongEdges) {
-        if (hasOrder)
-            add(fromBelow({nameText(nameOf(variant)),
-                           nameText(wordsOf(variant, axis).fault),
-                           upwardSentence(variant),
-                           {.departures = VariantSet().with(variant)}}));
+        const VariantSet alone = VariantSet().with(variant);
+        ScanBugs bugs{.edgeChanges = edgeChangesOf(alone)};
+        if (variant == Variant::UnsortedColours)
+            bugs.vertexColours = VertexColours::AsGiven;
+        if (goesByRows)
+            add(fromBelow({nameText(nameOf(variant)), nameText(wordsOf(variant, axis).fault),
+                           upwardSentence(variant), bugs}));
     }
     return defects;
 }
@@ -172,11 +169,11 @@ std::vector<Defect> walkDefectsFor(SpanAxis axis)
 std::vector<Defect> flatEdgeChoicesFor(SpanAxis axis)
 {
     const auto choice = [axis](const char *id, const char *forStudent, const char *forAssistant,
-                               const ProgramWalk &walk) {
+                               const ScanBugs &bugs) {
         Defect defect = redrawnDefect(QString::fromLatin1(id), QString::fromUtf8(forStudent),
                                       QString::fromUtf8(forAssistant)
                                           + QStringLiteral(" That alone is no mistake."),
-                                      redrawingBy(walk, LevelOverflow::Clamps), axis);
+                                      redrawingBy(bugs), axis);
         defect.isRightAlone = true;
         return defect;
     };

@@ -1,32 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/programwalk.h"
+#include "core/scan/scanbugs.h"
 
 #include <vector>
 
 namespace pixelplumb {
 
-/// A mistake in a walk, and its texts. In the texts %1 is a span, %2 the coordinate that its
-/// samples share, %3 the other one, %4 its lower bound; for edges %5 is the distance from a vertex
-/// to its first span and %6 that to the span before.
+/// A mistake of a program that walks along edges, and its texts. In the texts %1 is a span, %2 the
+/// coordinate that its samples share, %3 the other one, %4 its lower bound; for edges %5 is the
+/// distance from a vertex to its first span and %6 that to the span before.
 struct WalkRow {
     const char *id;
     const char *forStudent;
     const char *forAssistant;
-    ProgramWalk walk;
-    LevelOverflow overflow = LevelOverflow::Clamps;
+    ScanBugs bugs;
 };
 
-/// Mistakes along a span; the order of spans makes no difference to them.
+/// Mistakes along a span and in its colours.
 const std::vector<WalkRow> &spanWalkRows();
-/// Mistakes in the colours along a span; the order makes no difference either.
 const std::vector<WalkRow> &spanColourRows();
-/// Mistakes along edges, where the order makes a difference.
+/// Mistakes along edges, in the colours along them and in their divisors.
 const std::vector<WalkRow> &edgeWalkRows();
-/// Mistakes only of columns: in rows the lesser x is the left bound, whatever the slopes.
-const std::vector<WalkRow> &columnWalkRows();
-/// Mistakes in the colours along edges and in their divisors.
 const std::vector<WalkRow> &edgeColourRows();
 /// Mistakes that distinguish the three edges: where the first short one ends and the second begins,
 /// what the long one does there, and what only one of them has.

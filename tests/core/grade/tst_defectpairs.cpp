@@ -2,9 +2,9 @@
 #include "core/grade/diagnosis.h"
 #include "core/grade/picturediff.h"
 #include "tests/support/casestorun.h"
+#include "tests/support/mistakenprograms.h"
 #include "tests/support/probescenes.h"
 #include "tests/support/scanning.h"
-#include "tests/support/studentwalk.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>
@@ -17,8 +17,6 @@ namespace tst_defectpairs {
 using namespace pixelplumb;
 
 namespace {
-
-using Mistakes = std::set<WalkMistake>;
 
 QStringList idsOf(const Diagnosis &diagnosis)
 {
@@ -52,50 +50,56 @@ private slots:
     void aProgramWithTwoMistakesIsNamed_data()
     {
         QTest::addColumn<WalkLines>("lines");
-        QTest::addColumn<Mistakes>("mistakes");
+        QTest::addColumn<QStringList>("mistakes");
         QTest::addColumn<QString>("ids");
         struct Program {
             WalkLines lines;
-            Mistakes mistakes;
-            QString ids;
+            QStringList mistakes;
+            const char *ids;
         };
         std::vector<Program> programs;
-        using enum WalkMistake;
         for (const WalkLines lines : {WalkLines::Columns, WalkLines::Rows}) {
-            const auto add = [&](const Mistakes &mistakes, const char *ids) {
-                programs.push_back({lines, mistakes, QString::fromLatin1(ids)});
-            };
-            add({SpanDivisorPlusOne, LastSpanMissing},
-                lines == WalkLines::Columns
-                    ? "colour-divisor-plus-one and last-span-missing"
-                    : "colour-divisor-plus-one and first-span-missing"); // rows from above
-            add({WholeSlopes, SpanDivisorPlusOne}, "colour-divisor-plus-one and whole-slopes");
-            add({WholeEdgeColours, ColoursBetweenSamples},
-                "colours-between-samples and whole-edge-colours");
-            add({NoEdgeColourPreStep, NoSecondHalf},
-                lines == WalkLines::Columns
-                    ? "colours-without-edge-pre-step and second-half-missing"
-                    : "colours-without-edge-pre-step and first-half-and-middle-missing");
+            const bool isColumns = lines == WalkLines::Columns; // rows go from above
+            programs.push_back({lines,
+                                {"colour-divisor-plus-one", "last-span-missing"},
+                                isColumns ? "colour-divisor-plus-one and last-span-missing"
+                                          : "colour-divisor-plus-one and first-span-missing"});
+            programs.push_back({lines,
+                                {"whole-slopes", "colour-divisor-plus-one"},
+                                "colour-divisor-plus-one and whole-slopes"});
+            programs.push_back({lines,
+                                {"whole-edge-colours", "colours-between-samples"},
+                                "colours-between-samples and whole-edge-colours"});
+            programs.push_back(
+                {lines,
+                 {"colours-without-edge-pre-step", "second-half-missing"},
+                 isColumns ? "colours-without-edge-pre-step and second-half-missing"
+                           : "colours-without-edge-pre-step and first-half-and-middle-missing"});
         }
         const auto walkOf = [](const Program &program) {
             return program.lines == WalkLines::Rows ? QStringLiteral("rows")
                                                     : QStringLiteral("columns");
         };
         for (const Program &program : casesToRun(programs, walkOf))
-            QTest::addRow("%s, %s", qPrintable(program.ids), qPrintable(walkOf(program)))
-                << program.lines << program.mistakes << program.ids;
+            QTest::addRow("%s, %s", program.ids, qPrintable(walkOf(program)))
+                << program.lines << program.mistakes << QString::fromLatin1(program.ids);
     }
     void aProgramWithTwoMistakesIsNamed()
     {
         QFETCH(WalkLines, lines);
-        QFETCH(Mistakes, mistakes);
+        QFETCH(QStringList, mistakes);
         QFETCH(QString, ids);
-        std::vector<Submission> exact, rounded;
-        for (const Scene &scene :
-             probeScenes(lines == WalkLines::Rows ? "row-walk" : "column-scan")) {
-            exact.push_back({scene, studentPicture(scene, lines, mistakes)});
-            rounded.push_back({scene, studentPictureInDouble(scene, lines, mistakes)});
-        }
+        const std::vector<Scene> scenes
+            = probeScenes(lines == WalkLines::Rows ? "row-walk" : "column-scan");
+        const auto submissionsIn = [&](WalkNumbers numbers) {
+            const std::vector<Picture> pictures = studentPictures(scenes, lines, mistakes, numbers);
+            std::vector<Submission> submissions;
+            for (std::size_t i = 0; i < pictures.size(); ++i)
+                submissions.push_back({scenes[i], pictures[i]});
+            return submissions;
+        };
+        const auto exact = submissionsIn(WalkNumbers::Fraction);
+        const auto rounded = submissionsIn(WalkNumbers::Double);
         for (const auto &submissions : {exact, rounded}) {
             const auto diagnosis = diagnose(submissions);
             QVERIFY2(diagnosis->isExplained(), qPrintable(idsOf(*diagnosis).join(u'\n')));
@@ -108,14 +112,15 @@ private slots:
     void theOrderOfEqualVerticesIsNoThirdMistake()
     {
         std::vector<Submission> submissions;
-        const Mistakes mistakes = {WalkMistake::EdgeDivisorPlusOne, WalkMistake::SpanDivisorPlusOne,
-                                   WalkMistake::EqualAsGiven};
         std::vector<Scene> scenes = probeSheet(QStringLiteral("column-scan"));
         // One triangle's last two vertices share a column, the upper one given first.
         scenes.push_back(scenes.front());
         scenes.back().triangles = {triangleAt(3, 9, 30, 25, 30, 4)};
-        for (const Scene &scene : scenes)
-            submissions.push_back({scene, studentPicture(scene, WalkLines::Columns, mistakes)});
+        const std::vector<Picture> pictures
+            = studentPictures(scenes, WalkLines::Columns,
+                              {"divisor-plus-one", "colour-divisor-plus-one", "equal-as-given"});
+        for (std::size_t i = 0; i < pictures.size(); ++i)
+            submissions.push_back({scenes[i], pictures[i]});
         const auto diagnosis = diagnose(submissions);
         QVERIFY2(diagnosis->isExplained(), qPrintable(idsOf(*diagnosis).join(u'\n')));
         const DiagnosisCandidate &named = diagnosis->candidates.front();

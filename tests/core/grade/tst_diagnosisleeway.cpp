@@ -14,7 +14,6 @@
 namespace tst_diagnosisleeway {
 
 using namespace pixelplumb;
-using Mistakes = std::set<WalkMistake>;
 
 namespace {
 
@@ -143,7 +142,7 @@ private slots:
     void aStudentsProgramInDoubleIsNamed_data()
     {
         QTest::addColumn<QString>("id");
-        QTest::addColumn<Mistakes>("mistakes");
+        QTest::addColumn<QStringList>("mistakes");
         std::vector<MistakenProgram> programs = mistakenPrograms();
         std::erase_if(programs, [](const MistakenProgram &program) {
             return program.method != QStringLiteral("column-scan");
@@ -154,12 +153,12 @@ private slots:
     void aStudentsProgramInDoubleIsNamed()
     {
         QFETCH(QString, id);
-        QFETCH(Mistakes, mistakes);
+        QFETCH(QStringList, mistakes);
         static DefectPictures pictures(probeSheet(QStringLiteral("column-scan")));
         std::vector<FoundPicture> found;
-        for (const Scene &scene : pictures.scenes())
-            found.push_back(
-                {found.size(), studentPictureInDouble(scene, WalkLines::Columns, mistakes)});
+        for (Picture &picture :
+             studentPictures(pictures.scenes(), WalkLines::Columns, mistakes, WalkNumbers::Double))
+            found.push_back({found.size(), std::move(picture)});
         const auto diagnosis = diagnose(pictures, found);
         if (diagnosis->verdict == DiagnosisVerdict::Undecidable)
             return; // a right program may also leave out samples that lie on vertices only

@@ -69,7 +69,7 @@ private slots:
             scene.settings = settings;
             if (doubledArea(scene.triangles.front()) == 0)
                 continue;
-            QCOMPARE(redrawn(scene, {walking({})}), pictureOf(scene));
+            QCOMPARE(redrawn(scene, redrawingBy({})), pictureOf(scene));
         }
     }
 
@@ -81,8 +81,8 @@ private slots:
                 const Scene scene
                     = randomScene(random, QString::fromLatin1(method), FillRule::Closed);
                 const Picture right = pictureOf(scene);
-                for (const SpanOrder order : {SpanOrder::Ascending, SpanOrder::Descending})
-                    QCOMPARE(redrawn(scene, {walking({.order = order})}), right);
+                for (const WalkOrder order : {WalkOrder::Ascending, WalkOrder::Descending})
+                    QCOMPARE(redrawn(scene, redrawingBy({.order = order})), right);
             }
         }
     }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/exacttrack.h"
-#include "core/grade/redrawing.h"
+#include "core/scan/exacttrack.h"
 
 #include <type_traits>
 #include <vector>

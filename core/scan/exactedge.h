@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/exacttrack.h"
-#include "core/grade/walkedprogram.h"
+#include "core/scan/exacttrack.h"
+#include "core/scan/walkedprogram.h"
 
 #include <bit>
 
@@ -11,45 +11,58 @@ namespace pixelplumb {
 /// Where an edge meets the current span, in fractions.
 class ExactEdge {
 public:
-    ExactEdge(const WalkedEdge &edge, const ProgramWalk &walk, std::int64_t span)
-        : m_walk(walk)
+    ExactEdge(const WalkedEdge &edge, const ScanBugs &bugs, std::int64_t span)
+        : m_bugs(bugs)
     {
         const Lattice grid = gridOf(edge);
         const Lattice width = edge.places.b.position.x - edge.places.a.position.x;
         const Lattice rise = edge.places.b.position.y - edge.places.a.position.y;
-        m_places = trackOf({edge.firstPlace.position.y, rise, walk.slopes}, width,
+        m_places = trackOf({edge.firstPlace.position.y, rise, bugs.slopes}, width,
                            span * unitsPerPixel - edge.firstPlace.position.x, grid);
         const Lattice ofColours = edge.colours.b.position.x - edge.colours.a.position.x;
         for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t source = walk.ratesAlongEdgesOf[i];
+            const std::size_t source = sourceOf(i, bugs.ratesAlongEdgesOf);
             const int change
                 = edge.colours.b.colour.channels[source] - edge.colours.a.colour.channels[source];
             const int first = edge.firstColour.colour.channels[i];
             m_levels[i]
-                = trackOf({first * unitsPerPixel, change * unitsPerPixel, walk.edgeColours},
-                          ofColours, wayToSpan(edge.firstColour.position.x, span, walk, i), grid);
+                = trackOf({first * unitsPerPixel, change * unitsPerPixel, bugs.edgeColours},
+                          ofColours, wayToSpan(edge.firstColour.position.x, span, bugs, i), grid);
         }
-        if (walk.edgeStoring == Storing::FromFirst) {
-            m_places.store(walk.edgePlaces);
+        if (bugs.edgeStoring == Storing::FromFirst) {
+            m_places.store(bugs.edgePlaces);
             for (ExactTrack &level : m_levels)
-                level.store(walk.edgeLevels);
+                level.store(bugs.edgeLevels);
         }
         const std::array<ExactTrack, 3> own = m_levels; // share one denominator
         for (std::size_t i = 0; i < 3; ++i) {
-            m_levels[i].rate = own[walk.stepsAlongEdgesOf[i]].rate;
-            if (walk.unsteppedAlongEdges.contains(i))
+            m_levels[i].rate = own[sourceOf(i, bugs.stepsAlongEdgesOf)].rate;
+            if (bugs.unsteppedAlongEdges.contains(i))
                 m_levels[i].rate = 0;
         }
     }
 
-    const ExactTrack &place() const { return m_places; } ///< px
+    const ExactTrack &track() const { return m_places; } ///< px
+    MixedNumber<Int128> place() const { return mixedNumber(m_places.at, m_places.denominator); }
     const ExactTrack &level(std::size_t channel) const { return m_levels[channel]; }
 
-    void stepPlace() { m_places.step(m_walk.edgePlaces); }
+    MixedNumber<Int128> slope() const { return mixedNumber(m_places.rate, m_places.denominator); }
+    std::array<MixedNumber<Int128>, 3> colour() const
+    {
+        return threeOf(
+            [&](std::size_t i) { return mixedNumber(m_levels[i].at, m_levels[i].denominator); });
+    }
+    std::array<MixedNumber<Int128>, 3> colourRate() const
+    {
+        return threeOf(
+            [&](std::size_t i) { return mixedNumber(m_levels[i].rate, m_levels[i].denominator); });
+    }
+
+    void stepPlace() { m_places.step(m_bugs.edgePlaces); }
     void stepColour()
     {
         for (ExactTrack &level : m_levels)
-            level.step(m_walk.edgeLevels);
+            level.step(m_bugs.edgeLevels);
     }
 
     void carryPlaceOf(const ExactEdge &other) { m_places.carryOn(other.m_places); }
@@ -125,7 +138,7 @@ private:
         return {change.from * divisor + way * change.by, change.by * inPixel, divisor * inPixel};
     }
 
-    const ProgramWalk &m_walk;
+    const ScanBugs &m_bugs;
     ExactTrack m_places;
     std::array<ExactTrack, 3> m_levels;
 };

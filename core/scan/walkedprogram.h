@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/programwalk.h"
-#include "core/grade/walkside.h"
-#include "core/scan/variedscan.h"
+#include "core/scan/variededge.h"
+#include "core/scan/walkedtriangle.h"
+#include "core/scan/walkside.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace pixelplumb {
 
@@ -20,47 +21,46 @@ constexpr std::int64_t wholePixel(Lattice coordinate, EndRounding rounding)
 
 /// The distance from a position to a span, 1/256 px, over which a channel's colour is stepped:
 /// without a pre-step the first span has the colour of the position.
-inline Lattice wayToSpan(Lattice from, std::int64_t span, const ProgramWalk &walk,
-                         std::size_t channel)
+inline Lattice wayToSpan(Lattice from, std::int64_t span, const ScanBugs &bugs, std::size_t channel)
 {
-    const bool hasPreStep = !walk.withoutEdgePreStep.contains(channel);
+    const bool hasPreStep = !bugs.withoutEdgePreStep.contains(channel);
     return (span - (hasPreStep ? 0 : ceilPixel(from))) * unitsPerPixel - (hasPreStep ? from : 0);
 }
 
 /// An edge as it is stepped: with the rates of an edge from a to b, starting at another position
 /// and colour.
 struct WalkedEdge {
-    VariedScan::Edge places, colours;
+    VariedEdge places, colours;
     Vertex firstPlace = places.a;
     Vertex firstColour = colours.a;
 };
 
-/// A walk with everything that determines its picture.
+/// A program with everything that determines its picture.
 class WalkedProgram {
 public:
-    /// The departures are the scene's; coordinates of spans are seen from the end at which the walk
-    /// begins.
-    WalkedProgram(const ProgramWalk &walk, VariantSet departures, ByteRounding rounding,
-                  SpanOrder order, const WalkSide &side)
-        : m_walk(walk)
-        , m_withRightEdges(walk.withRightEdges())
-        , m_departures(departures)
+    /// The variants are the scene's, on all edges; coordinates of spans are seen from the end at
+    /// which the walk begins.
+    WalkedProgram(const ScanBugs &bugs, VariantSet variants, ByteRounding rounding, SpanOrder order,
+                  const WalkSide &side)
+        : m_bugs(withVariants(bugs, variants))
+        , m_withRightEdges(m_bugs.withRightEdges())
+        , m_changesOfAll(edgeChangesOf(variants))
         , m_rounding(rounding)
         , m_order(order)
         , m_side(side)
     {
     }
-    // Edges keep references to this object's walks.
+    // Edges keep references to this object's bugs.
     WalkedProgram(const WalkedProgram &) = delete;
     WalkedProgram &operator=(const WalkedProgram &) = delete;
 
-    const ProgramWalk &walk() const { return m_walk; }
+    const ScanBugs &bugs() const { return m_bugs; }
     ByteRounding rounding() const { return m_rounding; }
     /// The span that a vertex's coordinate is rounded to.
     std::int64_t spanOf(Lattice coordinate) const
     {
-        return m_walk.spans == EndRounding::ByRule ? ceilPixel(coordinate)
-                                                   : spanOf(coordinate, m_walk.spans);
+        return m_bugs.spans == EndRounding::ByRule ? ceilPixel(coordinate)
+                                                   : spanOf(coordinate, m_bugs.spans);
     }
     /// The program's own coordinate rounded by ⌊ ⌋, to nearest or ⌈ ⌉, whichever way it walks.
     std::int64_t spanOf(Lattice coordinate, EndRounding rounding) const
@@ -71,69 +71,58 @@ public:
     /// How the first and the last span are chosen.
     SpanEnd firstEnd() const
     {
-        return m_order == SpanOrder::Ascending ? m_walk.leastSpan : m_walk.greatestSpan;
+        return m_order == SpanOrder::Ascending ? m_bugs.leastSpan : m_bugs.greatestSpan;
     }
     SpanEnd lastEnd() const
     {
-        return m_order == SpanOrder::Ascending ? m_walk.greatestSpan : m_walk.leastSpan;
+        return m_order == SpanOrder::Ascending ? m_bugs.greatestSpan : m_bugs.leastSpan;
     }
     const WalkSide &side() const { return m_side; }
 
-    /// The walk that applies to an edge.
-    const ProgramWalk &walkOf(WalkedEdges edge) const
+    /// The bugs that apply to an edge.
+    const ScanBugs &bugsOf(WalkedEdges edge) const
     {
-        return m_walk.departing == WalkedEdges::All || m_walk.departing == edge ? m_walk
+        return m_bugs.departing == WalkedEdges::All || m_bugs.departing == edge ? m_bugs
                                                                                 : m_withRightEdges;
     }
     WalkedEdge edge(WalkedEdges which, const Vertex &from, const Vertex &to) const
     {
-        const ProgramWalk &walk = walkOf(which);
+        const ScanBugs &bugs = bugsOf(which);
         const auto divided = [&](EdgeRates rates) {
-            VariedScan::Edge edge = VariedScan{departuresOf(walk, rates)}.edge(from, to);
-            const bool isOfWholeEnds = walk.runEnds != Truncation::All && isDivided(walk, rates);
-            if (isOfWholeEnds)
+            const bool isDivided = bugs.divided == EdgeRates::All || bugs.divided == rates;
+            EdgeChanges changes = bugs.edgeChanges;
+            if (!isDivided)
+                changes.bits &= edgechange::noPreStep.bits;
+            VariedEdge edge = variedEdge(from, to, changes | m_changesOfAll);
+            if (bugs.runEnds != Truncation::All && isDivided)
                 edge.b.position.x = edge.a.position.x + wholeEnd(to) - wholeEnd(from);
             return edge;
         };
         WalkedEdge edge{
-            withForm(shifted(divided(EdgeRates::Slope), walk.placePreStep), walk.slopeForm),
-            withDivisor(shifted(divided(EdgeRates::Colours), walk.edgeColourPreStep),
-                        walk.edgeColourDivisor)};
-        if (walk.edgeColourSign == EdgeColourSign::Negated)
+            withForm(shifted(divided(EdgeRates::Slope), bugs.placePreStep), bugs.slopeForm),
+            withDivisor(shifted(divided(EdgeRates::Colours), bugs.edgeColourPreStep),
+                        bugs.edgeColourDivisor)};
+        if (bugs.edgeColourSign == EdgeColourSign::Negated)
             std::swap(edge.colours.a.colour, edge.colours.b.colour);
         return edge;
     }
 
-    PreStep spanPreStep() const
-    {
-        return has(Variant::NoColourPreStep) ? PreStep::None : m_walk.spanPreStep;
-    }
-    bool has(Variant variant) const
-    {
-        return m_departures.contains(variant) || m_walk.departures.contains(variant);
-    }
-
 private:
-    static bool isDivided(const ProgramWalk &walk, EdgeRates rates)
+    static ScanBugs withVariants(ScanBugs bugs, VariantSet variants)
     {
-        return walk.divided == EdgeRates::All || walk.divided == rates;
+        if (variants.contains(Variant::NoColourPreStep))
+            bugs.spanPreStep = PreStep::None;
+        if (variants.contains(Variant::UnsortedColours))
+            bugs.vertexColours = VertexColours::AsGiven;
+        return bugs;
     }
     /// (int)x of a vertex.
     Lattice wholeEnd(const Vertex &vertex) const
     {
         return spanOf(vertex.position.x, EndRounding::Down) * unitsPerPixel;
     }
-    VariantSet departuresOf(const ProgramWalk &walk, EdgeRates rates) const
-    {
-        VariantSet departures = walk.departures;
-        if (!isDivided(walk, rates))
-            departures
-                = departures.without(Variant::DivisorMinusOne).without(Variant::DivisorPlusOne);
-        departures.bits |= m_departures.bits;
-        return departures;
-    }
 
-    static VariedScan::Edge withForm(VariedScan::Edge edge, SlopeForm form)
+    static VariedEdge withForm(VariedEdge edge, SlopeForm form)
     {
         const LatticePoint &a = edge.a.position;
         LatticePoint &b = edge.b.position;
@@ -147,7 +136,7 @@ private:
     }
 
     /// An edge along the spans has no step, whatever the divisor.
-    static VariedScan::Edge withDivisor(VariedScan::Edge edge, EdgeColourDivisor divisor)
+    static VariedEdge withDivisor(VariedEdge edge, EdgeColourDivisor divisor)
     {
         const LatticePoint &a = edge.a.position;
         LatticePoint &b = edge.b.position;
@@ -159,12 +148,12 @@ private:
     }
 
     /// Moves the edge so that its first span has the values that a wrong pre-step or span gives it.
-    VariedScan::Edge shifted(VariedScan::Edge edge, PreStep preStep) const
+    VariedEdge shifted(VariedEdge edge, PreStep preStep) const
     {
         const Lattice from = edge.a.position.x;
         const Lattice late = wholePixel(from, EndRounding::Up) * unitsPerPixel - from;
         Lattice way = 0;
-        if (m_walk.spans != EndRounding::ByRule)
+        if (m_bugs.spans != EndRounding::ByRule)
             way = spanOf(from) * unitsPerPixel - from;
         else if (preStep == PreStep::None)
             way = late;
@@ -177,11 +166,11 @@ private:
         return edge;
     }
 
-    ProgramWalk m_walk, m_withRightEdges;
-    VariantSet m_departures;
+    ScanBugs m_bugs, m_withRightEdges;
+    EdgeChanges m_changesOfAll;
     ByteRounding m_rounding;
     SpanOrder m_order;
-    WalkSide m_side;
+    const WalkSide &m_side;
 };
 
 /// The samples of a span; those to draw lie in the frame.
@@ -199,6 +188,30 @@ struct WalkedSpan {
     {
         return {first, end, first + end - endDrawn, first + end - firstDrawn};
     }
+};
+
+/// What is kept of a span's levels: the whole ones, or the program's own numbers beside them.
+enum class LevelDetail { Whole, Numbers };
+
+/// The levels of a span's samples that lie in the frame.
+template <class Number>
+struct SpanLevels {
+    SpanLevels(std::size_t samples, LevelDetail detail)
+        : whole(samples)
+        , own(detail == LevelDetail::Numbers ? samples : 0)
+    {
+    }
+    void reverse()
+    {
+        std::ranges::reverse(whole);
+        std::ranges::reverse(own);
+    }
+    bool hasNumbers() const { return !own.empty(); }
+
+    std::vector<WholeLevels> whole;
+    std::vector<std::array<Number, 3>> own; ///< before rounding, if they are kept
+    std::array<Number, 3> first = {}; ///< at the first sample in the frame, or where it would be
+    std::array<Number, 3> step = {}; ///< from sample to sample
 };
 
 /// The first sample from a lower bound on; `owns` says whether the bound owns a sample on it.

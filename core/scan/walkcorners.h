@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/walkedprogram.h"
+#include "core/scan/walkedprogram.h"
 
 namespace pixelplumb {
 
@@ -13,12 +13,14 @@ class WalkCorners {
 public:
     WalkCorners(const Triangle &triangle, const WalkedProgram &program)
         : m_program(program)
-        , m_order(vertexOrderOf(triangle, program.walk().vertices))
-        , m_triangle(program.has(Variant::UnsortedColours) ? withUnsortedColours(triangle, m_order)
-                                                           : triangle)
+        , m_order(vertexOrderOf(triangle, program.bugs().vertices))
+        , m_triangle(program.bugs().vertexColours == VertexColours::AsGiven
+                         ? withUnsortedColours(triangle, m_order)
+                         : triangle)
     {
     }
 
+    const std::array<int, 3> &order() const { return m_order; }
     const Vertex &p0() const { return vertex(0); }
     const Vertex &p1() const { return vertex(1); }
     const Vertex &p2() const { return vertex(2); }
@@ -43,20 +45,20 @@ public:
 
     WalkedEdge firstEdge() const
     {
-        const ProgramWalk &walk = m_program.walk();
-        return withTakenSlope(0, rated(ownFirstEdge(), walk.firstSlope, walk.firstColourRates));
+        const ScanBugs &bugs = m_program.bugs();
+        return withTakenSlope(0, rated(ownFirstEdge(), bugs.firstSlope, bugs.firstColourRates));
     }
     WalkedEdge secondEdge() const
     {
-        const ProgramWalk &walk = m_program.walk();
+        const ScanBugs &bugs = m_program.bugs();
         return withTakenSlope(
             1,
-            rated(ownSecondEdge(), ofSecond(walk.secondSlope), ofSecond(walk.secondColourRates)));
+            rated(ownSecondEdge(), ofSecond(bugs.secondSlope), ofSecond(bugs.secondColourRates)));
     }
     WalkedEdge longEdge() const
     {
-        const ProgramWalk &walk = m_program.walk();
-        return withTakenSlope(2, rated(ownLongEdge(), walk.longSlope, walk.longColourRates));
+        const ScanBugs &bugs = m_program.bugs();
+        return withTakenSlope(2, rated(ownLongEdge(), bugs.longSlope, bugs.longColourRates));
     }
     /// L₀₂ with its own value at P₁ used for the first span after P₁.
     WalkedEdge longEdgeWithoutPreStep() const
@@ -86,16 +88,17 @@ private:
         return isOfFirst && !hasFirstHalf() ? RateOf::Own : rate;
     }
 
-    /// Takes another edge's slope, if the walk does, and begins where that edge does.
+    /// Takes another edge's slope, if the program does, and begins where that edge does.
     WalkedEdge withTakenSlope(std::size_t place, WalkedEdge edge) const
     {
-        const WalkedEdges source = m_program.walk().slopesOf[place];
-        if (source == ownSlopes[place])
-            return edge;
-        const WalkedEdge of = source == WalkedEdges::First ? ownFirstEdge()
-            : source == WalkedEdges::Second                ? ownSecondEdge()
-                                                           : ownLongEdge();
-        edge.places = of.places;
+        constexpr std::array<std::array<std::size_t, 3>, 4> sources
+            = {{{0, 1, 2}, {1, 0, 2}, {2, 1, 0}, {0, 2, 1}}};
+        const std::size_t source = sources[std::size_t(m_program.bugs().slopesOf)][place];
+        if (source != place)
+            edge.places = (source == 0       ? ownFirstEdge()
+                               : source == 1 ? ownSecondEdge()
+                                             : ownLongEdge())
+                              .places;
         return edge;
     }
 
@@ -111,8 +114,8 @@ private:
     }
 
     /// The vertices between which an edge's rate is computed.
-    static VariedScan::Edge ratedAs(RateOf rate, const VariedScan::Edge &own,
-                                    const VariedScan::Edge &first, const VariedScan::Edge &across)
+    static VariedEdge ratedAs(RateOf rate, const VariedEdge &own, const VariedEdge &first,
+                              const VariedEdge &across)
     {
         switch (rate) {
         case RateOf::Own:
@@ -132,7 +135,7 @@ private:
         }
         return own;
     }
-    static VariedScan::Edge between(VariedScan::Edge rise, const VariedScan::Edge &run)
+    static VariedEdge between(VariedEdge rise, const VariedEdge &run)
     {
         rise.a.position.x = run.a.position.x;
         rise.b.position.x = run.b.position.x;

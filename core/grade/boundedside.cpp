@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/walkside.h"
+#include "core/grade/boundedside.h"
 
 namespace pixelplumb {
 
@@ -9,7 +9,7 @@ constexpr double walks = 2; // with errors: this one and the other program's
 
 } // namespace
 
-WalkSide::WalkSide(const Triangle &triangle, const RoundingSide &side)
+BoundedSide::BoundedSide(const Triangle &triangle, const RoundingSide &side)
     : m_side(side)
 {
     const bool isExact = side.arithmetic == Arithmetic::Exact;
@@ -18,7 +18,7 @@ WalkSide::WalkSide(const Triangle &triangle, const RoundingSide &side)
         m_bound = bound;
 }
 
-double WalkSide::inward() const
+double BoundedSide::inward() const
 {
     if (!m_bound)
         return 0;
@@ -26,7 +26,7 @@ double WalkSide::inward() const
     return m_side.isOutward ? -error : error;
 }
 
-double WalkSide::upward(double rate, double height) const
+double BoundedSide::upward(double rate, double height) const
 {
     if (!m_bound || m_side.arithmetic == Arithmetic::Exact)
         return 0;
@@ -35,14 +35,14 @@ double WalkSide::upward(double rate, double height) const
     return m_side.isUpward ? error : -error;
 }
 
-double WalkSide::carriedUpward(double rate, double height) const
+double BoundedSide::carriedUpward(double rate, double height) const
 {
     // The error of R where it begins, and where it ends.
     return isThin(height) ? 0 : 2 * upward(rate, height);
 }
 
 /// On a thin span the increment may be anything.
-bool WalkSide::isThin(double height) const
+bool BoundedSide::isThin(double height) const
 {
     return m_bound && height <= 4 * walks * m_bound->endError(SpanAxis::Column);
 }

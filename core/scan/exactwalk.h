@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/exactedge.h"
-#include "core/grade/exactramp.h"
-#include "core/grade/walkedprogram.h"
+#include "core/scan/exactedge.h"
+#include "core/scan/exactramp.h"
+#include "core/scan/walkedprogram.h"
 
 #include <algorithm>
 #include <optional>
@@ -15,6 +15,7 @@ namespace pixelplumb {
 struct ExactWalk {
     static bool represents(const LatticePoint &point) { return isNarrow(point); }
 
+    using Number = MixedNumber<Int128>;
     using Track = ExactTrack;
     using Edge = ExactEdge;
     using Bounds = WalkedBounds<Edge>;
@@ -25,13 +26,13 @@ struct ExactWalk {
     using Carried = std::array<Int256, 3>;
 
     /// Half of the width suffices for most frames and is much faster.
-    static std::vector<WholeLevels> levelsOf(const Bounds &bounds, const WalkedSpan &span,
-                                             const WalkedProgram &program,
-                                             std::optional<Carried> &carried)
+    static void fill(SpanLevels<Number> &levels, const Bounds &bounds, const WalkedSpan &span,
+                     const WalkedProgram &program, std::optional<Carried> &carried)
     {
-        return isHeldByHalf(bounds, span, program)
-            ? levelsIn<Int128>(bounds, span, program, carried)
-            : levelsIn<Int256>(bounds, span, program, carried);
+        if (isHeldByHalf(bounds, span, program))
+            fillIn<Int128>(levels, bounds, span, program, carried);
+        else
+            fillIn<Int256>(levels, bounds, span, program, carried);
     }
 
 private:
@@ -44,8 +45,8 @@ private:
     static bool isHeldByHalf(const Bounds &bounds, const WalkedSpan &span,
                              const WalkedProgram &program)
     {
-        const ProgramWalk &walk = program.walk();
-        if (walk.spanStart != SpanStart::AtBound)
+        const ScanBugs &bugs = program.bugs();
+        if (bugs.spanStart != SpanStart::AtBound)
             return false;
         Int128 denominator = 1;
         Int128 numerator = 1;
@@ -54,7 +55,7 @@ private:
             numerator = std::max(numerator, absolute(track.at));
         };
         for (const Edge *edge : {&bounds.lower, &bounds.upper})
-            see(edge->place());
+            see(edge->track());
         for (const Edge *edge : {&bounds.lowerColours, &bounds.upperColours}) {
             for (std::size_t i = 0; i < 3; ++i)
                 see(edge->level(i));
@@ -66,42 +67,49 @@ private:
             return false;
         numerator = std::max(numerator, denominator * farthest);
         const bool isPlain
-            = program.spanPreStep() != PreStep::WithoutRate && walk.preSteps == Truncation::All;
+            = bugs.spanPreStep != PreStep::WithoutRate && bugs.preSteps == Truncation::All;
         return numerator < half && numerator * denominator < Int128(1) << (isPlain ? 58 : 46);
     }
 
     template <class Integer>
-    static std::vector<WholeLevels> levelsIn(const Bounds &bounds, const WalkedSpan &span,
-                                             const WalkedProgram &program,
-                                             std::optional<Carried> &carried)
+    static void fillIn(SpanLevels<Number> &levels, const Bounds &bounds, const WalkedSpan &span,
+                       const WalkedProgram &program, std::optional<Carried> &carried)
     {
-        const ProgramWalk &walk = program.walk();
+        const ScanBugs &bugs = program.bugs();
         const std::array<ExactRamp<Integer>, 3> ramps
             = {rampOf<Integer>(bounds, span, program, 0, carried),
                rampOf<Integer>(bounds, span, program, 1, carried),
                rampOf<Integer>(bounds, span, program, 2, carried)};
-        std::vector<WholeLevels> levels(span.drawn());
         Carried behind;
         for (std::size_t i = 0; i < 3; ++i) {
             ExactRamp<Integer> ramp = ramps[i];
-            if (walk.stepsAlongSpansOf[i] != i) // channels share a denominator
-                ramp.step = ramps[walk.stepsAlongSpansOf[i]].step;
-            if (walk.spanStoring == Storing::FirstAlone) {
+            if (sourceOf(i, bugs.stepsAlongSpansOf) != i) // channels share a denominator
+                ramp.step = ramps[sourceOf(i, bugs.stepsAlongSpansOf)].step;
+            levels.step[i] = mixedNumber(ramp.step, ramp.denominator);
+            levels.first[i] = mixedNumber<Integer>(
+                ramp.first + Integer(span.firstDrawn - span.first) * ramp.step, ramp.denominator);
+            if (bugs.spanStoring == Storing::FirstAlone) {
                 ramp.first
-                    = leftOf<Integer>(ramp.first, ramp.denominator, walk.levels) * ramp.denominator;
-            } else if (walk.levels != Truncation::All) {
-                behind[i] = storeWhole(ramp, span, program, levels, i) * carriedUnit;
+                    = leftOf<Integer>(ramp.first, ramp.denominator, bugs.levels) * ramp.denominator;
+            } else if (bugs.levels != Truncation::All) {
+                behind[i] = storeWhole(ramp, span, program, levels.whole, i) * carriedUnit;
+                for (std::size_t k = 0; k < levels.own.size(); ++k)
+                    levels.own[k][i] = Number::fromWhole(levels.whole[k][i]);
                 continue;
             }
-            store(ramp, span, program, levels, i);
-            if (walk.spanStart != SpanStart::AtBound)
+            store(ramp, span, program, levels.whole, i);
+            for (std::size_t k = 0; k < levels.own.size(); ++k)
+                levels.own[k][i] = mixedNumber<Integer>(
+                    ramp.first
+                        + Integer(span.firstDrawn - span.first + std::int64_t(k)) * ramp.step,
+                    ramp.denominator);
+            if (bugs.spanStart != SpanStart::AtBound)
                 behind[i] = leftOf<Int256>((Int256(ramp.first) + span.samples() * Int256(ramp.step))
                                                * carriedUnit,
                                            Int256(ramp.denominator), Truncation::Nearest);
         }
-        if (walk.spanStart != SpanStart::AtBound)
+        if (bugs.spanStart != SpanStart::AtBound)
             carried = behind;
-        return levels;
     }
 
     /// y_T − y_B in fractions, or what replaces it; the denominator is positive.
@@ -159,27 +167,27 @@ private:
     static ExactRamp<Integer> rampAtBound(const Bounds &bounds, const WalkedSpan &span,
                                           const WalkedProgram &program, std::size_t channel)
     {
-        const ProgramWalk &walk = program.walk();
-        const Track &lower = bounds.lower.place();
-        const Track &upper = bounds.upper.place();
-        const Track atLower = levelAt(bounds.lowerColours, channel, walk.bounds);
-        const Track atUpper = levelAt(bounds.upperColours, channel, walk.bounds);
-        if (walk.spanColours == SpanColours::Mean)
+        const ScanBugs &bugs = program.bugs();
+        const Track &lower = bounds.lower.track();
+        const Track &upper = bounds.upper.track();
+        const Track atLower = levelAt(bounds.lowerColours, channel, bugs.bounds);
+        const Track atUpper = levelAt(bounds.upperColours, channel, bugs.bounds);
+        if (bugs.spanColours == SpanColours::Mean)
             return {Integer(atLower.at * atUpper.denominator + atUpper.at * atLower.denominator), 0,
                     Integer(2 * atLower.denominator * atUpper.denominator)};
-        const bool isFromUpper = walk.spanColours == SpanColours::FromUpperBound
-            || walk.spanColours == SpanColours::UpperAlone;
+        const bool isFromUpper = bugs.spanColours == SpanColours::FromUpperBound
+            || bugs.spanColours == SpanColours::UpperAlone;
         const Track &from = isFromUpper ? atUpper : atLower;
         const Track &other = isFromUpper ? atLower : atUpper;
-        const Int128 height = heightOf(lower, upper, span, walk.divisor);
-        if (height == 0 || isFlat(walk.spanColours)) // nothing to distribute
+        const Int128 height = heightOf(lower, upper, span, bugs.divisor);
+        if (height == 0 || isFlat(bugs.spanColours)) // nothing to distribute
             return {from.at, 0, from.denominator};
-        const std::size_t source = walk.ratesAlongSpansOf[channel];
+        const std::size_t source = sourceOf(channel, bugs.ratesAlongSpansOf);
         const Integer unit = Integer(lower.denominator) * Integer(upper.denominator);
         const Integer lift
-            = levelAt(bounds.upperColours, source, walk.bounds).at * atLower.denominator
-            - levelAt(bounds.lowerColours, source, walk.bounds).at * atUpper.denominator;
-        const bool isNegative = (height < 0) != (walk.spanColours == SpanColours::Falling);
+            = levelAt(bounds.upperColours, source, bugs.bounds).at * atLower.denominator
+            - levelAt(bounds.lowerColours, source, bugs.bounds).at * atUpper.denominator;
+        const bool isNegative = (height < 0) != (bugs.spanColours == SpanColours::Falling);
         const Integer steepness = absolute(height);
         return {Integer(from.at) * Integer(other.denominator) * steepness,
                 (isNegative ? Integer(-lift) : lift) * unit,
@@ -191,16 +199,16 @@ private:
                                      const WalkedProgram &program, std::size_t channel,
                                      const std::optional<Carried> &carried)
     {
-        const ProgramWalk &walk = program.walk();
+        const ScanBugs &bugs = program.bugs();
         ExactRamp<Integer> ramp = rampAtBound<Integer>(bounds, span, program, channel);
         ramp = carried ? ExactRamp<Integer>{Integer((*carried)[channel]) * ramp.denominator,
                                             ramp.step * carriedUnit, ramp.denominator * carriedUnit}
-                       : preStepped(ramp, bounds.lower.place(), span, program, channel);
-        if (walk.steps != Truncation::All)
-            ramp.step = leftOf<Integer>(ramp.step, ramp.denominator, walk.steps) * ramp.denominator;
-        if (walk.unsteppedAlongSpans.contains(channel))
+                       : preStepped(ramp, bounds.lower.track(), span, program, channel);
+        if (bugs.steps != Truncation::All)
+            ramp.step = leftOf<Integer>(ramp.step, ramp.denominator, bugs.steps) * ramp.denominator;
+        if (bugs.unsteppedAlongSpans.contains(channel))
             ramp.step = 0;
-        if (walk.spanStepping == Stepping::BeforeDrawing)
+        if (bugs.spanStepping == Stepping::BeforeDrawing)
             ramp.first += ramp.step;
         return ramp;
     }
@@ -210,16 +218,16 @@ private:
                                          const WalkedSpan &span, const WalkedProgram &program,
                                          std::size_t channel)
     {
-        const ProgramWalk &walk = program.walk();
-        const PreStep preStep = program.spanPreStep();
-        const bool isLeftOut = walk.withoutSpanPreStep.contains(channel);
+        const ScanBugs &bugs = program.bugs();
+        const PreStep preStep = bugs.spanPreStep;
+        const bool isLeftOut = bugs.withoutSpanPreStep.contains(channel);
         const Integer way = isLeftOut ? Int128(0) : preStepOf(lower, span, preStep);
         const Integer denominator = lower.denominator;
         if (preStep == PreStep::WithoutRate)
             return ramp.preSteppedBy(way, denominator);
-        if (walk.preSteps != Truncation::All)
+        if (bugs.preSteps != Truncation::All)
             return ramp.preSteppedBy(
-                leftOf<Integer>(ramp.step, ramp.denominator, walk.preSteps) * way, denominator);
+                leftOf<Integer>(ramp.step, ramp.denominator, bugs.preSteps) * way, denominator);
         ramp.first += way * (ramp.step / denominator); // step is a multiple of it
         return ramp;
     }
@@ -243,10 +251,10 @@ private:
                                    const WalkedProgram &program, std::vector<WholeLevels> &levels,
                                    std::size_t channel)
     {
-        const Truncation kept = program.walk().levels;
+        const Truncation kept = program.bugs().levels;
         auto level = std::int64_t(leftOf<Integer>(ramp.first, ramp.denominator, kept));
         std::optional<std::int64_t> second;
-        if (program.walk().spanStoring == Storing::BehindSteps) {
+        if (program.bugs().spanStoring == Storing::BehindSteps) {
             const bool isNearest = program.rounding() == ByteRounding::Nearest;
             level = std::int64_t(leftOf<Integer>(
                 ramp.first, ramp.denominator, isNearest ? Truncation::Nearest : Truncation::Down));

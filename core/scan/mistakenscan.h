@@ -1,23 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/walkcorners.h"
+#include "core/scan/columnstate.h"
+#include "core/scan/exactwalk.h"
+#include "core/scan/roundedwalk.h"
+#include "core/scan/walkcorners.h"
 
 #include <algorithm>
 #include <optional>
 
+/// The scan of a program that walks along a triangle's edges, with its bugs (scanbugs.h): the
+/// column scan (columnscan.h) for everything that a program may do otherwise. Without bugs and
+/// variants it draws what the column scan draws.
 namespace pixelplumb {
 
-/// Walks a triangle's spans from the first vertex to the last, in one number type.
+/// A span that the program has walked, seen from where it begins.
 template <class Numbers>
-class Walking {
+struct MistakenSpan {
+    std::int64_t span = 0;
+    ColumnHalf half = ColumnHalf::First;
+    bool isLongAbove = false;
+    bool isFinal = false; ///< nothing paints over it later
+    WalkedSpan samples;
+    const typename Numbers::Bounds &bounds;
+    const SpanLevels<typename Numbers::Number> &levels; ///< of the samples to be drawn
+};
+
+/// Walks a triangle's spans from the first vertex to the last, in one number type. The receiver has
+///   detail                     what it reads of a span's levels;
+///   begun(order, spans, edges) what is computed once, if it reads numbers;
+///   walked(span)               a span of the frame; false ends the walk.
+template <class Numbers, class Receiver>
+class MistakenScan {
     using Edge = typename Numbers::Edge;
 
 public:
-    Walking(TriangleRuns &seen, const WalkedProgram &program)
+    MistakenScan(const WalkedTriangle &seen, const WalkedProgram &program, Receiver &receiver)
         : m_seen(seen)
         , m_program(program)
-        , m_walk(program.walk())
+        , m_receiver(receiver)
+        , m_bugs(program.bugs())
         , m_corners(seen.triangle, program)
         , m_p0(m_corners.p0())
         , m_p1(m_corners.p1())
@@ -29,8 +51,13 @@ public:
     {
         const std::int64_t firstSpan = firstOfTriangle();
         const std::int64_t endSpan = endOfTriangle();
-        const auto first = m_walk.remembers() ? firstSpan : std::max(firstSpan, m_seen.firstSpan);
+        const auto first = m_bugs.remembers() ? firstSpan : std::max(firstSpan, m_seen.firstSpan);
         const auto end = std::min(endSpan, m_seen.endSpan);
+        if constexpr (Receiver::detail == LevelDetail::Numbers)
+            m_receiver.begun(m_corners.order(), {firstSpan, firstOfSecondHalf(), endSpan},
+                             {edge(WalkedEdges::First, m_corners.firstEdge(), firstSpan),
+                              edge(WalkedEdges::Second, m_corners.secondEdge(), firstSpan),
+                              edge(WalkedEdges::Long, m_corners.longEdge(), firstSpan)});
         const bool isSorted = m_corners.areSorted();
         if (isSorted && first >= end)
             return;
@@ -39,25 +66,26 @@ public:
         const std::int64_t middle = isBegunBeforeMiddle() ? first : ofBoth(firstOfSecondHalf());
         Edge across = edge(WalkedEdges::Long, m_corners.longEdge(), first);
         Edge along = edge(WalkedEdges::First, m_corners.firstEdge(), first);
-        if (m_walk.longPlacesBefore == LongEdgeBefore::Waits)
+        if (m_bugs.longPlacesBefore == LongEdgeBefore::Waits)
             across.holdPlace();
-        if (m_walk.longColoursBefore == LongEdgeBefore::Waits)
+        if (m_bugs.longColoursBefore == LongEdgeBefore::Waits)
             across.holdColour();
         m_endFinal = middle;
-        walkHalf(first, std::min(ofBoth(endOfFirstHalf()), m_seen.endSpan), along, across);
+        walkHalf(ColumnHalf::First, first, std::min(ofBoth(endOfFirstHalf()), m_seen.endSpan),
+                 along, across);
         goOnAcross(middle, across);
         Edge behind = edgeBehind(middle, along);
         if (m_p1.position.x == m_p2.position.x)
             endFlat(middle, along, behind, across);
-        if (m_walk.spanStart == SpanStart::GoesOnInHalf)
+        if (m_bugs.spanStart == SpanStart::GoesOnInHalf)
             m_carried.reset();
         m_endFinal = end;
-        walkHalf(middle, end, behind, across);
+        walkHalf(ColumnHalf::Second, middle, end, behind, across);
     }
 
 private:
     std::int64_t spanOf(const Vertex &vertex) const { return m_program.spanOf(vertex.position.x); }
-    bool isByRule() const { return m_walk.spans == EndRounding::ByRule; }
+    bool isByRule() const { return m_bugs.spans == EndRounding::ByRule; }
 
     std::int64_t firstOfTriangle() const
     {
@@ -104,9 +132,9 @@ private:
 
     std::int64_t firstOfSecondHalf() const
     {
-        if (isByRule() && m_walk.middleSpan == MiddleSpan::FromSpanBefore)
+        if (isByRule() && m_bugs.middleSpan == MiddleSpan::FromSpanBefore)
             return floorPixel(m_p1.position.x);
-        if (isByRule() && m_walk.middleSpan == MiddleSpan::FromNearest)
+        if (isByRule() && m_bugs.middleSpan == MiddleSpan::FromNearest)
             return m_program.spanOf(m_p1.position.x, EndRounding::Nearest);
         return spanOf(m_p1);
     }
@@ -114,28 +142,28 @@ private:
     {
         if (isBegunBeforeMiddle())
             return firstOfTriangle();
-        if (m_walk.middleSpan != MiddleSpan::InBothHalves)
+        if (m_bugs.middleSpan != MiddleSpan::InBothHalves)
             return firstOfSecondHalf();
         return (isByRule() ? floorPixel(m_p1.position.x) : spanOf(m_p1)) + 1;
     }
 
     Edge edge(WalkedEdges which, const WalkedEdge &edge, std::int64_t span) const
     {
-        return Edge(edge, m_program.walkOf(which), span);
+        return Edge(edge, m_program.bugsOf(which), span);
     }
 
     /// The second short edge, from the middle vertex on, where the first one ends.
     Edge edgeBehind(std::int64_t middle, const Edge &before) const
     {
         WalkedEdge walked = m_corners.secondEdge();
-        if (m_walk.shortPlacesBehind == ShortEdgeBehind::FromFirst)
+        if (m_bugs.shortPlacesBehind == ShortEdgeBehind::FromFirst)
             walked.firstPlace.position.y = m_p0.position.y;
-        if (m_walk.shortColoursBehind == ShortEdgeBehind::FromFirst)
+        if (m_bugs.shortColoursBehind == ShortEdgeBehind::FromFirst)
             walked.firstColour.colour = m_p0.colour;
         Edge behind = edge(WalkedEdges::Second, walked, middle);
-        if (m_corners.hasFirstHalf() && m_walk.shortPlacesBehind == ShortEdgeBehind::CarriedOn)
+        if (m_corners.hasFirstHalf() && m_bugs.shortPlacesBehind == ShortEdgeBehind::CarriedOn)
             behind.carryPlaceOf(before);
-        if (m_corners.hasFirstHalf() && m_walk.shortColoursBehind == ShortEdgeBehind::CarriedOn)
+        if (m_corners.hasFirstHalf() && m_bugs.shortColoursBehind == ShortEdgeBehind::CarriedOn)
             behind.carryColourOf(before);
         return behind;
     }
@@ -157,56 +185,56 @@ private:
             walked.firstColour.colour = from.colour;
             return edge(WalkedEdges::Long, walked, middle);
         };
-        if (isBegunAnew(m_walk.longPlacesBehind))
-            across.goOnWithPlacesOf(begunAnew(m_walk.longPlacesBehind));
-        if (isBegunAnew(m_walk.longColoursBehind))
-            across.goOnWithColoursOf(begunAnew(m_walk.longColoursBehind));
-        if (m_walk.longPlacesBehind == LongEdgeBehind::Stands)
+        if (isBegunAnew(m_bugs.longPlacesBehind))
+            across.goOnWithPlacesOf(begunAnew(m_bugs.longPlacesBehind));
+        if (isBegunAnew(m_bugs.longColoursBehind))
+            across.goOnWithColoursOf(begunAnew(m_bugs.longColoursBehind));
+        if (m_bugs.longPlacesBehind == LongEdgeBehind::Stands)
             across.holdPlace();
-        if (m_walk.longColoursBehind == LongEdgeBehind::Stands)
+        if (m_bugs.longColoursBehind == LongEdgeBehind::Stands)
             across.holdColour();
     }
 
     /// Handles a triangle whose last two vertices share a span.
     void endFlat(std::int64_t middle, const Edge &before, Edge &behind, Edge &across) const
     {
-        if (m_walk.flatEnd == FlatEnd::FromVertices) {
+        if (m_bugs.flatEnd == FlatEnd::FromVertices) {
             const Edge last = edge(WalkedEdges::Second,
                                    m_program.edge(WalkedEdges::Second, m_p2, m_p2), middle);
             across.goOnWithPlacesOf(last);
             across.goOnWithColoursOf(last);
         }
-        if (m_walk.flatEnd == FlatEnd::FromEdgesBefore) {
+        if (m_bugs.flatEnd == FlatEnd::FromEdgesBefore) {
             behind.carryPlaceOf(before);
             behind.carryColourOf(before);
         }
     }
 
-    void walkHalf(std::int64_t first, std::int64_t end, Edge &along, Edge &across)
+    void walkHalf(ColumnHalf half, std::int64_t first, std::int64_t end, Edge &along, Edge &across)
     {
         const auto step = [&](Stepping stepping) {
             for (Edge *each : {&along, &across}) {
-                if (m_walk.placeStepping == stepping)
+                if (m_bugs.placeStepping == stepping)
                     each->stepPlace();
-                if (m_walk.edgeColourStepping == stepping)
+                if (m_bugs.edgeColourStepping == stepping)
                     each->stepColour();
             }
         };
-        for (std::int64_t span = first; span < end && !m_seen.isRefused; ++span) {
+        for (std::int64_t span = first; span < end && !m_hasEnded; ++span) {
             step(Stepping::BeforeDrawing);
             const bool isAcrossUpper = isUpper(across, along);
             const WalkedSpan samples
                 = samplesOf(isAcrossUpper ? along : across, isAcrossUpper ? across : along);
-            addSpan(span, samples, boundsOf(isAcrossUpper, along, across));
+            addSpan(half, span, samples, isAcrossUpper, boundsOf(isAcrossUpper, along, across));
             const bool isEmpty = samples.first >= samples.end;
-            if (!isEmpty || m_walk.emptySpans == EmptySpan::Steps)
+            if (!isEmpty || m_bugs.emptySpans == EmptySpan::Steps)
                 step(Stepping::AfterDrawing);
         }
     }
 
     bool isUpper(const Edge &across, const Edge &along) const
     {
-        switch (m_walk.upperEdge) {
+        switch (m_bugs.upperEdge) {
         case UpperEdge::TheUpper:
             break;
         case UpperEdge::Long:
@@ -233,7 +261,7 @@ private:
                                       const Edge &across) const
     {
         const auto hasColoursOfAlong = [&] {
-            switch (m_walk.lowerColours) {
+            switch (m_bugs.lowerColours) {
             case LowerColours::OfItsEdge:
                 break;
             case LowerColours::OfShortEdge:
@@ -253,42 +281,64 @@ private:
     {
         const double inward = m_program.side().inward();
         const Interval rows = m_seen.intervals.rows;
-        WalkedSpan samples{firstOf(Numbers::moved(lower, inward), m_walk.first, ownsFirst(rows))
-                               - m_walk.extraBefore,
-                           endOf(Numbers::moved(upper, -inward), m_walk.last, ownsLast(rows))
-                               + m_walk.extraBehind};
+        WalkedSpan samples{firstOf(Numbers::moved(lower, inward), m_bugs.first, ownsFirst(rows))
+                               - m_bugs.extraBefore,
+                           endOf(Numbers::moved(upper, -inward), m_bugs.last, ownsLast(rows))
+                               + m_bugs.extraBehind};
         samples.firstDrawn = std::max(samples.first, m_seen.firstSample);
         samples.endDrawn = std::min(samples.end, m_seen.endSample);
         return samples;
     }
 
-    void addSpan(std::int64_t span, const WalkedSpan &samples,
+    void addSpan(ColumnHalf half, std::int64_t span, const WalkedSpan &samples, bool isAcrossUpper,
                  const typename Numbers::Bounds &bounds)
     {
-        const bool isDrawn = span >= m_seen.firstSpan && span < m_seen.endSpan
-            && samples.firstDrawn < samples.endDrawn;
-        if (!isDrawn && m_walk.spanStart == SpanStart::AtBound)
+        const bool isInFrame = span >= m_seen.firstSpan && span < m_seen.endSpan;
+        const bool isDrawn = isInFrame && samples.firstDrawn < samples.endDrawn;
+        const bool isHeard = isDrawn || (isInFrame && Receiver::detail == LevelDetail::Numbers);
+        if (!isHeard && m_bugs.spanStart == SpanStart::AtBound)
             return;
-        const bool isReversed = m_walk.spanColours == SpanColours::FromLastSample;
-        auto levels = Numbers::levelsOf(bounds, isReversed ? samples.reversed() : samples,
-                                        m_program, m_carried);
-        if (!isDrawn)
+        const bool isReversed = m_bugs.spanColours == SpanColours::FromLastSample;
+        SpanLevels<typename Numbers::Number> levels(samples.drawn(), Receiver::detail);
+        Numbers::fill(levels, bounds, isReversed ? samples.reversed() : samples, m_program,
+                      m_carried);
+        if (!isHeard)
             return;
         if (isReversed)
-            std::ranges::reverse(levels);
-        m_seen.runs.push_back(
-            {span, samples.firstDrawn, samples.endDrawn, std::move(levels), samples.firstDrawn});
-        const bool isFinal = span < m_endFinal;
-        m_seen.isRefused = isFinal && m_seen.mayBe && !m_seen.mayBe(m_seen.runs.back());
+            levels.reverse();
+        m_hasEnded = !m_receiver.walked(MistakenSpan<Numbers>{
+            span, half, isAcrossUpper, span < m_endFinal, samples, bounds, levels});
     }
 
-    TriangleRuns &m_seen;
+    const WalkedTriangle &m_seen;
     const WalkedProgram &m_program;
-    const ProgramWalk &m_walk;
+    Receiver &m_receiver;
+    const ScanBugs &m_bugs;
     WalkCorners m_corners;
     const Vertex &m_p0, &m_p1, &m_p2;
+    bool m_hasEnded = false;
     std::int64_t m_endFinal = 0; ///< earlier spans of the current half are painted only once
     std::optional<typename Numbers::Carried> m_carried; ///< where the next span goes on
 };
+
+/// Walks the triangle; false, with nothing drawn, for one without area, beyond the numbers' range
+/// or, in exact numbers or where the program remembers earlier spans, beyond 2^15 px.
+template <class Numbers, class Receiver>
+bool walkMistaken(const WalkedTriangle &triangle, const ScanBugs &bugs, const WalkSide &side,
+                  Receiver &receiver)
+{
+    const SpanOrder order = orderOf(bugs, triangle.order);
+    const WalkedTriangle seen = seenFrom(triangle, order);
+    const bool isHeld = std::ranges::all_of(seen.triangle.vertices, [&](const Vertex &vertex) {
+        return Numbers::represents(vertex.position)
+            && (!bugs.remembers() || isNarrow(vertex.position));
+    });
+    if (!isHeld || doubledArea(seen.triangle) == 0)
+        return false;
+    const WalkedProgram program(bugs, variantsFrom(order, triangle), triangle.settings.rounding,
+                                order, side);
+    MistakenScan<Numbers, Receiver>(seen, program, receiver).run();
+    return true;
+}
 
 } // namespace pixelplumb

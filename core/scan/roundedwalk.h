@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/walkedprogram.h"
 #include "core/scan/roundedarithmetic.h"
-#include "core/scan/variedscan.h"
+#include "core/scan/walkedprogram.h"
 
 #include <optional>
 #include <type_traits>
@@ -13,6 +12,7 @@ namespace pixelplumb {
 /// A program's walk in a rounded number type, using the steps of the scan in that type.
 template <class Value>
 struct RoundedWalk {
+    using Number = Value;
     using A = RoundedArithmetic<Value>;
     using Traits = NumberTraits<Value>;
 
@@ -34,43 +34,43 @@ struct RoundedWalk {
 
     class Edge {
     public:
-        Edge(const WalkedEdge &edge, const ProgramWalk &walk, std::int64_t span)
-            : m_walk(walk)
-            , m_slope(leftOf(A::edgeSlope(edge.places.a, edge.places.b), walk.slopes))
+        Edge(const WalkedEdge &edge, const ScanBugs &bugs, std::int64_t span)
+            : m_bugs(bugs)
+            , m_slope(leftOf(A::edgeSlope(edge.places.a, edge.places.b), bugs.slopes))
             , m_along(A::edgeOrdinate(edge.firstPlace, edge.places.b,
                                       A::runTo(span, edge.firstPlace), m_slope))
         {
             const auto &[a, b] = edge.colours;
             std::array<Value, 3> rates;
             for (std::size_t i = 0; i < 3; ++i) {
-                rates[i]
-                    = leftOf(A::edgeColourRate(a, b, walk.ratesAlongEdgesOf[i]), walk.edgeColours);
-                const Value run = walk.withoutEdgePreStep.isEmpty()
+                rates[i] = leftOf(A::edgeColourRate(a, b, sourceOf(i, bugs.ratesAlongEdgesOf)),
+                                  bugs.edgeColours);
+                const Value run = bugs.withoutEdgePreStep.isEmpty()
                     ? A::runTo(span, edge.firstColour)
-                    : Traits::fromLattice(wayToSpan(edge.firstColour.position.x, span, walk, i));
+                    : Traits::fromLattice(wayToSpan(edge.firstColour.position.x, span, bugs, i));
                 m_levels[i] = A::edgeColour(edge.firstColour, b, i, run, rates[i]);
             }
-            if (walk.edgeStoring == Storing::FromFirst) {
-                m_along = leftOf(m_along, walk.edgePlaces);
+            if (bugs.edgeStoring == Storing::FromFirst) {
+                m_along = leftOf(m_along, bugs.edgePlaces);
                 for (Value &level : m_levels)
-                    level = leftOf(level, walk.edgeLevels);
+                    level = leftOf(level, bugs.edgeLevels);
             }
             for (std::size_t i = 0; i < 3; ++i)
-                m_rates[i] = walk.unsteppedAlongEdges.contains(i)
+                m_rates[i] = bugs.unsteppedAlongEdges.contains(i)
                     ? Traits::fromInteger(0)
-                    : rates[walk.stepsAlongEdgesOf[i]];
+                    : rates[sourceOf(i, bugs.stepsAlongEdgesOf)];
         }
 
         void stepPlace()
         {
             A::advance(m_along, m_slope);
-            m_along = leftOf(m_along, m_walk.edgePlaces);
+            m_along = leftOf(m_along, m_bugs.edgePlaces);
         }
         void stepColour()
         {
             for (std::size_t i = 0; i < 3; ++i) {
                 A::advance(m_levels[i], m_rates[i]);
-                m_levels[i] = leftOf(m_levels[i], m_walk.edgeLevels);
+                m_levels[i] = leftOf(m_levels[i], m_bugs.edgeLevels);
             }
         }
 
@@ -96,10 +96,15 @@ struct RoundedWalk {
         std::int64_t ceil() const { return A::ceil(m_along); }
         std::int64_t nearest() const { return A::level(m_along, ByteRounding::Nearest); }
 
+        const Value &place() const { return m_along; } ///< px
+        const Value &slope() const { return m_slope; } ///< px per span
+        const std::array<Value, 3> &colour() const { return m_levels; }
+        const std::array<Value, 3> &colourRate() const { return m_rates; }
+
     private:
         friend struct RoundedWalk;
 
-        const ProgramWalk &m_walk;
+        const ScanBugs &m_bugs;
         Value m_slope; ///< px per span
         Value m_along; ///< px
         std::array<Value, 3> m_levels, m_rates;
@@ -131,22 +136,20 @@ struct RoundedWalk {
         std::array<Value, 3> levels, errors;
     };
 
-    static std::vector<WholeLevels> levelsOf(const Bounds &bounds, const WalkedSpan &span,
-                                             const WalkedProgram &program,
-                                             std::optional<Carried> &carried)
+    static void fill(SpanLevels<Value> &levels, const Bounds &bounds, const WalkedSpan &span,
+                     const WalkedProgram &program, std::optional<Carried> &carried)
     {
-        const ProgramWalk &walk = program.walk();
-        const bool goesOn = walk.spanStart != SpanStart::AtBound;
+        const ScanBugs &bugs = program.bugs();
+        const bool goesOn = bugs.spanStart != SpanStart::AtBound;
         // Pre-step and steps use one rate: the first sample in the frame is reached at once, as in
         // the scan.
-        const bool isReachedAtOnce = walk.preSteps == walk.steps && walk.levels == Truncation::All
-            && program.spanPreStep() == PreStep::ToSample && walk.unsteppedAlongSpans.isEmpty()
-            && walk.withoutSpanPreStep.isEmpty() && walk.stepsAlongSpansOf == ownChannels
-            && !isFlat(walk.spanColours) && !goesOn;
-        const Value height = heightOf(bounds, span, walk.divisor);
-        const std::array<Value, 3> rates = ratesOf(bounds, height, walk);
+        const bool isReachedAtOnce = bugs.preSteps == bugs.steps && bugs.levels == Truncation::All
+            && bugs.spanPreStep == PreStep::ToSample && bugs.unsteppedAlongSpans.isEmpty()
+            && bugs.withoutSpanPreStep.isEmpty() && bugs.stepsAlongSpansOf == ChannelSource::Own
+            && !isFlat(bugs.spanColours) && !goesOn;
+        const Value height = heightOf(bounds, span, bugs.divisor);
+        const std::array<Value, 3> rates = ratesOf(bounds, height, bugs);
         const std::int64_t reached = isReachedAtOnce ? span.firstDrawn : span.first;
-        std::vector<WholeLevels> levels(span.drawn());
         Carried behind;
         for (std::size_t i = 0; i < 3; ++i) {
             Ramp ramp = rampOf(bounds, reached, rates, program, i);
@@ -157,15 +160,14 @@ struct RoundedWalk {
                 ramp.error = ramp.error + carried->errors[i];
                 behind.errors[i] = behind.errors[i] + carried->errors[i];
             }
-            if (walk.spanStoring != Storing::BehindSteps)
-                ramp.level = leftOf(ramp.level, walk.levels);
-            if (walk.spanStepping == Stepping::BeforeDrawing)
+            if (bugs.spanStoring != Storing::BehindSteps)
+                ramp.level = leftOf(ramp.level, bugs.levels);
+            if (bugs.spanStepping == Stepping::BeforeDrawing)
                 A::advance(ramp.level, ramp.step);
             behind.levels[i] = stored(ramp, reached, span, program, levels, i);
         }
         if (goesOn)
             carried = behind;
-        return levels;
     }
 
 private:
@@ -180,17 +182,17 @@ private:
     }
 
     static std::array<Value, 3> ratesOf(const Bounds &bounds, const Value &height,
-                                        const ProgramWalk &walk)
+                                        const ScanBugs &bugs)
     {
         const Value none = Traits::fromInteger(0);
         std::array<Value, 3> rates = {none, none, none};
-        if (height == none || isFlat(walk.spanColours))
+        if (height == none || isFlat(bugs.spanColours))
             return rates;
         for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t source = walk.ratesAlongSpansOf[i];
-            const Value atLower = levelAt(bounds.lowerColours, source, walk.bounds);
-            const Value atUpper = levelAt(bounds.upperColours, source, walk.bounds);
-            const bool isFalling = walk.spanColours == SpanColours::Falling;
+            const std::size_t source = sourceOf(i, bugs.ratesAlongSpansOf);
+            const Value atLower = levelAt(bounds.lowerColours, source, bugs.bounds);
+            const Value atUpper = levelAt(bounds.upperColours, source, bugs.bounds);
+            const bool isFalling = bugs.spanColours == SpanColours::Falling;
             rates[i] = (isFalling ? atLower - atUpper : atUpper - atLower) / height;
         }
         return rates;
@@ -200,53 +202,60 @@ private:
                        const std::array<Value, 3> &rates, const WalkedProgram &program,
                        std::size_t channel)
     {
-        const ProgramWalk &walk = program.walk();
+        const ScanBugs &bugs = program.bugs();
         const Value none = Traits::fromInteger(0);
-        const Value step = walk.unsteppedAlongSpans.contains(channel)
+        const Value step = bugs.unsteppedAlongSpans.contains(channel)
             ? none
-            : leftOf(rates[walk.stepsAlongSpansOf[channel]], walk.steps);
-        const Value from = startOf(bounds, walk, channel);
-        if (walk.withoutSpanPreStep.contains(channel))
+            : leftOf(rates[sourceOf(channel, bugs.stepsAlongSpansOf)], bugs.steps);
+        const Value from = startOf(bounds, bugs, channel);
+        if (bugs.withoutSpanPreStep.contains(channel))
             return {from, step, none};
-        const PreStep preStep = program.spanPreStep();
+        const PreStep preStep = bugs.spanPreStep;
         const Value way = preStepOf(bounds.lower.m_along, reached, preStep);
         const Value preStepped
-            = preStep == PreStep::WithoutRate ? way : way * leftOf(rates[channel], walk.preSteps);
+            = preStep == PreStep::WithoutRate ? way : way * leftOf(rates[channel], bugs.preSteps);
         return {from + preStepped, step, none};
     }
 
     /// R at the bound, or what replaces it.
-    static Value startOf(const Bounds &bounds, const ProgramWalk &walk, std::size_t channel)
+    static Value startOf(const Bounds &bounds, const ScanBugs &bugs, std::size_t channel)
     {
-        const Value atLower = levelAt(bounds.lowerColours, channel, walk.bounds);
-        const Value atUpper = levelAt(bounds.upperColours, channel, walk.bounds);
-        if (walk.spanColours == SpanColours::Mean)
+        const Value atLower = levelAt(bounds.lowerColours, channel, bugs.bounds);
+        const Value atUpper = levelAt(bounds.upperColours, channel, bugs.bounds);
+        if (bugs.spanColours == SpanColours::Mean)
             return (atLower + atUpper) / Traits::fromInteger(2);
-        const bool isFromUpper = walk.spanColours == SpanColours::FromUpperBound
-            || walk.spanColours == SpanColours::UpperAlone;
+        const bool isFromUpper = bugs.spanColours == SpanColours::FromUpperBound
+            || bugs.spanColours == SpanColours::UpperAlone;
         return isFromUpper ? atUpper : atLower;
     }
 
     /// Returns the level just after the last sample or, where that is not needed, after the last
     /// one drawn.
     static Value stored(const Ramp &ramp, std::int64_t reached, const WalkedSpan &span,
-                        const WalkedProgram &program, std::vector<WholeLevels> &levels,
+                        const WalkedProgram &program, SpanLevels<Value> &levels,
                         std::size_t channel)
     {
-        const ProgramWalk &walk = program.walk();
-        const bool goesOn = walk.spanStart != SpanStart::AtBound;
+        const ScanBugs &bugs = program.bugs();
+        const bool goesOn = bugs.spanStart != SpanStart::AtBound;
         const Truncation kept
-            = walk.spanStoring == Storing::FirstAlone ? Truncation::All : walk.levels;
+            = bugs.spanStoring == Storing::FirstAlone ? Truncation::All : bugs.levels;
         Value level = ramp.level;
         std::int64_t place = reached;
         if (kept == Truncation::All && !goesOn) {
             level = level + Traits::fromInteger(span.firstDrawn - reached) * ramp.step;
             place = span.firstDrawn;
         }
+        levels.first[channel] = level;
+        levels.step[channel] = ramp.step;
         for (; place < (goesOn ? span.end : span.endDrawn); ++place) {
-            if (place >= span.firstDrawn && place < span.endDrawn)
-                levels[std::size_t(place - span.firstDrawn)][channel]
-                    = A::level(level + ramp.error, program.rounding());
+            if (place == span.firstDrawn)
+                levels.first[channel] = level;
+            if (place >= span.firstDrawn && place < span.endDrawn) {
+                const auto sample = std::size_t(place - span.firstDrawn);
+                levels.whole[sample][channel] = A::level(level + ramp.error, program.rounding());
+                if (levels.hasNumbers())
+                    levels.own[sample][channel] = level;
+            }
             A::advance(level, ramp.step);
             level = leftOf(level, kept);
         }
