@@ -3,6 +3,7 @@
 #include "app/cli/console.h"
 #include "app/cli/files.h"
 #include "app/cli/options.h"
+#include "core/grade/undecidable.h"
 #include "core/number/failure.h"
 #include "core/scan/choicenames.h"
 
@@ -48,6 +49,27 @@ QString titleOf(const DiagnosisCandidate &candidate)
     return title;
 }
 
+/// How many of the candidates, the first ones, draw the very pictures found. One of them is told
+/// whole, the others by their names alone: nothing in the pictures speaks for any rather than
+/// another.
+std::size_t synonymsIn(const Diagnosis &diagnosis)
+{
+    const auto isEqual = [](const DiagnosisCandidate &candidate) {
+        return candidate.distance == 0 && candidate.undecidable == 0;
+    };
+    const auto &all = diagnosis.candidates;
+    return std::size_t(std::ranges::find_if_not(all, isEqual) - all.begin());
+}
+
+/// "the same pictures come of slack-of-one; slack-of-half"
+QString synonymsText(std::span<const DiagnosisCandidate> others)
+{
+    QStringList names;
+    for (const DiagnosisCandidate &candidate : others)
+        names += candidate.ids().join(QStringLiteral(" and "));
+    return QStringLiteral("    the same pictures come of ") + names.join(QStringLiteral("; "));
+}
+
 } // namespace
 
 QStringList diagnosisLines(const Diagnosis &diagnosis, std::span<const Submission> submissions)
@@ -69,7 +91,11 @@ QStringList diagnosisLines(const Diagnosis &diagnosis, std::span<const Submissio
         lines += QStringLiteral("no known defect explains it");
     else if (!diagnosis.isExplained() && isWrong)
         lines += QStringLiteral("no known defect explains it; the nearest ones:");
-    for (const DiagnosisCandidate &candidate : diagnosis.candidates) {
+    const std::size_t synonyms = synonymsIn(diagnosis);
+    for (std::size_t i = 0; i < diagnosis.candidates.size(); ++i) {
+        const DiagnosisCandidate &candidate = diagnosis.candidates[i];
+        if (i > 0 && i < synonyms)
+            continue;
         lines += titleOf(candidate);
         if (!isRelevant(candidate.distance, diagnosis.differing))
             continue;
@@ -85,6 +111,8 @@ QStringList diagnosisLines(const Diagnosis &diagnosis, std::span<const Submissio
                          .arg(where, QString::number(place->step.step + 1), place->step.heading,
                               place->step.text);
         }
+        if (i == 0 && synonyms > 1)
+            lines += synonymsText(std::span(diagnosis.candidates).subspan(1, synonyms - 1));
     }
     return lines;
 }
@@ -164,6 +192,7 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
     std::vector<Submission> submissions;
     for (qsizetype i = 0; i < scenes.size(); ++i) {
         Submission submission = readSubmission(line, scenes[i], pictures[i]);
+        submission.scene = judgedScene(submission.scene, margin);
         const FrameSpec &frame = submission.scene.frame;
         const Picture &picture = submission.picture;
         refuseOtherSizes({pictures[i], QSize(picture.width, picture.height)},

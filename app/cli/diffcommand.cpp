@@ -97,7 +97,7 @@ struct Side {
 };
 
 /// Reads a side; an input that is a JSON object is a scene.
-Side readSide(const QString &path)
+Side readSide(const QString &path, const Margin &margin)
 {
     const QByteArray content = readInput(path, largestPictureFile);
     const QString formats
@@ -108,9 +108,9 @@ Side readSide(const QString &path)
     if (!text.startsWith('{'))
         return {required(parsePicture(content, path, formats)), std::nullopt};
     const Scene scene = sceneIn(content, path).scene;
-    const SceneRun run(scene);
-    refuseIf(refusalOf(run, path));
-    return {pictureOf(run), scene};
+    refuseIf(refusalOf(SceneRun(scene), path));
+    const Scene judged = judgedScene(scene, margin);
+    return {pictureOf(SceneRun(judged)), judged};
 }
 
 /// What the scene on either side leaves open at the other side's pixels.
@@ -182,8 +182,8 @@ ExitCode diff(const Command &command, const QStringList &arguments)
     const Margin margin = chosenMargin(line);
     if (line.argument(0) == QStringLiteral("-") && line.argument(1) == QStringLiteral("-"))
         refuse(QStringLiteral("standard input can be only one of the two"));
-    Side expected = readSide(line.argument(0));
-    Side found = readSide(line.argument(1));
+    Side expected = readSide(line.argument(0), margin);
+    Side found = readSide(line.argument(1), margin);
     if (line.isSet(markedOption))
         refuseIf(refusalToWrite(line.value(markedOption)));
     const auto sizeOf = [](const Picture &picture) { return QSize(picture.width, picture.height); };

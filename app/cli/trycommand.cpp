@@ -4,6 +4,7 @@
 #include "app/cli/options.h"
 #include "core/grade/showntext.h"
 #include "core/grade/trial.h"
+#include "core/grade/undecidable.h"
 
 #include <QJsonArray>
 
@@ -172,7 +173,7 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
         if (!trial)
             refuse({path, trial.error().message(), {}});
         if (trial->output.picture)
-            submissions.push_back({scene, *trial->output.picture});
+            submissions.push_back({judgedScene(scene, terms.margin), *trial->output.picture});
         tried.push_back({path, std::move(scene), std::move(*trial)});
     }
     const auto isRight = [](const SceneTrial &each) { return each.trial.isRight(); };

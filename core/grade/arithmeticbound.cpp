@@ -15,17 +15,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr double largestProved = 65536; // px
-constexpr double levels = 256;
-
 double pixels(Lattice coordinate) { return double(coordinate) / double(unitsPerPixel); }
-
-/// The height of the triangle along a column, px; 0 outside it.
-double heightAt(const Triangle &triangle, std::int64_t x)
-{
-    const auto column = oracle::columnAt(triangle, FillRule::Closed, x);
-    return column ? column->yTop.toDouble() - column->yBottom.toDouble() : 0;
-}
 
 /// The change of the vertices' values per pixel along one coordinate; `across`: the vertices' other
 /// coordinate.
@@ -66,14 +56,6 @@ bool hasSignOf(double function, double alpha, double beta, double area)
 
 } // namespace
 
-std::pair<int, int> LevelRange::bytes(ByteRounding rounding) const
-{
-    const double shift = rounding == ByteRounding::Nearest ? 0.5 : 0;
-    const auto byteOf
-        = [shift](double level) { return int(std::clamp(std::floor(level + shift), 0.0, 255.0)); };
-    return {byteOf(least), byteOf(most)};
-}
-
 ArithmeticBound::ArithmeticBound(const Triangle &triangle, Arithmetic arithmetic)
     : m_triangle(triangle)
     , m_exchanged(triangle)
@@ -113,6 +95,14 @@ ArithmeticBound::ArithmeticBound(const Triangle &triangle, Arithmetic arithmetic
             values[i] = triangle.vertices[i].colour.channels[channel];
         m_gradient[channel] = {slopeOf(values, y, area), -slopeOf(values, x, area)};
     }
+}
+
+/// The vertices' x in a walk by columns, or y in one by rows.
+std::array<Lattice, 3> ArithmeticBound::placesAlong(SpanAxis walk) const
+{
+    const auto &[a, b, c] = m_triangle.vertices;
+    return walk == SpanAxis::Column ? std::array{a.position.x, b.position.x, c.position.x}
+                                    : std::array{a.position.y, b.position.y, c.position.y};
 }
 
 /// Whether walking along an edge by its increments rounds nothing: the slope is a binary fraction,
@@ -239,10 +229,29 @@ double ArithmeticBound::endError(SpanAxis axis) const
     return axis == SpanAxis::Column ? m_columnError : m_rowError;
 }
 
-double ArithmeticBound::spanLevelError(double rate) const
+/// By a walk, whose bound in the column or row of a middle vertex may come from either of the edges
+/// that meet there: the error of one adds up to where it ends, the other begins there without any.
+Containment ArithmeticBound::byWalk(const Sample &sample, SpanAxis walk, std::int64_t at,
+                                    const std::optional<BoundaryRule> &rule) const
 {
-    return 5 * (m_columnLevelError + std::abs(rate) * m_columnError)
-        + (m_extent[1] + 7) * m_unit * levels;
+    const std::array<double, 3> &errors = m_walkErrors[walk == SpanAxis::Column ? 0 : 1];
+    const auto places = placesAlong(walk);
+    const auto [first, last] = std::ranges::minmax(places);
+    std::optional<std::size_t> middle;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (places[i] == at * unitsPerPixel && places[i] != first && places[i] != last)
+            middle = i;
+    }
+    if (!middle)
+        return containmentWithin(sample, errors, rule);
+    // Edge i goes from vertex i to the next. One of the two is not asked: it is far on the inside.
+    std::array<Containment, 2> found = {};
+    for (std::size_t i = 0; i < 2; ++i) {
+        Sample asked = sample;
+        asked.functions[(*middle + 2 * i) % 3] = std::numeric_limits<double>::max();
+        found[i] = containmentWithin(asked, errors, rule);
+    }
+    return found[0] == found[1] ? found[0] : Containment::Undecided;
 }
 
 Containment ArithmeticBound::containmentOf(std::int64_t x, std::int64_t y,
@@ -252,49 +261,9 @@ Containment ArithmeticBound::containmentOf(std::int64_t x, std::int64_t y,
         return Containment::Undecided;
     const Sample sample = sampleAt(x, y, rule);
     const Containment found = byFunctions(sample, rule);
-    const bool isAgreed = std::ranges::all_of(m_walkErrors, [&](const auto &errors) {
-        return containmentWithin(sample, errors, rule) == found;
-    });
+    const bool isAgreed = byWalk(sample, SpanAxis::Column, x, rule) == found
+        && byWalk(sample, SpanAxis::Row, y, rule) == found;
     return isAgreed ? found : Containment::Undecided;
-}
-
-std::optional<double> ArithmeticBound::levelError(std::int64_t x, std::int64_t y,
-                                                  std::size_t channel) const
-{
-    // On a thin span the increment may be anything.
-    const bool isThin = !m_isProved || heightAt(m_triangle, x) <= 4 * m_columnError
-        || heightAt(m_exchanged, y) <= 4 * m_rowError || m_area <= 2 * m_functionError;
-    if (isThin)
-        return std::nullopt;
-    const auto [alongX, alongY] = m_gradient[channel];
-    const auto walked = [&](double levelError, double gradient, double boundError, double steps) {
-        return 5 * (levelError + std::abs(gradient) * boundError) + (steps + 6) * m_unit * levels;
-    };
-    const double byColumns = walked(m_columnLevelError, alongY, m_columnError, m_extent[1] + 1);
-    const double byRows = walked(m_rowLevelError, alongX, m_rowError, m_extent[0] + 1);
-    const double byFunctions = levels * (16 * m_functionError / m_area + 16 * m_unit);
-    return std::max({byColumns, byRows, byFunctions});
-}
-
-std::optional<LevelRange> ArithmeticBound::levelsAt(std::int64_t x, std::int64_t y,
-                                                    std::size_t channel) const
-{
-    constexpr double ownError = 1e-9; // of these doubles
-    if (const auto error = levelError(x, y, channel)) {
-        const double exact = oracle::colourAt(m_triangle, x, y)[channel].toDouble();
-        return LevelRange{exact - *error - ownError, exact + *error + ownError};
-    }
-    const bool isThinnerThanHeld = m_area != 0 && m_area <= 2 * m_functionError;
-    if (isThinnerThanHeld || m_largest > largestProved)
-        return std::nullopt;
-    const auto level = [&](std::size_t vertex) {
-        return double(m_triangle.vertices[vertex].colour.channels[channel]);
-    };
-    const auto [least, most] = std::minmax({level(0), level(1), level(2)});
-    const double ofFunctions = m_area != 0 ? 16 * m_functionError / m_area : 0;
-    const double error
-        = 5 * std::max(m_columnLevelError, m_rowLevelError) + levels * (ofFunctions + 16 * m_unit);
-    return LevelRange{least - error, most + error};
 }
 
 } // namespace pixelplumb

@@ -69,6 +69,9 @@ public:
     double spanLevelError(double rate) const;
 
 private:
+    static constexpr double levels = 256;
+    static constexpr double largestProved = 65536; ///< px
+
     struct Sample {
         std::array<double, 3> functions = {}; ///< px²
         std::array<bool, 3> areOwned = {}; ///< by the fill rule, on the edge's line
@@ -78,6 +81,9 @@ private:
     static Containment containmentWithin(const Sample &sample, const std::array<double, 3> &errors,
                                          const std::optional<BoundaryRule> &rule);
     Containment byFunctions(const Sample &sample, const std::optional<BoundaryRule> &rule) const;
+    Containment byWalk(const Sample &sample, SpanAxis walk, std::int64_t at,
+                       const std::optional<BoundaryRule> &rule) const;
+    std::array<Lattice, 3> placesAlong(SpanAxis walk) const;
     void setWalkErrors();
     bool isWalkedExactly(std::size_t edge, SpanAxis walk) const;
     bool areFunctionsExact() const;

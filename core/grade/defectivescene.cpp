@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/defectivescene.h"
 
+#include "core/grade/picturediff.h"
 #include "core/grade/redrawing.h"
 #include "core/runs/scenerun.h"
 
@@ -58,7 +59,7 @@ Picture pictureWith(const Scene &scene, std::span<const Defect> defects)
 }
 
 std::optional<PictureRange> rangeWith(const Scene &scene, std::span<const Defect> defects,
-                                      Arithmetic arithmetic)
+                                      const Margin &margin)
 {
     const Scene drawn = withDefects(scene, defects);
     const auto redrawing = redrawingAmong(defects);
@@ -67,8 +68,13 @@ std::optional<PictureRange> rangeWith(const Scene &scene, std::span<const Defect
     if (!isKnown)
         return std::nullopt;
     const Redrawing asItIs{[](TriangleRuns &) {}};
-    PictureRange range = redrawing ? redrawing->redrawRange(drawn, arithmetic)
-                                   : redrawnRange(drawn, asItIs, arithmetic);
+    PictureRange range = redrawing ? redrawing->redrawRange(drawn, margin.tolerance)
+                                   : redrawnRange(drawn, asItIs, margin.tolerance);
+    if (margin.leavesEdgesOpen()) {
+        Picture open = emptyPicture(drawn.frame);
+        open.covered = tiesOf(drawn);
+        range.openEdges = finished(std::move(open), defects, scene.frame.background);
+    }
     for (Picture &side : range.sides)
         side = finished(std::move(side), defects, scene.frame.background);
     return range;

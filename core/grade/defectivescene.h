@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/grade/defect.h"
+#include "core/grade/margin.h"
 
 #include <optional>
 #include <span>
@@ -17,9 +18,9 @@ std::optional<Defect> redrawingAmong(std::span<const Defect> defects);
 /// What a program with these defects draws; they must be combinable.
 Picture pictureWith(const Scene &scene, std::span<const Defect> defects);
 
-/// What programs with these defects draw in arithmetic up to this one; none where the effect of
-/// rounding is unknown.
+/// What programs with these defects draw by the margin: in arithmetic up to its tolerance, and on
+/// edges as its leeway allows. None where the effect of rounding is unknown.
 std::optional<PictureRange> rangeWith(const Scene &scene, std::span<const Defect> defects,
-                                      Arithmetic arithmetic);
+                                      const Margin &margin);
 
 } // namespace pixelplumb

@@ -170,18 +170,18 @@ DefectPictures::SharedPicture DefectPictures::picture(std::size_t scene, const D
 }
 
 DefectPictures::SharedRange DefectPictures::range(std::size_t scene, const DefectSet &set,
-                                                  Arithmetic arithmetic)
+                                                  const Margin &margin)
 {
-    const std::pair key(Key(scene, set), arithmetic);
+    const std::tuple key(Key(scene, set), margin.leeway, margin.tolerance);
     {
         const std::lock_guard lock(m_mutex);
         if (const auto found = m_ranges.find(key); found != m_ranges.end())
             return found->second;
     }
     SharedRange range;
-    if (auto drawn = rangeWith(m_scenes[scene], ownDefectsIn(set, scene), arithmetic))
+    if (auto drawn = rangeWith(m_scenes[scene], ownDefectsIn(set, scene), margin))
         range = std::make_shared<const PictureRange>(*std::move(drawn));
-    const std::size_t bytes = range ? 4 * bytesOf(range->sides.front()) : 0;
+    const std::size_t bytes = range ? 5 * bytesOf(range->sides.front()) : 0;
     const std::lock_guard lock(m_mutex);
     if (m_kept + bytes <= mostKept && m_ranges.emplace(key, range).second)
         m_kept += bytes;

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "core/grade/defect.h"
+#include "core/grade/margin.h"
 
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace pixelplumb {
@@ -46,9 +48,9 @@ public:
 
     /// None where the scene cannot be drawn so.
     SharedPicture picture(std::size_t scene, const DefectSet &set);
-    /// What programs with these defects draw in arithmetic up to this one; none where unknown. The
-    /// set's own arithmetic is ignored.
-    SharedRange range(std::size_t scene, const DefectSet &set, Arithmetic arithmetic);
+    /// What programs with these defects draw by the margin; none where unknown. The set's own
+    /// arithmetic is ignored.
+    SharedRange range(std::size_t scene, const DefectSet &set, const Margin &margin);
     /// Whether the picture is known to differ from the one found: by its hash if it was drawn
     /// before and not kept, or, if it was never drawn, at once (differsAtOnce).
     bool isKnownToDiffer(std::size_t scene, const DefectSet &set, const Picture &found) const;
@@ -84,7 +86,8 @@ private:
     mutable std::mutex m_mutex;
     std::map<Arithmetic, Defect> m_arithmetics;
     std::map<Key, Drawn> m_drawn;
-    std::map<std::pair<Key, Arithmetic>, SharedRange> m_ranges; ///< as far as there is room
+    std::map<std::tuple<Key, Leeway, Arithmetic>, SharedRange>
+        m_ranges; ///< as far as there is room
     std::vector<LastPicture> m_lastScenePicture; ///< by scene
     std::size_t m_kept = 0; ///< bytes of pictures
 };

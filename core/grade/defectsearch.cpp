@@ -24,8 +24,10 @@ DefectSearch::DefectSearch(DefectPictures &pictures, PictureMatcher &matcher,
     , m_listener(listener)
     , m_differing(diagnosis.differing)
     , m_isExplained(diagnosis.verdict == DiagnosisVerdict::Undecidable)
-    , m_areRightLines(m_isExplained && drawsNearestPixels(pictures.scenes().front()))
-    , m_mostOpen(matcher.coveredPixels() / 8 + 8)
+    , m_areRight(
+          m_isExplained
+          && (matcher.margin().leavesEdgesOpen() || drawsNearestPixels(pictures.scenes().front())))
+    , m_mostOpen(matcher.mostOpen())
 {
     const auto count = std::int64_t(m_defects.size());
     m_sets = count * count; // at most: pairs twice
@@ -175,7 +177,8 @@ void DefectSearch::tryRules()
 bool DefectSearch::trySingles()
 {
     for (std::size_t i = 0; i < m_defects.size(); ++i) {
-        const bool isNamed = !m_areRightLines || m_defects[i].isRightAlone;
+        const bool isNamed = !m_areRight || m_defects[i].isRightAlone
+            || m_defects[i].choice == QLatin1String(ruleChoice);
         m_alone.push_back(isNamed ? distanceUpTo({i}, m_differing) : unknown);
         if (m_alone.back() == 0)
             m_exact.push_back({{i}});

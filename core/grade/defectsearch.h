@@ -9,12 +9,12 @@ namespace pixelplumb {
 class DefectSearch {
 public:
     /// The diagnosis says how many pixels differ, and whether they need an explanation: undecidable
-    /// ones do not, and of those of lines only what alone is no mistake is named.
+    /// ones do not. Of lines, and where edges are open, only what is no mistake is then named.
     DefectSearch(DefectPictures &pictures, PictureMatcher &matcher, const Diagnosis &diagnosis,
                  const ProgressListener &listener);
 
     /// False where the listener ended it.
-    bool run() { return trySingles() && (m_areRightLines || tryPairs()); }
+    bool run() { return trySingles() && (m_areRight || tryPairs()); }
 
     std::vector<DiagnosisCandidate> candidates() const;
 
@@ -45,9 +45,9 @@ private:
     const ProgressListener &m_listener;
     std::int64_t m_differing;
     bool m_isExplained; ///< by the right pictures up to open pixels, or by a set
-    bool m_areRightLines; ///< by the right pictures of lines
+    bool m_areRight; ///< all that differs is open, and no mistake is sought
     bool m_hasSingle = false; ///< one defect explains the pictures
-    std::int64_t m_mostOpen; ///< pixels: more are never due to rounding alone
+    std::int64_t m_mostOpen; ///< pixels (PictureMatcher::mostOpen)
     std::int64_t m_sets = 0, m_tried = 0;
     std::vector<std::int64_t> m_alone; ///< distances, by defect
     std::vector<SetMatch> m_exact, m_open;

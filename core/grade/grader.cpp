@@ -108,7 +108,7 @@ std::vector<Scene> scenesOf(const Assignment &assignment)
 {
     std::vector<Scene> scenes;
     for (const AssignedScene &each : assignment.scenes)
-        scenes.push_back(each.scene);
+        scenes.push_back(judgedScene(each.scene, assignment.margin));
     return scenes;
 }
 
@@ -124,7 +124,7 @@ Grader::Grader(Assignment assignment)
 
 std::vector<std::uint8_t> Grader::leftOpen(std::size_t scene, const Picture &found) const
 {
-    return undecidablePixels(m_assignment.scenes[scene].scene, m_expected[scene], found,
+    return undecidablePixels(m_pictures.scenes()[scene], m_expected[scene], found,
                              m_assignment.margin);
 }
 

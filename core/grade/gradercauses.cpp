@@ -48,10 +48,10 @@ std::optional<FirstDivergence> Grader::partingOf(const DiagnosisCandidate &candi
                                                  const std::vector<FoundPicture> &found) const
 {
     for (const FoundPicture &each : found) {
-        const AssignedScene &asked = m_assignment.scenes[each.scene];
         const auto own = ownDefects(m_pictures.defectsOf(each.scene), candidate.defects);
-        if (const auto step = partingStepOf(asked.scene, own))
-            return FirstDivergence{asked.name, std::int64_t(step->step), step->heading, step->text};
+        if (const auto step = partingStepOf(m_pictures.scenes()[each.scene], own))
+            return FirstDivergence{m_assignment.scenes[each.scene].name, std::int64_t(step->step),
+                                   step->heading, step->text};
     }
     return std::nullopt;
 }

@@ -13,11 +13,17 @@ enum class Leeway {
     Strict, ///< none: the scene's fill rule to the letter, without rounding
     Rule, ///< those that rounding may decide; what it cannot decide is the fill rule's
     Edges, ///< also those whose sample lies on an edge, where rules differ
-    Once, ///< as Edges, but a sample on an edge that two triangles share is one triangle's
+    Once, ///< as Edges, but a sample between triangles is one triangle's (SampleChoice)
 };
 inline constexpr std::array allLeeways
     = {Leeway::Strict, Leeway::Rule, Leeway::Edges, Leeway::Once};
 std::string_view nameOf(Leeway leeway); ///< "strict", "rule", "edges", "once"
+
+/// Whether the rule gives each sample between triangles to one of them.
+constexpr bool isWatertight(FillRule rule)
+{
+    return rule != FillRule::Closed && rule != FillRule::Open;
+}
 
 /// The arithmetics whose rounding can be allowed.
 inline constexpr std::array allTolerances = {Arithmetic::Float32, Arithmetic::Float64};
@@ -28,6 +34,7 @@ struct Margin {
     Arithmetic tolerance = Arithmetic::Float32; ///< that it computes in; exact: nothing is rounded
 
     bool isStrict() const { return leeway == Leeway::Strict; }
+    bool leavesEdgesOpen() const { return leeway == Leeway::Edges || leeway == Leeway::Once; }
 
     friend bool operator==(const Margin &, const Margin &) = default;
 };

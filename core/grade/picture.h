@@ -37,6 +37,13 @@ struct Picture {
     friend bool operator==(const Picture &, const Picture &) = default;
 };
 
+/// Whether two pictures of a size have the same pixel: the colour, where both have colours.
+inline bool isSameAt(const Picture &one, const Picture &other, std::size_t place)
+{
+    return one.hasColours && other.hasColours ? one.colours[place] == other.colours[place]
+                                              : one.covered[place] == other.covered[place];
+}
+
 /// The background of a picture without a scene: the colour that most corners have. Pixels of other
 /// colours then count as covered.
 Colour backgroundOf(const Picture &picture);

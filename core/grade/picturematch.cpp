@@ -18,12 +18,6 @@ DefectSet computedIn(DefectSet set, Arithmetic arithmetic)
     return set;
 }
 
-bool isSameAt(const Picture &one, const Picture &other, std::size_t place)
-{
-    return one.hasColours && other.hasColours ? one.colours[place] == other.colours[place]
-                                              : one.covered[place] == other.covered[place];
-}
-
 } // namespace
 
 PictureMatcher::PictureMatcher(DefectPictures &pictures, std::span<const FoundPicture> found,
@@ -61,12 +55,16 @@ std::int64_t PictureMatcher::distance(const DefectSet &set, std::int64_t limit)
     return distance;
 }
 
-std::int64_t PictureMatcher::coveredPixels()
+std::int64_t PictureMatcher::mostOpen()
 {
     std::int64_t covered = 0;
-    for (const FoundPicture &each : m_found)
+    std::int64_t onEdges = 0;
+    for (const FoundPicture &each : m_found) {
         covered += std::ranges::count(m_pictures.picture(each.scene, {})->covered, 1);
-    return covered;
+        if (m_margin.leavesEdgesOpen())
+            onEdges += std::ranges::count(tiesOf(m_pictures.scenes()[each.scene]), 1);
+    }
+    return covered / 8 + 8 + onEdges;
 }
 
 /// Differing pixels of one picture; none where the set fails to explain one of them.
@@ -93,7 +91,7 @@ std::optional<std::int64_t> PictureMatcher::openPixels(const DefectSet &set,
         if (isDrawn)
             continue;
         if (!range)
-            range = m_pictures.range(each.scene, set, m_margin.tolerance);
+            range = m_pictures.range(each.scene, set, m_margin);
         if (!range || !range->contains(each.picture, place))
             return std::nullopt;
     }

@@ -35,8 +35,9 @@ public:
     /// Differing pixels in all found pictures, up to a limit; unknown where a scene cannot be drawn
     /// so. A limit of 1 only tests equality.
     std::int64_t distance(const DefectSet &set, std::int64_t limit = unknown);
-    /// All pixels that should be covered.
-    std::int64_t coveredPixels();
+    /// Pixels: more are never left open by rounding, and by samples on edges where these are open.
+    std::int64_t mostOpen();
+    const Margin &margin() const { return m_margin; }
     /// The match if a program with this set, in a tolerated arithmetic, may draw what was found; if
     /// possible with an arithmetic in which its pictures are equal.
     std::optional<SetMatch> allowedMatch(const DefectSet &set);

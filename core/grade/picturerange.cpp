@@ -23,7 +23,7 @@ bool PictureRange::contains(const Picture &found, std::size_t place) const
 {
     const bool isOpen = std::ranges::any_of(
         sides, [&](const Picture &side) { return side.covered[place] != sides[0].covered[place]; });
-    if (isOpen)
+    if (isOpen || (openEdges && openEdges->covered[place] != 0))
         return true;
     if (!found.hasColours)
         return found.covered[place] == sides[0].covered[place];

@@ -4,6 +4,7 @@
 #include "core/grade/picture.h"
 
 #include <array>
+#include <optional>
 
 namespace pixelplumb {
 
@@ -29,6 +30,8 @@ constexpr std::array<RoundingSide, 4> roundingSides(Arithmetic arithmetic)
 /// pictures lie between those of the four sides (roundingSides).
 struct PictureRange {
     std::array<Picture, 4> sides;
+    /// Covered where a sample lies on an edge that the leeway leaves open; none: no leeway.
+    std::optional<Picture> openEdges = {};
 
     /// Whether one of these programs may have the pixel found there; any colour is possible where
     /// it is open whether the pixel is drawn.

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/studentoutput.h"
 
+#include "core/frame/framebuffer.h"
+#include "core/grade/arithmeticbound.h"
 #include "core/grade/showntext.h"
+#include "core/oracle/oracle.h"
 #include "core/scene/asciiraster.h"
 #include "core/scene/picturereader.h"
 #include "core/scene/pnmfault.h"
@@ -63,27 +66,63 @@ std::optional<InputError> objectionToHeader(const QString &name, const QByteArra
     return std::nullopt;
 }
 
-/// The last colour of each pixel counts; pixels without a line have the background.
-Picture pictureFrom(const ProgramTrace &trace, const FrameSpec &frame)
+/// The levels of a pixel that a program printed, each within half a unit of its last digit.
+using PrintedLevels = std::array<LevelRange, 3>;
+
+bool hasBytes(const PrintedLevels &levels, const Colour &colour, ByteRounding rounding)
 {
-    Picture picture{frame.width, frame.height, {}, {}};
-    const std::size_t pixels = std::size_t(frame.width) * std::size_t(frame.height);
-    picture.colours.resize(pixels, frame.background);
-    picture.covered.resize(pixels, 0);
+    // Allows for the last bits of these doubles, so that 0.05 is not above 0.05.
+    constexpr double ownError = 1e-9;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        const LevelRange range{levels[channel].least - ownError, levels[channel].most + ownError};
+        if (!range.hasByte(colour.channels[channel], rounding))
+            return false;
+    }
+    return true;
+}
+
+/// Few digits may stand for several bytes: those of a triangle at the sample are taken where they
+/// are among them, else the nearest to what was printed.
+Colour byteColour(const std::vector<WrittenNumber> &numbers, const WrittenLine &line,
+                  const std::vector<Triangle> &triangles, ByteRounding rounding)
+{
+    PrintedLevels levels;
+    Colour nearest;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        const WrittenNumber &number = numbers[channel];
+        const double level = std::clamp(number.value.toDouble(), -1e6, 1e6); // also infinities
+        levels[channel] = {level - number.halfUnit, level + number.halfUnit};
+        const auto byte
+            = LevelRange{level, level}.bytes(number.isWhole ? ByteRounding::Nearest : rounding);
+        nearest.channels[channel] = std::uint8_t(byte.first);
+    }
+    const auto isRough = [](const WrittenNumber &number) { return number.halfUnit > 0; };
+    if (std::ranges::none_of(numbers, isRough))
+        return nearest;
+    for (const Triangle &triangle : triangles) {
+        if (!oracle::covers(triangle, FillRule::Closed, line.x, line.y))
+            continue;
+        const Colour exact = oracle::byteColourAt(triangle, line.x, line.y, rounding);
+        if (hasBytes(levels, exact, rounding))
+            return exact;
+    }
+    return nearest;
+}
+
+/// The last colour of each pixel counts; pixels without a line have the background.
+Picture pictureFrom(const ProgramTrace &trace, const Scene &scene)
+{
+    const FrameSpec &frame = scene.frame;
+    const std::vector<Triangle> triangles = primitivesOnSamples(scene).triangles;
+    Picture picture = emptyPicture(frame);
     for (const WrittenLine &line : trace.lines) {
         if (line.axis)
             continue;
-        const int x = line.x - frame.firstColumn;
-        const int row = line.y - frame.firstRow;
-        const int top = frame.origin == FrameOrigin::TopLeft ? row : frame.height - 1 - row;
-        const std::size_t place = picture.placeOf(x, top);
-        const std::vector<WrittenNumber> numbers = trace.numbersOf(line);
+        const std::size_t place
+            = picture.placeOf(line.x - frame.firstColumn, int(pictureLine(frame, line.y)));
         picture.covered[place] = 1;
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            const double level = numbers[channel].value.toDouble();
-            const double nearest = level > 0 ? std::floor(std::min(level, 255.0) + 0.5) : 0;
-            picture.colours[place].channels[channel] = std::uint8_t(nearest);
-        }
+        picture.colours[place]
+            = byteColour(trace.numbersOf(line), line, triangles, scene.settings.rounding);
     }
     return picture;
 }
@@ -121,7 +160,7 @@ Result<StudentOutput> readStudentOutput(const QByteArray &output, const Scene &s
             return trace.error();
         StudentOutput read{std::nullopt, std::move(*trace)};
         if (read.trace->kinds.hasPixels)
-            read.picture = pictureFrom(*read.trace, frame);
+            read.picture = pictureFrom(*read.trace, scene);
         return read;
     }
     if (!looksLikeRaster(output)) {

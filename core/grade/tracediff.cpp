@@ -3,7 +3,7 @@
 
 #include "core/frame/framebuffer.h"
 #include "core/grade/rightlines.h"
-#include "core/grade/sharedsamples.h"
+#include "core/grade/timesdrawn.h"
 #include "core/methods/formulatext.h"
 
 #include <algorithm>
@@ -244,31 +244,6 @@ std::optional<std::pair<QString, std::size_t>> unknownTriangle(const ProgramTrac
                      std::size_t(0));
 }
 
-/// The first sample between two triangles that none of them draws, or both.
-std::optional<std::pair<QString, std::size_t>> notDrawnOnce(const ProgramTrace &trace,
-                                                            const Scene &scene)
-{
-    std::map<std::pair<std::int64_t, std::int64_t>, int> times;
-    for (const WrittenLine &line : trace.lines)
-        times[{line.x, line.y}] += line.axis ? 0 : 1;
-    const std::vector<std::uint8_t> shared = sharedSamples(scene);
-    for (std::size_t place = 0; place < shared.size(); ++place) {
-        const auto width = std::size_t(scene.frame.width);
-        const std::int64_t x = scene.frame.firstColumn + std::int64_t(place % width);
-        const std::int64_t y = rowOfPictureLine(scene.frame, int(place / width));
-        const int count = shared[place] != 0 ? times[{x, y}] : 1;
-        if (count != 1)
-            return std::pair(
-                QStringLiteral("pixel (%1, %2) lies on an edge that two triangles share: %3 of "
-                               "them draws it, should be one")
-                    .arg(x)
-                    .arg(y)
-                    .arg(count == 0 ? QStringLiteral("none") : QStringLiteral("each")),
-                std::size_t(0));
-    }
-    return std::nullopt;
-}
-
 } // namespace
 
 Result<std::optional<TraceDifference>> traceDifferenceOf(const Scene &scene,
@@ -290,8 +265,10 @@ Result<std::optional<TraceDifference>> traceDifferenceOf(const Scene &scene,
     if (!difference)
         difference = unknownTriangle(trace, *run);
     const bool isOnce = margin.leeway == Leeway::Once && extent == TraceExtent::Whole;
-    if (!difference && isOnce && kinds.hasPixels)
-        difference = notDrawnOnce(trace, scene);
+    const auto other = !difference && isOnce && kinds.hasPixels ? notDrawnOnce(trace, *run, margin)
+                                                                : std::nullopt;
+    if (other)
+        difference = std::pair(*other, std::size_t(0));
     if (!difference)
         return std::optional<TraceDifference>();
     return std::optional(TraceDifference{difference->first, run->scene, difference->second});

@@ -72,10 +72,11 @@ Result<Trial> tryProgram(const StudentProgram &student, const Scene &scene, cons
         return run.error();
     Trial trial;
     trial.run = std::move(*run);
+    const Scene judged = judgedScene(scene, terms.margin);
     std::optional<Result<StudentOutput>> read = outputOf(trial.run, scene);
     if (!read) {
         trial.fault = InputError{{}, trial.run.told, {}};
-        trial.trace = differenceBeforeEnd(trial.run.output, scene, terms.margin);
+        trial.trace = differenceBeforeEnd(trial.run.output, judged, terms.margin);
         return trial;
     }
     Result<StudentOutput> &output = *read;
@@ -85,15 +86,15 @@ Result<Trial> tryProgram(const StudentProgram &student, const Scene &scene, cons
     }
     trial.output = std::move(*output);
     if (trial.output.picture) {
-        const Picture right = pictureOf(scene);
+        const Picture right = pictureOf(judged);
         const Picture &found = *trial.output.picture;
         trial.picture
-            = differenceOf(right, found, undecidablePixels(scene, right, found, terms.margin));
+            = differenceOf(right, found, undecidablePixels(judged, right, found, terms.margin));
     }
     if (!trial.output.trace)
         return trial;
     Result<std::optional<TraceDifference>> difference
-        = traceDifferenceOf(scene, *trial.output.trace, terms.margin);
+        = traceDifferenceOf(judged, *trial.output.trace, terms.margin);
     if (difference)
         trial.trace = std::move(*difference);
     else

@@ -22,6 +22,16 @@ LevelRange levelsOf(const Triangle &triangle, std::size_t channel)
 
 } // namespace
 
+bool ColourRange::contains(const Colour &colour) const
+{
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        if (colour.channels[channel] < least.channels[channel]
+            || colour.channels[channel] > most.channels[channel])
+            return false;
+    }
+    return true;
+}
+
 TriangleMargin::TriangleMargin(const Triangle &triangle, const Scene &scene, const Margin &margin)
     : m_triangle(triangle)
     , m_rounding(scene.settings.rounding)
@@ -65,17 +75,23 @@ bool TriangleMargin::isDrawnByFunctions(std::int64_t x, std::int64_t y) const
         && m_bound->containmentByFunctions(x, y, m_rule) == Containment::Inside;
 }
 
-bool TriangleMargin::mayHave(const Colour &colour, std::int64_t x, std::int64_t y) const
+ColourRange TriangleMargin::coloursAt(std::int64_t x, std::int64_t y) const
 {
-    if (!m_bound && m_hasArea)
-        return colour == oracle::byteColourAt(m_triangle, x, y, m_rounding);
+    if (!m_bound && m_hasArea) {
+        const Colour exact = oracle::byteColourAt(m_triangle, x, y, m_rounding);
+        return {exact, exact};
+    }
+    ColourRange range{{{0, 0, 0}}, {{255, 255, 255}}};
     for (std::size_t channel = 0; channel < 3; ++channel) {
         const auto levels = m_bound ? m_bound->levelsAt(x, y, channel)
                                     : std::optional(levelsOf(m_triangle, channel));
-        if (levels && !levels->hasByte(colour.channels[channel], m_rounding))
-            return false;
+        if (!levels)
+            continue;
+        const auto [least, most] = levels->bytes(m_rounding);
+        range.least.channels[channel] = std::uint8_t(least);
+        range.most.channels[channel] = std::uint8_t(most);
     }
-    return true;
+    return range;
 }
 
 /// A walk may draw samples on the triangle's segment, or closer to it than its error.

@@ -7,6 +7,13 @@
 
 namespace pixelplumb {
 
+/// The colours between two, channel by channel.
+struct ColourRange {
+    Colour least, most;
+
+    bool contains(const Colour &colour) const;
+};
+
 /// What a right program may draw of one triangle. Whether a sample is drawn is open where rounding
 /// decides it, closer to an edge than the rounding error, and a level may be off by the rounding
 /// error (ArithmeticBound). On an edge that nothing rounds the fill rule decides, unless the leeway
@@ -23,8 +30,12 @@ public:
     Containment containmentOf(std::int64_t x, std::int64_t y) const;
     /// Whether all programs that evaluate edge functions draw the sample.
     bool isDrawnByFunctions(std::int64_t x, std::int64_t y) const;
-    /// Whether a drawn sample may have this colour.
-    bool mayHave(const Colour &colour, std::int64_t x, std::int64_t y) const;
+    /// The colours that a drawn sample may have.
+    ColourRange coloursAt(std::int64_t x, std::int64_t y) const;
+    bool mayHave(const Colour &colour, std::int64_t x, std::int64_t y) const
+    {
+        return coloursAt(x, y).contains(colour);
+    }
 
 private:
     bool mayBeOfSegment(std::int64_t x, std::int64_t y) const;

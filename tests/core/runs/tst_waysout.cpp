@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/method.h"
-#include "core/runs/sceneplan.h"
+#include "core/runs/scenerun.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/testprogram.h"
