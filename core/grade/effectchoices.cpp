@@ -15,18 +15,12 @@ namespace pixelplumb {
 
 namespace {
 
-Primitives drawnPrimitivesOf(const Scene &scene)
-{
-    const Method *method = methodNamed(QString::fromStdString(scene.method));
-    return primitivesFor(primitivesOnSamples(scene), {method, scene.settings});
-}
-
 /// The colours of a pixel in which only some of the triangles are drawn.
 class PixelColours {
 public:
     PixelColours(const Scene &scene, const Margin &margin)
         : m_scene(scene)
-        , m_primitives(drawnPrimitivesOf(scene))
+        , m_primitives(primitivesOnSamples(scene))
         , m_settings(scene.settings)
         , m_plan(planOf(SceneRun(scene)))
     {
@@ -91,7 +85,7 @@ private:
         view.firstColumn = std::int32_t(choice.x());
         view.firstRow = std::int32_t(choice.y());
         view.width = view.height = 1;
-        oracle::drawPicture(m_primitives, m_settings, m_plan, view);
+        oracle::drawPicture(m_primitives, m_settings, &m_plan, view);
         m_primitives.triangles = kept;
         return unpacked(pixel);
     }
@@ -109,8 +103,9 @@ std::vector<Picture> picturesOfAllRules(Scene scene, Leeway leeway)
 {
     std::vector<Picture> pictures;
     const auto add = [&] {
-        if (objectionTo(scene).isEmpty())
-            pictures.push_back(pictureOf(scene));
+        const SceneRun run(scene);
+        if (objectionTo(run).isEmpty())
+            pictures.push_back(pictureOf(run));
     };
     for (const FillRule rule : allFillRules) {
         if (leeway == Leeway::Once && !isWatertight(rule))
