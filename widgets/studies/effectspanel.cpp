@@ -162,6 +162,7 @@ void EffectsPanel::take(const std::optional<Finding> &finding)
         m_summary->setText(objectionNote(*method, m_objection));
     } else {
         m_summary->setText(forcingText(*m_plan, drawnScene()->appearance,
+                                       drawnScene()->settings.arithmetic,
                                        finding->changes ? finding->changes->total() : 0));
         m_switches->setChanges(finding->changes);
     }

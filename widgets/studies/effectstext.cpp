@@ -16,7 +16,7 @@ struct EffectsText {
 };
 
 /// Whether forcing the effect on leaves the picture unchanged where it is not called for.
-bool isNeutral(Effect effect, const Appearance &appearance)
+bool isNeutral(Effect effect, const Appearance &appearance, Arithmetic arithmetic)
 {
     switch (effect) {
     case Effect::SmoothColour:
@@ -24,7 +24,8 @@ bool isNeutral(Effect effect, const Appearance &appearance)
     case Effect::Blending:
         return true;
     case Effect::Depth:
-        return appearance.depth == DepthUse::Auto;
+        // Rounded depths may be in another order.
+        return appearance.depth == DepthUse::Auto && arithmetic == Arithmetic::Exact;
     case Effect::Clipping:
     case Effect::Texture:
     case Effect::Light:
@@ -58,7 +59,7 @@ QString forcedWords(const EffectPlan &plan, Effect effect, Forcing forcing)
 }
 
 QString contradictionText(const EffectPlan &plan, const Appearance &appearance,
-                          std::int64_t changed)
+                          Arithmetic arithmetic, std::int64_t changed)
 {
     const std::optional<Effect> effect = onlyForced(appearance.forced);
     if (!effect)
@@ -74,7 +75,8 @@ QString contradictionText(const EffectPlan &plan, const Appearance &appearance,
     if (isOff && verdict == Verdict::NotCalledFor && changed > 0)
         return EffectsText::tr("A defect: %1 is not called for, and pixels change without it.")
             .arg(name);
-    if (!isOff && verdict == Verdict::NotCalledFor && changed > 0 && isNeutral(*effect, appearance))
+    if (!isOff && verdict == Verdict::NotCalledFor && changed > 0
+        && isNeutral(*effect, appearance, arithmetic))
         return EffectsText::tr("A defect: %1 is not called for, and pixels change with it.")
             .arg(name);
     return {};
@@ -90,7 +92,8 @@ QString verdictText(Verdict verdict)
     return glyph + coreWord(nameOf(verdict));
 }
 
-QString forcingText(const EffectPlan &plan, const Appearance &appearance, std::int64_t changed)
+QString forcingText(const EffectPlan &plan, const Appearance &appearance, Arithmetic arithmetic,
+                    std::int64_t changed)
 {
     QStringList words;
     for (const Effect effect : allEffects) {
@@ -104,7 +107,7 @@ QString forcingText(const EffectPlan &plan, const Appearance &appearance, std::i
         : EffectsText::tr("%n pixels change, marked on the canvas", nullptr, int(changed));
     return QStringList{
         EffectsText::tr("Forced: %1; %2.").arg(words.join(QStringLiteral(", ")), changes),
-        contradictionText(plan, appearance, changed)}
+        contradictionText(plan, appearance, arithmetic, changed)}
         .join(u' ')
         .trimmed();
 }

@@ -13,7 +13,8 @@ QString verdictText(Verdict verdict);
 
 /// What is forced and what that changes, in sentences; empty where nothing is forced. Reports a
 /// contradiction between the picture and a verdict.
-QString forcingText(const EffectPlan &plan, const Appearance &appearance, std::int64_t changed);
+QString forcingText(const EffectPlan &plan, const Appearance &appearance, Arithmetic arithmetic,
+                    std::int64_t changed);
 
 /// How many times as long: "1.24 (1.20 … 1.31)".
 QString ratioText(const Spread &ratio);

@@ -70,7 +70,7 @@ EffectScene scarcelyNeutral(std::uint64_t seed, EffectHardship hardship)
     return scene;
 }
 
-/// Two triangles of one tilted plane, z = x/3: in float32 their depths come out apart.
+/// Two triangles of one tilted plane, z = x/60: in float32 their depths come out apart.
 Primitives coplanar()
 {
     Primitives primitives;
