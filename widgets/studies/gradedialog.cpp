@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/gradedialog.h"
 
+#include "widgets/studies/leewaybox.h"
+
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFormLayout>
@@ -23,6 +25,9 @@ GradeDialog::GradeDialog(QWidget *parent)
     m_submissions = addPath(form, "gradeSubmissions", tr("&Submissions, a folder"));
     m_assignment = addPath(form, "gradeAssignment", tr("&Assignment, a file"));
     m_results = addPath(form, "gradeResults", tr("&Results, a folder"));
+    m_leeway = new LeewayBox("gradeLeeway", this);
+    m_leeway->offerNone(tr("as the assignment says"));
+    form->addRow(tr("&Leeway"), m_leeway);
     layout->addLayout(form);
     m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     m_buttons->button(QDialogButtonBox::Ok)->setText(tr("&Grade"));
@@ -63,6 +68,8 @@ QString GradeDialog::submissions() const { return m_submissions->text(); }
 QString GradeDialog::assignment() const { return m_assignment->text(); }
 
 QString GradeDialog::results() const { return m_results->text(); }
+
+std::optional<Leeway> GradeDialog::leeway() const { return m_leeway->leeway(); }
 
 void GradeDialog::setPaths(const QString &submissions, const QString &assignment,
                            const QString &results)

@@ -153,7 +153,7 @@ void GradingPanel::gradeFolder()
 {
     GradeDialog dialog(this);
     if (dialog.exec() == QDialog::Accepted)
-        m_book->grade(dialog.submissions(), dialog.assignment(), dialog.results());
+        m_book->grade(dialog.submissions(), dialog.assignment(), dialog.results(), dialog.leeway());
 }
 
 void GradingPanel::followJob()
