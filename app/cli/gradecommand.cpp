@@ -6,12 +6,16 @@
 #include "core/fast/machinethreads.h"
 #include "core/grade/gradefile.h"
 #include "core/grade/gradefolder.h"
+#include "core/grade/gradereports.h"
 #include "core/grade/showntext.h"
 #include "core/grade/submissionfolder.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonObject>
+#include <QLocale>
+
+#include <algorithm>
 
 namespace pixelplumb::cli {
 
@@ -19,6 +23,8 @@ namespace {
 
 const QString assignmentOption = QStringLiteral("assignment");
 const QString resultsOption = QStringLiteral("output");
+const QString pointsOption = QStringLiteral("points");
+const QString reasonOption = QStringLiteral("reason");
 const QString jobsOption = QStringLiteral("jobs");
 
 void addGradeOptions(CommandLine &line)
@@ -34,7 +40,64 @@ void addGradeOptions(CommandLine &line)
          QStringLiteral(
              "Grade this many submissions at once; as many as there are processors if left out."),
          QStringLiteral("number")});
+    line.addRepeatedOption(
+        {pointsOption,
+         QStringLiteral("Give a submission these points in place of those of the checks, here and "
+                        "in later runs; NAME= alone takes them back. May be repeated."),
+         QStringLiteral("NAME=points")});
+    line.addOption({reasonOption, QStringLiteral("Why these points are given, for the student."),
+                    QStringLiteral("text")});
     line.addJsonOption();
+}
+
+/// A submission's points by hand; none: those of its checks.
+struct GivenPoints {
+    QString name;
+    std::optional<double> points;
+};
+
+std::vector<GivenPoints> givenPoints(const CommandLine &line)
+{
+    std::vector<GivenPoints> given;
+    const QString option = QStringLiteral("--") + pointsOption;
+    for (const QString &word : line.values(pointsOption)) {
+        const qsizetype equals = word.lastIndexOf(u'=');
+        bool isNumber = false;
+        const double points = QLocale::c().toDouble(word.mid(equals + 1), &isNumber);
+        const bool isTakenBack = equals > 0 && equals + 1 == word.size();
+        if (equals <= 0 || (!isTakenBack && !(isNumber && points >= 0 && points <= largestPoints)))
+            refuse(
+                {option, QStringLiteral("“%1”").arg(word),
+                 QStringLiteral("NAME=POINTS, points from 0 to %1").arg(largestPoints, 0, 'f', 0)});
+        given.push_back({word.left(equals), isTakenBack ? std::nullopt : std::optional(points)});
+    }
+    const bool isReasonless
+        = std::ranges::any_of(given,
+                              [](const GivenPoints &each) { return each.points.has_value(); })
+        && line.value(reasonOption).trimmed().isEmpty();
+    if (isReasonless)
+        refuse(QStringLiteral("--reason is missing: why the points of --points are given"));
+    return given;
+}
+
+/// Changes the reviews in the results and writes the reports again.
+void give(const std::vector<GivenPoints> &given, const QString &reason, const QString &results,
+          GradeReport &report)
+{
+    for (const GivenPoints &each : given) {
+        const auto found
+            = std::ranges::find(report.submissions, each.name, &GradedSubmission::name);
+        if (found == report.submissions.end())
+            refuse({QStringLiteral("--") + pointsOption,
+                    QStringLiteral("“%1” is no graded submission").arg(each.name),
+                    {}});
+        found->review.points = each.points;
+        found->review.reason = each.points ? std::optional(reason) : std::nullopt;
+    }
+    if (given.empty())
+        return;
+    refuseIf(writeReviews(results, report));
+    refuseIf(writeReports(results, report));
 }
 
 /// Reads the assignment of a file, or of standard input for "-".
@@ -125,19 +188,22 @@ ExitCode grade(const Command &command, const QStringList &arguments)
     if (assignment.points() == 0)
         sayLine(QStringLiteral("%1: all checks have 0 points: nothing is asked and everybody has 0")
                     .arg(line.value(assignmentOption)));
+    const std::vector<GivenPoints> given = givenPoints(line);
     const auto jobs = wholeNumberOf(line, jobsOption, {1, 256});
     const GradingOrder order{line.argument(0), line.value(resultsOption),
                              QCoreApplication::applicationVersion(),
                              int(jobs.value_or(threadsOfMachine())), line.arguments().mid(1)};
     sayHidden(line.argument(0));
     const Interruption interruption;
-    const auto report = required(withProgress([&](const ProgressListener &listener) {
+    auto report = required(withProgress([&](const ProgressListener &listener) {
         return gradeFolder(order, assignment, [&listener](const JobProgress &told) {
             return listener(told) && !Interruption::isAsked();
         });
     }));
-    if (report)
+    if (report) {
+        give(given, line.value(reasonOption).trimmed(), order.results, *report);
         return print(line, *report);
+    }
     if (Interruption::isAsked()) {
         sayLine(QStringLiteral("interrupted; the same command goes on where it stopped"));
         return ExitCode::FallsShort;

@@ -44,9 +44,11 @@ QString nameOf(Check check)
     case Check::Coverage:
         return QStringLiteral("coverage");
     case Check::Colours:
+        return QStringLiteral("colours");
+    case Check::Invariants:
         break;
     }
-    return QStringLiteral("colours");
+    return QStringLiteral("invariants");
 }
 
 QString nameOf(HintLevel level)
@@ -87,6 +89,20 @@ QString nameOf(ProgramInput input)
     return input == ProgramInput::Json ? QStringLiteral("json") : QStringLiteral("lines");
 }
 
+QString nameOf(Convention convention)
+{
+    return convention == Convention::Asked ? QStringLiteral("asked") : QStringLiteral("any");
+}
+
+bool windsOtherwise(const Triangle &triangle, Winding winding, FrameOrigin origin)
+{
+    if (winding == Winding::Any)
+        return false;
+    const Int128 area = doubledArea(triangle);
+    const bool isUpward = origin == FrameOrigin::BottomLeft;
+    return (winding == Winding::Clockwise) == isUpward ? area > 0 : area < 0;
+}
+
 double Assignment::points() const
 {
     double sum = 0;
@@ -109,6 +125,7 @@ QByteArray writeAssignment(const Assignment &assignment)
                        {QStringLiteral("leeway"), nameText(nameOf(assignment.margin.leeway))},
                        {QStringLiteral("tolerance"), nameText(nameOf(assignment.margin.tolerance))},
                        {QStringLiteral("winding"), nameOf(assignment.winding)},
+                       {QStringLiteral("convention"), nameOf(assignment.convention)},
                        {QStringLiteral("credit"), nameOf(assignment.credit)},
                        {QStringLiteral("scenes"), scenes}};
     if (assignment.program)

@@ -20,9 +20,11 @@ enum class Check {
     Picture, ///< the file exists, can be read and has the frame's size
     Coverage, ///< exactly what should be covered is covered
     Colours, ///< at least half of what should be covered is, always with the right bytes
+    Invariants, ///< the program keeps what holds of every right picture (Invariant)
 };
-inline constexpr std::array allChecks = {Check::Picture, Check::Coverage, Check::Colours};
-QString nameOf(Check check); ///< "picture", "coverage", "colours"
+inline constexpr std::array allChecks
+    = {Check::Picture, Check::Coverage, Check::Colours, Check::Invariants};
+QString nameOf(Check check); ///< "picture", "coverage", "colours", "invariants"
 
 /// How much a student is told; each level includes those before it.
 enum class HintLevel {
@@ -40,6 +42,15 @@ enum class Winding { Any, CounterClockwise, Clockwise };
 inline constexpr std::array allWindings
     = {Winding::Any, Winding::CounterClockwise, Winding::Clockwise};
 QString nameOf(Winding winding); ///< "any", "counter-clockwise", "clockwise"
+bool windsOtherwise(const Triangle &triangle, Winding winding, FrameOrigin origin);
+
+/// By which convention of the frame a submission is judged.
+enum class Convention {
+    Asked, ///< the scenes' own
+    Any, ///< that by which its pictures have the fewest wrong pixels (FrameConvention)
+};
+inline constexpr std::array allConventions = {Convention::Asked, Convention::Any};
+QString nameOf(Convention convention); ///< "asked", "any"
 
 /// What a failed check still earns.
 enum class Credit {
@@ -56,7 +67,7 @@ inline constexpr double largestPoints = 1e6;
 struct AssignedScene {
     QString name; ///< "shallow", for the picture file shallow.png; letters, digits, - and _
     Scene scene; ///< with the required conventions: method, fill rule, arithmetic …
-    CheckPoints points = {1, 2, 2};
+    CheckPoints points = {1, 2, 2, 0};
 
     friend bool operator==(const AssignedScene &, const AssignedScene &) = default;
 };
@@ -82,6 +93,7 @@ struct Assignment {
     HintLevel hint = HintLevel::Hint;
     Margin margin;
     Winding winding = Winding::Any; ///< that is promised to programs
+    Convention convention = Convention::Asked;
     Credit credit = Credit::Whole;
     std::optional<AssignedProgram> program; ///< none: only pictures are graded, nothing is run
 

@@ -33,8 +33,8 @@ public:
         const JsonNode &root = m_json.root();
         readFormat(root);
         m_json.expectObject(root,
-                            {formatKey, "name", "hint", "leeway", "tolerance", "winding", "credit",
-                             "points", "scenes", "program"});
+                            {formatKey, "name", "hint", "leeway", "tolerance", "winding",
+                             "convention", "credit", "points", "scenes", "program"});
         Assignment assignment;
         assignment.name = m_json.string(root["name"]);
         readWord(root["hint"], allHintLevels, assignment.hint);
@@ -42,11 +42,19 @@ public:
         readWord(root["tolerance"], allTolerances, assignment.margin.tolerance);
         readWord(root["winding"], allWindings, m_winding);
         assignment.winding = m_winding;
+        readWord(root["convention"], allConventions, assignment.convention);
         readWord(root["credit"], allCredits, assignment.credit);
         readPoints(root["points"], m_points);
         readScenes(root["scenes"], assignment.scenes);
         if (const JsonNode program = root["program"]; !program.isMissing())
             assignment.program = readProgram(program);
+        const auto asksForInvariants = [](const AssignedScene &scene) {
+            return scene.points[std::size_t(Check::Invariants)] > 0;
+        };
+        if (!assignment.program && std::ranges::any_of(assignment.scenes, asksForInvariants))
+            m_json.fail(root["points"],
+                        QStringLiteral("points for invariants, and no “program” to be run"),
+                        QStringLiteral("a “program”: invariants are asked of random triangles"));
         return assignment;
     }
 
@@ -139,21 +147,13 @@ private:
 
     void checkWinding(const JsonNode &node, const Scene &scene)
     {
-        if (m_json.hasFailed() || m_winding == Winding::Any)
-            return;
-        const bool isUpward = scene.frame.origin == FrameOrigin::BottomLeft;
-        for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
-            const Int128 area = doubledArea(scene.triangles[i]);
-            const bool isOther = m_winding == Winding::Clockwise ? isUpward ? area > 0 : area < 0
-                : isUpward                                       ? area < 0
-                                                                 : area > 0;
-            if (!isOther)
+        for (std::size_t i = 0; i < scene.triangles.size() && !m_json.hasFailed(); ++i) {
+            if (!windsOtherwise(scene.triangles[i], m_winding, scene.frame.origin))
                 continue;
             m_json.fail(node,
                         QStringLiteral("triangle %1, counted from 0, is not %2")
                             .arg(QString::number(i), nameOf(m_winding)),
                         QStringLiteral("what “winding” promises: exchange two of its vertices"));
-            return;
         }
     }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/delivery.h"
 
+#include "core/grade/programdelivery.h"
 #include "core/grade/showntext.h"
-#include "core/grade/trial.h"
 
 #include <algorithm>
 
@@ -87,8 +87,6 @@ QString refusedPicture(const SubmissionEntry &entry, const AssignedScene &scene)
     });
 }
 
-bool isScript(const SubmittedFile &file) { return !file.isExecutable && file.name.endsWith(".py"); }
-
 bool isRun(const SubmittedFile &file)
 {
     return (file.isExecutable || isScript(file)) && !hasPictureEnd(file.name);
@@ -139,32 +137,6 @@ const SubmittedFile *onlyFile(const SubmissionEntry &entry, const IsSuch &isSuch
     return std::ranges::count_if(files, isSuch) == 1 ? &*found : nullptr;
 }
 
-void refuse(Delivery &delivery, PictureLack lack, const QString &fault)
-{
-    delivery.lack = lack;
-    delivery.fault = fault;
-}
-
-/// Why content has no usable picture.
-PictureLack lackIn(const QByteArray &content, const FrameSpec &frame)
-{
-    if (content.isEmpty())
-        return PictureLack::Empty;
-    return isOfOtherSize(content, frame) ? PictureLack::OtherSize : PictureLack::Unreadable;
-}
-
-/// Takes a picture of the scene's size, or one made of a trace's lines.
-void take(const QByteArray &content, const Result<StudentOutput> &output, const FrameSpec &frame,
-          Delivery &delivery)
-{
-    if (!output)
-        refuse(delivery, lackIn(content, frame), shownText(output.error().message().toUtf8()));
-    else if (output->picture)
-        delivery.picture = output->picture;
-    else
-        refuse(delivery, PictureLack::TraceAlone, QStringLiteral("there is no picture in it"));
-}
-
 Delivery deliveredPicture(const SubmissionEntry &entry, const AssignedScene &scene,
                           const SubmittedFile &file)
 {
@@ -187,83 +159,6 @@ const SubmittedFile *programOf(const SubmissionEntry &entry, const AssignedProgr
                     [&](const SubmittedFile &file) { return file.name == program.file.toUtf8(); });
 }
 
-Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
-                 const Assignment &assignment, const AssignedScene &scene,
-                 const ProgramLimits &limits, const std::stop_token &stop)
-{
-    Delivery delivery;
-    const std::optional<QString> path = entry.pathOf(file);
-    if (!path) {
-        refuse(delivery, PictureLack::NotDrawn, QStringLiteral("the program's name is no UTF-8"));
-        return delivery;
-    }
-    // Next to a submission that is a single file lie other submissions.
-    const auto student = studentProgramOf(
-        isScript(file) ? QStringList{scriptInterpreter(), *path} : QStringList{*path},
-        entry.isFolder() ? ShownFiles::WithFolders : ShownFiles::Alone);
-    if (!student) {
-        refuse(delivery, PictureLack::NotDrawn, student.error().found);
-        return delivery;
-    }
-    const AssignedProgram &program = *assignment.program;
-    TrialTerms terms;
-    terms.margin = assignment.margin;
-    terms.input = program.input;
-    terms.limits = limits;
-    terms.limits.time = std::chrono::seconds(program.seconds);
-    terms.limits.memory = std::int64_t(program.megabytes) << 20;
-    terms.limits.output = std::int64_t(program.outputMegabytes) << 20;
-    const Result<Trial> trial = tryProgram(*student, scene.scene, terms, stop);
-    if (!trial) {
-        refuse(delivery, PictureLack::NotDrawn, trial.error().message());
-        return delivery;
-    }
-    delivery.run = GradedRun{nameOf(trial->run.end), shownText(trial->run.told.toUtf8()),
-                             shownText(trial->run.messages)};
-    if (!trial->run.isSandboxed())
-        delivery.run->sandboxLack = trial->run.sandboxLack;
-    delivery.hasWaited = trial->run.isByClock;
-    delivery.exceededTotalCpuTime = trial->run.isInAll;
-    if (trial->trace)
-        delivery.trace = shownText(trial->trace->text.toUtf8());
-    delivery.note = beyondFrameText(trial->output);
-    const bool isJudged = trial->output.picture.has_value();
-    if (isJudged && trial->run.end == ProgramEnd::Failed)
-        delivery.note = shownText(trial->run.told.toUtf8())
-            + QStringLiteral("; the picture that it wrote is judged all the same");
-    if (trial->run.end != ProgramEnd::Finished && !isJudged)
-        refuse(delivery, PictureLack::NotDrawn, shownText(trial->fault->message().toUtf8()));
-    else if (trial->fault)
-        take(trial->run.output, *trial->fault, scene.scene.frame, delivery);
-    else
-        take(trial->run.output, trial->output, scene.scene.frame, delivery);
-    return delivery;
-}
-
-/// A program that waits or keeps starting processes does so in each scene: full limits apply once.
-ProgramLimits limitsAfter(const std::vector<Delivery> &deliveries)
-{
-    ProgramLimits limits;
-    const auto isAny = [&](bool Delivery::*is) { return std::ranges::any_of(deliveries, is); };
-    if (isAny(&Delivery::exceededTotalCpuTime))
-        limits.timesInAll = limits.clockTimes = 1;
-    if (isAny(&Delivery::hasWaited))
-        limits.clockTimes = 1;
-    return limits;
-}
-
-/// Notes that it had less time than others, if it was late again.
-void noteOnTime(const ProgramLimits &limits, Delivery &delivery)
-{
-    const ProgramLimits whole;
-    if (delivery.exceededTotalCpuTime && limits.timesInAll < whole.timesInAll)
-        delivery.note = QStringLiteral("its processes were given less time together, for they had "
-                                       "computed too long in a scene before");
-    else if (delivery.hasWaited && limits.clockTimes < whole.clockTimes)
-        delivery.note = QStringLiteral(
-            "it was given less time by the clock, for it had been ended in a scene before");
-}
-
 } // namespace
 
 std::vector<Delivery> deliveriesOf(const SubmissionEntry &entry, const Assignment &assignment,
@@ -275,9 +170,7 @@ std::vector<Delivery> deliveriesOf(const SubmissionEntry &entry, const Assignmen
     std::vector<Delivery> deliveries;
     for (const AssignedScene &scene : assignment.scenes) {
         if (program) {
-            const ProgramLimits limits = limitsAfter(deliveries);
-            deliveries.push_back(drawnBy(entry, *program, assignment, scene, limits, stop));
-            noteOnTime(limits, deliveries.back());
+            deliveries.push_back(drawnBy({entry, *program, assignment, scene}, deliveries, stop));
             continue;
         }
         const auto files = pictureFilesOf(entry, scene);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/grade/gradereport.h"
+#include "core/grade/invariants.h"
 #include "core/grade/submissionfolder.h"
 
 #include <stop_token>
@@ -19,6 +20,8 @@ struct Delivery {
     bool exceededTotalCpuTime = false; ///< … for the computing time of all its processes
     QString trace; ///< see GradedScene
     std::optional<QString> note; ///< see GradedScene
+    /// Of the program, where they are asked for; none: it could not draw all triangles.
+    std::optional<std::vector<Invariant>> brokenInvariants;
 };
 
 /// For each scene of the assignment: the first of SCENE.png, .ppm, .bmp, .txt; with only one scene,

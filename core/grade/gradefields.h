@@ -90,6 +90,8 @@ void eachField(Self &self, const Visit &visit)
 {
     visit("comment", self.comment);
     visit("accepted", self.isAccepted);
+    visit("points", self.points);
+    visit("reason", self.reason);
 }
 
 template <PartOf<GradedSubmission> Self, class Visit>
@@ -99,6 +101,7 @@ void eachField(Self &self, const Visit &visit)
     visit("id", self.id);
     visit("digest", self.digest);
     visit("verdict", self.verdict);
+    visit("convention", self.convention);
     visit("differing", self.differing);
     visit("scenes", self.scenes);
     visit("candidates", self.candidates);
@@ -110,6 +113,10 @@ void eachField(Self &self, const Visit &visit)
 template <>
 struct FileWords<Check> {
     static constexpr const auto &all = allChecks;
+};
+template <>
+struct FileWords<FrameConvention> {
+    static constexpr const auto &all = allFrameConventions;
 };
 template <>
 struct FileWords<PictureLack> {

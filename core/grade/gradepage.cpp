@@ -157,24 +157,25 @@ private:
         m_page += QStringLiteral("<details%1><summary>For the assistant</summary><p>%2</p>\n")
                       .arg(open, html(sentencesFor(submission, HintLevel::Full).join(u'\n')));
         for (std::size_t i = 0; i < submission.scenes.size(); ++i)
-            writeScene(submission.scenes[i], i);
+            writeScene(submission.scenes[i], i,
+                       m_grader.in(submission.convention.value_or(FrameConvention::AsAsked)));
         m_page += QStringLiteral("</details>\n");
     }
 
-    void writeScene(const GradedScene &scene, std::size_t place)
+    void writeScene(const GradedScene &scene, std::size_t place, const Grader &grader)
     {
         if (!scene.firstDifference || scene.picture.isEmpty())
             return;
         const auto content = ResultsFolder(m_results).read(scene.picture);
         const auto found
             = content ? parsePicture(*content, scene.picture) : Result<Picture>(content.error());
-        const Picture &expected = m_grader.expected(place);
+        const Picture &expected = grader.expected(place);
         if (!found || found->width != expected.width || found->height != expected.height)
             return;
         Picture picture = *found;
         if (picture.hasColours)
             coverAllBut(m_report.assignment.scenes[place].scene.frame.background, picture);
-        const PictureDiff diff = differenceOf(expected, picture, m_grader.leftOpen(place, picture));
+        const PictureDiff diff = differenceOf(expected, picture, grader.leftOpen(place, picture));
         m_page += QStringLiteral("<h4>%1</h4>\n").arg(html(scene.scene));
         m_page += figure(pixelplumb::imageOf(picture), QStringLiteral("found"));
         m_page += figure(pixelplumb::imageOf(expected), QStringLiteral("expected"));

@@ -7,6 +7,7 @@
 #include <QImage>
 
 #include <map>
+#include <memory>
 #include <mutex>
 #include <stop_token>
 
@@ -27,6 +28,8 @@ public:
     explicit Grader(Assignment assignment);
 
     const Assignment &assignment() const { return m_assignment; }
+    /// Judges by another convention of the frame; made when it is first asked for.
+    Grader &in(FrameConvention convention);
     /// What the scene's method draws.
     const Picture &expected(std::size_t scene) const { return m_expected[scene]; }
     /// A 1 for each pixel of the found picture that is left open; empty: none.
@@ -39,6 +42,12 @@ public:
     GradedWork ungraded(const SubmissionEntry &entry, const QString &error) const;
 
 private:
+    /// The grader by whose convention these have the fewest wrong pixels, if it is clearly better.
+    Grader &bestFor(const std::vector<Delivery> &deliveries);
+    std::int64_t wrongIn(const std::vector<Delivery> &deliveries) const;
+    std::optional<GradedWork> gradeIn(const SubmissionEntry &entry,
+                                      std::vector<Delivery> deliveries,
+                                      const std::stop_token &stop);
     GradedScene judge(std::size_t scene, const Delivery &delivery) const;
     /// What is known about a set of pictures, whoever drew them.
     struct Named {
@@ -61,7 +70,9 @@ private:
     Assignment m_assignment;
     std::vector<Picture> m_expected;
     DefectPictures m_pictures;
+    FrameConvention m_convention = FrameConvention::AsAsked;
     std::mutex m_mutex;
+    std::map<FrameConvention, std::unique_ptr<Grader>> m_others;
     std::map<QByteArray, Named> m_known; ///< by hash of the pictures
 };
 

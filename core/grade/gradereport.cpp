@@ -58,6 +58,8 @@ void appendClass(const GradedSubmission &submission, QStringList &lines)
 
 void appendNotes(const GradedSubmission &submission, QStringList &lines)
 {
+    if (submission.convention)
+        lines += sentenceOf(*submission.convention);
     for (const GradedScene &scene : submission.scenes) {
         if (scene.note)
             lines += QStringLiteral("%1: %2").arg(scene.scene, *scene.note);
@@ -69,7 +71,13 @@ void appendFull(const GradedSubmission &submission, QStringList &lines)
     if (submission.searchError)
         lines += QStringLiteral("the search for defects ended in an error: %1")
                      .arg(*submission.searchError);
+    QStringList synonyms; // that draw the same pictures as the first
     for (const GradedCandidate &candidate : submission.candidates) {
+        const bool isEqual = candidate.distance == 0 && !candidate.undecidable;
+        if (isEqual && &candidate != &submission.candidates.front()) {
+            synonyms += candidate.defects.join(QStringLiteral(" and "));
+            continue;
+        }
         // A set that explains next to nothing is not named.
         if (!isRelevant(candidate.distance, submission.differing))
             continue;
@@ -87,6 +95,8 @@ void appendFull(const GradedSubmission &submission, QStringList &lines)
                          .arg(parts->step + 1)
                          .arg(parts->heading, parts->text);
     }
+    if (!synonyms.isEmpty())
+        lines += QStringLiteral("the same pictures come of ") + synonyms.join(QStringLiteral("; "));
     if (const QString text = unsandboxedText(submission); !text.isEmpty())
         lines += text;
     for (const GradedScene &scene : submission.scenes) {
@@ -146,7 +156,9 @@ QStringList GradedCandidate::mistakes() const
     return ids.isEmpty() ? defects : ids;
 }
 
-double GradedSubmission::points() const
+double GradedSubmission::points() const { return review.points.value_or(pointsOfChecks()); }
+
+double GradedSubmission::pointsOfChecks() const
 {
     double sum = 0;
     for (const GradedScene &scene : scenes) {
@@ -263,6 +275,11 @@ QStringList sentencesFor(const GradedSubmission &submission, HintLevel level)
     }
     if (level >= HintLevel::Full)
         appendFull(submission, lines);
+    if (submission.review.points)
+        lines += QStringLiteral("%1 points in place of %2: %3")
+                     .arg(*submission.review.points)
+                     .arg(submission.pointsOfChecks())
+                     .arg(submission.review.reason.value_or(QString()));
     if (!submission.review.comment.isEmpty())
         lines += submission.review.comment;
     return lines;

@@ -3,6 +3,7 @@
 
 #include "core/grade/assignment.h"
 #include "core/grade/diagnosis.h"
+#include "core/grade/frameconvention.h"
 #include "core/grade/picturediff.h"
 
 #include <QStringList>
@@ -115,8 +116,10 @@ struct GradedCandidate {
 struct GradeReview {
     QString comment; ///< shown to the student
     bool isAccepted = false;
+    std::optional<double> points = {}; ///< in place of those of the checks; none: those
+    std::optional<QString> reason = {}; ///< for these points, shown to the student
 
-    bool isEmpty() const { return comment.isEmpty() && !isAccepted; }
+    bool isEmpty() const { return comment.isEmpty() && !isAccepted && !points; }
     friend bool operator==(const GradeReview &, const GradeReview &) = default;
 };
 
@@ -126,6 +129,8 @@ struct GradedSubmission {
     QString id; ///< unique, and fit for a file name
     QString digest; ///< of its bytes, the assignment and the version of the program
     GradeVerdict verdict = GradeVerdict::Nothing;
+    /// By which it was judged; none: the assignment's own.
+    std::optional<FrameConvention> convention = {};
     std::int64_t differing = 0; ///< pixels in all judged pictures, including undecidable ones
     std::vector<GradedScene> scenes; ///< those of the assignment, in its order
     std::vector<GradedCandidate> candidates; ///< as in Diagnosis
@@ -136,7 +141,8 @@ struct GradedSubmission {
     std::optional<QString> gradingError = {};
     GradeReview review = {}; ///< not in the submission's own file
 
-    double points() const;
+    double points() const; ///< as reviewed
+    double pointsOfChecks() const;
     /// Whether nothing handed in is wrong, but required colours are missing: a raster of characters
     /// has none.
     bool lacksColours() const;

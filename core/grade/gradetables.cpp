@@ -117,7 +117,7 @@ QByteArray csvOf(const GradeReport &report)
     const auto writer = makeCsvWriter(buffer);
     std::vector<Field> fields;
     for (const char *name : {"name", "points", "of", "verdict", "differing", "defects", "sentences",
-                             "comment", "accepted", "id", "sandbox"})
+                             "comment", "accepted", "id", "sandbox", "reason"})
         fields.push_back({QString::fromLatin1(name)});
     writer->begin(fields);
     for (const GradedSubmission &each : report.submissions)
@@ -130,11 +130,11 @@ QByteArray csvOf(const GradeReport &report)
              spreadsheetText(each.review.comment),
              each.review.isAccepted ? QStringLiteral("yes") : QStringLiteral("no"),
              each.id, // begins with a letter, a digit or _
-             sandboxText(each)});
+             sandboxText(each), spreadsheetText(each.review.reason.value_or(QString()))});
     for (const QString &name : report.missing)
         writer->writeRow({spreadsheetText(name), QString(), pointsText(report.assignment.points()),
                           QStringLiteral("no grade"), QString(), QString(), QString(), QString(),
-                          QStringLiteral("no"), QString(), QString()});
+                          QStringLiteral("no"), QString(), QString(), QString()});
     writer->end();
     return csv;
 }

@@ -32,12 +32,15 @@ bool canBeDrawn(const Scene &scene)
     return methodNamed(QString::fromStdString(scene.method)) && objectionTo(scene).isEmpty();
 }
 
-std::shared_ptr<const PictureJudgement> judgementOf(const Scene &scene, Picture found)
+std::shared_ptr<const PictureJudgement> judgementOf(const Scene &asked, Picture found,
+                                                    const Margin &margin)
 {
+    const Scene scene = judgedScene(asked, margin);
     if (found.hasColours)
         coverAllBut(scene.frame.background, found);
     Picture expected = pictureOf(scene);
-    PictureDiff diff = differenceOf(expected, found, undecidablePixels(scene, expected, found));
+    PictureDiff diff
+        = differenceOf(expected, found, undecidablePixels(scene, expected, found, margin));
     return std::make_shared<const PictureJudgement>(
         PictureJudgement{scene.frame, std::move(expected), std::move(found), std::move(diff)});
 }
@@ -202,6 +205,14 @@ void StudentPicture::expect(const QString &name, const QString &absence)
     judge();
 }
 
+void StudentPicture::setMargin(const Margin &margin)
+{
+    if (m_margin == margin)
+        return;
+    m_margin = margin;
+    judge();
+}
+
 void StudentPicture::follow(const std::shared_ptr<const Scene> &scene)
 {
     m_scene = m_wrong == *scene ? m_right : scene;
@@ -217,7 +228,7 @@ void StudentPicture::setRightOf(const Scene &wrong, const std::shared_ptr<const 
 
 void StudentPicture::judge()
 {
-    m_next.reset();
+    m_next = Next::Nothing;
     if (!isThere() || !m_scene || !misfit().isEmpty()) {
         m_judging.cancel();
         show(nullptr);
@@ -225,18 +236,18 @@ void StudentPicture::judge()
     }
     if (isJudgedAtOnce(*m_scene)) {
         m_judging.cancel();
-        show(judgementOf(*m_scene, m_picture));
+        show(judgementOf(*m_scene, m_picture, m_margin));
         return;
     }
     if (m_judging.isRunning()) {
-        m_next = m_scene;
+        m_next = Next::Judging;
         return;
     }
-    m_judging.start([scene = m_scene, picture = m_picture](
-                        const ProgressListener &) { return judgementOf(*scene, picture); },
+    m_judging.start([scene = m_scene, picture = m_picture, margin = m_margin](
+                        const ProgressListener &) { return judgementOf(*scene, picture, margin); },
                     [this](const std::shared_ptr<const PictureJudgement> &judgement) {
                         show(judgement); // null where memory ran out
-                        if (std::exchange(m_next, nullptr))
+                        if (std::exchange(m_next, Next::Nothing) == Next::Judging)
                             judge();
                     });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/grade/margin.h"
 #include "core/grade/picturediff.h"
 #include "widgets/model/job.h"
 
@@ -48,6 +49,9 @@ public:
     /// Null where there is no picture, none of the scene's size, or the first judging is still
     /// running.
     const std::shared_ptr<const PictureJudgement> &judgement() const { return m_judgement; }
+    /// What it may have otherwise than the expected picture.
+    const Margin &margin() const { return m_margin; }
+    void setMargin(const Margin &margin);
     /// Why the picture is not judged; empty where it is, or will be.
     QString misfit() const;
     bool isRunning() const { return m_reading.isRunning() || m_judging.isRunning(); }
@@ -87,10 +91,12 @@ private:
     QString m_name;
     QString m_absence;
     Picture m_picture;
+    Margin m_margin;
     std::shared_ptr<const Scene> m_scene;
     std::optional<Scene> m_wrong; ///< for which m_right is substituted
     std::shared_ptr<const Scene> m_right;
-    std::shared_ptr<const Scene> m_next; ///< to be judged after the current judging
+    enum class Next { Nothing, Judging };
+    Next m_next = Next::Nothing; ///< after the current judging
     std::shared_ptr<const PictureJudgement> m_judgement;
     Job m_reading;
     Job m_judging;

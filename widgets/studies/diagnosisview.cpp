@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/diagnosisview.h"
 
+#include "core/grade/undecidable.h"
 #include "core/number/failure.h"
 #include "widgets/look/labels.h"
 #include "widgets/look/parts.h"
@@ -82,9 +83,10 @@ void DiagnosisView::addResults(QBoxLayout *layout)
 }
 
 std::optional<DiagnosisView::Named> DiagnosisView::diagnosed(const Submission &submission,
+                                                             const Margin &margin,
                                                              const ProgressListener &listener)
 {
-    std::optional<Diagnosis> diagnosis = diagnose(std::span(&submission, 1), listener);
+    std::optional<Diagnosis> diagnosis = diagnose(std::span(&submission, 1), listener, margin);
     if (!diagnosis)
         return std::nullopt;
     Named found{std::move(*diagnosis), {}};
@@ -106,9 +108,11 @@ void DiagnosisView::start()
         return;
     forget();
     m_scene = m_student->scene();
+    m_margin = m_student->margin();
+    m_judged = std::make_shared<const Scene>(judgedScene(*m_scene, m_margin));
     m_job.start(
-        [scene = m_scene, judgement](const ProgressListener &listener) {
-            return diagnosed({*scene, judgement->found}, listener);
+        [scene = m_judged, margin = m_margin, judgement](const ProgressListener &listener) {
+            return diagnosed({*scene, judgement->found}, margin, listener);
         },
         [this](const std::optional<Named> &found) { take(found); });
 }
@@ -150,11 +154,11 @@ void DiagnosisView::forget()
     showCandidates();
 }
 
-/// Forgets the findings when the scene changes: they belong to one scene.
+/// Forgets the findings when the scene or the leeway changes: they belong to one of each.
 void DiagnosisView::followStudent()
 {
     const bool isOfAnother = m_scene
-        && (!m_student->isThere()
+        && (!m_student->isThere() || m_margin != m_student->margin()
             || (m_scene != m_student->scene() && *m_scene != *m_student->scene()));
     if (isOfAnother)
         forget();
@@ -212,13 +216,13 @@ void DiagnosisView::updateButtons()
     const bool runs = m_job.isRunning();
     const int row = m_candidates->currentRow();
     const bool canOpen = m_named && row >= 0
-        && (m_named->steps[std::size_t(row)] || opening().defective != *m_scene);
+        && (m_named->steps[std::size_t(row)] || opening().defective != *m_judged);
     m_start->setEnabled(!runs && m_student->judgement());
     m_audience->setVisible(!runs);
     for (QPushButton *each : {m_open, m_compare, m_leave})
         each->setVisible(m_named && row >= 0);
     m_open->setEnabled(canOpen);
-    m_compare->setEnabled(canOpen && opening().defective.settings != m_scene->settings);
+    m_compare->setEnabled(canOpen && opening().defective.settings != m_judged->settings);
 }
 
 void DiagnosisView::setLeaving(bool possible) { m_leave->setEnabled(possible); }
@@ -228,7 +232,7 @@ DefectOpening DiagnosisView::opening() const
     const auto row = std::size_t(m_candidates->currentRow());
     const DiagnosisCandidate &candidate = m_named->diagnosis.candidates[row];
     const auto &step = m_named->steps[row];
-    return {m_scene, withDefects(*m_scene, candidate.defects), step ? step->step + 1 : 0,
+    return {m_judged, withDefects(*m_judged, candidate.defects), step ? step->step + 1 : 0,
             idsText(candidate)};
 }
 

@@ -54,7 +54,7 @@ private:
         std::vector<std::optional<PartingStep>> steps;
     };
 
-    static std::optional<Named> diagnosed(const Submission &submission,
+    static std::optional<Named> diagnosed(const Submission &submission, const Margin &margin,
                                           const ProgressListener &listener);
     void addControls(QBoxLayout *layout);
     void addResults(QBoxLayout *layout);
@@ -70,6 +70,8 @@ private:
 
     const StudentPicture *m_student;
     std::shared_ptr<const Scene> m_scene; ///< being diagnosed, or diagnosed last
+    std::shared_ptr<const Scene> m_judged; ///< that scene, as it is right by the margin
+    Margin m_margin; ///< by which it is judged
     std::optional<Named> m_named;
     QPushButton *m_start = nullptr;
     QComboBox *m_audience = nullptr;

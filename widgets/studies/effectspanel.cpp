@@ -66,9 +66,9 @@ void EffectsPanel::makeTable()
     m_table->setFont(tabularFont(font()));
     m_table->setRowCount(int(allEffects.size()));
     m_table->setColumnCount(EffectColumnCount);
-    m_table->setHorizontalHeaderLabels({tr("effect"), tr("verdict"), tr("switch"), tr("primitives"),
-                                        tr("pixels at most"), tr("ns a pixel"), tr("operations a pixel"),
-                                        tr("times as long"), tr("reason")});
+    m_table->setHorizontalHeaderLabels(
+        {tr("effect"), tr("verdict"), tr("switch"), tr("primitives"), tr("pixels at most"),
+         tr("ns a pixel"), tr("operations a pixel"), tr("times as long"), tr("reason")});
     m_table->horizontalHeaderItem(EffectPerPixel)
         ->setToolTip(
             tr("How much longer drawing takes with it than without it, for each pixel written"));

@@ -49,16 +49,17 @@ void Gradebook::open(const QString &results)
 }
 
 void Gradebook::grade(const QString &submissions, const QString &assignmentFile,
-                      const QString &results)
+                      const QString &results, std::optional<Leeway> leeway)
 {
     const GradingOrder order{submissions, results, QCoreApplication::applicationVersion(),
                              threadsOfMachine()};
     m_job.setTitle(tr("Grading"));
     m_job.start(
-        [order, assignmentFile](const ProgressListener &listener) -> Grading {
-            const Result<Assignment> assignment = readAssignmentFile(assignmentFile);
+        [order, assignmentFile, leeway](const ProgressListener &listener) -> Grading {
+            Result<Assignment> assignment = readAssignmentFile(assignmentFile);
             if (!assignment)
                 return assignment.error();
+            assignment->margin.leeway = leeway.value_or(assignment->margin.leeway);
             return gradeFolder(order, *assignment, listener);
         },
         [this, results](const Grading &grading) {
@@ -110,6 +111,18 @@ void Gradebook::setComment(std::span<const std::size_t> submissions, const QStri
     }
     if (isOther)
         saveReviews();
+}
+
+void Gradebook::setPoints(std::size_t submission, const std::optional<double> &points,
+                          const QString &reason)
+{
+    GradeReview &review = m_report.submissions[submission].review;
+    const auto said = points ? std::optional(reason) : std::nullopt;
+    if (review.points == points && review.reason == said)
+        return;
+    review.points = points;
+    review.reason = said;
+    saveReviews();
 }
 
 void Gradebook::setAccepted(std::size_t submission, bool accepted)

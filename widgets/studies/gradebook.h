@@ -29,11 +29,16 @@ public:
 
 public slots:
     void open(const QString &results);
-    /// Grades, continuing where an earlier run stopped; comments stay.
-    void grade(const QString &submissions, const QString &assignmentFile, const QString &results);
+    /// Grades, continuing where an earlier run stopped; reviews stay. With a leeway, by that in
+    /// place of the assignment's.
+    void grade(const QString &submissions, const QString &assignmentFile, const QString &results,
+               std::optional<pixelplumb::Leeway> leeway = {});
     void writeReports(); ///< for Gradescope and others, with the comments
     void cancel();
     void setComment(std::span<const std::size_t> submissions, const QString &comment);
+    /// In place of those of the checks; none: those.
+    void setPoints(std::size_t submission, const std::optional<double> &points,
+                   const QString &reason);
     void setAccepted(std::size_t submission, bool accepted);
 
 signals:

@@ -2,6 +2,7 @@
 #include "widgets/studies/gradedialog.h"
 
 #include "widgets/look/parts.h"
+#include "widgets/studies/leewaybox.h"
 
 #include <QtWidgets>
 
@@ -18,6 +19,9 @@ GradeDialog::GradeDialog(QWidget *parent)
     m_submissions = addPath(form, "gradeSubmissions", tr("&Submissions folder"));
     m_assignment = addPath(form, "gradeAssignment", tr("&Assignment file"));
     m_results = addPath(form, "gradeResults", tr("&Results folder"));
+    m_leeway = new LeewayBox("gradeLeeway", this);
+    m_leeway->offerNone(tr("as the assignment says"));
+    form->addRow(tr("&Leeway"), m_leeway);
     layout->addLayout(form);
     m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     m_buttons->button(QDialogButtonBox::Ok)->setText(tr("&Grade"));
@@ -55,6 +59,8 @@ QString GradeDialog::submissions() const { return m_submissions->text(); }
 QString GradeDialog::assignment() const { return m_assignment->text(); }
 
 QString GradeDialog::results() const { return m_results->text(); }
+
+std::optional<Leeway> GradeDialog::leeway() const { return m_leeway->leeway(); }
 
 void GradeDialog::setPaths(const QString &submissions, const QString &assignment,
                            const QString &results)

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/grade/margin.h"
+
 #include <QDialog>
+
+#include <optional>
 
 class QDialogButtonBox;
 class QFormLayout;
 class QLineEdit;
 
 namespace pixelplumb {
+
+class LeewayBox;
 
 /// What is to be graded: a folder of submissions, an assignment, and where the results go.
 class GradeDialog : public QDialog {
@@ -19,6 +25,8 @@ public:
     QString submissions() const;
     QString assignment() const;
     QString results() const;
+    /// In place of the assignment's; none: the assignment's.
+    std::optional<Leeway> leeway() const;
     /// Fills in the paths as if typed.
     void setPaths(const QString &submissions, const QString &assignment, const QString &results);
 
@@ -29,6 +37,7 @@ private:
     QLineEdit *m_submissions = nullptr;
     QLineEdit *m_assignment = nullptr;
     QLineEdit *m_results = nullptr;
+    LeewayBox *m_leeway = nullptr;
     QDialogButtonBox *m_buttons = nullptr;
 };
 

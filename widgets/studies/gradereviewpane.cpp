@@ -52,6 +52,17 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
     m_accept->setCheckable(true);
     m_forCluster = namedButton("gradingCommentCluster", tr("Copy to all with this bug"),
                                tr("Give every submission of the same cause this comment"), this);
+    m_points = named(new QLineEdit(this), "gradingPoints",
+                     tr("Your points in place of those of the checks; empty: those"));
+    m_points->setMaximumWidth(fontMetrics().horizontalAdvance(QStringLiteral("0000.00")) + 16);
+    m_points->setValidator(new QDoubleValidator(0, largestPoints, 2, m_points));
+    m_reason = named(new QLineEdit(this), "gradingReason",
+                     tr("Why the points are changed, for the student; they are not without it"));
+    m_reason->setPlaceholderText(tr("why other points"));
+    for (QLineEdit *each : {m_points, m_reason}) {
+        each->installEventFilter(this);
+        connect(each, &QLineEdit::editingFinished, this, &GradeReviewPane::savePoints);
+    }
     auto *row = new QHBoxLayout; // a single row: a low window's lines are for the texts
     row->setSpacing(4);
     row->addWidget(m_scene, 1);
@@ -60,28 +71,43 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
     column->addLayout(row);
     auto *texts = withParts(new QVBoxLayout, {m_causes, {told, 1}}, 0);
     column->addLayout(texts, 1);
+    column->addLayout(
+        withParts(new QHBoxLayout, {new QLabel(tr("Points"), this), m_points, {m_reason, 1}}, 4));
     column->addWidget(m_comment, 1);
     connect(m_scene, &QComboBox::activated, this, &GradeReviewPane::sceneChosen);
     connect(m_accept, &QToolButton::clicked, this, &GradeReviewPane::toggleAccepted);
     connect(m_forCluster, &QToolButton::clicked, this, &GradeReviewPane::commentCluster);
     connect(book, &Gradebook::settling, this, &GradeReviewPane::saveComment);
+    connect(book, &Gradebook::settling, this, &GradeReviewPane::savePoints);
     connect(book, &Gradebook::opened, this, &GradeReviewPane::showReport);
     connect(book, &Gradebook::reviewed, this, &GradeReviewPane::showReview);
     setSubmission(std::nullopt);
 }
 
-GradeReviewPane::~GradeReviewPane() { saveComment(); }
+GradeReviewPane::~GradeReviewPane()
+{
+    saveComment();
+    savePoints();
+}
 
 void GradeReviewPane::setSubmission(const std::optional<std::size_t> &place)
 {
     saveComment();
+    savePoints();
     m_shown = place;
-    for (QWidget *each :
-         std::initializer_list<QWidget *>{m_scene, m_comment, m_accept, m_forCluster})
+    for (QWidget *each : std::initializer_list<QWidget *>{m_scene, m_comment, m_points, m_reason,
+                                                          m_accept, m_forCluster})
         each->setEnabled(place.has_value());
     m_comment->clear();
+    m_points->clear();
+    m_reason->clear();
+    m_points->setPlaceholderText({});
     if (place) {
         const GradedSubmission &submission = m_book->report().submissions[*place];
+        m_points->setPlaceholderText(locale().toString(submission.pointsOfChecks()));
+        if (submission.review.points)
+            m_points->setText(locale().toString(*submission.review.points));
+        m_reason->setText(submission.review.reason.value_or(QString()));
         m_comment->setPlainText(submission.review.comment);
         const auto first = std::ranges::find_if(submission.scenes, [](const GradedScene &scene) {
             return scene.firstDifference || !scene.fault.isEmpty();
@@ -102,9 +128,13 @@ std::optional<GradedPicture> GradeReviewPane::picture() const
     const GradedSubmission &submission = m_book->report().submissions[*m_shown];
     const AssignedScene &assigned = m_book->report().assignment.scenes[std::size_t(chosen)];
     const GradedScene &graded = submission.scenes[std::size_t(chosen)];
-    return GradedPicture{assigned.scene, m_book->results(), graded.picture,
+    const auto convention = submission.convention.value_or(FrameConvention::AsAsked);
+    return GradedPicture{sceneIn(assigned.scene, convention),
+                         m_book->results(),
+                         graded.picture,
                          QStringLiteral("%1 · %2").arg(submission.name, assigned.name),
-                         graded.fault};
+                         graded.fault,
+                         m_book->report().assignment.margin};
 }
 
 void GradeReviewPane::toggleAccepted()
@@ -118,6 +148,17 @@ void GradeReviewPane::saveComment()
 {
     if (m_shown)
         m_book->setComment(std::array{*m_shown}, m_comment->toPlainText().trimmed());
+}
+
+/// Points without a reason are not taken yet.
+void GradeReviewPane::savePoints()
+{
+    bool isNumber = false;
+    const double points = locale().toDouble(m_points->text(), &isNumber);
+    const QString reason = m_reason->text().trimmed();
+    if (!m_shown || (!m_points->text().isEmpty() && (!isNumber || reason.isEmpty())))
+        return;
+    m_book->setPoints(*m_shown, isNumber ? std::optional(points) : std::nullopt, reason);
 }
 
 void GradeReviewPane::commentCluster()
@@ -168,7 +209,7 @@ bool GradeReviewPane::eventFilter(QObject *watched, QEvent *event)
 {
     if (watched == m_comment && event->type() == QEvent::FocusOut)
         saveComment();
-    if (watched == m_comment && event->type() == QEvent::KeyPress
+    if (event->type() == QEvent::KeyPress
         && static_cast<QKeyEvent *>(event)->key() == Qt::Key_Escape) {
         emit left();
         return true;

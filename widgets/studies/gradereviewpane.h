@@ -7,6 +7,7 @@
 
 class QComboBox;
 class QLabel;
+class QLineEdit;
 class QPlainTextEdit;
 class QToolButton;
 
@@ -17,8 +18,8 @@ class Gradebook;
 struct GradedPicture;
 
 /// The explanation of one student's pictures, what the student is told, and the assistant's
-/// comment. The comment is saved as soon as the field is left, for the table, another submission or
-/// another folder.
+/// comment and points. These are saved as soon as their field is left, for the table, another
+/// submission or another folder; points only with the reason why they are changed.
 class GradeReviewPane : public QWidget {
     Q_OBJECT
 
@@ -45,6 +46,7 @@ protected:
 
 private:
     void saveComment();
+    void savePoints();
     void commentCluster();
     void showReport();
     void showReview();
@@ -57,6 +59,8 @@ private:
     QLabel *m_sentences = nullptr;
     QLabel *m_done = nullptr;
     QPlainTextEdit *m_comment = nullptr;
+    QLineEdit *m_points = nullptr;
+    QLineEdit *m_reason = nullptr;
     QToolButton *m_accept = nullptr;
     QToolButton *m_forCluster = nullptr;
 };

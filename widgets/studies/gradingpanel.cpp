@@ -140,7 +140,7 @@ void GradingPanel::gradeFolder()
     const bool isAccepted = dialog.exec() == QDialog::Accepted;
     m_paths = {dialog.submissions(), dialog.assignment(), dialog.results()};
     if (isAccepted)
-        m_book->grade(m_paths.submissions, m_paths.assignment, m_paths.results);
+        m_book->grade(m_paths.submissions, m_paths.assignment, m_paths.results, dialog.leeway());
 }
 
 void GradingPanel::followJob()

@@ -91,6 +91,7 @@ void SubmissionOpening::open(const GradedPicture &picture)
     if (m_document->scene() != picture.scene && !m_files->showScene(picture.scene))
         return lose();
     m_open = picture;
+    m_student->setMargin(picture.margin);
     const bool isThere = !picture.file.isEmpty();
     m_student->expect(picture.name,
                       isThere ? tr("Being opened.") : tr("No picture: %1.").arg(picture.fault));

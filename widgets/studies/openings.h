@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/grade/margin.h"
 #include "core/scene/scene.h"
 #include "widgets/studies/diagnosisview.h"
 
@@ -54,6 +55,7 @@ struct GradedPicture {
     QString file; ///< in that folder; empty: there is no picture
     QString name; ///< "ada · shallow"
     QString fault; ///< why there is no picture; empty where there is one
+    Margin margin = {}; ///< by which it was graded
 
     bool operator==(const GradedPicture &) const = default;
 };

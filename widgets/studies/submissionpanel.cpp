@@ -6,6 +6,7 @@
 #include "widgets/model/playhead.h"
 #include "widgets/studies/comparelink.h"
 #include "widgets/studies/diagnosisview.h"
+#include "widgets/studies/leewaybox.h"
 #include "widgets/studies/submissionview.h"
 
 #include <QtWidgets>
@@ -59,11 +60,17 @@ void SubmissionPanel::addHead(QBoxLayout *layout)
     m_remove
         = namedButton("submissionRemove", tr("Remove"),
                       tr("Take the student's picture away; the scene stays as it is"), m_content);
-    auto *row = withParts(new QHBoxLayout, {open, m_remove, Room()}, 4);
+    m_leeway = new LeewayBox("submissionLeeway", m_content);
+    auto *row
+        = withParts(new QHBoxLayout,
+                    {open, m_remove, Room(), new QLabel(tr("Leeway"), m_content), m_leeway}, 4);
     layout->addWidget(m_name); // a row of its own: German words and file names are long
     layout->addLayout(row);
     connect(open, &QToolButton::clicked, this, &SubmissionPanel::openRequested);
     connect(m_remove, &QToolButton::clicked, m_student, &StudentPicture::remove);
+    connect(m_leeway, &LeewayBox::leewayChosen, m_student, [this](Leeway leeway) {
+        m_student->setMargin({leeway, m_student->margin().tolerance});
+    });
 }
 
 void SubmissionPanel::addTexts(QBoxLayout *layout)
@@ -123,6 +130,7 @@ void SubmissionPanel::showJudgement()
     m_name->setWholeText(m_student->name().isEmpty() ? tr("No student's picture")
                                                      : m_student->name());
     m_remove->setEnabled(isThere);
+    m_leeway->setLeeway(m_student->margin().leeway);
     m_pictures->setVisible(judgement != nullptr);
     m_diagnosis->setVisible(isThere);
     m_counts->setVisible(judgement != nullptr);

@@ -12,6 +12,7 @@ namespace pixelplumb {
 class CompareLink;
 class DiagnosisView;
 class ElidedLabel;
+class LeewayBox;
 class Playhead;
 class StudentPicture;
 class SubmissionView;
@@ -51,6 +52,7 @@ private:
     CompareLink *m_link;
     ElidedLabel *m_name = nullptr;
     QToolButton *m_remove = nullptr;
+    LeewayBox *m_leeway = nullptr;
     QToolButton *m_next = nullptr;
     QLabel *m_verdict = nullptr;
     QLabel *m_counts = nullptr;

@@ -71,6 +71,8 @@ private slots:
             named<QLineEdit>(*dialog, "gradeSubmissions")->setText(classroom.submissions());
             named<QLineEdit>(*dialog, "gradeAssignment")->setText(classroom.assignmentFile());
             named<QLineEdit>(*dialog, "gradeResults")->setText(classroom.results());
+            auto *leeway = named<QComboBox>(*dialog, "gradeLeeway");
+            leeway->setCurrentIndex(leeway->findText("edges"));
             QTest::keyClick(dialog, Qt::Key_Return);
         });
 
@@ -86,6 +88,7 @@ private slots:
                  qPrintable(cell(*window, 1, GradeTableModel::Cause)));
         QCOMPARE(cell(*window, 1, GradeTableModel::Points), "3 / 5");
         QVERIFY(QFile::exists(classroom.results() + "/results.json"));
+        QCOMPARE(book(*window).report().assignment.margin.leeway, Leeway::Edges);
     }
 
     void aFolderOfResultsOpensInGradingHoweverItComes_data()
@@ -302,6 +305,30 @@ private slots:
         QCOMPARE(comment->toPlainText(), QString());
         QCOMPARE(cell(*window, 0, GradeTableModel::Comment), "well done");
         QTRY_COMPARE_WITH_TIMEOUT(keptReview(classroom, 0).comment, "well done", longestWait);
+    }
+
+    void pointsAreChangedWithAReasonAlone()
+    {
+        const Classroom classroom;
+        {
+            const auto window = windowWithGrades(classroom);
+            press(*window, Qt::Key_J);
+            press(*window, Qt::Key_J);
+            auto *points = named<QLineEdit>(*window, "gradingPoints");
+            auto *reason = named<QLineEdit>(*window, "gradingReason");
+            QCOMPARE(points->placeholderText(), "3");
+            points->setFocus();
+            QTest::keyClicks(points, "4.5");
+            QTest::keyClick(points, Qt::Key_Return);
+            QCOMPARE(cell(*window, 1, GradeTableModel::Points), "3 / 5");
+            QTest::keyClicks(reason, "explained by mail");
+            QTest::keyClick(reason, Qt::Key_Return);
+            QCOMPARE(cell(*window, 1, GradeTableModel::Points), "4.5 / 5");
+            press(*window, Qt::Key_K);
+            QCOMPARE(points->text(), QString());
+        }
+        QCOMPARE(keptReview(classroom, 1).points, std::optional(4.5));
+        QCOMPARE(keptReview(classroom, 1).reason, "explained by mail");
     }
 
     void aCommentThatIsBeingTypedOutlivesGradingAnewAndTheWindow()

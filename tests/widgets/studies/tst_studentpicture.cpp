@@ -152,6 +152,28 @@ class TestStudentPicture : public QObject {
     Q_OBJECT
 
 private slots:
+    void theLeewayIsChosenBesideThePicture()
+    {
+        const auto window = openedWindow();
+        Scene open = window->parts().document->scene();
+        open.settings.fillRule = FillRule::Open;
+        QApplication::clipboard()->setImage(drawn(open));
+        action(*window, "pasteStudentPicture")->trigger();
+        QTRY_VERIFY(judgement(*window));
+        const auto wrongUnder = [&](const char *leeway) {
+            auto *box = named<QComboBox>(*window, "submissionLeeway");
+            box->setCurrentIndex(box->findText(leeway));
+            emit box->activated(box->currentIndex());
+            QTest::qWait(0);
+            return judgement(*window)->diff.differing();
+        };
+        QVERIFY(wrongUnder("strict") > 0);
+        QCOMPARE(wrongUnder("edges"), 0);
+        QVERIFY(text(*window, "submissionVerdict").contains("Undecidable"));
+        QCOMPARE(wrongUnder("once"), 0);
+        QVERIFY(wrongUnder("strict") > 0);
+    }
+
     void aDroppedPictureIsMarkedOnTheCanvas_data() { addPalettes(); }
     void aDroppedPictureIsMarkedOnTheCanvas()
     {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/grade/margin.h"
+#include "widgets/look/labels.h"
+
+#include <optional>
+
+namespace pixelplumb {
+
+/// Chooses which pixels a right program may have otherwise, by the names of assignments and of the
+/// command line.
+class LeewayBox : public ElidingBox {
+    Q_OBJECT
+
+public:
+    explicit LeewayBox(const char *name, QWidget *parent = nullptr);
+
+    /// Puts a choice before the others that is none of them, and chooses it.
+    void offerNone(const QString &text);
+    std::optional<Leeway> leeway() const; ///< none: that choice
+    void setLeeway(Leeway leeway); ///< without a signal
+
+signals:
+    void leewayChosen(pixelplumb::Leeway leeway);
+};
+
+} // namespace pixelplumb
