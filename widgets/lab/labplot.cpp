@@ -3,7 +3,7 @@
 
 #include "widgets/lab/labtext.h"
 #include "widgets/look/parts.h"
-#include "widgets/studies/precisionscale.h"
+#include "widgets/studies/precisionplot.h"
 
 #include <QtWidgets>
 #include <qcustomplot.h>
@@ -27,28 +27,11 @@ constexpr double legendShare = 0.4; ///< of the chart's width, at most
 
 LabPlot::LabPlot(const char *name, const QString &accessibleName, QWidget *parent)
     : QWidget(parent)
-    , m_plot(new QCustomPlot(this))
+    , m_plot(makePlot(this, [this](const QPointF &position) { clickAt(position); }))
 {
-    setObjectName(QLatin1String(name));
-    setAccessibleName(accessibleName);
-    withParts(new QVBoxLayout(this), {m_plot}, -1, 0);
-    m_plot->setFocusPolicy(Qt::NoFocus);
+    named(this, name, accessibleName);
     m_plot->setAutoAddPlottableToLegend(false);
     m_plot->setAntialiasedElements(QCP::aeAll);
-    // Beside the curves, not over them.
-    auto *beside = new QCPLayoutGrid;
-    m_plot->plotLayout()->addElement(0, 1, beside);
-    beside->addElement(0, 0, m_plot->legend);
-    beside->addElement(1, 0, new QCPLayoutElement(m_plot));
-    beside->setRowStretchFactor(0, 0.001);
-    m_plot->plotLayout()->setColumnStretchFactor(1, 0.001);
-    connect(m_plot, &QCustomPlot::mousePress, this,
-            [this](QMouseEvent *event) { m_pressed = event->pos(); });
-    connect(m_plot, &QCustomPlot::mouseRelease, this, [this](QMouseEvent *event) {
-        const QPoint way = event->pos() - m_pressed;
-        if (event->button() == Qt::LeftButton && way.manhattanLength() < 4)
-            clickAt(event->position());
-    });
     connect(m_plot, &QCustomPlot::mouseMove, this, [this](QMouseEvent *event) {
         const QString text = textAt(event->position());
         m_plot->setCursor(text.isEmpty() ? Qt::ArrowCursor : Qt::PointingHandCursor);
@@ -86,38 +69,14 @@ QFont LabPlot::smallFont() const
     return small;
 }
 
-void LabPlot::dress()
-{
-    const QColor text = palette().color(QPalette::Text);
-    QColor gridColour = text;
-    gridColour.setAlphaF(0.2F);
-    m_plot->setBackground(QBrush(palette().color(QPalette::Base)));
-    for (QCPAxis *axis : {m_plot->xAxis, m_plot->yAxis, m_plot->xAxis2}) {
-        axis->setBasePen(QPen(text));
-        axis->setTickPen(QPen(text));
-        axis->setSubTickPen(Qt::NoPen);
-        axis->setTickLabelColor(text);
-        axis->setLabelColor(text);
-        axis->setTickLabelFont(font());
-        axis->setLabelFont(font());
-        axis->setLabelPadding(2);
-        axis->grid()->setPen(QPen(gridColour, 0, Qt::DotLine));
-        axis->grid()->setZeroLinePen(QPen(gridColour, 0, Qt::DotLine));
-    }
-    m_plot->legend->setBrush(QBrush(palette().color(QPalette::Base)));
-    m_plot->legend->setBorderPen(Qt::NoPen);
-    m_plot->legend->setTextColor(text);
-    m_plot->legend->setFont(smallFont());
-    m_plot->legend->setRowSpacing(0);
-    m_plot->legend->setIconSize(iconSize);
-}
-
 void LabPlot::rebuild()
 {
     m_plot->clearPlottables();
     m_plot->clearItems();
     m_meanings.clear();
-    dress();
+    dressPlot(*m_plot, *this);
+    m_plot->legend->setFont(smallFont());
+    m_plot->legend->setIconSize(iconSize);
     build();
     if (hasFocus() && !m_isOnPaper)
         frameFocus();

@@ -78,7 +78,6 @@ protected:
                      const QString &pattern = QStringLiteral("%1")) const;
 
 private:
-    void dress();
     void fitLegend();
     void frameFocus();
     QFont titleFont() const;
@@ -88,7 +87,6 @@ private:
     void asFigure(const std::function<void()> &paint);
 
     QCustomPlot *m_plot;
-    QPoint m_pressed; ///< where the mouse went down
     std::map<const QCPAbstractPlottable *, QString> m_meanings; ///< of the legend's lines
     bool m_isOnPaper = false;
 };

@@ -161,7 +161,7 @@ void ComparePanel::compareAnew()
     restart();
 }
 
-bool ComparePanel::study()
+bool ComparePanel::beginStudy()
 {
     const std::shared_ptr<const TracedScene> traced = m_playhead->sharedTraced();
     if (!traced) {

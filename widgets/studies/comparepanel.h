@@ -46,7 +46,7 @@ private:
     void removePane();
     void choosePanes();
     void compareAnew();
-    bool study() override;
+    bool beginStudy() override;
     bool canAllDraw(const Scene &scene, const std::vector<Contender> &contenders);
     void take(const std::shared_ptr<const Contest> &contest);
     void tellAgreement();

@@ -142,7 +142,7 @@ EffectsPanel::Finding EffectsPanel::findingOf(const Scene &scene)
     return finding;
 }
 
-bool EffectsPanel::study()
+bool EffectsPanel::beginStudy()
 {
     m_job.start([scene = drawnScene()](
                     const ProgressListener &) { return std::optional<Finding>(findingOf(*scene)); },

@@ -57,7 +57,7 @@ private:
     void addSwitch(int row, Effect effect);
     std::shared_ptr<const Scene> drawnScene() const;
     void forget();
-    bool study() override;
+    bool beginStudy() override;
     void take(const std::optional<Finding> &finding);
     void showPlan();
     void showTiming();

@@ -167,7 +167,7 @@ void MotionPanel::hideEvent(QHideEvent *event)
     m_drawing.cancel();
 }
 
-bool MotionPanel::study()
+bool MotionPanel::beginStudy()
 {
     const auto scene = m_document->snapshot();
     m_objection = scene->motion ? objectionTo(*scene) : QString();
@@ -226,7 +226,7 @@ void MotionPanel::tellStudy()
 
 void MotionPanel::showFrame()
 {
-    if (!isVisible() || isStale()) // study() shows it
+    if (!isVisible() || isStale()) // beginStudy() shows it
         return;
     const auto scene = m_document->snapshot();
     const int frame = m_slider->value();

@@ -48,7 +48,7 @@ private:
     void showAllColumns();
     void setMotion();
     void followScene();
-    bool study() override;
+    bool beginStudy() override;
     void take(std::optional<MotionStudy> study);
     void showFrame();
     void play(bool isPlaying);

@@ -53,7 +53,7 @@ void OperationPanel::forget()
     restart();
 }
 
-bool OperationPanel::study()
+bool OperationPanel::beginStudy()
 {
     const std::shared_ptr<const TracedScene> traced = m_playhead->sharedTraced();
     if (!traced) {

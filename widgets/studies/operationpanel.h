@@ -29,7 +29,7 @@ signals:
 
 private:
     void forget();
-    bool study() override;
+    bool beginStudy() override;
     void take(std::optional<OperationCounts> counts);
     void fillTable();
 

@@ -75,7 +75,7 @@ void PrecisionPanel::showEvent(QShowEvent *event)
     followPosition();
 }
 
-bool PrecisionPanel::study()
+bool PrecisionPanel::beginStudy()
 {
     const std::shared_ptr<const TracedScene> traced = m_playhead->sharedTraced();
     if (!traced) {

@@ -28,7 +28,7 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
-    bool study() override;
+    bool beginStudy() override;
     void take(std::vector<BoundErrors> errors);
     void showErrors();
     void followPosition();

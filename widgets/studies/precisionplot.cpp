@@ -9,6 +9,7 @@
 #include <qcustomplot.h>
 
 #include <cmath>
+#include <memory>
 
 namespace pixelplumb {
 
@@ -54,33 +55,66 @@ Qt::PenStyle arithmeticLine(Arithmetic arithmetic)
     return Qt::SolidLine;
 }
 
+QCustomPlot *makePlot(QWidget *owner, const std::function<void(const QPointF &)> &click)
+{
+    auto *plot = new QCustomPlot(owner);
+    withParts(new QVBoxLayout(owner), {plot}, -1, 0);
+    plot->setFocusPolicy(Qt::NoFocus);
+    auto *beside = new QCPLayoutGrid;
+    plot->plotLayout()->addElement(0, 1, beside);
+    beside->addElement(0, 0, plot->legend);
+    beside->addElement(1, 0, new QCPLayoutElement(plot));
+    beside->setRowStretchFactor(0, 0.001);
+    plot->plotLayout()->setColumnStretchFactor(1, 0.001);
+    const auto pressed = std::make_shared<QPoint>();
+    QObject::connect(plot, &QCustomPlot::mousePress, owner,
+                     [pressed](const QMouseEvent *event) { *pressed = event->pos(); });
+    QObject::connect(plot, &QCustomPlot::mouseRelease, owner,
+                     [pressed, click](const QMouseEvent *event) {
+                         const QPoint way = event->pos() - *pressed;
+                         if (event->button() == Qt::LeftButton && way.manhattanLength() < 4)
+                             click(event->position());
+                     });
+    return plot;
+}
+
+void dressPlot(QCustomPlot &plot, const QWidget &owner)
+{
+    const QColor text = owner.palette().color(QPalette::Text);
+    const QBrush base(owner.palette().color(QPalette::Base));
+    QColor faint = text;
+    faint.setAlphaF(0.2F);
+    plot.setBackground(base);
+    for (QCPAxis *axis : {plot.xAxis, plot.yAxis, plot.xAxis2}) {
+        axis->setBasePen(QPen(text));
+        axis->setTickPen(QPen(text));
+        axis->setSubTickPen(Qt::NoPen);
+        axis->setTickLabelColor(text);
+        axis->setLabelColor(text);
+        axis->setTickLabelFont(owner.font());
+        axis->setLabelFont(owner.font());
+        axis->setLabelPadding(2);
+        axis->grid()->setPen(QPen(faint, 0, Qt::DotLine));
+        axis->grid()->setZeroLinePen(QPen(faint, 0, Qt::DotLine));
+    }
+    plot.legend->setBrush(base);
+    plot.legend->setBorderPen(Qt::NoPen);
+    plot.legend->setTextColor(text);
+    plot.legend->setFont(owner.font());
+    plot.legend->setRowSpacing(0);
+}
+
 PrecisionPlot::PrecisionPlot(QWidget *parent)
     : QWidget(parent)
-    , m_plot(new QCustomPlot(this))
+    , m_plot(makePlot(this, [this](const QPointF &position) {
+        emit coordinateClicked(std::llround(m_plot->xAxis->pixelToCoord(position.x())));
+    }))
 {
     named(this, "precisionPlot", tr("Error of a bound over the columns"));
-    withParts(new QVBoxLayout(this), {m_plot}, -1, 0);
-    m_plot->setFocusPolicy(Qt::NoFocus);
     m_plot->setMinimumSize(minimumSizeHint());
     m_plot->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     m_plot->axisRect()->setRangeDrag(Qt::Horizontal);
     m_plot->axisRect()->setRangeZoom(Qt::Horizontal);
-    connect(m_plot, &QCustomPlot::mousePress, this,
-            [this](QMouseEvent *event) { m_pressed = event->pos(); });
-    connect(m_plot, &QCustomPlot::mouseRelease, this, [this](QMouseEvent *event) {
-        const QPoint way = event->pos() - m_pressed;
-        if (event->button() == Qt::LeftButton && way.manhattanLength() < 4)
-            emit coordinateClicked(
-                std::llround(m_plot->xAxis->pixelToCoord(event->position().x())));
-    });
-    // Beside the curves, not over them.
-    auto *beside = new QCPLayoutGrid;
-    m_plot->plotLayout()->addElement(0, 1, beside);
-    beside->addElement(0, 0, m_plot->legend);
-    beside->addElement(1, 0, new QCPLayoutElement(m_plot));
-    beside->setRowStretchFactor(0, 0.001);
-    m_plot->plotLayout()->setColumnStretchFactor(1, 0.001);
-    dress();
 }
 
 QPointF PrecisionPlot::positionOf(std::int64_t coordinate) const
@@ -89,36 +123,17 @@ QPointF PrecisionPlot::positionOf(std::int64_t coordinate) const
     return {m_plot->xAxis->coordToPixel(double(coordinate)), double(inner.center().y())};
 }
 
-void PrecisionPlot::dress()
-{
-    const QColor text = palette().color(QPalette::Text);
-    QColor faint = text;
-    faint.setAlphaF(0.2F);
-    m_plot->setBackground(QBrush(palette().color(QPalette::Base)));
-    for (QCPAxis *axis : {m_plot->xAxis, m_plot->yAxis}) {
-        axis->setBasePen(QPen(text));
-        axis->setTickPen(QPen(text));
-        axis->setSubTickPen(Qt::NoPen);
-        axis->setTickLabelColor(text);
-        axis->setLabelColor(text);
-        axis->setTickLabelFont(font());
-        axis->setLabelFont(font());
-        axis->grid()->setPen(QPen(faint, 0, Qt::DotLine));
-        axis->grid()->setZeroLinePen(QPen(text, 1));
-    }
-    m_plot->legend->setBrush(QBrush(palette().color(QPalette::Base)));
-    m_plot->legend->setBorderPen(QPen(faint));
-    m_plot->legend->setTextColor(text);
-    m_plot->legend->setFont(font());
-    m_plot->legend->setRowSpacing(0);
-}
-
 void PrecisionPlot::plot(const std::vector<BoundErrors> &errors, PlottedBound bound,
                          const std::vector<Arithmetic> &shown)
 {
+    const bool isRows = !errors.empty() && !errors.front().spans.empty()
+        && errors.front().spans.front().place.axis == SpanAxis::Row;
+    m_along = isRows ? tr("row y") : tr("column x");
     m_errors = errors;
+    std::erase_if(m_errors, [&shown](const BoundErrors &each) {
+        return std::ranges::find(shown, each.arithmetic) == shown.end();
+    });
     m_bound = bound;
-    m_shown = shown;
     replot();
 }
 
@@ -137,15 +152,13 @@ void PrecisionPlot::replot()
 {
     m_plot->clearGraphs();
     m_plot->clearItems();
+    dressPlot(*m_plot, *this);
+    for (QCPAxis *axis : {m_plot->xAxis, m_plot->yAxis})
+        axis->grid()->setZeroLinePen(QPen(palette().color(QPalette::Text), 1));
     m_curves = 0;
     double smallest = 0;
     double largest = roundingBound;
-    const auto isShown = [this](const BoundErrors &errors) {
-        return std::ranges::find(m_shown, errors.arithmetic) != m_shown.end();
-    };
     for (const BoundErrors &errors : m_errors) {
-        if (!isShown(errors))
-            continue;
         for (const BoundError &error : errors.spans) {
             const double magnitude = std::abs(valueOf(error, m_bound));
             if (magnitude > 0 && std::isfinite(magnitude)) {
@@ -162,15 +175,10 @@ void PrecisionPlot::replot()
         ticker->addTick(tick.axis, tick.label);
     m_plot->yAxis->setTicker(ticker);
     m_plot->yAxis->setRange(-m_scale.extent() - 0.5, m_scale.extent() + 0.5);
-    const bool isRows = !m_errors.empty() && !m_errors.front().spans.empty()
-        && m_errors.front().spans.front().place.axis == SpanAxis::Row;
     // A low plot has no axis name, which leaves its room to the curves.
-    const QString along = isRows ? tr("row y") : tr("column x");
-    m_plot->xAxis->setLabel(height() < leastNamedHeight ? QString() : along);
+    m_plot->xAxis->setLabel(height() < leastNamedHeight ? QString() : m_along);
     m_plot->yAxis->setLabel(tr("error, px"));
     for (const BoundErrors &errors : m_errors) {
-        if (!isShown(errors))
-            continue;
         addLimit(errors);
         addCurve(errors);
         addFirstWrong(errors);
@@ -280,10 +288,8 @@ void PrecisionPlot::resizeEvent(QResizeEvent *event)
 
 void PrecisionPlot::changeEvent(QEvent *event)
 {
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
-        dress();
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
         replot();
-    }
     QWidget::changeEvent(event);
 }
 

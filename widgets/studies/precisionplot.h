@@ -6,6 +6,8 @@
 
 #include <QWidget>
 
+#include <functional>
+
 class QCPItemStraightLine;
 class QCustomPlot;
 
@@ -29,6 +31,12 @@ inline bool isWrongAt(const BoundError &error, PlottedBound bound)
 /// The colour and the line style of an arithmetic in plots; either identifies it.
 QColor arithmeticColour(Arithmetic arithmetic, const QPalette &palette);
 Qt::PenStyle arithmeticLine(Arithmetic arithmetic);
+
+/// Makes an empty plot: the legend beside the axes, not over the curves; `click` hears of clicks,
+/// not of drags.
+QCustomPlot *makePlot(QWidget *owner, const std::function<void(const QPointF &)> &click);
+/// Gives axes, grid and legend the owner's colours and font.
+void dressPlot(QCustomPlot &plot, const QWidget &owner);
 
 /// The error of a bound over the columns or rows, one curve per arithmetic, with the limit of
 /// accumulated rounding, the half-pixel fences and the first span that covers other samples than it
@@ -63,7 +71,6 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    void dress();
     void replot();
     void addCurve(const BoundErrors &errors);
     void addLimit(const BoundErrors &errors);
@@ -71,13 +78,12 @@ private:
     void addFences();
 
     QCustomPlot *m_plot;
-    std::vector<BoundErrors> m_errors;
-    std::vector<Arithmetic> m_shown;
+    std::vector<BoundErrors> m_errors; ///< that are shown
+    QString m_along; ///< what the spans are
     PlottedBound m_bound = PlottedBound::Lower;
     PrecisionScale m_scale;
     int m_curves = 0;
     std::optional<SpanPlace> m_place;
-    QPoint m_pressed; ///< where the mouse went down, in the plot
 };
 
 } // namespace pixelplumb

@@ -58,7 +58,7 @@ void StudyPanel::studyIfDue()
 {
     if (!isVisible() || !std::exchange(m_isStale, false))
         return;
-    if (!study())
+    if (!beginStudy())
         m_isStale = true;
 }
 

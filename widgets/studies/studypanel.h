@@ -38,7 +38,7 @@ protected:
     /// Begins anew, now or when the panel is seen: what is shown no longer holds.
     void restart();
     /// Starts the study, or says why there is none; false where it waits for a scene.
-    virtual bool study() = 0;
+    virtual bool beginStudy() = 0;
     bool isStale() const { return m_isStale; }
     /// Says it in the summary and to assistive technology.
     void tell(const QString &text);
