@@ -34,7 +34,7 @@ std::unique_ptr<ScanTrace> traceCarried(const Primitives &primitives, const Scan
                     scanned.triangle, &scanned.attributes, carried, settings, frame, listener)
                     .run();
             },
-            TablesOf<R>::of(carried));
+            TablesOf<R>::of(interpolationScope(Form, carried)));
     });
 }
 

@@ -8,9 +8,6 @@
 /// The names of an interpolation's channels and of the numbers made from them.
 namespace pixelplumb {
 
-/// "R", "z", "N_x".
-const QString &channelName(std::size_t channel);
-QString channelUnit(std::size_t channel, const QString &per = {});
 /// "R_B", "N_xB".
 QString withSubscript(const QString &name, const QString &subscript);
 /// "a_R", "a_Nx".
