@@ -38,16 +38,23 @@ NumberDescription halfNumberOf(InterpolationForm form)
     return half;
 }
 
-NumberDescription comparedNumber(const QString &id, const QString &title, const QString &unit,
-                                 const QString &toolTip, const QString &formula, NumberGroup group)
+NumberDescription plainNumber(const QString &id, const QString &title, const QString &unit,
+                              const QString &toolTip, const QString &formula, NumberGroup group)
 {
     return {.id = id,
             .title = title,
             .unit = unit,
             .toolTip = toolTip,
             .formula = formula,
-            .group = group,
-            .comparison = Comparison::WithExact};
+            .group = group};
+}
+
+NumberDescription comparedNumber(const QString &id, const QString &title, const QString &unit,
+                                 const QString &toolTip, const QString &formula, NumberGroup group)
+{
+    NumberDescription number = plainNumber(id, title, unit, toolTip, formula, group);
+    number.comparison = Comparison::WithExact;
+    return number;
 }
 
 } // namespace pixelplumb

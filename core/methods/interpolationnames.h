@@ -22,7 +22,9 @@ EdgeWalkNames walkNames(InterpolationForm form);
 /// Between which two edges a column lies: without their names where vertices are not sorted.
 NumberDescription halfNumberOf(InterpolationForm form);
 
-/// A number shown next to the exact one.
+/// A number shown alone, or next to the exact one.
+NumberDescription plainNumber(const QString &id, const QString &title, const QString &unit,
+                              const QString &toolTip, const QString &formula, NumberGroup group);
 NumberDescription comparedNumber(const QString &id, const QString &title, const QString &unit,
                                  const QString &toolTip, const QString &formula, NumberGroup group);
 

@@ -47,9 +47,6 @@ void appendTexels(NumberTable<ShadedSampleState> &table, const ShadedScope &scop
 using ReadOfSample = std::function<Quantity(const ShadedSampleState &)>;
 ReadOfSample ofWritten(const ReadOfSample &read);
 
-/// A number without an exact one next to it.
-NumberDescription plainNumber(const QString &id, const QString &title, const QString &unit,
-                              const QString &toolTip, const QString &formula, NumberGroup group);
 void appendPlain(NumberTable<ShadedSampleState> &table, const QString &id, const QString &toolTip,
                  const QString &formula, const ReadOfSample &read,
                  NumberGroup group = NumberGroup::FirstColour);

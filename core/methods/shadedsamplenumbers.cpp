@@ -157,17 +157,6 @@ void appendPlain(NumberTable<ShadedSampleState> &table, const QString &id, const
     table.push_back({plainNumber(id, id, {}, toolTip, formula, group), read});
 }
 
-NumberDescription plainNumber(const QString &id, const QString &title, const QString &unit,
-                              const QString &toolTip, const QString &formula, NumberGroup group)
-{
-    return {.id = id,
-            .title = title,
-            .unit = unit,
-            .toolTip = toolTip,
-            .formula = formula,
-            .group = group};
-}
-
 void appendBytes(NumberTable<ShadedSampleState> &table, const QString &name, const QString &toolTip,
                  const QString &formula, const ColourOfSample &read,
                  const FormulaOfSample &formulaIn)
