@@ -2,7 +2,7 @@
 #include "core/check/attributecase.h"
 
 #include "core/frame/writtenframe.h"
-#include "core/methods/interpolationnames.h"
+#include "core/methods/shadednumbers.h"
 
 #include <algorithm>
 
@@ -26,11 +26,10 @@ Quantity fraction(JsonReader &json, const JsonNode &node)
 
 bool isChannel(const QString &title)
 {
-    for (std::size_t channel = 0; channel < channelCount; ++channel) {
-        if (channelName(channel) == title)
-            return true;
-    }
-    return false;
+    const ShadedScope all = interpolationScope(InterpolationForm::Bilinear, {true, true, true});
+    return std::ranges::any_of(all.channels, [&](const ScopedChannel &channel) {
+        return shadedName(channel.which) == title;
+    });
 }
 
 /// A sample's value in a channel: 0 in a channel that no triangle carries.

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "core/effects/shadedsample.h"
+#include "core/scan/columnwalk.h"
 #include "core/scan/edgewalker.h"
 #include "core/scan/exactarithmetic.h"
-#include "core/scan/interval.h"
+#include "core/scan/scanobserver.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -68,6 +69,7 @@ public:
         , m_setUp(setUp)
         , m_rule(rule, frame.origin, frame.offScreenPoint)
         , m_intervals(columnIntervals(rule))
+        , m_range(columnRangeOf(triangle, m_intervals.columns))
         , m_frame(frame)
     {
     }
@@ -77,20 +79,20 @@ public:
     template <class Fill>
     bool run(const Fill &fill) const
     {
-        const std::int64_t first = std::max<std::int64_t>(
-            firstSampleFrom(at(0).x, m_intervals.columns), m_frame.firstColumn);
-        const std::int64_t end
-            = std::min(endSampleAt(at(2).x, m_intervals.columns), m_frame.endColumn());
-        if (first >= end || isAboveOrBelowFrame())
+        const WalkedColumns columns = columnsInFrame(m_range, corners(), m_frame);
+        if (columns.isEmpty())
             return false;
-        if (m_setUp.zeroArea) {
-            scanSegment(first, end, fill);
-            return true;
-        }
-        const std::int64_t middle = std::clamp(ceilPixel(at(1).x), first, end);
-        Walker longEdge = walkerOn(0, 2, first);
-        scanHalf(ColumnHalf::First, first, middle, {0, 1}, longEdge, fill);
-        scanHalf(ColumnHalf::Second, middle, end, {1, 2}, longEdge, fill);
+        if (m_setUp.zeroArea)
+            walkSegment(
+                corners(), columns, NullObserver{},
+                [this](const SortedEnds &ends, std::int64_t column) {
+                    return walkerOn(ends, column);
+                },
+                [&](ColumnHalf half, std::int64_t x, const Walker &lower, const Walker &upper) {
+                    fill(columnBetween(half, m_intervals.rows, x, lower, upper));
+                });
+        else
+            walkHalves(Filling<Fill>{*this, fill}, m_range, columns, NullObserver{});
         return true;
     }
 
@@ -100,8 +102,8 @@ public:
     {
         const bool isSecond
             = at(1).x == at(0).x || (x * unitsPerPixel >= at(1).x && at(1).x < at(2).x);
-        const Walker longEdge = walkerOn(0, 2, x);
-        const Walker shortEdge = isSecond ? walkerOn(1, 2, x) : walkerOn(0, 1, x);
+        const Walker longEdge = walkerOn({0, 2}, x);
+        const Walker shortEdge = isSecond ? walkerOn({1, 2}, x) : walkerOn({0, 1}, x);
         const bool longAbove = m_setUp.longEdge == LongEdge::Above;
         const Walker &bottom = longAbove ? shortEdge : longEdge;
         const Walker &top = longAbove ? longEdge : shortEdge;
@@ -121,6 +123,37 @@ private:
         EdgeWalker<A, NoEdgeColours<A>> bound;
         /// For the bilinear form. Exact channels need no edge: the plane gives their values.
         std::conditional_t<N::isExact, std::monostate, ShadedEdge<N>> channels;
+        const ShadedChannels *carried = nullptr; ///< none in other forms
+
+        void stepToNextColumn()
+        {
+            bound.stepToNextColumn();
+            if constexpr (!N::isExact) {
+                if (carried)
+                    channels.stepToNextColumn(*carried);
+            }
+        }
+    };
+
+    /// What the walk asks for (columnwalk.h).
+    template <class Fill>
+    struct Filling {
+        const ShadedScan &scan;
+        const Fill &fill;
+
+        Walker walkerOn(const SortedEnds &ends, std::int64_t column) const
+        {
+            return scan.walkerOn(ends, column);
+        }
+        Interval rowsOf(const SortedEnds &shortEdge) const
+        {
+            return rowsBeside(scan.m_rule, scan.m_setUp.longEdge, scan.corners(), shortEdge);
+        }
+        void scanColumn(ColumnHalf half, Interval rows, std::int64_t x, const Walker &shortEdge,
+                        const Walker &longEdge) const
+        {
+            fill(scan.columnBetween(half, rows, x, shortEdge, longEdge));
+        }
     };
 
     std::size_t indexAt(std::size_t corner) const { return std::size_t(m_setUp.order[corner]); }
@@ -129,88 +162,21 @@ private:
         return m_setUp.vertices[indexAt(corner)].position;
     }
 
-    bool isAboveOrBelowFrame() const
-    {
-        const auto [low, high] = std::minmax({at(0).y, at(1).y, at(2).y});
-        return low > (m_frame.endRow() - 1) * unitsPerPixel
-            || high < m_frame.firstRow * unitsPerPixel;
-    }
+    SortedCorners corners() const { return {at(0), at(1), at(2)}; }
 
-    Walker walkerOn(std::size_t from, std::size_t to, std::int64_t column) const
+    Walker walkerOn(const SortedEnds &ends, std::int64_t column) const
     {
-        const std::size_t a = indexAt(from);
-        const std::size_t b = indexAt(to);
+        const std::size_t a = indexAt(ends[0]);
+        const std::size_t b = indexAt(ends[1]);
         Walker walker{{m_triangle.vertices[a], m_triangle.vertices[b], column}, {}};
         if constexpr (!N::isExact) {
-            if (m_setUp.form == InterpolationForm::Bilinear)
+            if (m_setUp.form == InterpolationForm::Bilinear) {
+                walker.carried = &m_setUp.carried;
                 walker.channels
                     = {m_setUp.vertices[a], m_setUp.vertices[b], column, m_setUp.carried};
+            }
         }
         return walker;
-    }
-
-    /// Scans the columns along the short edge between two corners.
-    template <class Fill>
-    void scanHalf(ColumnHalf half, std::int64_t first, std::int64_t end,
-                  const std::array<std::size_t, 2> &corners, Walker &longEdge,
-                  const Fill &fill) const
-    {
-        if (first >= end)
-            return;
-        Walker shortEdge = walkerOn(corners[0], corners[1], first);
-        const Interval rows = rowsBeside(corners[0], corners[1]);
-        for (std::int64_t x = first; x < end; ++x) {
-            fill(columnBetween(half, rows, x, shortEdge, longEdge));
-            step(shortEdge);
-            step(longEdge);
-        }
-    }
-
-    void step(Walker &walker) const
-    {
-        walker.bound.stepToNextColumn();
-        if constexpr (!N::isExact) {
-            if (m_setUp.form == InterpolationForm::Bilinear)
-                walker.channels.stepToNextColumn(m_setUp.carried);
-        }
-    }
-
-    /// Both bounds are L₀₂; a vertical segment runs from P0 to P2 in one column.
-    template <class Fill>
-    void scanSegment(std::int64_t first, std::int64_t end, const Fill &fill) const
-    {
-        const bool isVertical = at(0).x == at(2).x;
-        const ColumnHalf half = at(0).x == at(1).x ? ColumnHalf::Second : ColumnHalf::First;
-        Walker lower = walkerOn(0, 2, first);
-        Walker upper = walkerOn(isVertical ? 2 : 0, 2, first);
-        for (std::int64_t x = first; x < end; ++x) {
-            fill(columnBetween(half, m_intervals.rows, x, lower, upper));
-            step(lower);
-            step(upper);
-        }
-    }
-
-    /// Which rows between the long edge and a short one belong to the columns.
-    Interval rowsBeside(std::size_t from, std::size_t to) const
-    {
-        const Lattice shortRise = at(to).y - at(from).y;
-        const Lattice longRise = at(2).y - at(0).y;
-        return m_setUp.longEdge == LongEdge::Above ? rowsBetween(m_rule, shortRise, longRise)
-                                                   : rowsBetween(m_rule, longRise, shortRise);
-    }
-
-    /// As in the column scan: where rounding has moved the bounds past each other, a column under
-    /// the closed rule still reaches from one to the other.
-    LongEdge sideOfLongEdge(const Walker &shortEdge, const Walker &longEdge) const
-    {
-        if constexpr (A::boundsMayCross) {
-            const bool isClosed = m_intervals.rows == Interval::Closed;
-            if (isClosed && longEdge.bound.y < shortEdge.bound.y)
-                return LongEdge::Below;
-            if (isClosed && shortEdge.bound.y < longEdge.bound.y)
-                return LongEdge::Above;
-        }
-        return m_setUp.longEdge;
     }
 
     Column columnBetween(ColumnHalf half, Interval rows, std::int64_t x, const Walker &shortEdge,
@@ -220,16 +186,16 @@ private:
         column.x = x;
         column.origin = ColumnOrigin::Walked;
         column.half = half;
-        column.longEdge = sideOfLongEdge(shortEdge, longEdge);
+        column.longEdge = m_setUp.longEdge;
+        if constexpr (A::boundsMayCross)
+            column.longEdge = sideOfLongEdge(column.longEdge, m_intervals.rows, shortEdge.bound.y,
+                                             longEdge.bound.y, std::less<>());
         const bool longAbove = column.longEdge == LongEdge::Above;
         const Walker &bottom = longAbove ? shortEdge : longEdge;
         const Walker &top = longAbove ? longEdge : shortEdge;
-        const auto &low = column.lower = bottom.bound.y;
-        const auto &high = column.upper = top.bound.y;
-        column.firstRow = ownsFirst(rows) ? A::ceil(low) : A::floor(low) + 1;
-        column.endRow = ownsLast(rows) ? A::floor(high) + 1 : A::ceil(high);
-        column.firstDrawn = std::max<std::int64_t>(column.firstRow, m_frame.firstRow);
-        column.endDrawn = std::min(column.endRow, m_frame.endRow());
+        column.lower = bottom.bound.y;
+        column.upper = top.bound.y;
+        coverRows<A>(column, rows, column.lower, column.upper, m_frame);
         setRates(bottom, top, column);
         return column;
     }
@@ -266,6 +232,7 @@ private:
     const ShadedSetUp<N> &m_setUp;
     BoundaryRule m_rule;
     ScanIntervals m_intervals;
+    ColumnRange m_range;
     FrameView m_frame;
 };
 

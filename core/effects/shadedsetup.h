@@ -4,7 +4,7 @@
 #include "core/effects/shadedsegment.h"
 #include "core/effects/shadingnumber.h"
 #include "core/geometry/shape.h"
-#include "core/scan/columnstate.h"
+#include "core/scan/columnwalk.h"
 #include "core/scan/interpolationcoefficients.h"
 
 #include <bit>
@@ -199,18 +199,12 @@ void setCommonChannels(ShadedSetUp<N> &setUp, const ShadedTriangle &triangle)
 template <class Integer>
 void setWeights(ShadedSetUp<ExactShading<Integer>> &setUp)
 {
-    const auto &corner = setUp.vertices;
     for (std::size_t i = 0; i < 3; ++i) {
-        const LatticePoint &at = corner[i].position;
-        const LatticePoint &from = corner[(i + 1) % 3].position;
-        const LatticePoint &to = corner[(i + 2) % 3].position;
-        const Integer a = Integer(to.y) - from.y;
-        const Integer b = Integer(from.x) - to.x;
-        const Integer c = -a * from.x - b * from.y;
-        const Integer there = a * at.x + b * at.y + c;
-        const Integer sign = there < 0 ? -1 : 1;
-        setUp.area = sign * there;
-        setUp.weight[i] = {sign * a * unitsPerPixel, sign * b * unitsPerPixel, sign * c};
+        const FacingLine<Integer> line(setUp.vertices, i);
+        const Integer sign = line.sign();
+        setUp.area = sign * line.there;
+        setUp.weight[i]
+            = {sign * line.a * unitsPerPixel, sign * line.b * unitsPerPixel, sign * line.c};
     }
 }
 
@@ -264,19 +258,14 @@ void setForm(ShadedSetUp<FloatShading<Float>> &setUp)
         setSegmentForm(setUp);
     } else if (setUp.form == InterpolationForm::Plane) {
         for (const std::size_t channel : setUp.carried) {
-            if (setUp.isCommon[channel]) {
+            if (setUp.isCommon[channel])
                 setUp.plane[channel] = {0, 0, setUp.commonValue(channel)};
-                continue;
-            }
-            const PlaneNormal<Float> normal = planeNormal<Float>(setUp.vertices, channel);
-            setUp.plane[channel]
-                = {-normal.a / normal.c, -normal.b / normal.c, -normal.d / normal.c};
+            else
+                setUp.plane[channel] = planeForm<Float>(setUp.vertices, channel);
         }
     } else if (setUp.form == InterpolationForm::Barycentric) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const ScaledLine<Float> line = scaledLine<Float>(setUp.vertices, i);
-            setUp.weight[i] = {line.k * line.a, line.k * line.b, line.k * line.c};
-        }
+        for (std::size_t i = 0; i < 3; ++i)
+            setUp.weight[i] = weightForm<Float>(setUp.vertices, i);
     }
 }
 template <class Integer>
@@ -294,13 +283,10 @@ ShadedSetUp<N> shadedSetUpOf(InterpolationForm form, const ShadedTriangle &trian
     setUp.form = form;
     setUp.effects = effects;
     setUp.carried = ShadedChannels(effects);
-    setUp.order = sortedByColumn(triangle.triangle);
-    const Int128 area
-        = doubledArea(triangle.triangle.vertices[std::size_t(setUp.order[0])].position,
-                      triangle.triangle.vertices[std::size_t(setUp.order[1])].position,
-                      triangle.triangle.vertices[std::size_t(setUp.order[2])].position);
-    setUp.longEdge = area >= 0 ? LongEdge::Above : LongEdge::Below;
-    setUp.zeroArea = area == 0;
+    const ColumnRange range = columnRangeOf(triangle.triangle, Interval::Closed);
+    setUp.order = range.order;
+    setUp.longEdge = range.longEdge;
+    setUp.zeroArea = range.zeroArea;
     for (std::size_t i = 0; i < 3; ++i)
         setUp.vertices[i].position = triangle.triangle.vertices[i].position;
     shadedsetup::setCommonChannels(setUp, triangle);

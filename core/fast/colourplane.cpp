@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/fast/colourplane.h"
 
+#include "core/geometry/levelplane.h"
+#include "core/number/three.h"
+
 namespace pixelplumb {
 
 namespace {
@@ -18,39 +21,30 @@ std::optional<ColourPlane> ColourPlane::wide(const TriangleBatch &batch, std::si
 {
     if (!(batch.resolution[i] < resolutionLimit(wideFractionBits)))
         return std::nullopt;
-    const Int128 x0 = batch.x[0][i];
-    const Int128 y0 = batch.y[0][i];
-    const Int128 x1 = batch.x[1][i] - x0;
-    const Int128 y1 = batch.y[1][i] - y0;
-    const Int128 x2 = batch.x[2][i] - x0;
-    const Int128 y2 = batch.y[2][i] - y0;
-    const Int128 signedArea = x1 * y2 - x2 * y1;
-    const Int128 sign = signedArea < 0 ? -1 : 1;
-    const Int128 area = sign * signedArea;
-    const Int128 along = Int128(batch.firstColumn[i]) * unitsPerPixel - x0;
-    const Int128 up = Int128(batch.firstRow[i]) * unitsPerPixel - y0;
+    const auto [p0, p1, p2] = threeOf([&](std::size_t corner) {
+        Vertex vertex{{batch.x[corner][i], batch.y[corner][i]}, {}};
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            vertex.colour.channels[channel]
+                = std::uint8_t(batch.colour[corner][i] >> (8 * channel));
+        return vertex;
+    });
+    const LevelPlane<Int128> plane(p0, p1, p2);
+    const Int128 along = Int128(batch.firstColumn[i]) * unitsPerPixel - p0.position.x;
+    const Int128 up = Int128(batch.firstRow[i]) * unitsPerPixel - p0.position.y;
     const std::uint64_t steps = std::uint64_t(batch.endColumn[i] - batch.firstColumn[i])
         + std::uint64_t(batch.endRow[i] - batch.firstRow[i]);
     const std::uint64_t half
         = rounding == ByteRounding::Nearest ? std::uint64_t(1) << (wideFractionBits - 1) : 0;
 
-    ColourPlane plane;
+    ColourPlane words;
     for (std::size_t channel = 0; channel < 3; ++channel) {
-        const auto level = [&](std::size_t corner) {
-            return Int128(batch.colour[corner][i] >> (8 * channel) & 255);
-        };
-        const Int128 c0 = level(0);
-        const Int128 c1 = level(1) - c0;
-        const Int128 c2 = level(2) - c0;
-        const Int128 gradientX = sign * (c1 * y2 - c2 * y1);
-        const Int128 gradientY = sign * (c2 * x1 - c1 * x2);
         // |numerators| < 2^58 (resources/numerics.md, 3.3), times 2^56: below 2^114.
-        plane.start[channel]
-            = wordOf(c0 * area + gradientX * along + gradientY * up, area) + half + steps;
-        plane.perColumn[channel] = wordOf(gradientX * unitsPerPixel, area);
-        plane.perRow[channel] = wordOf(gradientY * unitsPerPixel, area);
+        words.start[channel]
+            = wordOf(plane.numerator(p0, channel, along, up), plane.area) + half + steps;
+        words.perColumn[channel] = wordOf(plane.perX[channel] * unitsPerPixel, plane.area);
+        words.perRow[channel] = wordOf(plane.perY[channel] * unitsPerPixel, plane.area);
     }
-    return plane;
+    return words;
 }
 
 } // namespace pixelplumb

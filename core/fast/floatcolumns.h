@@ -26,8 +26,8 @@ public:
             m_isEmpty = false;
         }
         const auto lane = std::size_t(place - m_strip.firstColumn);
-        m_strip.firstRow[lane] = std::int32_t(column.firstDrawnRow - m_window.firstRow);
-        m_strip.endRow[lane] = std::int32_t(column.endDrawnRow - m_window.firstRow);
+        m_strip.firstRow[lane] = std::int32_t(column.firstDrawn - m_window.firstRow);
+        m_strip.endRow[lane] = std::int32_t(column.endDrawn - m_window.firstRow);
         for (std::size_t channel = 0; channel < 3; ++channel) {
             m_strip.colour[channel][lane] = column.firstColour[channel];
             m_strip.rate[channel][lane] = column.colourRate[channel];
@@ -79,7 +79,7 @@ inline constexpr bool readsNumbers<FloatColumnTaker> = false;
 inline void fillColumn(const ColumnState<RoundedArithmetic<float>> &column, ByteRounding rounding,
                        FrameView, FloatColumnTaker taker)
 {
-    if (column.firstDrawnRow < column.endDrawnRow)
+    if (column.firstDrawn < column.endDrawn)
         taker.columns->take(column, rounding);
 }
 

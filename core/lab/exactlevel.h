@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/triangle.h"
+#include "core/geometry/levelplane.h"
 #include "core/number/quantity.h"
 
 /// How far a kernel's number is from the exact level.
@@ -21,37 +21,23 @@ class ExactLevels {
 public:
     explicit ExactLevels(const Triangle &triangle)
         : m_origin(triangle.vertices[0])
+        , m_plane(triangle.vertices[0], triangle.vertices[1], triangle.vertices[2])
     {
-        const auto &[p, q, r] = triangle.vertices;
-        const Int128 x1 = q.position.x - p.position.x, y1 = q.position.y - p.position.y;
-        const Int128 x2 = r.position.x - p.position.x, y2 = r.position.y - p.position.y;
-        m_area = x1 * y2 - x2 * y1;
-        const Int128 sign = m_area < 0 ? -1 : 1;
-        m_area *= sign;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Int128 c1 = q.colour.channels[i] - p.colour.channels[i];
-            const Int128 c2 = r.colour.channels[i] - p.colour.channels[i];
-            m_perX[i] = sign * (c1 * y2 - c2 * y1);
-            m_perY[i] = sign * (c2 * x1 - c1 * x2);
-        }
     }
 
     /// At a sample, px; inside and outside.
     ExactLevel at(std::size_t channel, std::int64_t x, std::int64_t y) const
     {
         const LatticePoint sample = latticePixel(x, y);
-        const Int128 sum = m_origin.colour.channels[channel] * m_area
-            + m_perX[channel] * (sample.x - m_origin.position.x)
-            + m_perY[channel] * (sample.y - m_origin.position.y);
-        const Int128 whole = floorDivide<Int128>(sum, m_area);
-        return {whole, sum - whole * m_area, m_area};
+        const Int128 sum = m_plane.numerator(m_origin, channel, sample.x - m_origin.position.x,
+                                             sample.y - m_origin.position.y);
+        const Int128 whole = floorDivide<Int128>(sum, m_plane.area);
+        return {whole, sum - whole * m_plane.area, m_plane.area};
     }
 
 private:
     Vertex m_origin;
-    Int128 m_area = 0; ///< doubled, square lattice units
-    std::array<Int128, 3> m_perX = {}; ///< of the level times the area, for each lattice unit
-    std::array<Int128, 3> m_perY = {};
+    LevelPlane<Int128> m_plane;
 };
 
 /// used − exact, levels; 0 only if two fractions are equal. The wholes are subtracted first, so

@@ -135,7 +135,7 @@ void appendStart(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &nam
                        .formula = QStringLiteral("{a}_start = max(first {across}, {a}_frame)"),
                        .group = Group::EdgeColours}),
          [](const EdgeWalkSpanState &state) {
-             return state.drawnSamples() > 0 ? Quantity::integer(state.column.firstDrawnRow)
+             return state.drawnSamples() > 0 ? Quantity::integer(state.column.firstDrawn)
                                              : Quantity();
          },
          [names](NumberDescription &description, const EdgeWalkSpanState &state) {

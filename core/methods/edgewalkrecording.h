@@ -70,8 +70,8 @@ struct EdgeWalkRecording : EdgeWalkNumbers<A> {
         record.longEdge = column.longEdge;
         record.firstSample = column.firstRow;
         record.endSample = column.endRow;
-        record.firstDrawn = column.firstDrawnRow;
-        record.endDrawn = column.endDrawnRow;
+        record.firstDrawn = column.firstDrawn;
+        record.endDrawn = column.endDrawn;
     }
     static void record(const Sample &fragment, SampleRecord &record)
     {
@@ -82,14 +82,14 @@ struct EdgeWalkRecording : EdgeWalkNumbers<A> {
     static void walk(const SetUp &, const Span &column, const ScanSettings &settings,
                      ObserverOf<EdgeWalkNumbers<A>> observer)
     {
-        const SpanPixels pixels(placeOf(column), column.firstDrawnRow, column.endDrawnRow);
+        const SpanPixels pixels(placeOf(column), column.firstDrawn, column.endDrawn);
         if (pixels.isEmpty())
             return;
         using View = std::conditional_t<isRow, TurnedView, FrameView>;
         const Triangle none;
         fillColumn(column, settings.rounding, View(pixels.view()),
-                   EdgeWalkListener<A, form.axis, decltype(observer)>(
-                       none, {}, column.firstDrawnRow, observer));
+                   EdgeWalkListener<A, form.axis, decltype(observer)>(none, {}, column.firstDrawn,
+                                                                      observer));
     }
 
 private:

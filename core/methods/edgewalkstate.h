@@ -41,7 +41,7 @@ struct EdgeWalkSpanState {
 
     std::int64_t drawnSamples() const
     {
-        return std::max<std::int64_t>(0, column.endDrawnRow - column.firstDrawnRow);
+        return std::max<std::int64_t>(0, column.endDrawn - column.firstDrawn);
     }
     /// 1 or 2; none where the triangle is its edge L₀₂ alone.
     Quantity halfNumber() const
@@ -85,7 +85,7 @@ EdgeWalkStart edgeWalkStartOf(const EdgeWalkSetUp<A> &setUp, const ColumnState<A
     const LatticePoint &p2 = setUp.corners[2].position;
     return {!setUp.scan.zeroArea,
             setUp.scan.zeroArea && p0.x == p2.x && p0.y != p2.y,
-            column.firstDrawnRow != column.firstRow,
+            column.firstDrawn != column.firstRow,
             quantityOf(column.yBottom) == quantityOf(column.yTop),
             setUp.intervals.rows,
             setUp.scan.zeroArea || !variants.contains(Variant::NoColourPreStep),
@@ -112,8 +112,8 @@ EdgeWalkSpanState edgeWalkStateOf(const CurrentSpan<EdgeWalkSetUp<A>, ColumnStat
                     quantitiesOf(column.colourRate),
                     column.firstRow,
                     column.endRow,
-                    column.firstDrawnRow,
-                    column.endDrawnRow,
+                    column.firstDrawn,
+                    column.endDrawn,
                     quantitiesOf(column.firstColour)};
     state.biasBottom = biasOf(column.yBottom);
     state.biasTop = biasOf(column.yTop);
@@ -133,7 +133,7 @@ EdgeWalkSampleState edgeWalkStateOf(
     const CurrentSample<EdgeWalkSetUp<A>, ColumnState<A>, Fragment<A>> &step, std::int64_t along)
 {
     return {edgeWalkStartOf(step.setUp, step.span, step.settings.variants),
-            quantitiesOf(step.sample.colour), along == step.span.firstDrawnRow,
+            quantitiesOf(step.sample.colour), along == step.span.firstDrawn,
             biasOf(step.sample.colour[0])};
 }
 

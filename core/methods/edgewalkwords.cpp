@@ -94,8 +94,8 @@ QString EdgeWalkWords::coverSentence(const EdgeWalkSpanState &state) const
     const QString pattern = count == 1
         ? QStringLiteral("{a}_{lo} = %1 and {a}_{hi} = %2 cover the {across} %3.")
         : QStringLiteral("{a}_{lo} = %1 and {a}_{hi} = %2 cover the {across}s %3 to %4.");
-    const QString text = m_names.filled(pattern).arg(lower, upper).arg(state.column.firstDrawnRow);
-    return count == 1 ? text : text.arg(state.column.endDrawnRow - 1);
+    const QString text = m_names.filled(pattern).arg(lower, upper).arg(state.column.firstDrawn);
+    return count == 1 ? text : text.arg(state.column.endDrawn - 1);
 }
 
 /// What a variant skips in this span.

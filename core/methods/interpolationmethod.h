@@ -36,7 +36,7 @@ std::unique_ptr<ScanTrace> traceCarried(const Run &run, FrameView frame,
                     scanned.triangle, &scanned.attributes, carried, settings, frame, listener)
                     .run();
             },
-            TablesOf<R>::of(carried));
+            TablesOf<R>::of(interpolationScope(Form, carried)));
     });
 }
 

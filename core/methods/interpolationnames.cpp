@@ -2,25 +2,10 @@
 #include "core/methods/interpolationnames.h"
 
 #include "core/methods/placenumbers.h"
-#include "core/methods/units.h"
 
 #include <array>
 
 namespace pixelplumb {
-
-const QString &channelName(std::size_t channel)
-{
-    static const std::array<QString, channelCount> names
-        = {QStringLiteral("R"),   QStringLiteral("G"),   QStringLiteral("B"),
-           QStringLiteral("z"),   QStringLiteral("u"),   QStringLiteral("v"),
-           QStringLiteral("N_x"), QStringLiteral("N_y"), QStringLiteral("N_z")};
-    return names[channel];
-}
-
-QString channelUnit(std::size_t channel, const QString &per)
-{
-    return channel < 3 ? unit::levels() + per : QString();
-}
 
 QString withSubscript(const QString &name, const QString &subscript)
 {
@@ -53,16 +38,23 @@ NumberDescription halfNumberOf(InterpolationForm form)
     return half;
 }
 
-NumberDescription comparedNumber(const QString &id, const QString &title, const QString &unit,
-                                 const QString &toolTip, const QString &formula, NumberGroup group)
+NumberDescription plainNumber(const QString &id, const QString &title, const QString &unit,
+                              const QString &toolTip, const QString &formula, NumberGroup group)
 {
     return {.id = id,
             .title = title,
             .unit = unit,
             .toolTip = toolTip,
             .formula = formula,
-            .group = group,
-            .comparison = Comparison::WithExact};
+            .group = group};
+}
+
+NumberDescription comparedNumber(const QString &id, const QString &title, const QString &unit,
+                                 const QString &toolTip, const QString &formula, NumberGroup group)
+{
+    NumberDescription number = plainNumber(id, title, unit, toolTip, formula, group);
+    number.comparison = Comparison::WithExact;
+    return number;
 }
 
 } // namespace pixelplumb

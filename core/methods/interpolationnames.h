@@ -8,9 +8,6 @@
 /// The names of an interpolation's channels and of the numbers made from them.
 namespace pixelplumb {
 
-/// "R", "z", "N_x".
-const QString &channelName(std::size_t channel);
-QString channelUnit(std::size_t channel, const QString &per = {});
 /// "R_B", "N_xB".
 QString withSubscript(const QString &name, const QString &subscript);
 /// "a_R", "a_Nx".
@@ -25,7 +22,9 @@ EdgeWalkNames walkNames(InterpolationForm form);
 /// Between which two edges a column lies: without their names where vertices are not sorted.
 NumberDescription halfNumberOf(InterpolationForm form);
 
-/// A number shown next to the exact one.
+/// A number shown alone, or next to the exact one.
+NumberDescription plainNumber(const QString &id, const QString &title, const QString &unit,
+                              const QString &toolTip, const QString &formula, NumberGroup group);
 NumberDescription comparedNumber(const QString &id, const QString &title, const QString &unit,
                                  const QString &toolTip, const QString &formula, NumberGroup group);
 

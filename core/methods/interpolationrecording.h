@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/methods/interpolationnumbers.h"
+#include "core/methods/interpolationsteps.h"
 #include "core/methods/interpolationwords.h"
+#include "core/methods/shadednumbers.h"
 #include "core/trace/spanpixels.h"
 #include "core/trace/statesof.h"
 
@@ -16,36 +17,35 @@ struct InterpolationRecording : InterpolationNumbers<Number, channelsInAll> {
     using typename InterpolationNumbers<Number, channelsInAll>::Span;
     using typename InterpolationNumbers<Number, channelsInAll>::Sample;
 
-    static auto setUpNumbers(const CarriedChannels &carried = {})
+    static auto setUpNumbers(const ShadedScope &scope = interpolationScope(Form))
     {
-        return interpolationSetUpNumbers(Form, carried);
+        return shadedSetUpNumbers(scope);
     }
-    static auto spanNumbers(const CarriedChannels &carried = {})
+    static auto spanNumbers(const ShadedScope &scope = interpolationScope(Form))
     {
-        return interpolationSpanNumbers(Form, carried);
+        return shadedSpanNumbers(scope);
     }
-    static auto sampleNumbers(const CarriedChannels &carried = {})
+    static auto sampleNumbers(const ShadedScope &scope = interpolationScope(Form))
     {
-        return interpolationSampleNumbers(Form, carried);
+        return shadedSampleNumbers(scope);
     }
 
-    static InterpolationSetUpState stateOf(const CurrentSetUp<SetUp> &step)
+    static ShadedSetUpState stateOf(const CurrentSetUp<SetUp> &step)
     {
         return interpolationStateOf<Form>(step.setUp);
     }
-    static InterpolationSpanState stateOf(const CurrentSpan<SetUp, Span> &step)
+    static ShadedSpanState stateOf(const CurrentSpan<SetUp, Span> &step)
     {
         return interpolationStateOf<Form, Number, channelsInAll>(step);
     }
-    static InterpolationSampleState stateOf(const CurrentSample<SetUp, Span, Sample> &step)
+    static ShadedSampleState stateOf(const CurrentSample<SetUp, Span, Sample> &step)
     {
         return interpolationStateOf<Form, Number, channelsInAll>(step);
     }
-    template <class State>
-    static auto tell(StepWords &words, const State &state)
-        -> decltype(tellInterpolation(words, state, Form))
+    static void tell(StepWords &words, const ShadedSetUpState &state) { tellShaded(words, state); }
+    static void tell(StepWords &words, const ShadedSpanState &state)
     {
-        tellInterpolation(words, state, Form);
+        tellInterpolated(words, state, Form);
     }
 
     static SpanPlace placeOf(const Span &column)

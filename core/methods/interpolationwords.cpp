@@ -37,20 +37,7 @@ QString segmentText(InterpolationForm form, const std::array<int, 3> &order)
         .arg(segment);
 }
 
-void tellInterpolation(StepWords &words, const InterpolationSetUpState &state,
-                       InterpolationForm form)
-{
-    std::array<LatticePoint, 3> positions;
-    for (std::size_t vertex = 0; vertex < 3; ++vertex)
-        positions[vertex] = state.vertices[vertex].position;
-    words.sentence = verticesText(form, state.order, positions);
-    if (!state.zeroArea)
-        return;
-    words.sentence += segmentText(form, state.order);
-}
-
-void tellInterpolation(StepWords &words, const InterpolationSpanState &state,
-                       InterpolationForm form)
+void tellInterpolated(StepWords &words, const ShadedSpanState &state, InterpolationForm form)
 {
     words.heading = walkNames(form).heading(state.walk);
     if (state.walk.start.hasPlane && state.walk.beginsHalf && !state.walk.isFirst)
@@ -62,8 +49,8 @@ void tellInterpolation(StepWords &words, const InterpolationSpanState &state,
                          .filled(QStringLiteral("{a}_{lo} = {a}_{hi} = %1: the {span} is the "
                                                 "{across} %2 alone, and there is no change to "
                                                 "share out, and no Δ."))
-                         .arg(term(state.column.yBottom))
-                         .arg(state.column.firstDrawn);
+                         .arg(term(state.lower))
+                         .arg(state.firstDrawn);
 }
 
 } // namespace pixelplumb

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/methods/interpolationsteps.h"
+#include "core/methods/shadedstate.h"
 #include "core/trace/stepwords.h"
 
 namespace pixelplumb {
@@ -12,11 +12,7 @@ QString verticesText(InterpolationForm form, const std::array<int, 3> &order,
 /// What the closed rule paints of a triangle without area.
 QString segmentText(InterpolationForm form, const std::array<int, 3> &order);
 
-/// Says which vertices the numbers of a set-up belong to.
-void tellInterpolation(StepWords &words, const InterpolationSetUpState &state,
-                       InterpolationForm form);
-/// Says which rows a column covers, and where it has no change to spread.
-void tellInterpolation(StepWords &words, const InterpolationSpanState &state,
-                       InterpolationForm form);
+/// Says where a span of an interpolation by itself has no change to spread.
+void tellInterpolated(StepWords &words, const ShadedSpanState &state, InterpolationForm form);
 
 } // namespace pixelplumb

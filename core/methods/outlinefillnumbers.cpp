@@ -193,7 +193,7 @@ const NumberTable<OutlineSpanState> &outlineSpanNumbers()
                           .group = Group::Span},
                          [](const State &state) {
                              return state.drawnSamples() > 0
-                                 ? Quantity::integer(state.span.column.firstDrawnRow)
+                                 ? Quantity::integer(state.span.column.firstDrawn)
                                  : Quantity();
                          }});
         appendBoundColours(table, low, QStringLiteral("smallest"), &Span::low,

@@ -24,7 +24,7 @@ struct OutlineSpanState {
 
     std::int64_t drawnSamples() const
     {
-        return std::max<std::int64_t>(0, span.column.endDrawnRow - span.column.firstDrawnRow);
+        return std::max<std::int64_t>(0, span.column.endDrawn - span.column.firstDrawn);
     }
     /// A column of one pixel has no change of colour.
     bool hasRate() const { return span.low.row != span.high.row; }
@@ -68,8 +68,8 @@ OutlineSpanState outlineStateOf(const CurrentSpan<OutlineFillSetUp, OutlineFillS
     shown.x = column.x;
     shown.firstRow = column.firstRow;
     shown.endRow = column.endRow;
-    shown.firstDrawnRow = column.firstDrawnRow;
-    shown.endDrawnRow = column.endDrawnRow;
+    shown.firstDrawn = column.firstDrawn;
+    shown.endDrawn = column.endDrawn;
     shown.colourBottom = quantitiesOf(column.colourBottom);
     shown.colourTop = quantitiesOf(column.colourTop);
     shown.colourRate = quantitiesOf(column.colourRate);
@@ -81,7 +81,7 @@ template <class A>
 OutlineSampleState outlineStateOf(
     const CurrentSample<OutlineFillSetUp, OutlineFillSpan<A>, Fragment<A>> &step)
 {
-    return {quantitiesOf(step.sample.colour), step.y == step.span.column.firstDrawnRow,
+    return {quantitiesOf(step.sample.colour), step.y == step.span.column.firstDrawn,
             step.span.low.row != step.span.high.row};
 }
 

@@ -45,8 +45,8 @@ struct OutlineFillRecording : OutlineFillNumbers<A> {
     {
         record.firstSample = span.column.firstRow;
         record.endSample = span.column.endRow;
-        record.firstDrawn = span.column.firstDrawnRow;
-        record.endDrawn = span.column.endDrawnRow;
+        record.firstDrawn = span.column.firstDrawn;
+        record.endDrawn = span.column.endDrawn;
     }
     /// A column is a tie where a decision parameter that led to one of its bounds was 0.
     static void record(const CurrentSpan<SetUp, Span> &step, SpanRecord &record)
@@ -65,7 +65,7 @@ struct OutlineFillRecording : OutlineFillNumbers<A> {
     static void walk(const SetUp &, const Span &span, const ScanSettings &settings,
                      ObserverOf<OutlineFillNumbers<A>> observer)
     {
-        const SpanPixels pixels(placeOf(span), span.column.firstDrawnRow, span.column.endDrawnRow);
+        const SpanPixels pixels(placeOf(span), span.column.firstDrawn, span.column.endDrawn);
         if (!pixels.isEmpty())
             fillColumn(span.column, settings.rounding, pixels.view(), observer);
     }

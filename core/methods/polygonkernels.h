@@ -45,10 +45,8 @@ struct PolygonOutlineKernel : ShapeKernel<PrimitiveKind::Polygon>, InIntegers {
     }
 };
 
-struct ParityKernel : FilledPolygonKernel, InAnyArithmetic {
-    template <class A>
-    using Recording = PolygonRecording<A, PolygonForm::Whole>;
-
+/// Counts crossings along rows.
+struct CrossingsKernel : InAnyArithmetic {
     static IntegerWidth widthFor(const Contours &contours, const FrameView &)
     {
         return integerWidthFor(contours.edges);
@@ -61,8 +59,13 @@ struct ParityKernel : FilledPolygonKernel, InAnyArithmetic {
     }
 };
 
+struct ParityKernel : FilledPolygonKernel, CrossingsKernel {
+    template <class A>
+    using Recording = PolygonRecording<A, PolygonForm::Whole>;
+};
+
 /// Fills a closed path of curves along its chords.
-struct BezierFillKernel : ShapeKernel<PrimitiveKind::Bezier>, InAnyArithmetic {
+struct BezierFillKernel : ShapeKernel<PrimitiveKind::Bezier>, CrossingsKernel {
     template <class A>
     using Recording = PolygonRecording<A, PolygonForm::Chords>;
 
@@ -77,16 +80,6 @@ struct BezierFillKernel : ShapeKernel<PrimitiveKind::Bezier>, InAnyArithmetic {
         Contours contours = contoursOf(chordsOf(path));
         contours.curveCount = pieceCount(path);
         return contours;
-    }
-    static IntegerWidth widthFor(const Contours &contours, const FrameView &)
-    {
-        return integerWidthFor(contours.edges);
-    }
-    template <class A, class Observer>
-    static void scan(const Contours &contours, const ScanSettings &, FrameView frame,
-                     Observer observer)
-    {
-        scanPolygon<A>(contours, frame, observer);
     }
 };
 

@@ -16,6 +16,27 @@ const QString &shadedName(Channel channel)
     return names[indexOf(channel)];
 }
 
+ShadedScope interpolationScope(InterpolationForm form, const CarriedChannels &carried)
+{
+    using enum Channel;
+    ShadedScope scope;
+    scope.form = form;
+    scope.effects.smooth = true;
+    scope.isPlanned = false;
+    const auto append = [&](std::initializer_list<Channel> channels) {
+        for (const Channel channel : channels)
+            scope.channels.push_back({scope.channels.size(), channel});
+    };
+    append({Red, Green, Blue});
+    if (carried.depth)
+        append({Depth});
+    if (carried.texture)
+        append({U, V});
+    if (carried.normal)
+        append({NormalX, NormalY, NormalZ});
+    return scope;
+}
+
 QString linearName(Channel channel, const EffectSet &effects)
 {
     const QString &name = shadedName(channel);
@@ -26,6 +47,9 @@ QString linearName(Channel channel, const EffectSet &effects)
 
 QString planeSlope(QChar axis) { return planeSlope(axis, u'(' + doubledAreaText() + u')'); }
 
-QString unitOf(Channel channel) { return isLevel(channel) ? unit::levels() : QString(); }
+QString unitOf(Channel channel, const QString &per)
+{
+    return isLevel(channel) ? unit::levels() + per : QString();
+}
 
 } // namespace pixelplumb

@@ -14,28 +14,21 @@ namespace {
 
 using Group = NumberGroup;
 
-/// The vertex that a digit names: in the bilinear form vertices are sorted by x.
-std::size_t vertexIn(const ShadedSetUpState &state, InterpolationForm form, std::size_t digit)
-{
-    return form == InterpolationForm::Bilinear ? std::size_t(state.order[digit]) : digit;
-}
-
 void appendVertices(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope)
 {
-    const InterpolationForm form = scope.form;
-    const QString owner = form == InterpolationForm::Bilinear
-        ? QStringLiteral("%1 of the sorted vertex P%2")
-        : QStringLiteral("%1 of P%2, as it is given");
+    const QString owner = isBilinear(scope.form) ? QStringLiteral("%1 of the sorted vertex P%2")
+                                                 : QStringLiteral("%1 of P%2, as it is given");
+    const QString dash = scope.isPlanned ? QString() : QStringLiteral("_");
     for (std::size_t digit = 0; digit < 3; ++digit) {
         const auto row = [&](const QString &name, const QString &unit, const QString &toolTip,
                              const auto &read) {
-            table.push_back({{.id = name + QString::number(digit),
+            table.push_back({{.id = name + dash + QString::number(digit),
                               .title = name + vertexDigits[digit],
                               .unit = unit,
                               .toolTip = owner.arg(name).arg(vertexDigits[digit]) + toolTip,
                               .formula = {}},
                              [=](const ShadedSetUpState &state) {
-                                 return read(state, vertexIn(state, form, digit));
+                                 return read(state, state.vertexOf(digit));
                              }});
         };
         const QString fromCentre = QStringLiteral(", from the centre of pixel (0, 0).");
@@ -55,10 +48,9 @@ void appendVertices(NumberTable<ShadedSetUpState> &table, const ShadedScope &sco
 
 /// A channel at the vertices; where perspective is corrected, also divided by w.
 void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope,
-                  std::size_t channel)
+                  const ScopedChannel &channel)
 {
-    const InterpolationForm form = scope.form;
-    const Channel which = channelAt(channel);
+    const auto [at, which] = channel;
     const bool isDivided = scope.effects.perspective && which != Channel::Depth;
     for (std::size_t digit = 0; digit < 3; ++digit) {
         const QString given = shadedName(which);
@@ -70,8 +62,8 @@ void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
                   .toolTip = QStringLiteral("%1 at P%2.").arg(given).arg(vertexDigits[digit]),
                   .formula = {},
                   .group = Group::EdgeColours},
-                 [=](const ShadedSetUpState &state) {
-                     return state.given[channel][vertexIn(state, form, digit)];
+                 [digit, at = channel.at](const ShadedSetUpState &state) {
+                     return state.given[at][state.vertexOf(digit)];
                  }});
         if (!isDivided)
             continue;
@@ -87,8 +79,8 @@ void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
                  QStringLiteral("%1 = %2/w%3")
                      .arg(name + vertexDigits[digit], above, vertexDigits[digit]),
                  Group::EdgeColours),
-             [=](const ShadedSetUpState &state) {
-                 return state.linear[channel][vertexIn(state, form, digit)];
+             [digit, at = channel.at](const ShadedSetUpState &state) {
+                 return state.linear[at][state.vertexOf(digit)];
              },
              [=](NumberDescription &number, const ShadedSetUpState &state) {
                  if (state.isDivided[channel])
@@ -104,9 +96,9 @@ void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
 }
 
 /// The state's edge between the vertices that the digits of an edge name.
-std::size_t edgeIn(const ShadedSetUpState &state, InterpolationForm form, SortedEdge named)
+std::size_t edgeIn(const ShadedSetUpState &state, SortedEdge named)
 {
-    if (form == InterpolationForm::Bilinear)
+    if (isBilinear(state.form))
         return std::size_t(named);
     const std::array digits
         = {std::size_t(state.order[0]), std::size_t(state.order[1]), std::size_t(state.order[2])};
@@ -117,64 +109,79 @@ std::size_t edgeIn(const ShadedSetUpState &state, InterpolationForm form, Sorted
     return std::size_t(named);
 }
 
-/// "(% − %)/(x₁ − x₀)" of an edge; # and & are its ends, % the letter.
-QString slopeFormula(const QString &title, SortedEdge edge, const QString &letter)
+/// "(% − %)/(x₁ − x₀)" of an edge; % stands for the letter.
+QString slopeFormula(const EdgeWalkNames &names, const QString &title, SortedEdge edge,
+                     const QString &letter)
 {
     const auto &ends = sortedEdgeEnds[std::size_t(edge)];
-    return title
-        + QString(QStringLiteral(" = (%& − %#)/(x& − x#)"))
-              .replace(u'#', vertexDigits[ends[0]])
-              .replace(u'&', vertexDigits[ends[1]])
-              .replace(u'%', letter);
+    return title + QStringLiteral(" = (") + letter + vertexDigits[ends[1]] + QStringLiteral(" − ")
+        + letter + vertexDigits[ends[0]] + QStringLiteral(")/") + names.way(ends[0], ends[1]);
 }
 
-/// What each column adds to y along an edge.
-void appendSlope(NumberTable<ShadedSetUpState> &table, InterpolationForm form, SortedEdge edge)
+/// What each span adds to its bound along an edge.
+void appendSlope(NumberTable<ShadedSetUpState> &table, const EdgeWalkNames &names, SortedEdge edge)
 {
     const auto &ends = sortedEdgeEnds[std::size_t(edge)];
     const QString title = u'm' + subscriptOf(edge);
     table.push_back(
-        {comparedNumber(
-             QStringLiteral("m_%1%2").arg(ends[0]).arg(ends[1]), title, QStringLiteral("px/column"),
-             QStringLiteral("Slope of the edge from P%1 to P%2: what each column adds to its y; "
-                            "none where it is vertical.")
+        {names.filled(comparedNumber(
+             QStringLiteral("m_%1%2").arg(ends[0]).arg(ends[1]), title, QStringLiteral("px/{span}"),
+             QStringLiteral("Slope of the edge from P%1 to P%2: what each {span} adds to its {a}; "
+                            "none where it lies along the {span}s.")
                  .arg(vertexDigits[ends[0]])
                  .arg(vertexDigits[ends[1]]),
-             slopeFormula(title, edge, QStringLiteral("y")), Group::Position),
-         [=](const ShadedSetUpState &state) { return state.slope[edgeIn(state, form, edge)]; }});
+             slopeFormula(names, title, edge, QStringLiteral("{a}")), Group::Position)),
+         [=](const ShadedSetUpState &state) { return state.slope[edgeIn(state, edge)]; }});
 }
 
-/// What each column adds to a channel along an edge.
-void appendRate(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope, std::size_t channel,
-                SortedEdge edge)
+/// What each span adds to a channel along an edge.
+void appendRate(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope,
+                const ScopedChannel &channel, SortedEdge edge)
 {
+    const EdgeWalkNames names = walkNames(scope.form);
     const auto &ends = sortedEdgeEnds[std::size_t(edge)];
-    const QString name = linearName(channelAt(channel), scope.effects);
+    const QString name = linearName(channel.which, scope.effects);
     const QString title = u'δ' + name + subscriptOf(edge);
     table.push_back(
-        {comparedNumber(
+        {names.filled(comparedNumber(
              QStringLiteral("rate_%1_%2%3").arg(name).arg(ends[0]).arg(ends[1]), title,
-             isLevel(channelAt(channel)) ? QStringLiteral("levels/column") : QString(),
-             QStringLiteral("What each column adds to %1 along %2.").arg(name, nameOf(edge)),
-             slopeFormula(title, edge, name), Group::ColourRates),
-         [=](const ShadedSetUpState &state) { return state.rate[std::size_t(edge)][channel]; }});
+             unitOf(channel.which, QStringLiteral("/{span}")),
+             QStringLiteral("What each {span} adds to %1 along %2.").arg(name, nameOf(edge)),
+             slopeFormula(names, title, edge, name), Group::ColourRates)),
+         [edge, at = channel.at](const ShadedSetUpState &state) {
+             return state.rate[std::size_t(edge)][at];
+         },
+         ifCarried(scope, channel.at)});
 }
 
 } // namespace
+
+NumberRow<ShadedSetUpState>::Specify ifCarried(const ShadedScope &scope, std::size_t at)
+{
+    if (scope.isPlanned)
+        return {};
+    return [at](NumberDescription &number, const ShadedSetUpState &state) {
+        if (!state.carries(at))
+            number.formula.clear();
+    };
+}
 
 NumberTable<ShadedSetUpState> shadedSetUpNumbers(const ShadedScope &scope)
 {
     NumberTable<ShadedSetUpState> table;
     appendVertices(table, scope);
-    forEachChannel(scope.effects,
-                   [&](std::size_t channel) { appendValues(table, scope, channel); });
-    for (const SortedEdge edge : sortedEdges)
-        appendSlope(table, scope.form, edge);
-    if (scope.form == InterpolationForm::Bilinear)
-        forEachChannel(scope.effects, [&](std::size_t channel) {
-            for (const SortedEdge edge : sortedEdges)
+    for (const ScopedChannel &channel : scope.channels)
+        appendValues(table, scope, channel);
+    for (const SortedEdge edge : sortedEdges) {
+        if (scope.isPlanned || isBilinear(scope.form))
+            appendSlope(table, walkNames(scope.form), edge);
+    }
+    for (const ScopedChannel &channel : scope.channels) {
+        for (const SortedEdge edge : sortedEdges) {
+            if (isBilinear(scope.form))
                 appendRate(table, scope, channel, edge);
-        });
+        }
+    }
     appendPlanes(table, scope);
     if (scope.appearance)
         appendLightSources(table, scope.appearance);

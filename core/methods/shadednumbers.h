@@ -11,7 +11,11 @@
 
 namespace pixelplumb {
 
-/// The numbers of shaded triangles: those that the effects in scope call for, and no others.
+/// The scope of an interpolation by itself.
+ShadedScope interpolationScope(InterpolationForm form, const CarriedChannels &carried = {});
+
+/// The numbers of shaded triangles: those that the effects in scope call for, and no others. An
+/// interpolation by itself is shading without effects.
 NumberTable<ShadedSetUpState> shadedSetUpNumbers(const ShadedScope &scope);
 NumberTable<ShadedSpanState> shadedSpanNumbers(const ShadedScope &scope);
 NumberTable<ShadedSampleState> shadedSampleNumbers(const ShadedScope &scope);
@@ -22,7 +26,8 @@ void appendLightSources(NumberTable<ShadedSetUpState> &table,
                         const std::shared_ptr<const Appearance> &appearance);
 void appendLight(NumberTable<ShadedSampleState> &table, const ShadedScope &scope);
 
-/// Appends a, b and c of the planes of the form's values, or of its weights, by vertex.
+/// Appends a, b and c of the planes of the form's values, or of its weights, by vertex; of an
+/// interpolation by itself also what they are made from.
 void appendPlanes(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope);
 
 /// Appends what is painted, how it is blended, and the mean if the pixel has several samples.
@@ -42,9 +47,6 @@ void appendTexels(NumberTable<ShadedSampleState> &table, const ShadedScope &scop
 using ReadOfSample = std::function<Quantity(const ShadedSampleState &)>;
 ReadOfSample ofWritten(const ReadOfSample &read);
 
-/// A number without an exact one next to it.
-NumberDescription plainNumber(const QString &id, const QString &title, const QString &unit,
-                              const QString &toolTip, const QString &formula, NumberGroup group);
 void appendPlain(NumberTable<ShadedSampleState> &table, const QString &id, const QString &toolTip,
                  const QString &formula, const ReadOfSample &read,
                  NumberGroup group = NumberGroup::FirstColour);
@@ -66,9 +68,12 @@ void tellShaded(StepWords &words, const ShadedSampleState &state);
 /// perspective is corrected, divided by w.
 const QString &shadedName(Channel channel);
 QString linearName(Channel channel, const EffectSet &effects);
-/// "levels", or empty.
-QString unitOf(Channel channel);
+/// "levels", "levels/row"; empty for other channels.
+QString unitOf(Channel channel, const QString &per = {});
 /// The change along x or y of the plane through the vertices' values %.
 QString planeSlope(QChar axis);
+/// A number that is 0 throughout, because no vertex has anything in its channel, needs no formula
+/// in an interpolation by itself.
+NumberRow<ShadedSetUpState>::Specify ifCarried(const ShadedScope &scope, std::size_t at);
 
 } // namespace pixelplumb

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/interpolationnames.h"
 #include "core/methods/shadednumbers.h"
+#include "core/methods/units.h"
 
 #include <array>
 #include <functional>
@@ -97,61 +98,179 @@ QString weightFormula(const ShadedSetUpState &state, QChar letter, std::size_t v
                  + there);
 }
 
+/// N = ⟨A, B, C⟩ and D of the plane through the three values; % stands for the channel.
+void appendNormal(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope,
+                  const ScopedChannel &channel)
+{
+    struct Component {
+        const char16_t *name;
+        const char16_t *formula;
+        const char16_t *unit; ///< times a level's; null for C, which is an area
+    };
+    constexpr std::array components
+        = {Component{u"A", u"(y₁ − y₀)·(%₂ − %₀) − (%₁ − %₀)·(y₂ − y₀)", u"·px"},
+           Component{u"B", u"(%₁ − %₀)·(x₂ − x₀) − (x₁ − x₀)·(%₂ − %₀)", u"·px"},
+           Component{u"C", u"(x₁ − x₀)·(y₂ − y₀) − (y₁ − y₀)·(x₂ − x₀)", nullptr},
+           Component{u"D", u"−({A}·x₀ + {B}·y₀ + {C}·%₀)", u"·px²"}};
+    const QString name = shadedName(channel.which);
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        const QString title = coefficientOf(QString::fromUtf16(components[i].name), name);
+        QString formula = title + QStringLiteral(" = ") + QString::fromUtf16(components[i].formula);
+        if (i == 3)
+            for (const char16_t letter : {u'A', u'B', u'C'})
+                formula.replace(QStringLiteral("{%1}").arg(QChar(letter)),
+                                coefficientOf(QString(QChar(letter)), name));
+        table.push_back(
+            {comparedNumber(QStringLiteral("normal_") + title, title,
+                            components[i].unit
+                                ? unitOf(channel.which, QString::fromUtf16(components[i].unit))
+                                : unit::squarePx(),
+                            i < 3 ? QString::fromUtf16(components[i].name)
+                                    + QStringLiteral(" of the normal N = (P₁ − P₀) × (P₂ − P₀) of "
+                                                     "the plane through the three values of ")
+                                    + name + u'.'
+                                  : QStringLiteral("D = −N·P₀ of the plane of ") + name + u'.',
+                            formula.replace(u'%', name), NumberGroup::ColourRates),
+             [i, at = channel.at](const ShadedSetUpState &state) { return state.normal[at][i]; },
+             ifCarried(scope, channel.at)});
+    }
+}
+
+/// The line that faces a vertex, and the k that makes it 1 there.
+void appendWeightLine(NumberTable<ShadedSetUpState> &table, std::size_t vertex)
+{
+    const QString weight = weightTitle(vertex);
+    // # and & are the line's ends, @ is the vertex, % the weight.
+    const auto filled = [&](QString text) {
+        return text.replace(u'#', vertexDigits[(vertex + 1) % 3])
+            .replace(u'&', vertexDigits[(vertex + 2) % 3])
+            .replace(u'@', vertexDigits[vertex])
+            .replace(u'%', weight);
+    };
+    const auto line
+        = [&](std::size_t part, QChar letter, const QString &toolTip, const QString &formula) {
+              table.push_back(
+                  {comparedNumber(QStringLiteral("line_%1_%2").arg(letter).arg(weightId(vertex)),
+                                  QStringLiteral("%1_%2").arg(letter).arg(weight), {},
+                                  letter + u' ' + filled(toolTip), filled(formula),
+                                  NumberGroup::Decision),
+                   [=](const ShadedSetUpState &state) { return state.line[vertex][part]; }});
+          };
+    const auto ofLine
+        = QStringLiteral("of F(x, y) = A·x + B·y + C, the line through the vertices that "
+                         "do not face it: that of the weight %.");
+    line(0, u'A', ofLine, QStringLiteral("A_% = y& − y#"));
+    line(1, u'B', ofLine, QStringLiteral("B_% = x# − x&"));
+    line(2, u'C', ofLine, QStringLiteral("C_% = −A_%·x# − B_%·y#"));
+    line(3, u'k', QStringLiteral("scales F to 1 at P@."),
+         QStringLiteral("k_% = 1/(A_%·x@ + B_%·y@ + C_%)"));
+}
+
 /// a, b and c of a value or of a weight.
 struct Coefficients {
     QString name; ///< of the value or weight
+    QString idName; ///< in files
     QString unit; ///< its unit
-    QString toolTip;
+    QString toolTip; ///< after the letter
+    NumberGroup group = NumberGroup::ColourRates;
     std::function<Quantity(const ShadedSetUpState &, std::size_t)> read;
-    std::function<QString(const ShadedSetUpState &, QChar)> formula;
+    /// Where it is the same in every state.
+    std::function<QString(QChar)> formula;
+    std::function<void(NumberDescription &, const ShadedSetUpState &, QChar)> specify;
 };
 
 void appendCoefficients(NumberTable<ShadedSetUpState> &table, const Coefficients &of)
 {
     for (std::size_t k = 0; k < coefficientLetters.size(); ++k) {
         const QChar letter = coefficientLetters[k];
-        const QString title = coefficientOf(letter, of.name);
         table.push_back(
-            {comparedNumber(title, title,
+            {comparedNumber(coefficientOf(letter, of.idName), coefficientOf(letter, of.name),
                             k < 2 && !of.unit.isEmpty() ? of.unit + QStringLiteral("/px") : of.unit,
-                            of.toolTip, {}, NumberGroup::ColourRates),
+                            letter + of.toolTip, of.formula ? of.formula(letter) : QString(),
+                            of.group),
              [read = of.read, k](const ShadedSetUpState &state) { return read(state, k); },
-             [formula = of.formula, letter](NumberDescription &number,
+             [specify = of.specify, letter](NumberDescription &number,
                                             const ShadedSetUpState &state) {
-                 number.formula = formula(state, letter);
+                 if (specify)
+                     specify(number, state, letter);
              }});
     }
+}
+
+void appendPlane(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope,
+                 const ScopedChannel &channel)
+{
+    const QString name = linearName(channel.which, scope.effects);
+    Coefficients plane{
+        name,
+        name,
+        unitOf(channel.which),
+        QStringLiteral(" of %1 = a·x + b·y + c, the plane through its three values.").arg(name),
+        NumberGroup::ColourRates,
+        [at = channel.at](const ShadedSetUpState &state, std::size_t k) {
+            return state.plane[at][k];
+        },
+        {},
+        [name](NumberDescription &number, const ShadedSetUpState &state, QChar letter) {
+            number.formula = planeFormula(state, letter, name);
+        }};
+    if (!scope.isPlanned) {
+        plane.formula = [name](QChar letter) {
+            const QChar dividend = letter == u'c' ? QChar(u'D') : letter.toUpper();
+            return QStringLiteral("%1 = −%2/%3")
+                .arg(coefficientOf(letter, name), coefficientOf(dividend, name),
+                     coefficientOf(QStringLiteral("C"), name));
+        };
+        plane.specify = [clear = ifCarried(scope, channel.at)](NumberDescription &number,
+                                                               const ShadedSetUpState &state,
+                                                               QChar) { clear(number, state); };
+    }
+    appendCoefficients(table, plane);
+}
+
+void appendWeight(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope,
+                  std::size_t vertex)
+{
+    const QString name = weightTitle(vertex);
+    Coefficients weight{
+        name,
+        name,
+        {},
+        QStringLiteral(" of the weight of P%1, a·x + b·y + c.").arg(vertexDigits[vertex]),
+        NumberGroup::ColourRates,
+        [vertex](const ShadedSetUpState &state, std::size_t k) { return state.weight[vertex][k]; },
+        {},
+        [vertex](NumberDescription &number, const ShadedSetUpState &state, QChar letter) {
+            number.formula = weightFormula(state, letter, vertex);
+        }};
+    if (!scope.isPlanned) {
+        weight.idName = weightId(vertex);
+        weight.group = NumberGroup::Decision;
+        weight.formula = [name](QChar letter) {
+            return QStringLiteral("%1_%2 = k_%2·%3_%2").arg(letter).arg(name).arg(letter.toUpper());
+        };
+        weight.specify = {};
+    }
+    appendCoefficients(table, weight);
 }
 
 } // namespace
 
 void appendPlanes(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope)
 {
-    if (scope.form == InterpolationForm::Plane)
-        forEachChannel(scope.effects, [&](std::size_t channel) {
-            const QString name = linearName(channelAt(channel), scope.effects);
-            appendCoefficients(
-                table,
-                {name, unitOf(channelAt(channel)),
-                 QStringLiteral("Of %1 = a·x + b·y + c over the triangle.").arg(name),
-                 [channel](const ShadedSetUpState &state, std::size_t k) {
-                     return state.plane[channel][k];
-                 },
-                 [name](const ShadedSetUpState &state, QChar letter) {
-                     return planeFormula(state, letter, name);
-                 }});
-        });
-    if (scope.form == InterpolationForm::Barycentric) {
-        for (std::size_t i = 0; i < 3; ++i)
-            appendCoefficients(
-                table,
-                {weightTitle(i),
-                 {},
-                 QStringLiteral("Of the weight of P%1, a·x + b·y + c.").arg(vertexDigits[i]),
-                 [i](const ShadedSetUpState &state, std::size_t k) { return state.weight[i][k]; },
-                 [i](const ShadedSetUpState &state, QChar letter) {
-                     return weightFormula(state, letter, i);
-                 }});
+    for (const ScopedChannel &channel : scope.channels) {
+        if (scope.form != InterpolationForm::Plane)
+            break;
+        if (!scope.isPlanned)
+            appendNormal(table, scope, channel);
+        appendPlane(table, scope, channel);
+    }
+    for (std::size_t vertex = 0; vertex < 3; ++vertex) {
+        if (scope.form != InterpolationForm::Barycentric)
+            break;
+        if (!scope.isPlanned)
+            appendWeightLine(table, vertex);
+        appendWeight(table, scope, vertex);
     }
 }
 

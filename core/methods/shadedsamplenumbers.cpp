@@ -24,17 +24,53 @@ QString atSampleText(Channel channel)
         : text;
 }
 
-/// A sample's value in a channel, linear in the frame.
-void appendLinear(Table &table, const ShadedScope &scope, std::size_t channel)
+/// Along the segment of a triangle without area, from P0 to P2 in the digits of the form.
+QString segmentFormula(InterpolationForm form, const QString &name, const State &state)
 {
-    const Channel which = channelAt(channel);
+    const bool isSorted = isBilinear(form);
+    const QChar first = vertexDigits[isSorted ? 0 : std::size_t(state.order[0])];
+    const QChar last = vertexDigits[isSorted ? 2 : std::size_t(state.order[2])];
+    const bool isRow = axisOf(form) == SpanAxis::Row;
+    // Rows are walked downwards, along growing −y.
+    const QString value = state.start.isOnePoint ? QStringLiteral("% = %#")
+        : isRow && !state.start.isVertical
+        ? QStringLiteral("% = %# + (@# − @)·((%& − %#)/(@# − @&))")
+        : QStringLiteral("% = %# + (@ − @#)·((%& − %#)/(@& − @#))");
+    return QString(value)
+        .replace(u'@', state.start.isVertical != isRow ? u'y' : u'x')
+        .replace(u'#', first)
+        .replace(u'&', last)
+        .replace(u'%', name);
+}
+
+/// In an interpolation by itself: without a change along the span its samples have the bound's
+/// value.
+void specifyValue(NumberDescription &number, InterpolationForm form, const QString &name,
+                  const State &state)
+{
+    if (!state.start.hasPlane) {
+        number.formula = segmentFormula(form, name, state);
+        number.startFormula.clear();
+    } else if (isBilinear(form) && state.start.isPoint) {
+        number.formula = QStringLiteral("%1 ← %1′").arg(name);
+        number.startFormula = walkNames(form).filled(name + QStringLiteral(" ← ")
+                                                     + withSubscript(name, QStringLiteral("{lo}")));
+    }
+}
+
+/// A sample's value in a channel, linear in the frame.
+void appendLinear(Table &table, const ShadedScope &scope, const ScopedChannel &channel)
+{
+    const auto [at, which] = channel;
+    const InterpolationForm form = scope.form;
     const QString name = linearName(which, scope.effects);
-    const QString direct = QStringLiteral("%1 ← %2 + (y − y_B)·Δ%1")
-                               .arg(name, withSubscript(name, QStringLiteral("B")));
+    const QString direct
+        = walkNames(form).filled(QStringLiteral("%1 ← %2 + ({a} − {a}_{lo})·Δ%1")
+                                     .arg(name, withSubscript(name, QStringLiteral("{lo}"))));
     QString formula;
-    switch (scope.form) {
+    switch (form) {
     case InterpolationForm::Bilinear:
-    case InterpolationForm::BilinearRows: // draws no effects
+    case InterpolationForm::BilinearRows:
         formula = QStringLiteral("%1 ← %1′ + Δ%1").arg(name);
         break;
     case InterpolationForm::Plane:
@@ -44,37 +80,45 @@ void appendLinear(Table &table, const ShadedScope &scope, std::size_t channel)
                            coefficientOf(QStringLiteral("c"), name));
         break;
     case InterpolationForm::Barycentric:
+        // Not arg(), which would read a subscript after a place marker as one of its digits.
         formula = name + QStringLiteral(" = α·") + name + QStringLiteral("₀ + β·") + name
             + QStringLiteral("₁ + γ·") + name + u'₂';
         break;
     }
-    const QString toolTip = scope.effects.perspective && followsPerspective(which)
+    const QString toolTip = !scope.isPlanned ? QStringLiteral("%1 at the sample.").arg(name)
+        : scope.effects.perspective && followsPerspective(which)
         ? QStringLiteral("%1/w at the sample: linear in the frame.").arg(shadedName(which))
         : which == Channel::Reciprocal ? QStringLiteral("1/w at the sample: linear in the frame.")
                                        : atSampleText(which) + u'.';
-    table.push_back({comparedNumber(name, name, isLevel(which) ? unit::levels() : QString(),
-                                    toolTip, formula, Group::FirstColour),
-                     [channel](const State &state) { return state.linear[channel]; },
-                     [=, form = scope.form](NumberDescription &number, const State &state) {
-                         if (form == InterpolationForm::Bilinear && state.startsRun)
-                             number.formula = direct;
-                         if (form == InterpolationForm::Barycentric && state.isCommon[channel])
-                             number.formula = QStringLiteral("%1 = %1").arg(name)
-                                 + vertexDigits[state.commonVertex];
-                     }});
+    NumberDescription number
+        = comparedNumber(name, name, unitOf(which), toolTip, formula, Group::FirstColour);
+    if (!scope.isPlanned && isBilinear(form))
+        number.startFormula = direct;
+    table.push_back(
+        {number, [at = channel.at](const State &state) { return state.linear[at]; },
+         [=, at = at, isPlanned = scope.isPlanned](NumberDescription &current, const State &state) {
+             if (!isPlanned)
+                 specifyValue(current, form, name, state);
+             else if (isBilinear(form) && state.startsRun)
+                 current.formula = direct;
+             if (form == InterpolationForm::Barycentric && state.isCommon[at]
+                 && (isPlanned || state.start.hasPlane))
+                 current.formula
+                     = QStringLiteral("%1 = %1").arg(name) + vertexDigits[state.commonVertex];
+         }});
 }
 
 /// The quotient by 1/w.
-void appendQuotient(Table &table, const ShadedScope &scope, std::size_t channel)
+void appendQuotient(Table &table, const ShadedScope &scope, const ScopedChannel &channel)
 {
-    const Channel which = channelAt(channel);
+    const Channel which = channel.which;
     const QString &name = shadedName(which);
     table.push_back(
-        {comparedNumber(name, name, isLevel(which) ? unit::levels() : QString(),
+        {comparedNumber(name, name, unitOf(which),
                         atSampleText(which) + QStringLiteral(": the quotient."),
                         QStringLiteral("%1 = %2/q").arg(name, linearName(which, scope.effects)),
                         Group::FirstColour),
-         [channel](const State &state) { return state.value[channel]; },
+         [at = channel.at](const State &state) { return state.value[at]; },
          [which, linear = linearName(which, scope.effects)](NumberDescription &number,
                                                             const State &state) {
              if (state.isDivided[indexOf(which)])
@@ -115,17 +159,6 @@ void appendPlain(NumberTable<ShadedSampleState> &table, const QString &id, const
                  const QString &formula, const ReadOfSample &read, NumberGroup group)
 {
     table.push_back({plainNumber(id, id, {}, toolTip, formula, group), read});
-}
-
-NumberDescription plainNumber(const QString &id, const QString &title, const QString &unit,
-                              const QString &toolTip, const QString &formula, NumberGroup group)
-{
-    return {.id = id,
-            .title = title,
-            .unit = unit,
-            .toolTip = toolTip,
-            .formula = formula,
-            .group = group};
 }
 
 void appendBytes(NumberTable<ShadedSampleState> &table, const QString &name, const QString &toolTip,
@@ -171,12 +204,13 @@ NumberTable<ShadedSampleState> shadedSampleNumbers(const ShadedScope &scope)
                                 Group::Decision),
                  [i](const State &state) { return state.weight[i]; }});
     }
-    forEachChannel(effects, [&](std::size_t channel) { appendLinear(table, scope, channel); });
-    if (effects.perspective) {
-        forEachChannel(effects, [&](std::size_t channel) {
-            if (followsPerspective(channelAt(channel)))
-                appendQuotient(table, scope, channel);
-        });
+    for (const ScopedChannel &channel : scope.channels)
+        appendLinear(table, scope, channel);
+    if (!scope.isPlanned)
+        return table;
+    for (const ScopedChannel &channel : scope.channels) {
+        if (effects.perspective && followsPerspective(channel.which))
+            appendQuotient(table, scope, channel);
     }
     if (effects.perspective && effects.texture) {
         for (std::size_t i = 0; i < 2; ++i)

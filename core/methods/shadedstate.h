@@ -15,10 +15,18 @@
 /// serves every arithmetic.
 namespace pixelplumb {
 
+/// A channel that a run carries, and its place in the states' arrays.
+struct ScopedChannel {
+    std::size_t at = 0;
+    Channel which = Channel::Red;
+};
+
 /// What a run of shaded triangles carries, over all its batches, since a table has one heading.
 struct ShadedScope {
     InterpolationForm form = InterpolationForm::Bilinear;
     EffectSet effects;
+    std::vector<ScopedChannel> channels;
+    bool isPlanned = true; ///< false: an interpolation by itself, for which no effect is planned
     Antialiasing antialiasing = Antialiasing::None;
     ByteRounding rounding = ByteRounding::Nearest;
     std::uint32_t greatestDepth = 0; ///< level of the depth format; 0: it keeps numbers
@@ -49,6 +57,22 @@ struct ShadedSetUpState {
     PerChannel<OfVertices<Quantity>> plane; ///< a, b, c
     std::array<OfVertices<Quantity>, 3> weight; ///< a, b, c of each vertex
     int material = noMaterial;
+    // Of an interpolation by itself; none without area.
+    PerChannel<std::array<Quantity, 4>> normal; ///< A, B, C, D of the plane
+    std::array<std::array<Quantity, 4>, 3> line; ///< A, B, C, k of each vertex's weight
+
+    /// The vertex that a digit names: in the bilinear forms vertices are sorted.
+    std::size_t vertexOf(std::size_t digit) const
+    {
+        return isBilinear(form) ? std::size_t(order[digit]) : digit;
+    }
+    /// Whether a vertex has anything in the channel at a place.
+    bool carries(std::size_t at) const
+    {
+        return at < 3 || std::ranges::any_of(given[at], [](const Quantity &each) {
+                   return each.toDouble() != 0;
+               });
+    }
 };
 
 struct ShadedSpanState {
@@ -59,7 +83,36 @@ struct ShadedSpanState {
     PerChannel<Quantity> bottom, top, rate;
 
     std::int64_t drawnSamples() const { return std::max<std::int64_t>(0, endDrawn - firstDrawn); }
+    /// Equal bounds have no change between them.
+    bool hasRate() const { return walk.start.hasPlane && lower != upper; }
 };
+
+/// How the edges bound a column, described as the edge walks describe it; `previous` is the column
+/// from which the walk goes on.
+template <class Step>
+EdgeWalkSpanState boundsOf(const Step &step, LongEdge longEdge,
+                           const std::remove_cvref_t<decltype(step.span)> *previous)
+{
+    const auto &setUp = step.setUp;
+    EdgeWalkSpanState walk;
+    walk.primitive = step.primitive;
+    for (std::size_t i = 0; i < 3; ++i)
+        walk.corners[i].position = setUp.vertices[std::size_t(setUp.order[i])].position;
+    const LatticePoint &p0 = walk.corners[0].position;
+    const LatticePoint &p2 = walk.corners[2].position;
+    walk.start.hasPlane = !setUp.zeroArea;
+    walk.start.isVertical = setUp.zeroArea && p0.x == p2.x && p0.y != p2.y;
+    walk.start.isOnePoint = p0 == p2;
+    walk.column.x = step.span.x;
+    walk.column.half = step.span.half;
+    const SortedEdge shortEdge
+        = step.span.half == ColumnHalf::First ? SortedEdge::L01 : SortedEdge::L12;
+    if (!setUp.zeroArea)
+        (longEdge == LongEdge::Above ? walk.lower : walk.upper) = shortEdge;
+    walk.isFirst = !previous;
+    walk.beginsHalf = !previous || previous->half != step.span.half;
+    return walk;
+}
 
 struct ShadedLightState {
     OfAxes toLight, halfway; ///< L, H
@@ -74,6 +127,8 @@ ShadedLightState lightStateOf(const SampleLightTerm<Real> &term)
 }
 
 struct ShadedSampleState {
+    std::array<int, 3> order = {0, 1, 2};
+    EdgeWalkStart start; ///< of an interpolation by itself
     std::int64_t x = 0, y = 0;
     bool startsRun = false; ///< the additions begin here
     bool isWritten = false;

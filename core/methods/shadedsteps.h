@@ -116,30 +116,17 @@ void setBounds(const ShadedSetUpRead<N> &setUp, const BoundedColumn<N, A> &colum
 template <class N, class A>
 EdgeWalkSpanState shadedWalkOf(const CurrentSpan<ShadedSetUpRead<N>, BoundedColumn<N, A>> &step)
 {
-    const ShadedSetUpRead<N> &setUp = step.setUp;
-    const BoundedColumn<N, A> &column = step.span;
-    EdgeWalkSpanState walk;
-    walk.primitive = step.primitive;
+    const BoundedColumn<N, A> *before = step.previous
+            && step.previous->origin == ColumnOrigin::Walked
+            && step.span.origin == ColumnOrigin::Walked
+        ? step.previous
+        : nullptr;
+    EdgeWalkSpanState walk = boundsOf(step, step.span.longEdge, before);
     for (std::size_t i = 0; i < 3; ++i) {
-        walk.corners[i].position = setUp.vertices[std::size_t(setUp.order[i])].position;
-        if (setUp.form != InterpolationForm::Bilinear)
-            walk.digits[i] = std::size_t(setUp.order[i]);
+        if (step.setUp.form != InterpolationForm::Bilinear)
+            walk.digits[i] = std::size_t(step.setUp.order[i]);
     }
-    walk.start.hasPlane = !setUp.zeroArea;
-    walk.start.isVertical = setUp.zeroArea
-        && walk.corners[0].position.x == walk.corners[2].position.x
-        && walk.corners[0].position.y != walk.corners[2].position.y;
-    walk.column.x = column.x;
-    walk.column.half = column.half;
-    const SortedEdge shortEdge
-        = column.half == ColumnHalf::First ? SortedEdge::L01 : SortedEdge::L12;
-    if (!setUp.zeroArea)
-        (column.longEdge == LongEdge::Above ? walk.lower : walk.upper) = shortEdge;
-    const BoundedColumn<N, A> *before
-        = step.previous && step.previous->origin == ColumnOrigin::Walked ? step.previous : nullptr;
-    walk.isFirst = !before || column.origin != ColumnOrigin::Walked;
-    walk.beginsHalf = !before || before->half != column.half;
-    walk.isCrossed = before && before->longEdge != column.longEdge;
+    walk.isCrossed = before && before->longEdge != step.span.longEdge;
     return walk;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/interpolationnames.h"
 #include "core/methods/shadednumbers.h"
 
 #include <array>

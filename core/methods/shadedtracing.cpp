@@ -29,6 +29,9 @@ ShadedScope scopeOf(InterpolationForm form, const Primitives &primitives,
         all.depth = std::max(all.depth, batch.effects.depth);
     }
     all.blending |= plan.antialiasing == Antialiasing::Area;
+    forEachChannel(all, [&](std::size_t channel) {
+        scope.channels.push_back({channel, channelAt(channel)});
+    });
     if (all.light)
         scope.appearance = std::make_shared<const Appearance>(primitives.appearance);
     scope.isFiltered

@@ -128,20 +128,15 @@ struct BiasArithmetic {
                 }
             }
             // Within the domain the products fit 64 bits.
-            const Lattice x1 = p1.position.x - p0.position.x;
-            const Lattice y1 = p1.position.y - p0.position.y;
-            const Lattice x2 = p2.position.x - p0.position.x;
-            const Lattice y2 = p2.position.y - p0.position.y;
-            const Lattice area = x1 * y2 - x2 * y1;
-            m_hasPlane = area != 0;
-            m_bias = m_hasPlane ? 0.25 / double(absolute(area)) : 0;
+            const LevelPlane<Lattice> plane(p0, p1, p2);
+            m_hasPlane = plane.area != 0;
+            m_bias = m_hasPlane ? 0.25 / double(plane.area) : 0;
             m_origin = threeOf([&](std::size_t i) { return double(p0.colour.channels[i]); });
             for (std::size_t channel = 0; channel < 3 && m_hasPlane; ++channel) {
-                const Lattice c0 = p0.colour.channels[channel];
-                const Lattice c1 = p1.colour.channels[channel] - c0;
-                const Lattice c2 = p2.colour.channels[channel] - c0;
-                m_perColumn[channel] = double((c1 * y2 - c2 * y1) * unitsPerPixel) / double(area);
-                m_perRow[channel] = double((c2 * x1 - c1 * x2) * unitsPerPixel) / double(area);
+                m_perColumn[channel]
+                    = double(plane.perX[channel] * unitsPerPixel) / double(plane.area);
+                m_perRow[channel]
+                    = double(plane.perY[channel] * unitsPerPixel) / double(plane.area);
             }
         }
 

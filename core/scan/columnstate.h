@@ -52,9 +52,9 @@ struct ColumnState {
     std::array<Number, 3> colourRate = {}; ///< Δ_R Δ_G Δ_B, levels per row
     std::int64_t firstRow = 0; ///< ⌈y_B⌉, or ⌊y_B⌋ + 1 where y_B itself is not covered
     std::int64_t endRow = 0; ///< one past the last covered row: ⌊y_T⌋ + 1 or ⌈y_T⌉
-    std::int64_t firstDrawnRow = 0; ///< the same, clipped to the frame
-    std::int64_t endDrawnRow = 0;
-    std::array<Number, 3> firstColour = {}; ///< R G B at firstDrawnRow, levels
+    std::int64_t firstDrawn = 0; ///< the same, clipped to the frame
+    std::int64_t endDrawn = 0;
+    std::array<Number, 3> firstColour = {}; ///< R G B at firstDrawn, levels
 };
 
 /// What became of a sample that a kernel visited.

@@ -3,7 +3,6 @@
 
 #include "core/scan/columnscan.h"
 #include "core/scan/rowwalk.h"
-#include "core/scan/spanaxis.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -29,14 +28,14 @@ struct EdgeWalkNumbers {
 
 /// Receives a column scan and reports it as an edge walk along the frame's columns or rows.
 template <class A, SpanAxis axis, class Observer>
-class EdgeWalkListener {
+class EdgeWalkListener : public AxisListener<axis, Observer> {
 public:
     EdgeWalkListener(const Triangle &triangle, ScanIntervals intervals, std::int64_t firstOfFrame,
                      Observer observer)
-        : m_triangle(&triangle)
+        : AxisListener<axis, Observer>(observer)
+        , m_triangle(&triangle)
         , m_intervals(intervals)
         , m_firstOfFrame(firstOfFrame)
-        , m_observer(observer)
     {
     }
 
@@ -45,38 +44,17 @@ public:
         EdgeWalkSetUp<A> walk{setUp, {}, m_intervals, m_firstOfFrame};
         std::array<int, 3> &order = walk.scan.order;
         // betweenExtremes() has moved the middle vertex of a segment onto an end: it is still P1.
-        if (isTurned && setUp.zeroArea)
+        if (this->isTurned && setUp.zeroArea)
             std::swap(order[1], *std::ranges::find(order, sortedByColumn(*m_triangle)[1]));
         for (std::size_t corner = 0; corner < 3; ++corner)
             walk.corners[corner] = m_triangle->vertices[std::size_t(order[corner])];
-        m_observer.primitiveBegun(walk);
-    }
-    void primitiveRejected(const Rejection &rejection) { m_observer.primitiveRejected(rejection); }
-    WorkStage enter(WorkStage stage) requires HearsStages<Observer>
-    {
-        return m_observer.enter(stage);
-    }
-    void spanEntered(const ColumnState<A> &column) { m_observer.spanEntered(column); }
-    void sampleRejected(std::int64_t u, std::int64_t v, QRgb pixel, const Fragment<A> &fragment)
-    {
-        m_observer.sampleRejected(x(u, v), y(u, v), pixel, fragment);
-    }
-    void pixelWritten(std::int64_t u, std::int64_t v, QRgb before, QRgb after,
-                      const Fragment<A> &fragment)
-    {
-        m_observer.pixelWritten(x(u, v), y(u, v), before, after, fragment);
+        this->m_observer.primitiveBegun(walk);
     }
 
 private:
-    static constexpr bool isTurned = axis == SpanAxis::Row;
-
-    static std::int64_t x(std::int64_t u, std::int64_t v) { return isTurned ? v : u; }
-    static std::int64_t y(std::int64_t u, std::int64_t v) { return isTurned ? -u : v; }
-
     const Triangle *m_triangle;
     ScanIntervals m_intervals;
     std::int64_t m_firstOfFrame;
-    Observer m_observer;
 };
 
 template <class A, SpanAxis axis, class Observer>

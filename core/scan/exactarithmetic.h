@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/triangle.h"
+#include "core/geometry/levelplane.h"
 #include "core/number/mixednumber.h"
 #include "core/number/three.h"
 #include "core/scan/scansettings.h"
@@ -75,9 +75,9 @@ struct ExactArithmetic {
         return std::int64_t(number.whole + std::int64_t(up));
     }
 
-    /// The three vertices' colour plane R(x, y) = (c0·A + GX·(x·S − X0) + GY·(y·S − Y0)) / A.
-    /// ΔR = (R_T − R_B)/(y_T − y_B) is GY·S/A in every column, and R_B + (⌈y_B⌉ − y_B)·ΔR is the
-    /// plane's value there: the same numbers as the assignment's, each one division from integers.
+    /// ΔR = (R_T − R_B)/(y_T − y_B) is GY·S/A of the level's plane in every column, and R_B +
+    /// (⌈y_B⌉ − y_B)·ΔR is the plane's value there: the same numbers as the assignment's, each one
+    /// division from integers.
     class ColourRamp {
     public:
         /// Whether a triangle that has area needs its edges' colours.
@@ -86,31 +86,18 @@ struct ExactArithmetic {
         ColourRamp(const Vertex &p0, const Vertex &p1, const Vertex &p2)
             : m_p0(&p0)
             , m_p2(&p2)
+            , m_plane(p0, p1, p2)
         {
-            const Integer x1 = Integer(p1.position.x) - p0.position.x;
-            const Integer y1 = Integer(p1.position.y) - p0.position.y;
-            const Integer x2 = Integer(p2.position.x) - p0.position.x;
-            const Integer y2 = Integer(p2.position.y) - p0.position.y;
-            const Integer signedArea = x1 * y2 - x2 * y1;
-            const Integer sign = signedArea < 0 ? -1 : 1;
-            m_area = signedArea * sign;
-            for (std::size_t channel = 0; channel < 3; ++channel) {
-                const Integer c0 = p0.colour.channels[channel];
-                const Integer c1 = p1.colour.channels[channel] - c0;
-                const Integer c2 = p2.colour.channels[channel] - c0;
-                m_perColumn[channel] = sign * (c1 * y2 - c2 * y1);
-                m_perRow[channel] = sign * (c2 * x1 - c1 * x2);
-                if (m_area != 0)
-                    m_rate[channel]
-                        = Number::fromFraction(m_perRow[channel] * unitsPerPixel, m_area);
-            }
+            for (std::size_t channel = 0; channel < 3 && m_plane.area != 0; ++channel)
+                m_rate[channel]
+                    = Number::fromFraction(m_plane.perY[channel] * unitsPerPixel, m_plane.area);
         }
 
         /// ΔR ΔG ΔB of a column.
         template <class ColumnState>
         [[gnu::always_inline]] std::array<Number, 3> rates(const ColumnState &column) const
         {
-            if (m_area != 0)
+            if (m_plane.area != 0)
                 return m_rate;
             const Integer height = m_p2->position.y - m_p0->position.y;
             const bool isVertical = m_p0->position.x == m_p2->position.x && height != 0;
@@ -129,14 +116,11 @@ struct ExactArithmetic {
                                                             std::int64_t row) const
         {
             const Integer up = Integer(row) * unitsPerPixel - m_p0->position.y;
-            const auto c0
-                = [&](std::size_t channel) { return Integer(m_p0->colour.channels[channel]); };
-            if (m_area != 0) {
+            if (m_plane.area != 0) {
                 const Integer along = Integer(column.x) * unitsPerPixel - m_p0->position.x;
                 return threeOf([&](std::size_t channel) {
-                    return Number::fromFraction(c0(channel) * m_area + m_perColumn[channel] * along
-                                                    + m_perRow[channel] * up,
-                                                m_area);
+                    return Number::fromFraction(m_plane.numerator(*m_p0, channel, along, up),
+                                                m_plane.area);
                 });
             }
             const Integer height = m_p2->position.y - m_p0->position.y;
@@ -144,8 +128,8 @@ struct ExactArithmetic {
                 return column.colourBottom;
             std::array<Number, 3> starts;
             for (std::size_t channel = 0; channel < 3; ++channel)
-                starts[channel]
-                    = Number::fromFraction(c0(channel) * height + rise(channel) * up, height);
+                starts[channel] = Number::fromFraction(
+                    Integer(m_p0->colour.channels[channel]) * height + rise(channel) * up, height);
             return starts;
         }
 
@@ -157,9 +141,7 @@ struct ExactArithmetic {
 
         const Vertex *m_p0;
         const Vertex *m_p2;
-        Integer m_area = 0; ///< doubled, without sign, in square lattice units
-        std::array<Integer, 3> m_perColumn = {}; ///< GX: change of the numerator per unit of x
-        std::array<Integer, 3> m_perRow = {}; ///< GY: change of the numerator per unit of y
+        LevelPlane<Integer> m_plane;
         std::array<Number, 3> m_rate = {}; ///< ΔR ΔG ΔB, levels per row
     };
 };

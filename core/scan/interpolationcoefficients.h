@@ -108,6 +108,14 @@ void setPlane(InterpolationSetUp<FractionOf<Integer>, channelsInAll> &setUp, std
                                denominator}};
 }
 
+template <FloatingNumber Float, class Corner>
+[[gnu::always_inline]] inline std::array<Float, 3> planeForm(const std::array<Corner, 3> &vertices,
+                                                             std::size_t channel)
+{
+    const PlaneNormal<Float> normal = planeNormal<Float>(vertices, channel);
+    return {-normal.a / normal.c, -normal.b / normal.c, -normal.d / normal.c};
+}
+
 template <FloatingNumber Float, std::size_t channelsInAll>
 [[gnu::always_inline]] inline void setPlane(InterpolationSetUp<Float, channelsInAll> &setUp,
                                             std::size_t channel)
@@ -115,28 +123,40 @@ template <FloatingNumber Float, std::size_t channelsInAll>
     if (hasOneColour(setUp) && channel < colourChannelCount) {
         setUp.plane[channel]
             = {0, 0, realValue<Float>(setUp.vertices[0].channels[channel], channel)};
-        return;
+    } else {
+        setUp.plane[channel] = planeForm<Float>(setUp.vertices, channel);
     }
-    const PlaneNormal<Float> normal = planeNormal<Float>(setUp.vertices, channel);
-    setUp.plane[channel] = {-normal.a / normal.c, -normal.b / normal.c, -normal.d / normal.c};
 }
+
+/// F(x, y) = A·x + B·y + C of the line that faces a vertex, in lattice units, and F at the vertex.
+template <class Integer>
+struct FacingLine {
+    Integer a, b, c, there;
+
+    template <class Corner>
+    FacingLine(const std::array<Corner, 3> &vertices, std::size_t vertex)
+    {
+        const LatticePoint &at = vertices[vertex].position;
+        const LatticePoint &from = vertices[(vertex + 1) % 3].position;
+        const LatticePoint &to = vertices[(vertex + 2) % 3].position;
+        a = Integer(to.y) - from.y;
+        b = Integer(from.x) - to.x;
+        c = -a * from.x - b * from.y;
+        there = a * at.x + b * at.y + c;
+    }
+    Integer sign() const { return there < 0 ? -1 : 1; }
+};
 
 /// The weight of a vertex (Scan Conversion slides, "Computing Barycentric Coordinates"): the
 /// equation F of the line through the other two, times the k that makes it 1 at the vertex.
 template <class Integer, std::size_t channelsInAll>
 void setWeight(InterpolationSetUp<FractionOf<Integer>, channelsInAll> &setUp, std::size_t vertex)
 {
-    const LatticePoint &at = setUp.vertices[vertex].position;
-    const LatticePoint &from = setUp.vertices[(vertex + 1) % 3].position;
-    const LatticePoint &to = setUp.vertices[(vertex + 2) % 3].position;
-    const Integer a = Integer(to.y) - from.y;
-    const Integer b = Integer(from.x) - to.x;
-    const Integer c = -a * from.x - b * from.y;
-    const Integer there = a * at.x + b * at.y + c;
-    const Integer sign = there < 0 ? -1 : 1;
-    setUp.weight[vertex] = {FractionOf<Integer>{sign * a * unitsPerPixel, sign * there},
-                            FractionOf<Integer>{sign * b * unitsPerPixel, sign * there},
-                            FractionOf<Integer>{sign * c, sign * there}};
+    const FacingLine<Integer> line(setUp.vertices, vertex);
+    const Integer sign = line.sign();
+    setUp.weight[vertex] = {FractionOf<Integer>{sign * line.a * unitsPerPixel, sign * line.there},
+                            FractionOf<Integer>{sign * line.b * unitsPerPixel, sign * line.there},
+                            FractionOf<Integer>{sign * line.c, sign * line.there}};
 }
 
 /// F(x, y) = A·x + B·y + C of the line that faces a vertex, and the k that makes it 1 there.
@@ -163,23 +183,25 @@ ScaledLine<Float> scaledLine(const std::array<Corner, 3> &vertices, std::size_t 
 template <std::same_as<CommonFraction> Exact, class Corner>
 ScaledLine<Exact> scaledLine(const std::array<Corner, 3> &vertices, std::size_t vertex)
 {
-    const LatticePoint &at = vertices[vertex].position;
-    const LatticePoint &from = vertices[(vertex + 1) % 3].position;
-    const LatticePoint &to = vertices[(vertex + 2) % 3].position;
     constexpr Int128 unit = unitsPerPixel;
-    const Int128 a = to.y - from.y;
-    const Int128 b = from.x - to.x;
-    const Int128 c = -a * from.x - b * from.y;
-    const Int128 there = a * at.x + b * at.y + c;
-    const Int128 sign = there < 0 ? -1 : 1;
-    return {{a, unit}, {b, unit}, {c, unit * unit}, {sign * unit * unit, sign * there}};
+    const FacingLine<Int128> line(vertices, vertex);
+    return {{line.a, unit},
+            {line.b, unit},
+            {line.c, unit * unit},
+            {line.sign() * unit * unit, line.sign() * line.there}};
+}
+
+template <FloatingNumber Float, class Corner>
+std::array<Float, 3> weightForm(const std::array<Corner, 3> &vertices, std::size_t vertex)
+{
+    const ScaledLine<Float> line = scaledLine<Float>(vertices, vertex);
+    return {line.k * line.a, line.k * line.b, line.k * line.c};
 }
 
 template <FloatingNumber Float, std::size_t channelsInAll>
 void setWeight(InterpolationSetUp<Float, channelsInAll> &setUp, std::size_t vertex)
 {
-    const ScaledLine<Float> line = scaledLine<Float>(setUp.vertices, vertex);
-    setUp.weight[vertex] = {line.k * line.a, line.k * line.b, line.k * line.c};
+    setUp.weight[vertex] = weightForm<Float>(setUp.vertices, vertex);
 }
 
 /// The channel values of a vertex, to be weighted.

@@ -52,16 +52,6 @@ struct CarriedChannels {
     {
         return colourChannelCount + (depth ? 1 : 0) + (texture ? 2 : 0) + (normal ? 3 : 0);
     }
-    /// The channel, among all nine, at a place among the carried ones.
-    constexpr std::size_t at(std::size_t place) const
-    {
-        std::size_t channel = place;
-        if (!depth && channel >= colourChannelCount)
-            channel += 1;
-        if (!texture && channel > colourChannelCount)
-            channel += 2;
-        return channel;
-    }
 };
 
 /// The number of carried channels, the first ones of an array; known at compile time where the
@@ -81,7 +71,6 @@ struct VertexOfChannels : CarriedCount<channelsInAll> {
     LatticePoint position;
     std::array<std::int64_t, channelsInAll> channels = {};
 };
-using ChannelVertex = VertexOfChannels<channelCount>;
 
 /// Missing attributes are zero.
 template <std::size_t channelsInAll>

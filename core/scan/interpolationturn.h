@@ -4,8 +4,6 @@
 #include "core/geometry/attributes.h"
 #include "core/scan/interpolationnumbers.h"
 #include "core/scan/rowwalk.h"
-#include "core/scan/scanobserver.h"
-#include "core/scan/workstage.h"
 
 #include <type_traits>
 
@@ -16,48 +14,6 @@ namespace pixelplumb {
 template <InterpolationForm form>
 using ViewOfForm = std::conditional_t<axisOf(form) == SpanAxis::Row, TurnedView, FrameView>;
 
-/// Reports pixels at their true positions; spans and set-ups stay turned.
-template <class Observer>
-class TurnedListener {
-public:
-    explicit TurnedListener(Observer observer)
-        : m_observer(observer)
-    {
-    }
-
-    WorkStage enter(WorkStage stage) const requires HearsStages<Observer>
-    {
-        return m_observer.enter(stage);
-    }
-    template <class SetUp>
-    void primitiveBegun(const SetUp &setUp)
-    {
-        m_observer.primitiveBegun(setUp);
-    }
-    void primitiveRejected(const Rejection &rejection) { m_observer.primitiveRejected(rejection); }
-    template <class Span>
-    void spanEntered(const Span &span)
-    {
-        m_observer.spanEntered(span);
-    }
-    template <class Sample>
-    void sampleRejected(std::int64_t u, std::int64_t v, QRgb pixel, const Sample &sample)
-    {
-        m_observer.sampleRejected(v, -u, pixel, sample);
-    }
-    template <class Sample>
-    void pixelWritten(std::int64_t u, std::int64_t v, QRgb before, QRgb after, const Sample &sample)
-    {
-        m_observer.pixelWritten(v, -u, before, after, sample);
-    }
-
-private:
-    Observer m_observer;
-};
-
-template <class Observer>
-inline constexpr bool readsNumbers<TurnedListener<Observer>> = readsNumbers<Observer>;
-
 /// What a form reports to: the observer itself where nothing is turned or nobody listens.
 template <InterpolationForm form, class Observer>
 auto listenerFor(Observer observer)
@@ -65,7 +21,7 @@ auto listenerFor(Observer observer)
     if constexpr (axisOf(form) == SpanAxis::Column || std::is_same_v<Observer, NullObserver>)
         return observer;
     else
-        return TurnedListener<Observer>(observer);
+        return AxisListener<SpanAxis::Row, Observer>(observer);
 }
 
 /// A triangle as a form scans it, with its attributes. If two vertices coincide, the turned

@@ -125,7 +125,7 @@ void setColours(const OutlineFillSetUp &setUp, OutlineFillSpan<A> &span)
     const Integer height = span.high.row - span.low.row;
     const Integer lowLength = lengthOf(span.low);
     const Integer highLength = lengthOf(span.high);
-    const Integer up = span.column.firstDrawnRow - span.low.row;
+    const Integer up = span.column.firstDrawn - span.low.row;
     for (std::size_t channel = 0; channel < 3; ++channel) {
         const Integer low = levelAt(span.low, channel);
         const Integer high = levelAt(span.high, channel);
@@ -174,8 +174,8 @@ void fillOutline(const Triangle &triangle, ByteRounding rounding, FrameView fram
         column.yTop = A::Number::fromWhole(span.high.row);
         column.firstRow = span.low.row;
         column.endRow = span.high.row + 1;
-        column.firstDrawnRow = std::max<std::int64_t>(column.firstRow, frame.firstRow);
-        column.endDrawnRow = std::min(column.endRow, frame.endRow());
+        column.firstDrawn = std::max<std::int64_t>(column.firstRow, frame.firstRow);
+        column.endDrawn = std::min(column.endRow, frame.endRow());
         setColours(setUp, span);
         observer.spanEntered(span);
         fillColumn(column, rounding, frame, observer);

@@ -3,6 +3,9 @@
 
 #include "core/frame/frameview.h"
 #include "core/geometry/triangle.h"
+#include "core/scan/scanobserver.h"
+#include "core/scan/spanaxis.h"
+#include "core/scan/workstage.h"
 
 /// Edge walking row by row (Rasterization slides and Scan Conversion slides, "Edge Walking") is the
 /// column scan of the plane turned by a quarter to (u, v) = (−y, x): columns from left to right are
@@ -51,5 +54,50 @@ struct TurnedView {
     std::int64_t endRow() const { return firstRow + frame.width; }
     QRgb *at(std::int64_t u, std::int64_t v) const { return frame.at(v, -u); }
 };
+
+/// Passes on what a scan along an axis announces: pixels at their true positions; spans and set-ups
+/// of a row scan stay turned.
+template <SpanAxis axis, class Observer>
+class AxisListener {
+public:
+    explicit AxisListener(Observer observer)
+        : m_observer(observer)
+    {
+    }
+
+    WorkStage enter(WorkStage stage) const requires HearsStages<Observer>
+    {
+        return m_observer.enter(stage);
+    }
+    template <class SetUp>
+    void primitiveBegun(const SetUp &setUp)
+    {
+        m_observer.primitiveBegun(setUp);
+    }
+    void primitiveRejected(const Rejection &rejection) { m_observer.primitiveRejected(rejection); }
+    template <class Span>
+    void spanEntered(const Span &span)
+    {
+        m_observer.spanEntered(span);
+    }
+    template <class Sample>
+    void sampleRejected(std::int64_t u, std::int64_t v, QRgb pixel, const Sample &sample)
+    {
+        m_observer.sampleRejected(isTurned ? v : u, isTurned ? -u : v, pixel, sample);
+    }
+    template <class Sample>
+    void pixelWritten(std::int64_t u, std::int64_t v, QRgb before, QRgb after, const Sample &sample)
+    {
+        m_observer.pixelWritten(isTurned ? v : u, isTurned ? -u : v, before, after, sample);
+    }
+
+protected:
+    static constexpr bool isTurned = axis == SpanAxis::Row;
+
+    Observer m_observer;
+};
+
+template <SpanAxis axis, class Observer>
+inline constexpr bool readsNumbers<AxisListener<axis, Observer>> = readsNumbers<Observer>;
 
 } // namespace pixelplumb

@@ -40,7 +40,7 @@ struct RightScan {
     template <class AnyRamp, class Column>
     [[gnu::always_inline]] static auto starts(const AnyRamp &ramp, const Column &column)
     {
-        return ramp.starts(column, column.firstDrawnRow);
+        return ramp.starts(column, column.firstDrawn);
     }
 };
 
@@ -194,7 +194,7 @@ struct VariedScan {
     {
         const bool hasPreStep = !variants.contains(Variant::NoColourPreStep);
         return ramp.startsFrom(hasPreStep ? column.yBottom : AnyRamp::wholeRow(column.firstRow),
-                               column, column.firstDrawnRow);
+                               column, column.firstDrawn);
     }
 };
 

@@ -6,15 +6,10 @@
 #include "core/trace/tracenumbers.h"
 #include "core/trace/tracerecords.h"
 
-namespace pixelplumb {
+#include <optional>
+#include <vector>
 
-/// Which of the kept states a step has.
-struct StatePlace {
-    const ScanSettings &settings;
-    std::size_t primitive = 0;
-    std::size_t span = 0; ///< meaningful for spans and samples
-    std::size_t firstSpan = 0; ///< of the primitive
-};
+namespace pixelplumb {
 
 /// One visit of a sample. Its state lives no longer than the call that tells of it.
 struct SampleVisit {
@@ -22,6 +17,20 @@ struct SampleVisit {
     std::int64_t y = 0;
     SampleFate fate = SampleFate::Written;
     const void *state = nullptr;
+};
+
+/// Which states a step has: its primitive's, its span's where it has one, its sample's.
+struct StatePlace {
+    const ScanSettings &settings;
+    std::size_t primitive = 0;
+    std::optional<std::size_t> span = std::nullopt;
+    std::size_t firstSpan = 0; ///< of the primitive
+    const SampleVisit *visit = nullptr;
+
+    StatePlace at(const SampleVisit &sample) const
+    {
+        return {settings, primitive, span, firstSpan, &sample};
+    }
 };
 
 /// The states of a run in the kernel's own numbers: what the recorder keeps of its events, and what
@@ -51,19 +60,12 @@ public:
     /// Read what a record holds besides its cells.
     virtual void read(const StatePlace &place, SetUpRecord &record) const = 0;
     virtual void read(const StatePlace &place, SpanRecord &record) const = 0;
-    virtual void read(const StatePlace &place, const SampleVisit &visit,
-                      SampleRecord &record) const = 0;
+    virtual void read(const StatePlace &place, SampleRecord &record) const = 0;
 
-    virtual std::vector<Quantity> setUpCells(const StatePlace &place) const = 0;
-    virtual std::vector<Quantity> spanCells(const StatePlace &place) const = 0;
-    virtual std::vector<Quantity> sampleCells(const StatePlace &place,
-                                              const SampleVisit &visit) const = 0;
-
-    virtual StepWords setUpWords(const StatePlace &place) const = 0;
-    virtual StepWords spanWords(const StatePlace &place) const = 0;
-    virtual StepWords sampleWords(const StatePlace &place, const SampleVisit &visit) const = 0;
-    virtual std::vector<NumberDescription> sampleNumbers(const StatePlace &place,
-                                                         const SampleVisit &visit) const = 0;
+    /// The numbers of a step; its words; how its numbers are described.
+    virtual std::vector<Quantity> cells(const StatePlace &place) const = 0;
+    virtual StepWords words(const StatePlace &place) const = 0;
+    virtual std::vector<NumberDescription> descriptions(const StatePlace &place) const = 0;
 };
 
 } // namespace pixelplumb

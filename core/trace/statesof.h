@@ -52,7 +52,7 @@ public:
                    [[maybe_unused]] Listener &listener) const override
     {
         if constexpr (canWalkAgain<R>)
-            R::walk(m_setUps[place.primitive], m_spans[place.span], place.settings,
+            R::walk(m_setUps[place.primitive], m_spans[*place.span], place.settings,
                     ObserverOf<R>(listener));
     }
 
@@ -62,50 +62,34 @@ public:
     }
     void read(const StatePlace &place, SpanRecord &record) const override
     {
-        R::record(m_spans[place.span], record);
+        R::record(m_spans[*place.span], record);
         if constexpr (requires(const CurrentSpanOf<R> &step) { R::record(step, record); })
             R::record(currentSpan(place), record);
     }
-    void read(const StatePlace &place, const SampleVisit &visit,
-              SampleRecord &record) const override
+    void read(const StatePlace &place, SampleRecord &record) const override
     {
-        const Sample &sample = sampleAt(visit.state);
-        record.clamped = visit.fate == SampleFate::Written && R::isClamped(sample);
+        const Sample &sample = sampleAt(place.visit->state);
+        record.clamped = place.visit->fate == SampleFate::Written && R::isClamped(sample);
         R::record(sample, record);
         if constexpr (requires(const CurrentSampleOf<R> &step) { R::record(step, record); })
-            R::record(currentSample(place, visit), record);
+            R::record(currentSample(place), record);
     }
 
-    std::vector<Quantity> setUpCells(const StatePlace &place) const override
+    std::vector<Quantity> cells(const StatePlace &place) const override
     {
-        return cellsOf(m_tables->setUp, stateOf<R>(currentSetUp(place)));
+        return atStep(place,
+                      [](const auto &table, const auto &state) { return cellsOf(table, state); });
     }
-    std::vector<Quantity> spanCells(const StatePlace &place) const override
+    StepWords words(const StatePlace &place) const override
     {
-        return cellsOf(m_tables->span, stateOf<R>(currentSpan(place)));
+        return atStep(
+            place, [](const auto &table, const auto &state) { return wordsOf<R>(table, state); });
     }
-    std::vector<Quantity> sampleCells(const StatePlace &place,
-                                      const SampleVisit &visit) const override
+    std::vector<NumberDescription> descriptions(const StatePlace &place) const override
     {
-        return cellsOf(m_tables->sample, stateOf<R>(currentSample(place, visit)));
-    }
-
-    StepWords setUpWords(const StatePlace &place) const override
-    {
-        return wordsOf<R>(m_tables->setUp, stateOf<R>(currentSetUp(place)));
-    }
-    StepWords spanWords(const StatePlace &place) const override
-    {
-        return wordsOf<R>(m_tables->span, stateOf<R>(currentSpan(place)));
-    }
-    StepWords sampleWords(const StatePlace &place, const SampleVisit &visit) const override
-    {
-        return wordsOf<R>(m_tables->sample, stateOf<R>(currentSample(place, visit)));
-    }
-    std::vector<NumberDescription> sampleNumbers(const StatePlace &place,
-                                                 const SampleVisit &visit) const override
-    {
-        return descriptionsIn(m_tables->sample, stateOf<R>(currentSample(place, visit)));
+        return atStep(place, [](const auto &table, const auto &state) {
+            return descriptionsIn(table, state);
+        });
     }
 
 private:
@@ -124,12 +108,24 @@ private:
     }
     CurrentSpanOf<R> currentSpan(const StatePlace &place) const
     {
-        return {currentSetUp(place), m_spans[place.span],
-                place.span == place.firstSpan ? nullptr : &m_spans[place.span - 1]};
+        const std::size_t span = *place.span;
+        return {currentSetUp(place), m_spans[span],
+                span == place.firstSpan ? nullptr : &m_spans[span - 1]};
     }
-    CurrentSampleOf<R> currentSample(const StatePlace &place, const SampleVisit &visit) const
+    CurrentSampleOf<R> currentSample(const StatePlace &place) const
     {
+        const SampleVisit &visit = *place.visit;
         return {currentSpan(place), sampleAt(visit.state), visit.x, visit.y, visit.fate};
+    }
+    /// Calls function(table, state) for the level of the step.
+    template <class Function>
+    auto atStep(const StatePlace &place, const Function &function) const
+    {
+        if (place.visit)
+            return function(m_tables->sample, stateOf<R>(currentSample(place)));
+        if (place.span)
+            return function(m_tables->span, stateOf<R>(currentSpan(place)));
+        return function(m_tables->setUp, stateOf<R>(currentSetUp(place)));
     }
 
     Tables m_tables;

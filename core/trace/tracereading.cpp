@@ -65,7 +65,7 @@ SetUpRecord ScanTrace::setUp(std::size_t primitive) const
     record.rejection = m_primitives[primitive].rejection;
     m_states->read(stateOfSetUp(primitive), record);
     if (wasComputed(record.rejection))
-        record.cells = m_states->setUpCells(stateOfSetUp(primitive));
+        record.cells = m_states->cells(stateOfSetUp(primitive));
     else
         record.cells.resize(m_numbers.setUp.size());
     return record;
@@ -78,7 +78,7 @@ SpanRecord ScanTrace::span(std::size_t span) const
     record.place = placeOf(span);
     const StatePlace place = stateOfSpan(span);
     m_states->read(place, record);
-    record.cells = m_states->spanCells(place);
+    record.cells = m_states->cells(place);
     return record;
 }
 
@@ -91,21 +91,21 @@ std::vector<SampleRecord> ScanTrace::samplesWith(std::size_t span, SampleCells c
         record.x = visit.x;
         record.y = visit.y;
         record.fate = visit.fate;
-        m_states->read(place, visit, record);
+        m_states->read(place.at(visit), record);
         if (cells == SampleCells::Filled)
-            record.cells = m_states->sampleCells(place, visit);
+            record.cells = m_states->cells(place.at(visit));
     });
     return records;
 }
 
 StepWords ScanTrace::setUpWords(std::size_t primitive) const
 {
-    return m_states->setUpWords(stateOfSetUp(primitive));
+    return m_states->words(stateOfSetUp(primitive));
 }
 
 StepWords ScanTrace::spanWords(std::size_t span) const
 {
-    return m_states->spanWords(stateOfSpan(span));
+    return m_states->words(stateOfSpan(span));
 }
 
 StepWords ScanTrace::sampleWords(std::size_t span, std::size_t place) const
@@ -114,7 +114,7 @@ StepWords ScanTrace::sampleWords(std::size_t span, std::size_t place) const
     std::size_t visited = 0;
     visitSamples(span, [&](const SampleVisit &visit) {
         if (visited++ == place)
-            words = m_states->sampleWords(stateOfSpan(span), visit);
+            words = m_states->words(stateOfSpan(span).at(visit));
     });
     return words;
 }
@@ -123,7 +123,7 @@ std::vector<std::vector<NumberDescription>> ScanTrace::sampleNumbers(std::size_t
 {
     std::vector<std::vector<NumberDescription>> numbers;
     visitSamples(span, [&](const SampleVisit &visit) {
-        numbers.push_back(m_states->sampleNumbers(stateOfSpan(span), visit));
+        numbers.push_back(m_states->descriptions(stateOfSpan(span).at(visit)));
     });
     return numbers;
 }

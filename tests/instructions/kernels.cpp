@@ -15,12 +15,12 @@ template <class A>
 [[gnu::noinline]] void fillColumnWithoutHooks(const ColumnState<A> &column, ByteRounding rounding,
                                               FrameView frame)
 {
-    if (column.firstDrawnRow >= column.endDrawnRow)
+    if (column.firstDrawn >= column.endDrawn)
         return;
     Fragment<A> fragment;
     fragment.colour = column.firstColour;
-    QRgb *pixel = frame.at(column.x, column.firstDrawnRow);
-    for (std::int64_t row = column.firstDrawnRow; row < column.endDrawnRow; ++row) {
+    QRgb *pixel = frame.at(column.x, column.firstDrawn);
+    for (std::int64_t row = column.firstDrawn; row < column.endDrawn; ++row) {
         for (std::size_t channel = 0; channel < 3; ++channel)
             fragment.level[channel] = A::level(fragment.colour[channel], rounding);
         *pixel = pixelOfLevels(fragment.level);
@@ -42,7 +42,7 @@ template <class A, class FromInteger>
 ColumnState<A> fallingColumn(FromInteger number)
 {
     ColumnState<A> column;
-    column.endRow = column.endDrawnRow = 1021;
+    column.endRow = column.endDrawn = 1021;
     for (std::size_t channel = 0; channel < 3; ++channel) {
         column.firstColour[channel] = number(250 - int(channel), 1);
         column.colourRate[channel] = number(-int(channel) - 1, 13);
