@@ -5,6 +5,8 @@
 #include "core/methods/shadedstate.h"
 #include "core/scan/interpolationscan.h"
 
+#include <algorithm>
+
 /// How the numbers of an interpolation become the states of shaded triangles: an interpolation is
 /// shading without effects. A channel's place in them is its place among the carried ones.
 namespace pixelplumb {
