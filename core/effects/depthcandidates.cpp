@@ -20,6 +20,20 @@ std::array<Attribute, 3> depthsOf(const Triangle &triangle, const TriangleAttrib
     return z;
 }
 
+/// The w of the vertices, positive, as kernels use them, if areas end at the horizon of the
+/// triangle's plane; else zeros.
+std::array<Attribute, 3> horizonOf(const Triangle &triangle, const TriangleAttributes *attributes,
+                                   const Appearance &appearance, const SampledFrame &where)
+{
+    std::array<Attribute, 3> w = {};
+    if (where.antialiasingOf(triangle) != Antialiasing::Area
+        || !hasHorizon(triangle, attributes, appearance))
+        return w;
+    for (std::size_t i = 0; i < 3; ++i)
+        w[i] = std::max<Attribute>(1, attributes->vertices[i].w);
+    return w;
+}
+
 Lattice marginOf(Antialiasing antialiasing)
 {
     return antialiasing == Antialiasing::None ? 0 : halfPixel;

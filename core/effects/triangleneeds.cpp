@@ -123,16 +123,4 @@ bool hasHorizon(const Triangle &triangle, const TriangleAttributes *attributes,
         && appearance.forced[Effect::Perspective] != Forcing::Off;
 }
 
-std::array<Attribute, 3> horizonOf(const Triangle &triangle, const TriangleAttributes *attributes,
-                                   const Appearance &appearance, const SampledFrame &where)
-{
-    std::array<Attribute, 3> w = {};
-    if (where.antialiasingOf(triangle) != Antialiasing::Area
-        || !hasHorizon(triangle, attributes, appearance))
-        return w;
-    for (std::size_t i = 0; i < 3; ++i)
-        w[i] = std::max<Attribute>(1, attributes->vertices[i].w);
-    return w;
-}
-
 } // namespace pixelplumb

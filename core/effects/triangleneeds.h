@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/effects/effectplan.h"
-#include "core/effects/framereach.h"
 
 namespace pixelplumb {
 
@@ -45,10 +44,5 @@ TriangleNeeds needsOf(const Triangle &triangle, const TriangleAttributes *attrib
 /// forced off. What is constant stays the same beyond it.
 bool hasHorizon(const Triangle &triangle, const TriangleAttributes *attributes,
                 const Appearance &appearance);
-
-/// The w of the vertices, positive, as kernels use them, if areas end at the horizon of the
-/// triangle's plane; else zeros.
-std::array<Attribute, 3> horizonOf(const Triangle &triangle, const TriangleAttributes *attributes,
-                                   const Appearance &appearance, const SampledFrame &where);
 
 } // namespace pixelplumb
