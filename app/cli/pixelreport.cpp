@@ -221,7 +221,7 @@ QStringList pixelLines(const PixelReport &report)
         ? QStringLiteral("the truth")
         : QStringLiteral("the truth of what %1 draws").arg(traced.method->id);
     QString heading = QStringLiteral("pixel (%1, %2) ").arg(report.x).arg(report.y);
-    heading += colourText(report.colour);
+    heading += QStringLiteral("%1 by %2").arg(colourText(report.colour), traced.method->id);
     if (traced.trace->isCut())
         heading += QStringLiteral(", as recorded; the truth is ") + colourText(report.truth);
     else
