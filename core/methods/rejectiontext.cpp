@@ -33,8 +33,8 @@ QString rejectionText(const Rejection &rejection)
     case PrimitiveRejection::OutsideFrame:
         return QStringLiteral("It lies outside the frame. Nothing is drawn.");
     case PrimitiveRejection::BetweenSamples:
-        return QStringLiteral("It reaches into the frame, but no sample of the frame belongs to "
-                              "it. Nothing is drawn.");
+        return QStringLiteral("It reaches into the frame, but by the run's tests no sample of the "
+                              "frame belongs to it. Nothing is drawn.");
     case PrimitiveRejection::NotRepresentable:
         return QStringLiteral(
             "A coordinate does not fit this arithmetic: fixed16.16, and the products of exact runs "

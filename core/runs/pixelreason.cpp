@@ -115,14 +115,25 @@ QString missedText(const PixelAttempt &attempt, const TracedScene &traced, std::
     const std::int64_t place = span.place.axis == SpanAxis::Column ? y : x;
     if (span.lower.isNone() && (place < span.firstSample || place >= span.endSample)) {
         const QString decided = stepBesideText(attempt, trace, x, y);
-        return QStringLiteral("Missing: the truth covers it, but in this %1 the kernel %2 only the "
-                              "samples %3 … %4.")
-                   .arg(span.place.axis == SpanAxis::Column ? QStringLiteral("column")
-                                                            : QStringLiteral("row"),
-                        decided.isEmpty() ? QStringLiteral("tests") : QStringLiteral("fills"))
-                   .arg(span.firstSample)
-                   .arg(span.endSample - 1)
-            + decided;
+        const QString line = span.place.axis == SpanAxis::Column ? QStringLiteral("column")
+                                                                 : QStringLiteral("row");
+        if (!decided.isEmpty())
+            return QStringLiteral("Missing: the truth covers it, but in this %1 the kernel fills "
+                                  "only the samples %2 … %3.")
+                       .arg(line)
+                       .arg(span.firstSample)
+                       .arg(span.endSample - 1)
+                + decided;
+        // A box is clipped to the frame.
+        return span.firstDrawn < span.endDrawn
+            ? QStringLiteral("Missing: the truth covers it, but in this %1 the kernel tests only "
+                             "the samples %2 … %3.")
+                  .arg(line)
+                  .arg(span.firstDrawn)
+                  .arg(span.endDrawn - 1)
+            : QStringLiteral("Missing: the truth covers it, but in this %1 the kernel tests no "
+                             "sample of the frame.")
+                  .arg(line);
     }
     if (span.lower.isNone())
         return QStringLiteral("Missing: the truth covers it, the kernel did not write it.");
@@ -156,7 +167,9 @@ QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced, std:
 {
     if (attempt.primitive < traced.trace->primitiveCount()) {
         if (const auto rejection = rejectionOf(traced, attempt.primitive))
-            return rejectionText(*rejection);
+            return (attempt.verdict.covered ? QStringLiteral("Missing: the truth covers it. ")
+                                            : QString())
+                + rejectionText(*rejection);
     }
     const bool isAntialiasedShape = attempt.kind != PrimitiveKind::Triangle
         && oracle::truthOf(traced.primitives.appearance).antialiasing != Antialiasing::None
