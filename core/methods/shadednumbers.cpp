@@ -82,8 +82,8 @@ void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
              [digit, at = channel.at](const ShadedSetUpState &state) {
                  return state.linear[at][state.vertexOf(digit)];
              },
-             [=](NumberDescription &number, const ShadedSetUpState &state) {
-                 if (state.isDivided[channel])
+             [=, at = channel.at](NumberDescription &number, const ShadedSetUpState &state) {
+                 if (state.isDivided[at])
                      return;
                  const bool divides = state.isDivided[indexOf(Channel::Reciprocal)];
                  number.formula = QStringLiteral("%1 = %2").arg(number.title, above);

@@ -53,11 +53,12 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
     m_forCluster = namedButton("gradingCommentCluster", tr("Copy to all with this bug"),
                                tr("Give every submission of the same cause this comment"), this);
     m_points = named(new QLineEdit(this), "gradingPoints",
-                     tr("Your points in place of those of the checks; empty: those"));
+                     tr("Points in place of those of the checks; leave it empty for theirs"));
     m_points->setMaximumWidth(fontMetrics().horizontalAdvance(QStringLiteral("0000.00")) + 16);
     m_points->setValidator(new QDoubleValidator(0, largestPoints, 2, m_points));
-    m_reason = named(new QLineEdit(this), "gradingReason",
-                     tr("Why the points are changed, for the student; they are not without it"));
+    m_reason
+        = named(new QLineEdit(this), "gradingReason",
+                tr("Why the points are changed, for the student; without a reason they are not"));
     m_reason->setPlaceholderText(tr("why other points"));
     for (QLineEdit *each : {m_points, m_reason}) {
         each->installEventFilter(this);
