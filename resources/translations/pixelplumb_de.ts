@@ -2543,6 +2543,14 @@
         <source>A Folder</source>
         <translation>Ein Ordner</translation>
     </message>
+    <message>
+        <source>as the assignment says</source>
+        <translation>wie die Aufgabe sagt</translation>
+    </message>
+    <message>
+        <source>&amp;Leeway</source>
+        <translation>S&amp;pielraum</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::GradeReviewPane</name>
@@ -2585,6 +2593,22 @@
     <message>
         <source>What was done, for you</source>
         <translation>Was geschehen ist, für Sie</translation>
+    </message>
+    <message>
+        <source>Points in place of those of the checks; leave it empty for theirs</source>
+        <translation>Punkte statt derer der Prüfungen; leer gelten deren</translation>
+    </message>
+    <message>
+        <source>Why the points are changed, for the student; without a reason they are not</source>
+        <translation>Warum andere Punkte, für den Studenten; ohne Grund gelten sie nicht</translation>
+    </message>
+    <message>
+        <source>why other points</source>
+        <translation>warum andere Punkte</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
     </message>
 </context>
 <context>
@@ -3735,6 +3759,45 @@
     <message>
         <source>Nothing to show: %1.</source>
         <translation>Nichts zu zeigen: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::LeewayBox</name>
+    <message>
+        <source>Leeway: which pixels a right program may have otherwise</source>
+        <translation>Spielraum: welche Pixel ein richtiges Programm anders haben darf</translation>
+    </message>
+    <message>
+        <source>strict</source>
+        <translation>streng (strict)</translation>
+    </message>
+    <message>
+        <source>None: the fill rule decides all, nothing is rounded</source>
+        <translation>Keiner: die Füllregel entscheidet alles, nichts wird gerundet</translation>
+    </message>
+    <message>
+        <source>rule</source>
+        <translation>Regel (rule)</translation>
+    </message>
+    <message>
+        <source>What rounding may decide; anything else on an edge is the fill rule&apos;s</source>
+        <translation>Was Rundung entscheiden darf; sonst entscheidet auf Kanten die Füllregel</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>Kanten (edges)</translation>
+    </message>
+    <message>
+        <source>Also every sample on an edge, where fill rules differ</source>
+        <translation>Auch jeder Abtastpunkt auf einer Kante, wo Füllregeln sich unterscheiden</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>einmal (once)</translation>
+    </message>
+    <message>
+        <source>As edges, but between triangles a sample is drawn by exactly one of them</source>
+        <translation>Wie Kanten, aber zwischen Dreiecken zeichnet genau eines von ihnen den Abtastpunkt</translation>
     </message>
 </context>
 <context>
@@ -6638,6 +6701,10 @@
     <message>
         <source>(%1, %2) student: %3, expected: %4</source>
         <translation>(%1, %2) abgegeben: %3, erwartet: %4</translation>
+    </message>
+    <message>
+        <source>Leeway</source>
+        <translation>Spielraum</translation>
     </message>
 </context>
 <context>
