@@ -2599,7 +2599,7 @@
         <translation>Punkte statt derer der Prüfungen; leer gelten deren</translation>
     </message>
     <message>
-        <source>Why the points are changed, for the student; without a reason they are not</source>
+        <source>Your reason for other points, for the student; without one they do not change</source>
         <translation>Warum andere Punkte, für den Studenten; ohne Grund gelten sie nicht</translation>
     </message>
     <message>

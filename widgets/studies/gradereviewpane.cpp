@@ -56,9 +56,9 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
                      tr("Points in place of those of the checks; leave it empty for theirs"));
     m_points->setMaximumWidth(fontMetrics().horizontalAdvance(QStringLiteral("0000.00")) + 16);
     m_points->setValidator(new QDoubleValidator(0, largestPoints, 2, m_points));
-    m_reason
-        = named(new QLineEdit(this), "gradingReason",
-                tr("Why the points are changed, for the student; without a reason they are not"));
+    m_reason = named(
+        new QLineEdit(this), "gradingReason",
+        tr("Your reason for other points, for the student; without one they do not change"));
     m_reason->setPlaceholderText(tr("why other points"));
     for (QLineEdit *each : {m_points, m_reason}) {
         each->installEventFilter(this);
