@@ -24,7 +24,7 @@ FrameBuffer pictureOf(const Method &method, const Primitives &primitives, const 
                       const ScanSettings &settings)
 {
     FrameBuffer frame(spec);
-    method.draw(primitives, settings, frame.view());
+    Run(&method, primitives, settings, frame.view()).draw(frame.view());
     return frame;
 }
 
@@ -101,7 +101,7 @@ private slots:
     {
         QTest::addColumn<QString>("method");
         for (const Method &method : methods()) {
-            if (method.drawEffects)
+            if (method.supports(Effect::Depth))
                 QTest::newRow(qPrintable(method.id)) << method.id;
         }
     }
@@ -125,7 +125,7 @@ private slots:
         int changed = 0;
         for (const Method &method : methods()) {
             for (const Arithmetic arithmetic : allArithmetics) {
-                if (!method.drawEffects || !method.shadesIn(arithmetic)
+                if (!method.supports(Effect::Depth) || !method.shadesIn(arithmetic)
                     || !method.supports(arithmetic))
                     continue;
                 const ScanSettings settings{arithmetic, FillRule::Closed};

@@ -3,6 +3,7 @@
 #include "core/lab/costorder.h"
 #include "core/lab/pareto.h"
 #include "core/oracle/truepicture.h"
+#include "core/runs/contender.h"
 #include "tests/support/defaultscene.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
