@@ -9,6 +9,7 @@
 #include "core/trace/namednumbers.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pixelplumb {
 
@@ -203,6 +204,18 @@ QString refusalSentence(const TracedScene &traced, std::size_t triangle, const S
         return QStringLiteral("Refused: %1 %2 negative.")
             .arg(failed.join(QStringLiteral(", ")),
                  failed.size() == 1 ? QStringLiteral("is") : QStringLiteral("are"));
+
+    QStringList unordered;
+    for (const SampleDecision &decision : decisions) {
+        if (!decision.value.isNone() && std::isnan(decision.value.toDouble()))
+            unordered.append(decision.title);
+    }
+    if (!unordered.isEmpty())
+        return QStringLiteral("Refused: %1 not a number in the run's arithmetic, so every "
+                              "comparison with %2 fails.")
+            .arg(unordered.join(QStringLiteral(", "))
+                     + (unordered.size() == 1 ? QStringLiteral(" is") : QStringLiteral(" are")),
+                 unordered.size() == 1 ? QStringLiteral("it") : QStringLiteral("them"));
 
     const QString above = aboveOneText(traced, decisions);
     if (!above.isEmpty())
