@@ -137,6 +137,18 @@ QStringList badEndsOf(const std::vector<SceneTrial> &tried)
                 .arg(ends.join(QStringLiteral("; ")))};
 }
 
+/// The verdict where a trace tells of a mistake that no picture shows.
+QStringList tracedVerdict(const std::vector<SceneTrial> &tried, const Diagnosis &diagnosis)
+{
+    const auto count = std::ranges::count_if(
+        tried, [](const SceneTrial &each) { return each.trial.trace.has_value(); });
+    if (diagnosis.verdict == DiagnosisVerdict::Wrong || count == 0)
+        return {};
+    return {QStringLiteral("wrong: %1 differs, though no picture shows it")
+                .arg(count == 1 ? QStringLiteral("a trace")
+                                : QStringLiteral("the trace of %1 scenes").arg(count))};
+}
+
 /// The diagnosis of all pictures together; none without pictures, or if all are right.
 std::optional<Diagnosis> diagnosisOf(const std::vector<Submission> &submissions, bool isRight,
                                      const Margin &margin)
@@ -191,8 +203,9 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
     } else {
         for (const SceneTrial &each : tried)
             printLines(linesOf(each));
+        const QStringList traced = diagnosis ? tracedVerdict(tried, *diagnosis) : QStringList();
         if (diagnosis)
-            printLines(diagnosisLines(*diagnosis, submissions));
+            printLines(traced.isEmpty() ? diagnosisLines(*diagnosis, submissions) : traced);
         else if (areRight)
             printLine(verdictOf(tried));
         printLines(confinementLines() + badEndsOf(tried));

@@ -45,11 +45,15 @@ std::optional<QString> notDrawnOnce(const ProgramTrace &trace, const TracedScene
         const std::size_t is = times[{choice.x(), choice.y()}];
         if (is >= least->size() && is <= most->size())
             continue;
+        const bool isTooOften = is > most->size();
+        QString should = timesText(isTooOften ? most->size() : least->size());
+        if (least->size() < most->size())
+            should += isTooOften ? QStringLiteral(" at most") : QStringLiteral(" at least");
         return QStringLiteral(
                    "pixel (%1, %2) lies on an edge that triangles share: %3, should be %4")
             .arg(choice.x())
             .arg(choice.y())
-            .arg(timesText(is), timesText(is < least->size() ? least->size() : most->size()));
+            .arg(timesText(is), should);
     }
     return std::nullopt;
 }
