@@ -21,11 +21,6 @@ Difference differenceBetween(QRgb drawn, QRgb twin)
     return qAlpha(twin) == 0 ? Difference::Extra : Difference::Colour;
 }
 
-ScanSettings exactSettingsOf(const ScanSettings &settings)
-{
-    return {Arithmetic::Exact, settings.fillRule, settings.rounding};
-}
-
 } // namespace
 
 ScenePicture::ScenePicture(const FrameSpec &frame)
@@ -90,38 +85,15 @@ FrameRows ScenePicture::rowsToDraw(const Scene &scene) const
 
 bool ScenePicture::drawAll(const Scene &scene, const ProgressListener &listener)
 {
-    // Triangles may depend on earlier ones, and strokes share samples: one piece.
-    if (mayCallForEffects(scene)) {
-        auto primitives = primitivesOnSamples(scene, listener);
-        return primitives && drawPiece(std::move(*primitives), scene.settings, listener);
-    }
-    const auto count = std::int64_t(scene.triangles.size() + scene.shapes.size());
-    std::int64_t done = 0;
-    std::int64_t size = 0; // of the piece
-    const auto tell = [&](const JobProgress &progress) {
-        return goesOn(listener,
-                      {progress.phase, done + progress.done * size / progress.total, count});
-    };
-    constexpr std::int64_t mostTriangles = std::int64_t(1) << 16;
-    const auto triangles = std::int64_t(scene.triangles.size());
-    for (; done < triangles; done += size) {
-        size = std::min(mostTriangles, triangles - done);
-        takeTriangles(scene, done, size);
-        if (!drawPiece({std::move(m_triangles), {}}, scene.settings, tell))
-            return false;
-    }
-    Scene shapes;
-    shapes.frame = scene.frame;
-    shapes.shapes = scene.shapes;
-    size = std::int64_t(shapes.shapes.size());
-    return size == 0 || drawPiece(primitivesOnSamples(shapes), scene.settings, tell);
+    auto primitives = primitivesOnSamples(scene, listener);
+    return primitives && drawBoth(std::move(*primitives), scene.settings, listener);
 }
 
 /// Draws the triangles that may reach into the rows, and restores what they paint outside: in a
 /// window of only these rows, rounded increments would start afresh at its first row.
 bool ScenePicture::drawRows(FrameRows rows, const Scene &scene, const ProgressListener &listener)
 {
-    m_triangles.clear(); // and keeps its memory
+    Primitives drawn;
     const Lattice offset = sampleOffset(scene.frame);
     FrameRows painted = rows;
     for (const Triangle &each : scene.triangles) {
@@ -130,7 +102,7 @@ bool ScenePicture::drawRows(FrameRows rows, const Scene &scene, const ProgressLi
         if (reached.end <= rows.first || reached.first >= rows.end)
             continue;
         painted = {std::min(painted.first, reached.first), std::max(painted.end, reached.end)};
-        m_triangles.push_back(triangle);
+        drawn.triangles.push_back(triangle);
     }
     const FrameRows all = allRowsOf(spec());
     painted = {std::max(painted.first, all.first), std::min(painted.end, all.end)};
@@ -140,15 +112,15 @@ bool ScenePicture::drawRows(FrameRows rows, const Scene &scene, const ProgressLi
         kept.emplace_back(rowsOf(frame->view(), rows.end, painted.end));
     }
     clear(rows);
-    const bool isComplete = drawPiece({std::move(m_triangles), {}}, scene.settings, listener);
+    const bool isComplete = drawBoth(std::move(drawn), scene.settings, listener);
     for (const KeptRows &each : kept)
         each.putBack();
     return isComplete;
 }
 
-/// Draws into both pictures, one after the other.
-bool ScenePicture::drawPiece(Primitives piece, const ScanSettings &settings,
-                             const ProgressListener &listener)
+/// Draws the picture, and then its exact twin where there is one.
+bool ScenePicture::drawBoth(Primitives primitives, const ScanSettings &settings,
+                            const ProgressListener &listener)
 {
     const auto pictures = std::int64_t(frames().size());
     std::int64_t drawn = 0;
@@ -157,15 +129,14 @@ bool ScenePicture::drawPiece(Primitives piece, const ScanSettings &settings,
             listener,
             {progress.phase, progress.done + drawn * progress.total, pictures * progress.total});
     };
-    Run run(m_method, std::move(piece), settings, m_drawn.view());
-    bool isComplete = run.draw(m_drawn.view(), tell);
-    if (isComplete && ++drawn < pictures) {
-        run = Run(methodNamed(u"column-scan"), std::move(run.primitives), exactSettingsOf(settings),
-                  m_twin->view());
-        isComplete = run.draw(m_twin->view(), tell);
-    }
-    m_triangles = std::move(run.primitives.triangles);
-    return isComplete;
+    Run run(m_method, std::move(primitives), settings, m_drawn.view());
+    if (!run.draw(m_drawn.view(), tell))
+        return false;
+    if (++drawn == pictures)
+        return true;
+    const ScanSettings exact{Arithmetic::Exact, settings.fillRule, settings.rounding};
+    return Run(methodNamed(u"column-scan"), std::move(run.primitives), exact, m_twin->view())
+        .draw(m_twin->view(), tell);
 }
 
 /// The frames that are drawn into.
@@ -181,16 +152,6 @@ void ScenePicture::clear(FrameRows rows)
 {
     for (const FrameBuffer *frame : frames())
         fillTransparent(rowsOf(frame->view(), rows.first, rows.end), spec().background);
-}
-
-void ScenePicture::takeTriangles(const Scene &scene, std::int64_t first, std::int64_t count)
-{
-    const auto begin = scene.triangles.begin() + first;
-    m_triangles.assign(begin, begin + count);
-    if (const Lattice offset = sampleOffset(scene.frame); offset != 0) {
-        for (Triangle &triangle : m_triangles)
-            triangle = onSamples(triangle, offset);
-    }
 }
 
 /// Notes what differs and makes the background opaque, in one pass over the frames.

@@ -34,7 +34,7 @@ public:
     const DifferenceMap &differences() const { return m_differences; }
 
     /// Draws a scene with this frame, whose method must be able to (objectionTo). False if the
-    /// listener, called for each piece of the scene, ended it: the picture is then invalid.
+    /// listener, called now and then, ended it: the picture is then invalid.
     bool draw(const std::shared_ptr<const Scene> &scene, const ProgressListener &listener);
 
 private:
@@ -48,11 +48,10 @@ private:
     FrameRows rowsToDraw(const Scene &scene) const;
     bool drawAll(const Scene &scene, const ProgressListener &listener);
     bool drawRows(FrameRows rows, const Scene &scene, const ProgressListener &listener);
-    bool drawPiece(Primitives piece, const ScanSettings &settings,
-                   const ProgressListener &listener);
+    bool drawBoth(Primitives primitives, const ScanSettings &settings,
+                  const ProgressListener &listener);
     std::vector<const FrameBuffer *> frames() const;
     void clear(FrameRows rows);
-    void takeTriangles(const Scene &scene, std::int64_t first, std::int64_t count);
     void compareRows(FrameRows rows);
     void forgetDifferences(std::int64_t y);
     void noteDifferences(std::int64_t y, const QRgb *drawnRow, const QRgb *twinRow);
@@ -63,8 +62,6 @@ private:
     DifferenceMap m_differences;
     std::shared_ptr<const Scene> m_scene; ///< whose picture it is; null if it is incomplete
     const Method *m_method = nullptr; ///< of the scene that is being drawn
-    /// Of that scene, a piece, in sample coordinates; its memory is used again.
-    std::vector<Triangle> m_triangles;
 };
 
 } // namespace pixelplumb
