@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/effects/commonchannels.h"
 #include "core/effects/shadedsegment.h"
 #include "core/effects/shadingnumber.h"
 #include "core/geometry/shape.h"
@@ -41,10 +42,6 @@ constexpr std::int64_t channelUnits(const Vertex &vertex, const VertexAttributes
     }
     return 0;
 }
-
-/// What the vertices' w do: where they are equal, or nothing that is divided by them differs, there
-/// is nothing to correct.
-enum class DivisionBy : std::uint8_t { W, One };
 
 /// One triangle with its attributes.
 struct ShadedTriangle {
@@ -171,30 +168,6 @@ inline bool fitsNarrowShading(const ShadedTriangle &triangle, const EffectSet &e
 }
 
 namespace shadedsetup {
-
-/// Of a segment only its two ends count, of a point only its first vertex. The three colours count
-/// as one channel: one that is interpolated is interpolated as without effects.
-template <class N>
-void setCommonChannels(ShadedSetUp<N> &setUp, const ShadedTriangle &triangle)
-{
-    const auto agree = [&](Channel channel) {
-        const auto valueAt = [&](std::size_t corner) {
-            return triangle.valueAt(std::size_t(setUp.order[corner]), channel);
-        };
-        const auto &place = setUp.vertices;
-        const bool isPoint = setUp.zeroArea
-            && place[std::size_t(setUp.order[0])].position
-                == place[std::size_t(setUp.order[2])].position;
-        return isPoint
-            || (valueAt(0) == valueAt(2) && (setUp.zeroArea || valueAt(0) == valueAt(1)));
-    };
-    const bool isOneColour = agree(Channel::Red) && agree(Channel::Green) && agree(Channel::Blue);
-    for (const Channel channel : {Channel::Red, Channel::Green, Channel::Blue})
-        setUp.isCommon[indexOf(channel)] = isOneColour;
-    for (const Channel channel : {Channel::Alpha, Channel::Depth})
-        setUp.isCommon[indexOf(channel)] = agree(channel);
-    setUp.isCommon[indexOf(Channel::Reciprocal)] = triangle.division == DivisionBy::One;
-}
 
 template <class Integer>
 void setWeights(ShadedSetUp<ExactShading<Integer>> &setUp)

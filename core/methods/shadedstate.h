@@ -45,7 +45,6 @@ struct ShadedSetUpState {
     InterpolationForm form = InterpolationForm::Bilinear;
     OfVertices<LatticePoint> position;
     EffectSet effects; ///< of the triangle
-    PerChannel<bool> isCommon = {}; ///< in which the vertices agree
     PerChannel<bool> isDivided = {}; ///< by w
     bool zeroArea = false; ///< its segment is drawn
     PerChannel<OfVertices<Quantity>> given; ///< as the vertices give them

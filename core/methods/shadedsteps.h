@@ -55,7 +55,6 @@ ShadedSetUpState shadedStateOf(const ShadedSetUpRead<N> &setUp)
     state.order = setUp.order;
     state.form = setUp.form;
     state.effects = setUp.effects;
-    state.isCommon = setUp.isCommon;
     state.isDivided = dividedChannelsOf(setUp);
     state.zeroArea = setUp.zeroArea;
     state.material = setUp.material;
@@ -82,8 +81,7 @@ ShadedSetUpState shadedStateOf(const ShadedSetUpRead<N> &setUp)
     return state;
 }
 
-/// Sets an edge's values where it meets the column: in floating numbers as walked, in exact ones as
-/// the plane has them.
+/// Sets an edge's values where it meets the column: as walked; in exact numbers as of the plane.
 template <class N, class A>
 void setBounds(const ShadedSetUpRead<N> &setUp, const BoundedColumn<N, A> &column,
                const ShadedQuantities<N> &quantities, ShadedSpanState &state)

@@ -193,63 +193,6 @@ QString writtenFormula(Antialiasing antialiasing)
 
 } // namespace
 
-namespace {
-
-Int128 crossOf(const StrokePoint &a, const StrokePoint &b)
-{
-    return Int128(a.x) * b.y - Int128(a.y) * b.x;
-}
-
-StrokePoint strokePoint(const LatticePoint &point)
-{
-    return {point.x * strokeUnitsPerLattice, point.y * strokeUnitsPerLattice};
-}
-
-StrokePoint from(const LatticePoint &start, const LatticePoint &end)
-{
-    return strokePoint({end.x - start.x, end.y - start.y});
-}
-
-} // namespace
-
-Quantity StrokeSampleState::across(const LatticePoint &offset) const
-{
-    if (setUp.shape.kind != PrimitiveKind::Line)
-        return {};
-    const LatticePoint &start = setUp.shape.vertices[0].position;
-    const StrokePoint line = from(start, setUp.shape.vertices[1].position);
-    const LatticePoint sample = {x * unitsPerPixel + offset.x, y * unitsPerPixel + offset.y};
-    return Quantity::rational(crossOf(line, from(start, sample)), crossOf(line, setUp.half));
-}
-
-Quantity StrokeSampleState::along(const LatticePoint &offset) const
-{
-    if (setUp.shape.kind != PrimitiveKind::Line)
-        return {};
-    const LatticePoint &start = setUp.shape.vertices[0].position;
-    const StrokePoint line = from(start, setUp.shape.vertices[1].position);
-    const LatticePoint sample = {x * unitsPerPixel + offset.x, y * unitsPerPixel + offset.y};
-    return Quantity::rational(crossOf(from(start, sample), setUp.half), crossOf(line, setUp.half));
-}
-
-Quantity StrokeSampleState::place() const
-{
-    return isOnLine() && !isRefused ? Quantity::rational(sample.place.run, sample.place.length)
-                                    : Quantity();
-}
-
-Quantity StrokeSampleState::level(std::size_t channel) const
-{
-    if (isMean() || isRefused)
-        return {};
-    const Int128 from = setUp.shape.vertices.front().colour.channels[channel];
-    if (!isOnLine())
-        return Quantity::integer(from);
-    const Int128 to = setUp.shape.vertices.back().colour.channels[channel];
-    const StrokeColour::Place &place = sample.place;
-    return Quantity::rational(from * place.length + (to - from) * place.run, place.length);
-}
-
 const NumberTable<StrokeSetUp> &strokeSetUpNumbers()
 {
     static const auto numbers = [] {
