@@ -138,6 +138,7 @@ private:
     /// What the walk asks for (columnwalk.h).
     template <class Fill>
     struct Filling {
+        static constexpr bool skipsEmptyHalf = true;
         const ShadedScan &scan;
         const Fill &fill;
 

@@ -102,6 +102,7 @@ public:
     }
 
     /// What the walk asks for (columnwalk.h).
+    static constexpr bool skipsEmptyHalf = false;
     [[gnu::always_inline]] Walker walkerOn(const SortedEnds &ends, std::int64_t column) const
     {
         const auto edge = m_form.edge(at(ends[0]), at(ends[1]));

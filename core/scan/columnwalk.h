@@ -6,6 +6,7 @@
 #include "core/scan/workstage.h"
 
 #include <algorithm>
+#include <type_traits>
 
 /// The walk over the columns of a triangle, from left to right, each between two of its edges: L₀₁
 /// and L₀₂ up to x₁, then L₁₂ and L₀₂. The column scan, interpolation and shading walk alike; what
@@ -58,17 +59,21 @@ WalkedColumns columnsInFrame(const ColumnRange &range, const SortedCorners &corn
     return columns;
 }
 
-/// Walks the columns of one half; a branch around an empty one costs the others a third of a
-/// percent of their instructions. The scan says what walks along an edge, walkerOn(ends, column),
-/// which rows belong to a column beside it, rowsOf(ends of the short edge), and what is done in
-/// one, scanColumn(half, rows, x, short walker, long walker). Force-inlined, as these are: an edge
-/// that goes through memory is read in words of another size than it was stored in, and waits until
-/// every earlier pixel is stored.
+/// Walks the columns of one half. The scan says what walks along an edge, walkerOn(ends, column),
+/// which rows belong to a column beside it, rowsOf(ends of the short edge), what is done in one,
+/// scanColumn(half, rows, x, short walker, long walker), and whether an empty half begins no edge,
+/// skipsEmptyHalf: that branch can cost full halves a third of a percent. Force-inlined, as these
+/// are: an edge that goes through memory is read in words of another size than it was stored in,
+/// and waits until every earlier pixel is stored.
 template <class Scan, class Observer, class Walker>
 [[gnu::always_inline]] inline void walkHalf(Scan &scan, ColumnHalf half,
                                             const WalkedColumns &columns, const Observer &observer,
                                             Walker &longEdge)
 {
+    if constexpr (std::remove_cvref_t<Scan>::skipsEmptyHalf) {
+        if (columns.isEmpty())
+            return;
+    }
     const SortedEnds ends = half == ColumnHalf::First ? SortedEnds{0, 1} : SortedEnds{1, 2};
     Walker shortEdge = scan.walkerOn(ends, columns.first);
     const Interval rows = scan.rowsOf(ends);

@@ -88,9 +88,11 @@ struct ExactArithmetic {
             , m_p2(&p2)
             , m_plane(p0, p1, p2)
         {
-            for (std::size_t channel = 0; channel < 3 && m_plane.area != 0; ++channel)
-                m_rate[channel]
-                    = Number::fromFraction(m_plane.perY[channel] * unitsPerPixel, m_plane.area);
+            for (std::size_t channel = 0; channel < 3; ++channel) {
+                if (m_plane.area != 0)
+                    m_rate[channel]
+                        = Number::fromFraction(m_plane.perY[channel] * unitsPerPixel, m_plane.area);
+            }
         }
 
         /// ΔR ΔG ΔB of a column.

@@ -91,6 +91,7 @@ public:
     }
 
     /// What the walk asks for (columnwalk.h).
+    static constexpr bool skipsEmptyHalf = true;
     [[gnu::always_inline]] Walker walkerOn(const SortedEnds &edge, std::int64_t column) const
     {
         const Vertex &a = m_triangle.vertices[indexAt(edge[0])];
@@ -147,7 +148,9 @@ private:
         };
         walkSegment(
             scan.corners(), columns, scan.m_observer,
-            [&](const SortedEnds &ends, std::int64_t column) { return scan.walkerOn(ends, column); },
+            [&](const SortedEnds &ends, std::int64_t column) {
+                return scan.walkerOn(ends, column);
+            },
             [&](ColumnHalf half, std::int64_t x, const Walker &lower, const Walker &upper) {
                 scan.scanBetween(half, scan.m_intervals.rows, x, lower, upper, fill);
             });

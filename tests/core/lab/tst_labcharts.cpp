@@ -4,6 +4,7 @@
 #include "core/lab/pareto.h"
 #include "core/oracle/truepicture.h"
 #include "core/runs/contender.h"
+#include "core/runs/tracedscene.h"
 #include "tests/support/defaultscene.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
