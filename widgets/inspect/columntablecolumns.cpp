@@ -24,7 +24,8 @@ void ColumnTable::createActions()
         addToggle("showPosition", tr("Position"), tr("Show the column and its half")),
         addToggle("showSpan", tr("Span"), tr("Show where the edges meet the column, and its rows")),
         addToggle("showDecision", tr("Decision"), tr("Show the numbers that decide the samples")),
-        addToggle("showEdgeColours", tr("Edge colours"), tr("Show the levels at both edges and where the colours start")),
+        addToggle("showEdgeColours", tr("Edge colours"),
+                  tr("Show the levels at both edges and where the colours start")),
         addToggle("showColourRates", tr("ΔR ΔG ΔB"), tr("Show the change from sample to sample")),
         addToggle("showFirstColour", tr("First R G B"), tr("Show the levels at the first pixel")),
     };

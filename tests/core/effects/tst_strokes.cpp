@@ -20,7 +20,6 @@ namespace {
 constexpr std::array kindsOfAntialiasing
     = {Antialiasing::Area, Antialiasing::Samples4, Antialiasing::Samples16};
 
-
 Scene sceneOf(const std::vector<Shape> &shapes, const FrameSpec &frame, Antialiasing antialiasing)
 {
     Scene scene;

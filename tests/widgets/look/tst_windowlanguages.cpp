@@ -151,8 +151,8 @@ private slots:
     void everyTextOfADialogComesThroughTheTranslator_data()
     {
         QTest::addColumn<QString>("opener");
-        for (const char *opener :
-             {"editFrame", "editLook", "addTriangle", "goTo", "showKeys", "showAbout", "showExamples"})
+        for (const char *opener : {"editFrame", "editLook", "addTriangle", "goTo", "showKeys",
+                                   "showAbout", "showExamples"})
             QTest::newRow(opener) << opener;
     }
     void everyTextOfADialogComesThroughTheTranslator()
