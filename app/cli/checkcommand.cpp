@@ -5,7 +5,7 @@
 #include "app/cli/options.h"
 #include "core/check/casecheck.h"
 #include "core/scan/choicenames.h"
-#include "core/scene/fileaccess.h"
+#include "core/scene/files/fileaccess.h"
 
 #include <QJsonArray>
 #include <QJsonObject>

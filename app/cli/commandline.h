@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cli/console.h"
-#include "core/scene/result.h"
+#include "core/scene/text/result.h"
 
 #include <QCommandLineParser>
 

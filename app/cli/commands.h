@@ -3,12 +3,12 @@
 
 #include "app/cli/commandline.h"
 #include "core/compare/contest.h"
-#include "core/grade/diagnosis.h"
-#include "core/grade/picturediff.h"
-#include "core/lab/study.h"
+#include "core/grade/diagnose/diagnosis.h"
+#include "core/grade/pictures/picturediff.h"
+#include "core/lab/study/study.h"
 #include "core/layers/affineimage.h"
 #include "core/methods/method.h"
-#include "core/runs/pixelhistory.h"
+#include "core/runs/explain/pixelhistory.h"
 #include "core/scene/scene.h"
 
 #include <QImage>
@@ -84,7 +84,7 @@ QStringList kindsOf(const Method &method);
 /// The entry for a method in the list of methods.
 QJsonObject methodJson(const Method &method);
 /// Prints all about a method, with its numbers and, for each arithmetic, the summary of its
-/// operations on the standard example (core/lab/standardexamples.h).
+/// operations on the standard example (core/lab/counting/standardexamples.h).
 void printWholeMethod(const Method &method);
 QJsonObject wholeMethodJson(const Method &method);
 

@@ -4,7 +4,7 @@
 #include "app/cli/files.h"
 #include "app/cli/options.h"
 #include "core/compare/contest.h"
-#include "core/scene/inputrecord.h"
+#include "core/scene/files/inputrecord.h"
 
 #include <QImage>
 

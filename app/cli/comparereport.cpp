@@ -3,7 +3,7 @@
 #include "app/cli/console.h"
 #include "core/runs/undrawn.h"
 #include "core/scan/choicenames.h"
-#include "core/scene/colourtext.h"
+#include "core/scene/text/colourtext.h"
 
 #include <QJsonArray>
 

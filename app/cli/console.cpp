@@ -2,8 +2,8 @@
 #include "app/cli/console.h"
 
 #include "core/grade/showntext.h"
-#include "core/scene/inputrecord.h"
-#include "core/scene/shortened.h"
+#include "core/scene/files/inputrecord.h"
+#include "core/scene/text/shortened.h"
 
 #include <QCoreApplication>
 #include <QJsonDocument>

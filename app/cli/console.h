@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/number/jobprogress.h"
-#include "core/scene/fileaccess.h"
+#include "core/scene/files/fileaccess.h"
 
 #include <QElapsedTimer>
 #include <QJsonArray>

@@ -4,11 +4,11 @@
 #include "app/cli/files.h"
 #include "app/cli/options.h"
 #include "core/frame/framebuffer.h"
-#include "core/grade/counterexample.h"
-#include "core/grade/diagnosis.h"
-#include "core/scene/colourtext.h"
-#include "core/scene/inputrecord.h"
+#include "core/grade/diagnose/diagnosis.h"
+#include "core/grade/hunt/counterexample.h"
+#include "core/scene/files/inputrecord.h"
 #include "core/scene/scenefile.h"
+#include "core/scene/text/colourtext.h"
 
 #include <QFileInfo>
 #include <QJsonArray>

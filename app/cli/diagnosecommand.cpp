@@ -3,7 +3,7 @@
 #include "app/cli/console.h"
 #include "app/cli/files.h"
 #include "app/cli/options.h"
-#include "core/grade/undecidable.h"
+#include "core/grade/diagnose/undecidable.h"
 #include "core/number/failure.h"
 #include "core/scan/choicenames.h"
 

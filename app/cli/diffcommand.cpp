@@ -2,11 +2,11 @@
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
 #include "app/cli/options.h"
-#include "core/grade/diagnosis.h"
-#include "core/grade/drawntwice.h"
-#include "core/grade/undecidable.h"
-#include "core/scene/colourtext.h"
-#include "core/scene/inputrecord.h"
+#include "core/grade/diagnose/diagnosis.h"
+#include "core/grade/diagnose/undecidable.h"
+#include "core/grade/pictures/drawntwice.h"
+#include "core/scene/files/inputrecord.h"
+#include "core/scene/text/colourtext.h"
 
 #include <QJsonArray>
 

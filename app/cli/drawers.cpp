@@ -3,8 +3,8 @@
 #include "app/cli/options.h"
 #include "core/compare/contest.h"
 #include "core/scan/choicenames.h"
-#include "core/scene/colourtext.h"
 #include "core/scene/scenefile.h"
+#include "core/scene/text/colourtext.h"
 
 #include <QJsonDocument>
 #include <QProcess>

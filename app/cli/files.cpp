@@ -2,8 +2,8 @@
 #include "app/cli/files.h"
 
 #include "core/frame/framespec.h"
-#include "core/scene/inputrecord.h"
-#include "core/scene/outputfolder.h"
+#include "core/scene/files/inputrecord.h"
+#include "core/scene/files/outputfolder.h"
 
 #include <QBuffer>
 #include <QDir>

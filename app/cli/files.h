@@ -3,10 +3,10 @@
 
 #include "app/cli/commandline.h"
 #include "core/geometry/colour.h"
-#include "core/grade/picture.h"
-#include "core/scene/fileaccess.h"
-#include "core/scene/outputfile.h"
-#include "core/scene/result.h"
+#include "core/grade/pictures/picture.h"
+#include "core/scene/files/fileaccess.h"
+#include "core/scene/files/outputfile.h"
+#include "core/scene/text/result.h"
 
 #include <QFile>
 #include <QImage>

@@ -4,11 +4,11 @@
 #include "app/cli/files.h"
 #include "app/cli/options.h"
 #include "core/fast/machinethreads.h"
-#include "core/grade/gradefile.h"
-#include "core/grade/gradefolder.h"
-#include "core/grade/gradereports.h"
+#include "core/grade/class/gradefile.h"
+#include "core/grade/class/gradefolder.h"
+#include "core/grade/class/gradereports.h"
+#include "core/grade/class/submissionfolder.h"
 #include "core/grade/showntext.h"
-#include "core/grade/submissionfolder.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
-#include "core/grade/allowance.h"
-#include "core/grade/invariants.h"
+#include "core/grade/hunt/allowance.h"
+#include "core/grade/hunt/invariants.h"
 #include "core/methods/method.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/scenefile.h"

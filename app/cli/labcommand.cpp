@@ -4,11 +4,11 @@
 #include "app/cli/files.h"
 #include "app/cli/options.h"
 #include "core/grade/showntext.h"
-#include "core/lab/budget.h"
-#include "core/lab/labfile.h"
+#include "core/lab/study/budget.h"
+#include "core/lab/study/labfile.h"
 #include "core/measure/timeleft.h"
 #include "core/scan/choicenames.h"
-#include "core/scene/fileaccess.h"
+#include "core/scene/files/fileaccess.h"
 
 #include <algorithm>
 

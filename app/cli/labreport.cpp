@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
-#include "core/lab/pareto.h"
+#include "core/lab/study/pareto.h"
 #include "core/scan/choicenames.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
-#include "core/scene/inputrecord.h"
+#include "core/scene/files/inputrecord.h"
 #include "version.h"
 
 #include <QCoreApplication>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
-#include "core/grade/defect.h"
-#include "core/lab/operationtable.h"
-#include "core/lab/standardexamples.h"
+#include "core/grade/bugs/defect.h"
+#include "core/lab/counting/operationtable.h"
+#include "core/lab/counting/standardexamples.h"
 #include "core/methods/method.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/appearancenames.h"

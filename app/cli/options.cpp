@@ -2,8 +2,8 @@
 #include "app/cli/options.h"
 
 #include "app/cli/console.h"
-#include "core/grade/assignment.h"
-#include "core/grade/sandbox.h"
+#include "core/grade/class/assignment.h"
+#include "core/grade/try/sandbox.h"
 #include "core/scan/choicenames.h"
 
 #include <algorithm>

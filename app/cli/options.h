@@ -3,16 +3,16 @@
 
 #include "app/cli/commandline.h"
 #include "core/geometry/effect.h"
-#include "core/grade/counterexample.h"
-#include "core/grade/trial.h"
+#include "core/grade/hunt/counterexample.h"
+#include "core/grade/hunt/trial.h"
 #include "core/methods/method.h"
 #include "core/runs/contender.h"
-#include "core/runs/rejectedprimitives.h"
+#include "core/runs/explain/rejectedprimitives.h"
 #include "core/runs/tracedscene.h"
 #include "core/scan/choicenames.h"
 #include "core/scan/scansettings.h"
-#include "core/scene/result.h"
 #include "core/scene/scenefile.h"
+#include "core/scene/text/result.h"
 
 #include <QJsonObject>
 

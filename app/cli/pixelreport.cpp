@@ -3,9 +3,9 @@
 #include "app/cli/options.h"
 #include "core/export/numbertext.h"
 #include "core/runs/differencename.h"
-#include "core/runs/edgerefusal.h"
-#include "core/runs/pixelhistory.h"
-#include "core/scene/colourtext.h"
+#include "core/runs/explain/edgerefusal.h"
+#include "core/runs/explain/pixelhistory.h"
+#include "core/scene/text/colourtext.h"
 
 #include <QJsonArray>
 #include <QJsonObject>

@@ -2,10 +2,10 @@
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/options.h"
-#include "core/effects/effectplan.h"
 #include "core/measure/effecttiming.h"
 #include "core/runs/scenerun.h"
 #include "core/scan/choicenames.h"
+#include "core/shade/effectplan.h"
 
 #include <QJsonArray>
 #include <QJsonObject>

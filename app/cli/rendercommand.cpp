@@ -4,7 +4,7 @@
 #include "app/cli/files.h"
 #include "app/cli/options.h"
 #include "core/frame/framebuffer.h"
-#include "core/lab/costorder.h"
+#include "core/lab/study/costorder.h"
 #include "core/runs/tracedscene.h"
 #include "core/scene/asciiraster.h"
 

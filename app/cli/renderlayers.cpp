@@ -5,8 +5,8 @@
 #include "app/cli/options.h"
 #include "core/layers/layer.h"
 #include "core/layers/layerpainter.h"
-#include "core/scene/coordinatetext.h"
 #include "core/scene/scenefile.h"
+#include "core/scene/text/coordinatetext.h"
 
 #include <QPainter>
 

@@ -2,11 +2,11 @@
 #include "app/cli/console.h"
 #include "app/cli/files.h"
 #include "app/cli/options.h"
-#include "core/grade/defect.h"
+#include "core/grade/bugs/defect.h"
 #include "core/runs/clampeddepths.h"
 #include "core/runs/scenerun.h"
 #include "core/scan/choicenames.h"
-#include "core/scene/fileaccess.h"
+#include "core/scene/files/fileaccess.h"
 #include "core/scene/scenefile.h"
 
 #include <algorithm>

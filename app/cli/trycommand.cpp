@@ -2,9 +2,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/options.h"
+#include "core/grade/diagnose/undecidable.h"
+#include "core/grade/hunt/trial.h"
 #include "core/grade/showntext.h"
-#include "core/grade/trial.h"
-#include "core/grade/undecidable.h"
 
 #include <QJsonArray>
 

@@ -2,7 +2,7 @@
 #include "core/check/attributecase.h"
 
 #include "core/frame/writtenframe.h"
-#include "core/methods/shadednumbers.h"
+#include "core/methods/shading/shadednumbers.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/check/casecoordinates.h"
 
-#include "core/scene/coordinatetext.h"
+#include "core/scene/text/coordinatetext.h"
 
 #include <limits>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/check/hardcase.h"
-#include "core/scene/jsonreader.h"
+#include "core/scene/text/jsonreader.h"
 
 #include <array>
 

@@ -2,8 +2,8 @@
 #include "core/check/effectcase.h"
 
 #include "core/check/casefacts.h"
-#include "core/scene/appearancereader.h"
-#include "core/scene/attributereader.h"
+#include "core/scene/fields/appearancereader.h"
+#include "core/scene/fields/attributereader.h"
 
 namespace pixelplumb {
 

@@ -5,7 +5,7 @@
 #include "core/geometry/shape.h"
 #include "core/number/quantity.h"
 #include "core/scan/scansettings.h"
-#include "core/scene/result.h"
+#include "core/scene/text/result.h"
 
 #include <QByteArray>
 #include <QStringList>

@@ -4,7 +4,7 @@
 #include "core/check/effectcase.h"
 #include "core/check/linecase.h"
 #include "core/check/shapecase.h"
-#include "core/scene/coordinatetext.h"
+#include "core/scene/text/coordinatetext.h"
 
 #include <QFile>
 

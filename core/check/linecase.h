@@ -3,7 +3,7 @@
 
 #include "core/check/casepicture.h"
 #include "core/check/hardcase.h"
-#include "core/scene/jsonreader.h"
+#include "core/scene/text/jsonreader.h"
 
 namespace pixelplumb {
 

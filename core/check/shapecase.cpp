@@ -2,7 +2,7 @@
 #include "core/check/shapecase.h"
 
 #include "core/check/casefacts.h"
-#include "core/methods/rejectiontext.h"
+#include "core/methods/words/rejectiontext.h"
 
 #include <span>
 

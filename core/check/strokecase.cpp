@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/check/strokecase.h"
 
-#include "core/effects/strokestrip.h"
+#include "core/shade/strokestrip.h"
 
 #include <algorithm>
 

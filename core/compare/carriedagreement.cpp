@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/carriedagreement.h"
 
-#include "core/runs/carriednumbers.h"
+#include "core/runs/explain/carriednumbers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "core/export/traceexport.h"
 
 #include "core/export/tracerows.h"
-#include "core/runs/runformulas.h"
+#include "core/runs/explain/runformulas.h"
 #include "core/runs/spanheadings.h"
 #include "core/scan/choicenames.h"
 

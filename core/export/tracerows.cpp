@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/tracerows.h"
 
-#include "core/methods/rejectiontext.h"
-#include "core/runs/projectionstages.h"
-#include "core/runs/rejectedprimitives.h"
-#include "core/scene/colourtext.h"
+#include "core/methods/words/rejectiontext.h"
+#include "core/runs/explain/projectionstages.h"
+#include "core/runs/explain/rejectedprimitives.h"
+#include "core/scene/text/colourtext.h"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/export/tracetable.h"
-#include "core/runs/explanation.h"
+#include "core/runs/explain/explanation.h"
 #include "core/runs/tracedscene.h"
 
 namespace pixelplumb {

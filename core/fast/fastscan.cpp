@@ -6,7 +6,7 @@
 #include "core/fast/floatcolumns.h"
 #include "core/fast/framebands.h"
 #include "core/fast/machinethreads.h"
-#include "core/scan/columndrawing.h"
+#include "core/scan/walks/columndrawing.h"
 
 #include <algorithm>
 

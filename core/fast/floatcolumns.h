@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/fast/fastkernels.h"
-#include "core/scan/columnscan.h"
+#include "core/scan/walks/columnscan.h"
 
 namespace pixelplumb {
 

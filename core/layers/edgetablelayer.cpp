@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/layers.h"
-#include "core/methods/formulatext.h"
-#include "core/methods/polygonkernels.h"
+#include "core/methods/polygons/polygonkernels.h"
+#include "core/methods/words/formulatext.h"
 
 #include <cmath>
 

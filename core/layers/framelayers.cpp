@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/effects/edgepixels.h"
-#include "core/effects/requirements.h"
 #include "core/layers/cellnumber.h"
 #include "core/layers/layers.h"
-#include "core/scan/pointaddress.h"
+#include "core/plan/requirements.h"
+#include "core/scan/curves/pointaddress.h"
+#include "core/shade/edgepixels.h"
 
 #include <algorithm>
 #include <functional>

@@ -4,7 +4,7 @@
 #include "core/layers/affineimage.h"
 #include "core/runs/ahead.h"
 #include "core/runs/tracedscene.h"
-#include "core/scan/edgeteststate.h"
+#include "core/scan/tests/edgeteststate.h"
 #include "core/trace/namednumbers.h"
 
 #include <QPoint>

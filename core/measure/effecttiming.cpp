@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/measure/effecttiming.h"
 
-#include "core/effects/shadeddrawing.h"
 #include "core/frame/writtenframe.h"
 #include "core/measure/stopwatch.h"
 #include "core/runs/tracedscene.h"
+#include "core/shade/shadeddrawing.h"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 #include "core/frame/framebuffer.h"
 #include "core/measure/writecount.h"
 #include "core/methods/method.h"
-#include "core/scan/columndrawing.h"
+#include "core/scan/walks/columndrawing.h"
 
 #include <chrono>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "core/measure/writecount.h"
 
 #include "core/frame/framebuffer.h"
-#include "core/scan/columndrawing.h"
+#include "core/scan/walks/columndrawing.h"
 
 #include <algorithm>
 

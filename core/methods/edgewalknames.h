@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/methods/edgewalkform.h"
 #include "core/methods/edgewalkstate.h"
+#include "core/methods/words/edgewalkform.h"
 #include "core/trace/numberdescription.h"
 
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/methods/anyarithmetic.h"
-#include "core/scan/edgewalk.h"
+#include "core/scan/walks/edgewalk.h"
 #include "core/trace/currentstep.h"
 
 /// What the tables of edge walks read: the kernel's state with each number as a quantity, so that

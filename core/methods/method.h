@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/methods/pseudocode.h"
 #include "core/methods/run.h"
+#include "core/methods/words/pseudocode.h"
 
 #include <QStringList>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/effects/requirements.h"
-#include "core/effects/strokestrip.h"
 #include "core/methods/method.h"
 #include "core/methods/objectiontext.h"
+#include "core/plan/requirements.h"
 #include "core/scan/choicenames.h"
+#include "core/shade/strokestrip.h"
 
 #include <algorithm>
 

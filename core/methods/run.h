@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/effects/effectplan.h"
 #include "core/frame/frameview.h"
 #include "core/number/jobprogress.h"
+#include "core/shade/effectplan.h"
 #include "core/trace/tracerecorder.h"
 
 #include <memory>

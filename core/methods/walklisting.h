@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/methods/edgewalknames.h"
-#include "core/methods/pseudocode.h"
+#include "core/methods/words/pseudocode.h"
 
 namespace pixelplumb {
 

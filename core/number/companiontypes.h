@@ -9,7 +9,7 @@
 namespace pixelplumb {
 
 /// The types that a kernel computes with alongside Number. If Number counts its operations
-/// (core/lab/countednumber.h), these count theirs as well.
+/// (core/lab/counting/countednumber.h), these count theirs as well.
 template <class Number>
 struct CompanionTypes {
     using Narrow = std::int64_t;

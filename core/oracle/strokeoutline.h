@@ -7,7 +7,7 @@
 
 #include <vector>
 
-/// The outline of a stroke (defined in core/effects/strokestrip.h), in numbers of any size: half
+/// The outline of a stroke (defined in core/shade/strokestrip.h), in numbers of any size: half
 /// widths by bisection, circles as fractions, Bézier points by de Casteljau's algorithm.
 namespace pixelplumb::oracle {
 

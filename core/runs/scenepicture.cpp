@@ -5,7 +5,7 @@
 #include "core/frame/pixelrows.h"
 #include "core/runs/redrawnrows.h"
 #include "core/runs/scenerun.h"
-#include "core/scan/columndrawing.h"
+#include "core/scan/walks/columndrawing.h"
 
 #include <algorithm>
 

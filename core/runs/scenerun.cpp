@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/scenerun.h"
 
-#include "core/effects/bordercrossing.h"
-#include "core/effects/requirements.h"
 #include "core/methods/objectiontext.h"
+#include "core/plan/bordercrossing.h"
+#include "core/plan/requirements.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/frame/coveragemask.h"
-#include "core/scene/result.h"
+#include "core/scene/text/result.h"
 
 #include <QStringView>
 

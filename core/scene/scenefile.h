@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/number/jobprogress.h"
-#include "core/scene/coordinatetext.h"
 #include "core/scene/scene.h"
+#include "core/scene/text/coordinatetext.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "labstudy.h"
 
-#include "core/lab/labfile.h"
-#include "core/lab/pixelwindow.h"
+#include "core/lab/judging/pixelwindow.h"
+#include "core/lab/study/labfile.h"
 #include "core/scan/choicenames.h"
 #include "picturecheck.h"
 

@@ -7,7 +7,7 @@
 
 namespace pixelplumb::bench {
 
-/// The lab's study (core/lab/study.h) extended by the line-up's renderers that draw smooth
+/// The lab's study (core/lab/study/study.h) extended by the line-up's renderers that draw smooth
 /// triangles on one thread, as the JSON that the lab opens. Each is judged under the tie rule that
 /// its pictures follow.
 QByteArray studyWithPeers(const Lineup &lineup, Extent extent,

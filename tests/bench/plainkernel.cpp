@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/frame/framebuffer.h"
-#include "core/lab/straightloop.h"
+#include "core/lab/contenders/straightloop.h"
 #include "core/methods/method.h"
 #include "lineup.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/oracle/oracle.h"
-#include "core/scene/coordinatetext.h"
+#include "core/scene/text/coordinatetext.h"
 #include "tests/search/canvaspicture.h"
 
 #include <cstdlib>

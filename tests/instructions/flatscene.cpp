@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/frame/framebuffer.h"
-#include "core/methods/edgewalkkernels.h"
-#include "core/methods/plannedmethod.h"
+#include "core/methods/shading/plannedmethod.h"
+#include "core/methods/walks/edgewalkkernels.h"
 
 #include <cstdlib>
 #include <cstring>

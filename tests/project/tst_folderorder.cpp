@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The folders of core have an order, the folders of widgets another, and no include points upward:
-// to read a file, one needs to have read only what is below it.
+// The folders of core have an order, the folders of widgets another, the rooms of a large folder
+// one of their own, and no include points upward: to read a file, one needs to have read only what
+// is below it.
 
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
@@ -10,6 +11,7 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <map>
 
 namespace tst_folderorder {
 
@@ -20,11 +22,13 @@ namespace {
 /// Folders of equal rank do not know each other.
 using FolderOrder = QList<QStringList>;
 
-/// A library: its folders by rank, lowest first, and the libraries that it may include.
+/// A library: its folders by rank, lowest first, the libraries that it may include, and the rooms
+/// of its large folders, lowest first; "" stands for the files that are in no room.
 struct Library {
     QString name;
     FolderOrder order;
     QStringList below;
+    std::map<QString, QStringList> rooms;
 };
 
 const QList<Library> &libraries()
@@ -36,7 +40,8 @@ const QList<Library> &libraries()
           {"frame", "polygons"},
           {"space"},
           {"scan"},
-          {"effects"},
+          {"shade"},
+          {"plan"},
           {"fast", "oracle", "trace"},
           {"methods"},
           {"scene"},
@@ -45,7 +50,16 @@ const QList<Library> &libraries()
           {"check", "export", "measure"},
           {"compare", "grade"},
           {"lab"}},
-         {}},
+         {},
+         {{"grade",
+           {"", "pictures", "rounding", "scan", "bugs", "try", "diagnose", "hunt", "class"}},
+          {"lab", {"counting", "contenders", "judging", "families", "study"}},
+          {"methods",
+           {"words", "", "shading", "lines", "walks", "tests", "curves", "polygons", "table"}},
+          {"runs", {"", "explain"}},
+          {"scan",
+           {"", "walks", "mistakes", "tests", "interpolation", "lines", "curves", "polygons"}},
+          {"scene", {"text", "files", "", "fields"}}}},
         {"widgets",
          {{"look"},
           {"model"},
@@ -56,7 +70,8 @@ const QList<Library> &libraries()
           {"lab"},
           {"stepping"},
           {"window"}},
-         {"core"}},
+         {"core"},
+         {}},
     };
     return all;
 }
@@ -80,9 +95,28 @@ qsizetype rankOf(const FolderOrder &order, const QString &folder)
     return rank == order.end() ? -1 : rank - order.begin();
 }
 
-/// Why a source in this folder may not include the file; empty if it may.
-QString complaintAbout(const Library &library, const QString &folder, const QString &included)
+/// The room of a file's path, "core/scan/edgeline.h" or "core/methods/lines/lines.h"; "" if none.
+QString roomOf(const QString &path)
 {
+    return path.count(u'/') < 3 ? QString() : path.section(u'/', 2, -2);
+}
+
+/// Why a file in a room of the folder may not include one in another room; empty if it may.
+QString complaintAboutRoom(const QStringList &rooms, const QString &room, const QString &other)
+{
+    for (const QString &named : {room, other}) {
+        if (!rooms.contains(named))
+            return QStringLiteral("the room \"%1\" has no place in the order").arg(named);
+    }
+    return rooms.indexOf(other) <= rooms.indexOf(room)
+        ? QString()
+        : QStringLiteral("the room \"%1\" does not stand below \"%2\"").arg(other, room);
+}
+
+/// Why the source at a path may not include the file; empty if it may.
+QString complaintAbout(const Library &library, const QString &path, const QString &included)
+{
+    const QString folder = path.section(u'/', 1, 1);
     const QString otherLibrary = included.section(u'/', 0, 0);
     if (library.below.contains(otherLibrary) || included.endsWith(QStringLiteral(".moc")))
         return {};
@@ -93,9 +127,12 @@ QString complaintAbout(const Library &library, const QString &folder, const QStr
     const qsizetype otherRank = rankOf(library.order, other);
     if (rank < 0 || otherRank < 0)
         return QStringLiteral("%1 has no place in the order").arg(rank < 0 ? folder : other);
-    if (other != folder && otherRank >= rank)
-        return QStringLiteral("%1 does not stand below %2").arg(other, folder);
-    return {};
+    if (other != folder)
+        return otherRank < rank ? QString()
+                                : QStringLiteral("%1 does not stand below %2").arg(other, folder);
+    const auto rooms = library.rooms.find(folder);
+    return complaintAboutRoom(rooms == library.rooms.end() ? QStringList(QString()) : rooms->second,
+                              roomOf(path), roomOf(included));
 }
 
 } // namespace
@@ -117,10 +154,10 @@ private slots:
         QStringList complaints;
         QSet<QString> seen;
         for (const QString &path : filesBelow(checked.name)) {
-            const QString folder = path.section(u'/', 1, 1);
-            seen.insert(folder);
+            seen.insert(path.section(u'/', 1, 1));
+            seen.insert(path.section(u'/', 1, 1) + u'/' + roomOf(path));
             for (const QString &included : includesOf(textInTree(path))) {
-                const QString complaint = complaintAbout(checked, folder, included);
+                const QString complaint = complaintAbout(checked, path, included);
                 if (!complaint.isEmpty())
                     complaints.append(path + u' ' + included + QStringLiteral(": ") + complaint);
             }
@@ -131,35 +168,47 @@ private slots:
             for (const QString &folder : folders)
                 QVERIFY2(seen.contains(folder), qPrintable(folder));
         }
+        for (const auto &[folder, rooms] : checked.rooms) {
+            for (const QString &room : rooms)
+                QVERIFY2(seen.contains(folder + u'/' + room), qPrintable(folder + u'/' + room));
+        }
     }
 
     void whatLooksUpIsFound_data()
     {
-        QTest::addColumn<QString>("folder");
+        QTest::addColumn<QString>("path");
         QTest::addColumn<QString>("directive");
         QTest::addColumn<bool>("allowed");
+        const QString scan = QStringLiteral("core/scan/tests/edgetest.h");
+        const QString rows = QStringLiteral("core/methods/lines/linenumbers.cpp");
         const auto add
-            = [](const char *name, const char *folder, const char *directive, bool allowed) {
-                  QTest::newRow(name) << QString(folder) << QString(directive) << allowed;
+            = [](const char *name, const QString &path, const char *directive, bool allowed) {
+                  QTest::newRow(name) << path << QString(directive) << allowed;
               };
-        add("down", "scan", "#include \"core/number/integer.h\"\n", true);
-        add("its own folder", "scan", "#include \"core/scan/edgeline.h\"\n", true);
-        add("the standard library", "scan", "#include <vector>\n", true);
-        add("up", "scan", "#include \"core/trace/scantrace.h\"\n", false);
-        add("up, after blanks", "scan", "\n  #  include \"core/runs/tracedscene.h\"\n", false);
-        add("the same rank", "frame", "#include \"core/polygons/contours.h\"\n", false);
-        add("the library above", "compare", "#include \"widgets/look/signs.h\"\n", false);
-        add("a folder without place", "scan", "#include \"core/elsewhere/thing.h\"\n", false);
-        add("no full path", "scan", "#include \"edgeline.h\"\n", false);
+        add("down", scan, "#include \"core/number/integer.h\"\n", true);
+        add("its own folder", scan, "#include \"core/scan/interval.h\"\n", true);
+        add("the standard library", scan, "#include <vector>\n", true);
+        add("up", scan, "#include \"core/trace/scantrace.h\"\n", false);
+        add("up, after blanks", scan, "\n  #  include \"core/runs/tracedscene.h\"\n", false);
+        add("the same rank", "core/frame/frameview.h", "#include \"core/polygons/contours.h\"\n",
+            false);
+        add("the library above", "core/compare/deviation.h", "#include \"widgets/look/signs.h\"\n",
+            false);
+        add("a folder without place", scan, "#include \"core/elsewhere/thing.h\"\n", false);
+        add("no full path", scan, "#include \"edgeline.h\"\n", false);
+        add("its own room", rows, "#include \"core/methods/lines/linestate.h\"\n", true);
+        add("a room below", rows, "#include \"core/methods/words/units.h\"\n", true);
+        add("a room above", rows, "#include \"core/methods/polygons/text.h\"\n", false);
+        add("a room without place", rows, "#include \"core/methods/elsewhere/text.h\"\n", false);
     }
     void whatLooksUpIsFound()
     {
-        QFETCH(QString, folder);
+        QFETCH(QString, path);
         QFETCH(QString, directive);
         QFETCH(bool, allowed);
         const bool isClean
-            = std::ranges::all_of(includesOf(directive), [&folder](const QString &included) {
-                  return complaintAbout(libraries().front(), folder, included).isEmpty();
+            = std::ranges::all_of(includesOf(directive), [&path](const QString &included) {
+                  return complaintAbout(libraries().front(), path, included).isEmpty();
               });
         QCOMPARE(isClean, allowed);
     }

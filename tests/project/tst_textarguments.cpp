@@ -22,8 +22,8 @@ namespace {
 const QStringList &roomsOfOwnWords()
 {
     static const QStringList rooms
-        = {"core/methods/", "core/layers/",     "core/runs/",    "core/effects/",
-           "core/measure/", "widgets/inspect/", "widgets/space/"};
+        = {"core/methods/", "core/layers/",  "core/runs/",       "core/plan/",
+           "core/shade/",   "core/measure/", "widgets/inspect/", "widgets/space/"};
     return rooms;
 }
 

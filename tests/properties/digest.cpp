@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/oracle/oracle.h"
-#include "core/scan/columnscan.h"
+#include "core/scan/walks/columnscan.h"
 
 #include <cstdio>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "core/frame/frameview.h"
 #include "core/oracle/oracle.h"
-#include "core/scan/columnscan.h"
+#include "core/scan/walks/columnscan.h"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/scene/fileaccess.h"
+#include "core/scene/files/fileaccess.h"
 #include "tests/search/casefiles.h"
 #include "tests/search/shortfallrecord.h"
 

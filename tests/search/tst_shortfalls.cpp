@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/check/casecheck.h"
-#include "core/scene/fileaccess.h"
+#include "core/scene/files/fileaccess.h"
 #include "tests/search/casefiles.h"
 #include "tests/search/measure.h"
 #include "tests/search/shortfallrecord.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/caselist.h"
 
-#include "core/scene/fileaccess.h"
+#include "core/scene/files/fileaccess.h"
 
 #include <QTest>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/frame/framebuffer.h"
-#include "core/lab/operationcounts.h"
+#include "core/lab/counting/operationcounts.h"
 #include "core/methods/method.h"
 
 #include <QStringList>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/number/quantity.h"
-#include "core/runs/explanation.h"
+#include "core/runs/explain/explanation.h"
 #include "tests/support/rangearithmetic.h"
 
 #include <QString>

@@ -2,8 +2,8 @@
 #include "widgets/canvas/pointerreadout.h"
 
 #include "core/oracle/oracle.h"
-#include "core/runs/edgename.h"
-#include "core/scene/colourtext.h"
+#include "core/runs/explain/edgename.h"
+#include "core/scene/text/colourtext.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/canvas/canvasoutlines.h"
 #include "widgets/canvas/canvasscene.h"

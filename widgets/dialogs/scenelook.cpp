@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/dialogs/scenelook.h"
 
-#include "core/scene/appearancewriter.h"
-#include "core/scene/primitivewriter.h"
+#include "core/scene/fields/appearancewriter.h"
+#include "core/scene/fields/primitivewriter.h"
 #include "core/scene/scenefile.h"
 
 #include <QRegularExpression>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/scene/result.h"
 #include "core/scene/scene.h"
+#include "core/scene/text/result.h"
 
 #include <QStandardItemModel>
 

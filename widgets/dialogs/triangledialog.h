@@ -3,8 +3,8 @@
 
 #include "core/geometry/attributes.h"
 #include "core/geometry/triangle.h"
-#include "core/scene/result.h"
 #include "core/scene/scenefile.h"
+#include "core/scene/text/result.h"
 
 #include <QDialog>
 

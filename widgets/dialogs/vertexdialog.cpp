@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/dialogs/vertexdialog.h"
 
-#include "core/scene/coordinatetext.h"
+#include "core/scene/text/coordinatetext.h"
 #include "widgets/look/colourbutton.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/look/parts.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/files/autosave.h"
 
-#include "core/scene/fileaccess.h"
+#include "core/scene/files/fileaccess.h"
 #include "widgets/files/recentfiles.h"
 #include "widgets/model/scenedocument.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/files/recentfiles.h"
 
-#include "core/scene/fileaccess.h"
+#include "core/scene/files/fileaccess.h"
 #include "core/scene/scenefile.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/typesetting.h"

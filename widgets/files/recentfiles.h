@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/runs/tracedscene.h"
-#include "core/scene/result.h"
 #include "core/scene/scene.h"
+#include "core/scene/text/result.h"
 
 #include <QDateTime>
 #include <QFileSystemWatcher>

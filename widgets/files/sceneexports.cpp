@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/files/sceneexports.h"
 
-#include "core/runs/pixelhistory.h"
+#include "core/runs/explain/pixelhistory.h"
 #include "core/scene/asciiraster.h"
-#include "core/scene/colourtext.h"
-#include "core/scene/fileaccess.h"
-#include "core/scene/inputrecord.h"
-#include "core/scene/outputfile.h"
+#include "core/scene/files/fileaccess.h"
+#include "core/scene/files/inputrecord.h"
+#include "core/scene/files/outputfile.h"
+#include "core/scene/text/colourtext.h"
 #include "widgets/files/examplefolder.h"
 #include "widgets/files/svgexport.h"
 #include "widgets/look/typesetting.h"

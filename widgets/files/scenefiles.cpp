@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/files/scenefiles.h"
 
-#include "core/scene/inputrecord.h"
-#include "core/scene/referredfiles.h"
+#include "core/scene/fields/referredfiles.h"
+#include "core/scene/files/inputrecord.h"
 #include "core/scene/scenefile.h"
 #include "widgets/files/recentfiles.h"
 #include "widgets/look/typesetting.h"

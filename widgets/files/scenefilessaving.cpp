@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/scene/inputrecord.h"
+#include "core/scene/files/inputrecord.h"
 #include "widgets/files/examplefolder.h"
 #include "widgets/files/recentfiles.h"
 #include "widgets/files/scenefiles.h"

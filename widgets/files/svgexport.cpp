@@ -2,7 +2,7 @@
 #include "widgets/files/svgexport.h"
 
 #include "core/layers/layer.h"
-#include "core/scene/fileaccess.h"
+#include "core/scene/files/fileaccess.h"
 #include "widgets/canvas/ruler.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/framepainter.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/inspect/delegates.h"
 
-#include "core/scene/coordinatetext.h"
+#include "core/scene/text/coordinatetext.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 #include "widgets/model/pixelhistorymodel.h"

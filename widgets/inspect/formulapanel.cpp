@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/inspect/formulapanel.h"
 
-#include "core/runs/formulaexplanation.h"
+#include "core/runs/explain/formulaexplanation.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/formulahtml.h"
 #include "widgets/look/numberlayout.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/inspect/methodpanel.h"
 
-#include "core/runs/stepmoment.h"
+#include "core/runs/explain/stepmoment.h"
 #include "core/runs/tracedscene.h"
 #include "core/scan/choicenames.h"
 #include "widgets/look/corewords.h"

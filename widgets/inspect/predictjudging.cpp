@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/inspect/predictjudging.h"
 
-#include "core/methods/formulatext.h"
+#include "core/methods/words/formulatext.h"
 #include "core/runs/tracedscene.h"
 #include "widgets/inspect/predictpanel.h"
 #include "widgets/look/corewords.h"

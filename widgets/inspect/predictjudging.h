@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/runs/prediction.h"
+#include "core/runs/explain/prediction.h"
 
 namespace pixelplumb {
 

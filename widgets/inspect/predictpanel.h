@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/runs/nextpixel.h"
-#include "core/runs/prediction.h"
+#include "core/runs/explain/nextpixel.h"
+#include "core/runs/explain/prediction.h"
 #include "core/scene/scene.h"
 
 #include <QSet>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/lab/budget.h"
-#include "core/lab/study.h"
+#include "core/lab/study/budget.h"
+#include "core/lab/study/study.h"
 
 #include <QTableWidget>
 #include <QTreeWidget>

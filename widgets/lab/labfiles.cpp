@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/lab/labfiles.h"
 
-#include "core/lab/labfile.h"
-#include "core/scene/fileaccess.h"
-#include "core/scene/inputrecord.h"
+#include "core/lab/study/labfile.h"
+#include "core/scene/files/fileaccess.h"
+#include "core/scene/files/inputrecord.h"
 #include "widgets/lab/labplot.h"
 #include "widgets/lab/labtext.h"
 #include "widgets/look/typesetting.h"

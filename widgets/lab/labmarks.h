@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/lab/labcontender.h"
+#include "core/lab/contenders/labcontender.h"
 
 #include <QPalette>
 #include <qcustomplot.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/lab/study.h"
+#include "core/lab/study/study.h"
 #include "core/measure/timeleft.h"
 #include "widgets/model/job.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/lab/pareto.h"
+#include "core/lab/study/pareto.h"
 
 #include <QFont>
 #include <QStringList>

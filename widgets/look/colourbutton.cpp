@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/colourbutton.h"
 
-#include "core/scene/colourtext.h"
+#include "core/scene/text/colourtext.h"
 
 #include <QtWidgets>
 

@@ -2,7 +2,7 @@
 #include "widgets/look/messagebar.h"
 
 #include "core/grade/showntext.h"
-#include "core/scene/shortened.h"
+#include "core/scene/text/shortened.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 

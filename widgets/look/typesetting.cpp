@@ -2,7 +2,7 @@
 #include "widgets/look/typesetting.h"
 
 #include "core/grade/showntext.h"
-#include "core/scene/shortened.h"
+#include "core/scene/text/shortened.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/look/symboltext.h"
 

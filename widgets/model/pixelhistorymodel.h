@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/runs/ahead.h"
-#include "core/runs/pixelhistory.h"
+#include "core/runs/explain/pixelhistory.h"
 
 #include <QAbstractItemModel>
 #include <QPoint>

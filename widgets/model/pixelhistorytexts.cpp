@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/edgerefusal.h"
+#include "core/runs/explain/edgerefusal.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/model/pixelhistorymodel.h"

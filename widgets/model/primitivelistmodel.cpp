@@ -3,10 +3,10 @@
 
 #include "core/scan/choicenames.h"
 #include "core/scene/appearancenames.h"
-#include "core/scene/colourtext.h"
-#include "core/scene/coordinatetext.h"
 #include "core/scene/fileorder.h"
 #include "core/scene/scenefile.h"
+#include "core/scene/text/colourtext.h"
+#include "core/scene/text/coordinatetext.h"
 #include "widgets/look/colourbutton.h"
 #include "widgets/look/corewords.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/model/runnotes.h"
 
-#include "core/methods/rejectiontext.h"
-#include "core/runs/rejectedprimitives.h"
+#include "core/methods/words/rejectiontext.h"
+#include "core/runs/explain/rejectedprimitives.h"
 #include "core/runs/tracedscene.h"
 #include "core/scan/choicenames.h"
 #include "widgets/look/corewords.h"

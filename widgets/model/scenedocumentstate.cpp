@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/effects/requirements.h"
 #include "core/methods/method.h"
+#include "core/plan/requirements.h"
 #include "widgets/look/corewords.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"

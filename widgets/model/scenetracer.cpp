@@ -2,7 +2,7 @@
 #include "widgets/model/scenetracer.h"
 
 #include "core/runs/scenerun.h"
-#include "core/scene/scenelimits.h"
+#include "core/scene/files/scenelimits.h"
 #include "widgets/model/runnotes.h"
 
 #include <algorithm>

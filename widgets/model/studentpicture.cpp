@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/model/studentpicture.h"
 
-#include "core/grade/resultsfolder.h"
-#include "core/grade/undecidable.h"
+#include "core/grade/class/resultsfolder.h"
+#include "core/grade/diagnose/undecidable.h"
 #include "core/methods/method.h"
 #include "core/runs/scenerun.h"
-#include "core/scene/fileaccess.h"
+#include "core/scene/files/fileaccess.h"
 #include "widgets/look/typesetting.h"
 #include "widgets/model/scenetracer.h"
 

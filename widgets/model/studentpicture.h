@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/margin.h"
-#include "core/grade/picturediff.h"
+#include "core/grade/pictures/picturediff.h"
+#include "core/grade/rounding/margin.h"
 #include "widgets/model/job.h"
 
 #include <QObject>

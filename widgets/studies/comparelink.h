@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/compare/contest.h"
-#include "core/lab/scenecost.h"
+#include "core/lab/study/scenecost.h"
 #include "widgets/look/viewmapping.h"
 #include "widgets/model/job.h"
 

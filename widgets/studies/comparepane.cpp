@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/comparepane.h"
 
-#include "core/lab/scenecost.h"
+#include "core/lab/study/scenecost.h"
 #include "core/scan/choicenames.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/framepainter.h"

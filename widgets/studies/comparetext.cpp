@@ -2,7 +2,7 @@
 #include "widgets/studies/comparetext.h"
 
 #include "core/scan/choicenames.h"
-#include "core/scene/colourtext.h"
+#include "core/scene/text/colourtext.h"
 #include "widgets/look/corewords.h"
 #include "widgets/studies/comparepane.h"
 #include "widgets/studies/comparepanel.h"

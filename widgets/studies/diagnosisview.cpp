@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/diagnosisview.h"
 
-#include "core/grade/undecidable.h"
+#include "core/grade/diagnose/undecidable.h"
 #include "core/number/failure.h"
 #include "widgets/look/labels.h"
 #include "widgets/look/parts.h"

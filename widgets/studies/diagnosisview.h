@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/diagnosis.h"
+#include "core/grade/diagnose/diagnosis.h"
 #include "widgets/model/job.h"
 
 #include <QWidget>

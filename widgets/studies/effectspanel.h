@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/effects/effectplan.h"
 #include "core/measure/effecttiming.h"
+#include "core/shade/effectplan.h"
 #include "widgets/studies/studypanel.h"
 
 #include <memory>

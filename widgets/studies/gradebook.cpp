@@ -2,8 +2,8 @@
 #include "widgets/studies/gradebook.h"
 
 #include "core/fast/machinethreads.h"
-#include "core/grade/gradefile.h"
-#include "core/grade/gradereports.h"
+#include "core/grade/class/gradefile.h"
+#include "core/grade/class/gradereports.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/gradefolder.h"
+#include "core/grade/class/gradefolder.h"
 #include "widgets/model/job.h"
 
 #include <QObject>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/margin.h"
+#include "core/grade/rounding/margin.h"
 
 #include <QDialog>
 

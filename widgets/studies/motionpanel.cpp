@@ -2,7 +2,7 @@
 #include "widgets/studies/motionpanel.h"
 
 #include "core/runs/scenerun.h"
-#include "core/scene/coordinatetext.h"
+#include "core/scene/text/coordinatetext.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"

@@ -2,7 +2,7 @@
 #include "widgets/studies/operationpanel.h"
 
 #include "core/frame/framebuffer.h"
-#include "core/lab/operationtable.h"
+#include "core/lab/counting/operationtable.h"
 #include "core/runs/tracedscene.h"
 #include "core/scan/choicenames.h"
 #include "widgets/look/corewords.h"

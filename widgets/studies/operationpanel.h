@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/lab/operationcounts.h"
+#include "core/lab/counting/operationcounts.h"
 #include "widgets/studies/studypanel.h"
 
 class QTableWidget;

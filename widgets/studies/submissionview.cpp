@@ -2,7 +2,7 @@
 #include "widgets/studies/submissionview.h"
 
 #include "core/frame/framebuffer.h"
-#include "core/scene/colourtext.h"
+#include "core/scene/text/colourtext.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/framepainter.h"
 #include "widgets/studies/submissionpanel.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/scene/inputrecord.h"
+#include "core/scene/files/inputrecord.h"
 #include "widgets/files/recentfiles.h"
 #include "widgets/window/windowparts.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/runs/idlesetting.h"
+#include "core/runs/explain/idlesetting.h"
 #include "widgets/window/windowparts.h"
 
 #include <QMenu>

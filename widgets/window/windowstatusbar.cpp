@@ -2,7 +2,7 @@
 #include "widgets/window/windowstatusbar.h"
 
 #include "core/scan/choicenames.h"
-#include "core/scene/colourtext.h"
+#include "core/scene/text/colourtext.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/files/sceneexports.h"
 #include "widgets/files/scenefiles.h"

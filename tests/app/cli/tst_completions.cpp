@@ -2,7 +2,7 @@
 #include "core/layers/layer.h"
 #include "core/methods/method.h"
 #include "core/scan/choicenames.h"
-#include "tests/support/programrun.h"
+#include "tests/support/programs/programrun.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 

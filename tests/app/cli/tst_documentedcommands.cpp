@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/programrun.h"
+#include "tests/support/programs/programrun.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 

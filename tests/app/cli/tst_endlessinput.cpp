@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/assignment.h"
-#include "core/scene/fileaccess.h"
+#include "core/grade/class/assignment.h"
+#include "core/scene/files/fileaccess.h"
 #include "core/scene/scenefile.h"
-#include "tests/support/programrun.h"
+#include "tests/support/programs/programrun.h"
 #include "tests/support/testprogram.h"
 
 #include <QFile>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/picture.h"
-#include "core/scene/fileaccess.h"
-#include "core/scene/pngfault.h"
-#include "tests/support/programrun.h"
+#include "core/grade/pictures/picture.h"
+#include "core/scene/files/fileaccess.h"
+#include "core/scene/files/pngfault.h"
+#include "tests/support/programs/programrun.h"
 #include "tests/support/testprogram.h"
 
 #include <QBuffer>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/scene/fileaccess.h"
-#include "core/scene/inputrecord.h"
+#include "core/scene/files/fileaccess.h"
+#include "core/scene/files/inputrecord.h"
 #include "tests/support/testprogram.h"
 
 #include <QFile>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lab/labfile.h"
-#include "core/scene/fileaccess.h"
-#include "tests/support/programrun.h"
+#include "core/lab/study/labfile.h"
+#include "core/scene/files/fileaccess.h"
+#include "tests/support/programs/programrun.h"
 #include "tests/support/testprogram.h"
 
 #include <QFile>

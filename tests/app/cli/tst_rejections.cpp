@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/rejectedprimitives.h"
+#include "core/runs/explain/rejectedprimitives.h"
 #include "core/runs/tracedscene.h"
 #include "core/scene/scenefile.h"
-#include "tests/support/shapeexamples.h"
+#include "tests/support/scenes/shapeexamples.h"
 #include "tests/support/testprogram.h"
 
 #include <QSet>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/tracedscene.h"
 #include "core/scene/scenefile.h"
-#include "tests/support/programrun.h"
+#include "tests/support/programs/programrun.h"
 #include "tests/support/testprogram.h"
 
 #include <QImage>

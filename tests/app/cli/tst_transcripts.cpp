@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/scene/fileaccess.h"
-#include "tests/support/programrun.h"
+#include "core/scene/files/fileaccess.h"
+#include "tests/support/programs/programrun.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"

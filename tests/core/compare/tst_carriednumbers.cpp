@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/contest.h"
-#include "core/runs/pixelhistory.h"
-#include "tests/support/defaultscene.h"
+#include "core/runs/explain/pixelhistory.h"
+#include "tests/support/scenes/defaultscene.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

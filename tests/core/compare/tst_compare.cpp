@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/contest.h"
 #include "core/compare/exactbounds.h"
-#include "core/scene/fileaccess.h"
+#include "core/scene/files/fileaccess.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/testprogram.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/contest.h"
 #include "core/runs/undrawn.h"
-#include "tests/support/scenesformethods.h"
+#include "tests/support/scenes/scenesformethods.h"
 #include "tests/support/testprogram.h"
 
 #include <QtTest>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/traceexport.h"
-#include "core/runs/formulaexplanation.h"
+#include "core/runs/explain/formulaexplanation.h"
 #include "core/scene/scenefile.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/shapes.h"
+#include "tests/support/scenes/spacescenes.h"
 #include "tests/support/sourcetree.h"
-#include "tests/support/spacescenes.h"
 #include "tests/support/testprogram.h"
 
 #include <QBuffer>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/fast/fastscan.h"
-#include "core/scan/columndrawing.h"
+#include "core/scan/walks/columndrawing.h"
 #include "tests/support/guardedframe.h"
 #include "tests/support/scanning.h"
 #include "tests/support/testprogram.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/gradefile.h"
-#include "core/grade/gradefolder.h"
-#include "core/grade/grader.h"
-#include "core/grade/gradereports.h"
-#include "core/scene/fileaccess.h"
+#include "core/grade/class/gradefile.h"
+#include "core/grade/class/gradefolder.h"
+#include "core/grade/class/grader.h"
+#include "core/grade/class/gradereports.h"
+#include "core/scene/files/fileaccess.h"
 #include "tests/support/testprogram.h"
 
 #include <QDir>

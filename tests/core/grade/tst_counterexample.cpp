@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/counterexample.h"
+#include "core/grade/hunt/counterexample.h"
 #include "core/methods/method.h"
-#include "core/scene/fileaccess.h"
-#include "tests/support/programrun.h"
+#include "core/scene/files/fileaccess.h"
+#include "tests/support/programs/programrun.h"
 #include "tests/support/testprogram.h"
 
 #include <QFile>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/diagnosis.h"
-#include "core/grade/picturediff.h"
+#include "core/grade/diagnose/diagnosis.h"
+#include "core/grade/pictures/picturediff.h"
 #include "tests/support/casestorun.h"
-#include "tests/support/mistakenprograms.h"
-#include "tests/support/probescenes.h"
+#include "tests/support/programs/mistakenprograms.h"
 #include "tests/support/scanning.h"
+#include "tests/support/scenes/probescenes.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

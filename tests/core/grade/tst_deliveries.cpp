@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/delivery.h"
-#include "core/scene/fileaccess.h"
+#include "core/grade/class/delivery.h"
+#include "core/scene/files/fileaccess.h"
 #include "tests/support/testprogram.h"
 
 #include <QDir>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/diagnosis.h"
+#include "core/grade/diagnose/diagnosis.h"
 #include "tests/support/casestorun.h"
-#include "tests/support/probescenes.h"
+#include "tests/support/scenes/probescenes.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/gradefile.h"
-#include "core/grade/gradefolder.h"
-#include "core/grade/resultsfolder.h"
+#include "core/grade/class/gradefile.h"
+#include "core/grade/class/gradefolder.h"
+#include "core/grade/class/resultsfolder.h"
 #include "core/runs/tracedscene.h"
 #include "tests/support/casestorun.h"
-#include "tests/support/defectgroups.h"
-#include "tests/support/programrun.h"
+#include "tests/support/programs/defectgroups.h"
+#include "tests/support/programs/programrun.h"
+#include "tests/support/programs/submissions.h"
 #include "tests/support/scanning.h"
 #include "tests/support/sourcetree.h"
-#include "tests/support/submissions.h"
 #include "tests/support/testprogram.h"
 
 #include <QDir>

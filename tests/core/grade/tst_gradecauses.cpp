@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/gradefile.h"
-#include "core/grade/gradefolder.h"
-#include "core/grade/gradereports.h"
-#include "tests/support/submissions.h"
+#include "core/grade/class/gradefile.h"
+#include "core/grade/class/gradefolder.h"
+#include "core/grade/class/gradereports.h"
+#include "tests/support/programs/submissions.h"
 #include "tests/support/testprogram.h"
 
 #include <QDir>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/gradefolder.h"
+#include "core/grade/class/gradefolder.h"
 #include "tests/support/casestorun.h"
-#include "tests/support/submissions.h"
+#include "tests/support/programs/submissions.h"
 #include "tests/support/testprogram.h"
 
 #include <QTemporaryDir>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/gradefile.h"
-#include "core/grade/gradereports.h"
-#include "core/grade/submissionfolder.h"
-#include "core/scene/fileaccess.h"
+#include "core/grade/class/gradefile.h"
+#include "core/grade/class/gradereports.h"
+#include "core/grade/class/submissionfolder.h"
+#include "core/scene/files/fileaccess.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/invariants.h"
+#include "core/grade/hunt/invariants.h"
 #include "core/methods/method.h"
 #include "tests/support/casestorun.h"
-#include "tests/support/defectgroups.h"
-#include "tests/support/probescenes.h"
+#include "tests/support/programs/defectgroups.h"
+#include "tests/support/scenes/probescenes.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/diagnosis.h"
+#include "core/grade/diagnose/diagnosis.h"
 #include "core/scene/scenefile.h"
+#include "tests/support/programs/studentline.h"
 #include "tests/support/sourcetree.h"
-#include "tests/support/studentline.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/frame/framebuffer.h"
 #include "core/geometry/seededrandom.h"
-#include "core/grade/diagnosis.h"
-#include "core/grade/linechoice.h"
-#include "core/grade/picturediff.h"
-#include "core/grade/undecidable.h"
-#include "tests/support/studentline.h"
+#include "core/grade/bugs/linechoice.h"
+#include "core/grade/diagnose/diagnosis.h"
+#include "core/grade/diagnose/undecidable.h"
+#include "core/grade/pictures/picturediff.h"
+#include "tests/support/programs/studentline.h"
+#include "tests/support/programs/textbookline.h"
 #include "tests/support/testprogram.h"
-#include "tests/support/textbookline.h"
 
 #include <QTest>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/frame/framebuffer.h"
 #include "core/geometry/seededrandom.h"
-#include "core/grade/assignment.h"
-#include "core/grade/diagnosis.h"
-#include "core/grade/picturediff.h"
-#include "core/grade/undecidable.h"
-#include "core/grade/writtentrace.h"
+#include "core/grade/class/assignment.h"
+#include "core/grade/diagnose/diagnosis.h"
+#include "core/grade/diagnose/undecidable.h"
+#include "core/grade/pictures/picturediff.h"
+#include "core/grade/try/writtentrace.h"
 #include "core/scan/choicenames.h"
 #include "tests/support/testprogram.h"
 

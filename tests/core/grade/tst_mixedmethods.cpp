@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/defectivescene.h"
-#include "core/grade/diagnosis.h"
-#include "core/grade/redrawing.h"
+#include "core/grade/bugs/defectivescene.h"
+#include "core/grade/diagnose/diagnosis.h"
+#include "core/grade/scan/redrawing.h"
 #include "core/methods/method.h"
 #include "core/runs/scenerun.h"
-#include "tests/support/probescenes.h"
-#include "tests/support/shapeexamples.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/probescenes.h"
+#include "tests/support/scenes/shapeexamples.h"
+#include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
 
 #include <QMap>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/frame/framebuffer.h"
 #include "core/geometry/seededrandom.h"
-#include "core/grade/picturediff.h"
-#include "core/grade/undecidable.h"
-#include "core/scene/fileaccess.h"
-#include "tests/support/programrun.h"
+#include "core/grade/diagnose/undecidable.h"
+#include "core/grade/pictures/picturediff.h"
+#include "core/scene/files/fileaccess.h"
+#include "tests/support/programs/programrun.h"
 #include "tests/support/testprogram.h"
 
 #include <QDir>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/scene/fileaccess.h"
+#include "core/scene/files/fileaccess.h"
 #include "core/scene/scenefile.h"
-#include "tests/support/probescenes.h"
-#include "tests/support/probesheet.h"
+#include "tests/support/programs/probesheet.h"
 #include "tests/support/scanning.h"
+#include "tests/support/scenes/probescenes.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 

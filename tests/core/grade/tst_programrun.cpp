@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/processtime.h"
-#include "core/grade/programclock.h"
 #include "core/grade/showntext.h"
-#include "core/grade/studentoutput.h"
-#include "core/scene/fileaccess.h"
-#include "tests/support/processes.h"
-#include "tests/support/programrun.h"
+#include "core/grade/try/processtime.h"
+#include "core/grade/try/programclock.h"
+#include "core/grade/try/studentoutput.h"
+#include "core/scene/files/fileaccess.h"
+#include "tests/support/programs/processes.h"
+#include "tests/support/programs/programrun.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 

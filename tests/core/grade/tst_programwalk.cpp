@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/seededrandom.h"
-#include "core/grade/defectivescene.h"
-#include "core/grade/programwalk.h"
+#include "core/grade/bugs/defectivescene.h"
+#include "core/grade/scan/programwalk.h"
 #include "core/methods/method.h"
 #include "tests/support/testprogram.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/diagnosis.h"
-#include "core/grade/gradefolder.h"
-#include "tests/support/probescenes.h"
-#include "tests/support/shapes.h"
-#include "tests/support/submissions.h"
+#include "core/grade/class/gradefolder.h"
+#include "core/grade/diagnose/diagnosis.h"
+#include "tests/support/programs/submissions.h"
+#include "tests/support/scenes/probescenes.h"
+#include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
 
 #include <QDir>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/gradefile.h"
-#include "core/grade/gradefolder.h"
-#include "core/grade/resultslock.h"
-#include "core/grade/submissionfolder.h"
-#include "tests/support/programrun.h"
-#include "tests/support/submissions.h"
+#include "core/grade/class/gradefile.h"
+#include "core/grade/class/gradefolder.h"
+#include "core/grade/class/resultslock.h"
+#include "core/grade/class/submissionfolder.h"
+#include "tests/support/programs/programrun.h"
+#include "tests/support/programs/submissions.h"
 #include "tests/support/testprogram.h"
 
 #include <QDir>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/seededrandom.h"
-#include "core/grade/picturediff.h"
-#include "core/grade/undecidable.h"
+#include "core/grade/diagnose/undecidable.h"
+#include "core/grade/pictures/picturediff.h"
 #include "core/scan/choicenames.h"
 #include "tests/support/testprogram.h"
 

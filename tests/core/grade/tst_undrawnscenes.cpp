@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/counterexample.h"
-#include "core/grade/invariants.h"
+#include "core/grade/hunt/counterexample.h"
+#include "core/grade/hunt/invariants.h"
 #include "core/methods/method.h"
 #include "tests/support/testprogram.h"
 

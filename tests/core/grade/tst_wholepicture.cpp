@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/diagnosis.h"
-#include "core/grade/picturediff.h"
+#include "core/grade/diagnose/diagnosis.h"
+#include "core/grade/pictures/picturediff.h"
 #include "core/scene/scenefile.h"
-#include "tests/support/programrun.h"
+#include "tests/support/programs/programrun.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 

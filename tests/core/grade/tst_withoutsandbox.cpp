@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/programrun.h"
-#include "tests/support/processes.h"
-#include "tests/support/programrun.h"
-#include "tests/support/submissions.h"
+#include "core/grade/try/programrun.h"
+#include "tests/support/programs/processes.h"
+#include "tests/support/programs/programrun.h"
+#include "tests/support/programs/submissions.h"
 #include "tests/support/testprogram.h"
 
 #include <QDir>

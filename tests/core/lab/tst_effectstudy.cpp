@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lab/effectloop.h"
-#include "core/lab/effectstudy.h"
+#include "core/lab/contenders/effectloop.h"
+#include "core/lab/study/effectstudy.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/frame/writtenframe.h"
-#include "core/lab/exactlevel.h"
-#include "core/lab/familyaccuracy.h"
-#include "core/lab/familyshapes.h"
-#include "core/lab/missdistance.h"
+#include "core/lab/families/familyshapes.h"
+#include "core/lab/judging/exactlevel.h"
+#include "core/lab/judging/missdistance.h"
+#include "core/lab/study/familyaccuracy.h"
 #include "core/oracle/oracle.h"
 #include "tests/support/testprogram.h"
 

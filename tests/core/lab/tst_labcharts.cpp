@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lab/budget.h"
-#include "core/lab/costorder.h"
-#include "core/lab/pareto.h"
+#include "core/lab/study/budget.h"
+#include "core/lab/study/costorder.h"
+#include "core/lab/study/pareto.h"
 #include "core/oracle/truepicture.h"
 #include "core/runs/contender.h"
 #include "core/runs/tracedscene.h"
-#include "tests/support/defaultscene.h"
+#include "tests/support/scenes/defaultscene.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lab/labfile.h"
-#include "tests/support/defaultscene.h"
+#include "core/lab/study/labfile.h"
+#include "tests/support/scenes/defaultscene.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lab/labfile.h"
-#include "core/lab/scenecost.h"
-#include "core/lab/study.h"
+#include "core/lab/study/labfile.h"
+#include "core/lab/study/scenecost.h"
+#include "core/lab/study/study.h"
 #include "tests/support/caselist.h"
-#include "tests/support/defaultscene.h"
+#include "tests/support/scenes/defaultscene.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lab/operationtable.h"
-#include "core/lab/standardexamples.h"
+#include "core/lab/counting/operationtable.h"
+#include "core/lab/counting/standardexamples.h"
 #include "core/scan/choicenames.h"
 #include "tests/support/countedbyhand.h"
-#include "tests/support/scenesformethods.h"
+#include "tests/support/scenes/scenesformethods.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>
@@ -45,8 +45,9 @@ private slots:
             }
             QVERIFY2(isCounted(method),
                      qPrintable(method.id
-                                + QStringLiteral(" has no row in core/lab/countedtriangles.cpp or "
-                                                 "countedshapes.cpp")));
+                                + QStringLiteral(
+                                    " has no row in core/lab/counting/countedtriangles.cpp or "
+                                    "countedshapes.cpp")));
             for (const StandardExample &example : standardExamplesFor(method)) {
                 for (const Arithmetic arithmetic : method.arithmetics) {
                     const auto counts = countOperations(method, arithmetic, example);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lab/countedarithmetic.h"
-#include "core/lab/operationtable.h"
-#include "core/scan/linesymmetric.h"
+#include "core/lab/counting/countedarithmetic.h"
+#include "core/lab/counting/operationtable.h"
+#include "core/scan/lines/linesymmetric.h"
 #include "tests/support/countedbyhand.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

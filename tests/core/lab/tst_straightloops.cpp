@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/frame/framebuffer.h"
-#include "core/lab/familyaccuracy.h"
+#include "core/lab/study/familyaccuracy.h"
 #include "core/scan/choicenames.h"
-#include "tests/support/defaultscene.h"
+#include "tests/support/scenes/defaultscene.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/layermoment.h"
 #include "core/polygons/textoutlines.h"
-#include "tests/support/layerlook.h"
 #include "tests/support/numbernamed.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/layerlook.h"
 
 #include <QRegularExpression>
 #include <QTest>

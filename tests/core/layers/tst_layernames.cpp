@@ -2,9 +2,9 @@
 #include "core/layers/cellnumber.h"
 #include "core/layers/layermarks.h"
 #include "core/polygons/textoutlines.h"
-#include "tests/support/layerlook.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/layerlook.h"
 
 #include <QImage>
 #include <QPainter>

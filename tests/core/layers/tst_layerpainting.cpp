@@ -2,9 +2,9 @@
 #include "core/layers/layerlabels.h"
 #include "core/layers/layermarks.h"
 #include "core/polygons/textoutlines.h"
-#include "tests/support/layerlook.h"
 #include "tests/support/scanning.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/layerlook.h"
 
 #include <QImage>
 #include <QPainter>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/layerpainter.h"
-#include "tests/support/layerlook.h"
 #include "tests/support/scanning.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/layerlook.h"
 
 #include <QImage>
 #include <QPainter>

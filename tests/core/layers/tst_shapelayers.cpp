@@ -2,10 +2,10 @@
 #include "core/layers/cellnumber.h"
 #include "core/layers/layerpainter.h"
 #include "core/polygons/textoutlines.h"
-#include "tests/support/layerlook.h"
 #include "tests/support/numbernamed.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/layerlook.h"
 
 #include <QImage>
 #include <QPainter>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lab/study.h"
+#include "core/lab/study/study.h"
 #include "core/measure/timeleft.h"
 #include "tests/support/testprogram.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/tracedscene.h"
-#include "core/scan/circlemidpoint.h"
-#include "core/scan/circleshape.h"
-#include "tests/support/shapes.h"
+#include "core/scan/curves/circlemidpoint.h"
+#include "core/scan/curves/circleshape.h"
+#include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
 
 #include <QRandomGenerator>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/methods/columnscan.h"
-#include "core/runs/formulaexplanation.h"
+#include "core/methods/walks/columnscan.h"
+#include "core/runs/explain/formulaexplanation.h"
 #include "core/runs/tracedscene.h"
 #include "tests/support/numbernamed.h"
-#include "tests/support/plaincolumnscan.h"
 #include "tests/support/scanning.h"
+#include "tests/support/scenes/plaincolumnscan.h"
 #include "tests/support/testprogram.h"
 
 #include <QRandomGenerator>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/methods/formulatext.h"
-#include "core/runs/formulaexplanation.h"
-#include "core/runs/pixelhistory.h"
-#include "core/runs/stepmoment.h"
+#include "core/methods/words/formulatext.h"
+#include "core/runs/explain/formulaexplanation.h"
+#include "core/runs/explain/pixelhistory.h"
+#include "core/runs/explain/stepmoment.h"
 #include "core/runs/tracedscene.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/tracedscene.h"
-#include "core/scan/edgeline.h"
+#include "core/scan/tests/edgeline.h"
+#include "tests/support/scenes/trianglepictures.h"
 #include "tests/support/testprogram.h"
-#include "tests/support/trianglepictures.h"
 
 #include <QTest>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/tracedscene.h"
 #include "core/scene/scenefile.h"
-#include "tests/support/polygons.h"
 #include "tests/support/sanitized.h"
-#include "tests/support/spacescenes.h"
+#include "tests/support/scenes/polygons.h"
+#include "tests/support/scenes/spacescenes.h"
 #include "tests/support/testprogram.h"
 
 #include <QRegularExpression>

@@ -2,9 +2,9 @@
 #include "core/frame/framebuffer.h"
 #include "core/oracle/effectoracle.h"
 #include "tests/support/framespec.h"
+#include "tests/support/scenes/trianglemeshes.h"
+#include "tests/support/scenes/trianglepictures.h"
 #include "tests/support/testprogram.h"
-#include "tests/support/trianglemeshes.h"
-#include "tests/support/trianglepictures.h"
 
 #include <QTest>
 

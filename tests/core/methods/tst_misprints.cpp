@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/tracedscene.h"
+#include "tests/support/scenes/trianglepictures.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
-#include "tests/support/trianglepictures.h"
 
 #include <QFile>
 #include <QRegularExpression>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/polygons/contours.h"
-#include "tests/support/polygons.h"
 #include "tests/support/sanitized.h"
+#include "tests/support/scenes/polygons.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

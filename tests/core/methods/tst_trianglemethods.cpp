@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/tracedscene.h"
 #include "tests/support/sanitized.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/shapes.h"
+#include "tests/support/scenes/trianglepictures.h"
 #include "tests/support/testprogram.h"
-#include "tests/support/trianglepictures.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/effectslope.h"
+#include "tests/support/scenes/effectslope.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

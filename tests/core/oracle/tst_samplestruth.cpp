@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/oracle/squarearea.h"
-#include "tests/support/effectslope.h"
 #include "tests/support/scanning.h"
+#include "tests/support/scenes/effectslope.h"
 #include "tests/support/testprogram.h"
 
 #include <QRandomGenerator>

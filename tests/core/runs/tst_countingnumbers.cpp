@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/scenesformethods.h"
+#include "tests/support/scenes/scenesformethods.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/methods/formulatext.h"
-#include "core/runs/formulaexplanation.h"
+#include "core/methods/words/formulatext.h"
+#include "core/runs/explain/formulaexplanation.h"
 #include "core/runs/tracedscene.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
 
 #include <QRegularExpression>

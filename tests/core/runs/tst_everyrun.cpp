@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/defaultscene.h"
+#include "tests/support/programs/tablefolder.h"
 #include "tests/support/runchecks/checkedruns.h"
 #include "tests/support/sanitized.h"
-#include "tests/support/tablefolder.h"
+#include "tests/support/scenes/defaultscene.h"
 #include "tests/support/testprogram.h"
 
 #include <QSet>

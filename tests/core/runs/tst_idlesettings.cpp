@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/idlesetting.h"
+#include "core/runs/explain/idlesetting.h"
 #include "core/runs/scenerun.h"
 #include "core/runs/tracedscene.h"
-#include "tests/support/scenesformethods.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/scenesformethods.h"
+#include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/layermoment.h"
 #include "core/methods/method.h"
-#include "core/runs/edgename.h"
-#include "core/runs/formulaexplanation.h"
-#include "core/runs/pixelhistory.h"
+#include "core/runs/explain/edgename.h"
+#include "core/runs/explain/formulaexplanation.h"
+#include "core/runs/explain/pixelhistory.h"
 #include "tests/support/scanning.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
 
 #include <QRegularExpression>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/formulaexplanation.h"
-#include "core/runs/pixelhistory.h"
-#include "core/runs/stepmoment.h"
+#include "core/runs/explain/formulaexplanation.h"
+#include "core/runs/explain/pixelhistory.h"
+#include "core/runs/explain/stepmoment.h"
 #include "core/runs/tracedscene.h"
 #include "tests/support/framespec.h"
 #include "tests/support/testprogram.h"

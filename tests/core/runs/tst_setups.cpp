@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/traceexport.h"
-#include "core/runs/edgename.h"
-#include "core/runs/formulaexplanation.h"
-#include "core/runs/pixelhistory.h"
+#include "core/runs/explain/edgename.h"
+#include "core/runs/explain/formulaexplanation.h"
+#include "core/runs/explain/pixelhistory.h"
 #include "core/runs/spanheadings.h"
 #include "core/runs/tracedscene.h"
-#include "tests/support/defaultscene.h"
-#include "tests/support/polygons.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/defaultscene.h"
+#include "tests/support/scenes/polygons.h"
+#include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
 
 #include <QBuffer>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/formulaexplanation.h"
+#include "core/runs/explain/formulaexplanation.h"
 #include "core/runs/tracedscene.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/formularange.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/polygons/contours.h"
 #include "core/polygons/curvechords.h"
-#include "core/runs/stepmoment.h"
+#include "core/runs/explain/stepmoment.h"
 #include "core/scan/choicenames.h"
-#include "core/scan/polygonpieces.h"
+#include "core/scan/polygons/polygonpieces.h"
 #include "tests/support/framespec.h"
-#include "tests/support/listingscenes.h"
-#include "tests/support/shapes.h"
+#include "tests/support/listings/listingscenes.h"
+#include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/method.h"
-#include "core/runs/formulaexplanation.h"
+#include "core/runs/explain/formulaexplanation.h"
 #include "core/runs/spanheadings.h"
 #include "core/runs/tracedscene.h"
 #include "tests/support/scanning.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/formulaexplanation.h"
+#include "core/runs/explain/formulaexplanation.h"
 #include "core/runs/tracedscene.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/formularange.h"
+#include "tests/support/scenes/spacescenes.h"
 #include "tests/support/sourcetree.h"
-#include "tests/support/spacescenes.h"
 #include "tests/support/spread.h"
 #include "tests/support/testprogram.h"
 

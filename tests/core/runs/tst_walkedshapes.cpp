@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/pixelhistory.h"
+#include "core/runs/explain/pixelhistory.h"
 #include "core/runs/tracedscene.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

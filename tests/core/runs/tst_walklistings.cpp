@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/stepmoment.h"
+#include "core/runs/explain/stepmoment.h"
 #include "core/scan/choicenames.h"
-#include "tests/support/listingscenes.h"
+#include "tests/support/listings/listingscenes.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/frame/coveragemask.h"
 #include "core/runs/tracedscene.h"
-#include "tests/support/filldefinition.h"
-#include "tests/support/rulescenes.h"
 #include "tests/support/sanitized.h"
+#include "tests/support/scenes/filldefinition.h"
+#include "tests/support/scenes/rulescenes.h"
+#include "tests/support/scenes/trianglemeshes.h"
 #include "tests/support/testprogram.h"
-#include "tests/support/trianglemeshes.h"
 
 #include <QTest>
 

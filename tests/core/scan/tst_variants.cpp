@@ -4,10 +4,10 @@
 #include "core/scan/choicenames.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/runchecks/runscenes.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/shapes.h"
+#include "tests/support/scenes/trianglepictures.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
-#include "tests/support/trianglepictures.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/scene/coordinatetext.h"
+#include "core/scene/text/coordinatetext.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/scene/meshfile.h"
+#include "core/scene/files/meshfile.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

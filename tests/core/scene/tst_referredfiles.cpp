@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/scene/fileaccess.h"
-#include "core/scene/referredfiles.h"
-#include "tests/support/scenetext.h"
+#include "core/scene/fields/referredfiles.h"
+#include "core/scene/files/fileaccess.h"
+#include "tests/support/scenes/scenetext.h"
 #include "tests/support/testprogram.h"
 
 #include <QDir>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/method.h"
-#include "tests/support/scenetext.h"
+#include "tests/support/scenes/scenetext.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/scene/fileaccess.h"
-#include "tests/support/scenetext.h"
+#include "core/scene/files/fileaccess.h"
+#include "tests/support/scenes/scenetext.h"
 #include "tests/support/testprogram.h"
 
 #include <QTemporaryDir>

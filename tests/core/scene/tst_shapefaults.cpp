@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/scenetext.h"
-#include "tests/support/shapeexamples.h"
+#include "tests/support/scenes/scenetext.h"
+#include "tests/support/scenes/shapeexamples.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

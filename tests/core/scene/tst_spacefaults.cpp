@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/scenetext.h"
+#include "tests/support/scenes/scenetext.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/sceneprojection.h"
-#include "tests/support/spacescenes.h"
+#include "tests/support/scenes/spacescenes.h"
 #include "tests/support/testprogram.h"
 
 #include <QRandomGenerator>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/formulaexplanation.h"
-#include "core/runs/pixelhistory.h"
+#include "core/runs/explain/formulaexplanation.h"
+#include "core/runs/explain/pixelhistory.h"
 #include "tests/support/scanning.h"
 #include "tests/support/testprogram.h"
 

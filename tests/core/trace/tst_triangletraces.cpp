@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/tracedscene.h"
+#include "tests/support/scenes/trianglepictures.h"
 #include "tests/support/testprogram.h"
-#include "tests/support/trianglepictures.h"
 
 #include <QTest>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/runchecks/checkedruns.h"
 
-#include "core/runs/formulaexplanation.h"
+#include "core/runs/explain/formulaexplanation.h"
 #include "core/runs/scenerun.h"
 #include "core/scan/choicenames.h"
 #include "tests/support/casestorun.h"
-#include "tests/support/hardcasescenes.h"
 #include "tests/support/runchecks/randomscenes.h"
 #include "tests/support/runchecks/runscenes.h"
 #include "tests/support/sanitized.h"
+#include "tests/support/scenes/hardcasescenes.h"
 #include "tests/support/spread.h"
 
 #include <algorithm>

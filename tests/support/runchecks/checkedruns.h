@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tests/support/runchecks/runcheck.h"
-#include "tests/support/scenesformethods.h"
+#include "tests/support/scenes/scenesformethods.h"
 
 namespace pixelplumb {
 

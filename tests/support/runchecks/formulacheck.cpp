@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/methods/formulatext.h"
+#include "core/methods/words/formulatext.h"
 #include "tests/support/formularange.h"
 #include "tests/support/runchecks/runcheck.h"
 #include "tests/support/sanitized.h"

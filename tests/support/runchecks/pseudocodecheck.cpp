@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/stepmoment.h"
+#include "core/runs/explain/stepmoment.h"
 #include "tests/support/runchecks/runcheck.h"
 
 #include <QStringList>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/runchecks/randomscenes.h"
 
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/shapes.h"
 
 #include <array>
 #include <random>

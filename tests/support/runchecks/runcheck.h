@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/runs/explanation.h"
+#include "core/runs/explain/explanation.h"
 #include "core/runs/tracedscene.h"
 
 #include <QString>

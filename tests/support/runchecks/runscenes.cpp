@@ -3,10 +3,10 @@
 
 #include "core/runs/scenerun.h"
 #include "core/scene/scenefile.h"
-#include "tests/support/polygons.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/polygons.h"
+#include "tests/support/scenes/shapes.h"
+#include "tests/support/scenes/trianglepictures.h"
 #include "tests/support/sourcetree.h"
-#include "tests/support/trianglepictures.h"
 
 #include <QDir>
 

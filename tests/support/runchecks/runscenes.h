@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tests/support/scenesformethods.h"
+#include "tests/support/scenes/scenesformethods.h"
 
 namespace pixelplumb {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/casestorun.h"
+#include "tests/support/programs/tablefolder.h"
 #include "tests/support/runchecks/runcheck.h"
-#include "tests/support/tablefolder.h"
 
 namespace pixelplumb {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/seededrandom.h"
 #include "core/layers/affinemap.h"
-#include "tests/support/canvasbench.h"
-#include "tests/support/layerlook.h"
 #include "tests/support/scanning.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/canvasbench.h"
+#include "tests/support/window/layerlook.h"
 
 #include <QRegularExpression>
 #include <QTest>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/pixelhistory.h"
-#include "tests/support/canvasbench.h"
+#include "core/runs/explain/pixelhistory.h"
 #include "tests/support/scanning.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/canvasbench.h"
 
 #include <QTest>
 

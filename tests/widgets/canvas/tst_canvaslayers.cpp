@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/layermarks.h"
-#include "tests/support/canvasbench.h"
-#include "tests/support/layerlook.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/canvasbench.h"
+#include "tests/support/window/layerlook.h"
 #include "widgets/canvas/canvasscene.h"
 #include "widgets/canvas/canvasview.h"
 #include "widgets/look/framepainter.h"

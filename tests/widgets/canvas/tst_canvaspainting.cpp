@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/polygons/textoutlines.h"
-#include "tests/support/canvasbench.h"
 #include "tests/support/framespec.h"
-#include "tests/support/shapes.h"
-#include "tests/support/spacescenes.h"
+#include "tests/support/scenes/shapes.h"
+#include "tests/support/scenes/spacescenes.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/canvasbench.h"
 #include "widgets/files/svgexport.h"
 
 #include <QTest>

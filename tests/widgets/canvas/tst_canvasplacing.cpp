@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/scenefile.h"
-#include "tests/support/canvasbench.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/canvasbench.h"
 #include "widgets/dialogs/triangledialog.h"
 #include "widgets/dialogs/vertexdialog.h"
 

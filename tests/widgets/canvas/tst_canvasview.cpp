@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/canvasbench.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/canvasbench.h"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/framespec.h"
 #include "tests/support/isolatedsettings.h"
-#include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/openwindow.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/inspect/pixelgrid.h"
 #include "widgets/model/playhead.h"

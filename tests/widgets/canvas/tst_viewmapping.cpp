@@ -2,7 +2,7 @@
 #include "core/frame/framebuffer.h"
 #include "tests/support/framespec.h"
 #include "tests/support/testprogram.h"
-#include "tests/support/viewratios.h"
+#include "tests/support/window/viewratios.h"
 #include "widgets/canvas/canvaspainter.h"
 #include "widgets/look/framepainter.h"
 

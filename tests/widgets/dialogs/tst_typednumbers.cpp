@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/isolatedsettings.h"
-#include "tests/support/openwindow.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/openwindow.h"
 #include "widgets/dialogs/triangledialog.h"
 #include "widgets/model/primitivelistmodel.h"
 #include "widgets/model/scenedocument.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/scenefile.h"
 #include "tests/support/isolatedsettings.h"
-#include "tests/support/largescenes.h"
+#include "tests/support/scenes/largescenes.h"
 #include "tests/support/testprogram.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/look/messagebar.h"

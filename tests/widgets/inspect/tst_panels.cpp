@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/formulaexplanation.h"
-#include "tests/support/defaultscene.h"
-#include "tests/support/shapes.h"
-#include "tests/support/spacescenes.h"
+#include "core/runs/explain/formulaexplanation.h"
+#include "tests/support/scenes/defaultscene.h"
+#include "tests/support/scenes/shapes.h"
+#include "tests/support/scenes/spacescenes.h"
 #include "tests/support/testprogram.h"
 #include "widgets/inspect/formulapanel.h"
 #include "widgets/look/numberformat.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/defaultscene.h"
+#include "tests/support/scenes/defaultscene.h"
 #include "tests/support/testprogram.h"
 #include "widgets/inspect/pixelgridscene.h"
 #include "widgets/look/displayoptions.h"

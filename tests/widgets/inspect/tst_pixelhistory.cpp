@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/oracle/planeweights.h"
-#include "tests/support/defaultscene.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/defaultscene.h"
+#include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
 #include "widgets/inspect/pixelhistorypanel.h"
 #include "widgets/look/numberformat.h"

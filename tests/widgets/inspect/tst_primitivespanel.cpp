@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/scenefile.h"
 #include "tests/support/isolatedsettings.h"
-#include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
-#include "tests/support/spacescenes.h"
+#include "tests/support/scenes/spacescenes.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/openwindow.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/look/appearance.h"
 #include "widgets/look/displayoptions.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/scenefile.h"
 #include "tests/support/isolatedsettings.h"
-#include "tests/support/openwindow.h"
-#include "tests/support/programrun.h"
+#include "tests/support/programs/programrun.h"
 #include "tests/support/scanning.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/openwindow.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/inspect/primitivespanel.h"
 #include "widgets/model/primitivelistmodel.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lab/labfile.h"
-#include "core/scene/fileaccess.h"
+#include "core/lab/study/labfile.h"
+#include "core/scene/files/fileaccess.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/madestudy.h"
-#include "tests/support/openwindow.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/openwindow.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/lab/accuracylab.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/madestudy.h"
-#include "tests/support/openwindow.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/openwindow.h"
 #include "widgets/lab/coststack.h"
 #include "widgets/lab/labanswers.h"
 #include "widgets/lab/labelplaces.h"

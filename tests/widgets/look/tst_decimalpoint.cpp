@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/scene/fileaccess.h"
+#include "core/scene/files/fileaccess.h"
 #include "tests/support/isolatedsettings.h"
-#include "tests/support/openwindow.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/openwindow.h"
 #include "widgets/dialogs/vertexdialog.h"
 #include "widgets/files/sceneexports.h"
 #include "widgets/files/scenefiles.h"

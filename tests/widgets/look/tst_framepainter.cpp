@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/tracedscene.h"
 #include "core/scene/scenefile.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/shapes.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 #include "widgets/look/appearance.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/agreement.h"
-#include "core/grade/gradereport.h"
-#include "core/grade/picturediff.h"
-#include "core/lab/operation.h"
-#include "core/lab/pareto.h"
+#include "core/grade/class/gradereport.h"
+#include "core/grade/pictures/picturediff.h"
+#include "core/lab/counting/operation.h"
+#include "core/lab/study/pareto.h"
 #include "core/layers/layer.h"
 #include "core/methods/method.h"
 #include "core/scan/choicenames.h"
@@ -11,7 +11,7 @@
 #include "core/space/surfaces.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
-#include "tests/support/translationfile.h"
+#include "tests/support/window/translationfile.h"
 #include "widgets/look/corewords.h"
 
 #include <QDialogButtonBox>

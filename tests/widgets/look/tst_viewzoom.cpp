@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/framespec.h"
 #include "tests/support/testprogram.h"
-#include "tests/support/viewratios.h"
+#include "tests/support/window/viewratios.h"
 #include "widgets/look/viewmapping.h"
 
 #include <QTest>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/isolatedsettings.h"
-#include "tests/support/openwindow.h"
-#include "tests/support/pseudolanguage.h"
-#include "tests/support/showntexts.h"
+#include "tests/support/listings/pseudolanguage.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
-#include "tests/support/translationfile.h"
+#include "tests/support/window/openwindow.h"
+#include "tests/support/window/showntexts.h"
+#include "tests/support/window/translationfile.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/labels.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/numbertext.h"
 #include "core/oracle/oracle.h"
-#include "tests/support/defaultscene.h"
-#include "tests/support/tablecolumns.h"
+#include "tests/support/programs/tablecolumns.h"
+#include "tests/support/scenes/defaultscene.h"
 #include "tests/support/testprogram.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/model/playhead.h"

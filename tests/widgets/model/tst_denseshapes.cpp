@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/isolatedsettings.h"
-#include "tests/support/largescenes.h"
+#include "tests/support/scenes/largescenes.h"
 #include "tests/support/testprogram.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/canvas/outlinechoice.h"

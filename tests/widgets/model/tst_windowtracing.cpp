@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/tracedscene.h"
-#include "tests/support/defaultscene.h"
 #include "tests/support/isolatedsettings.h"
-#include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
+#include "tests/support/scenes/defaultscene.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/openwindow.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"

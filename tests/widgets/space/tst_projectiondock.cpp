@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
-#include "tests/support/spacescenes.h"
+#include "tests/support/scenes/spacescenes.h"
 #include "tests/support/testprogram.h"
-#include "tests/support/windowsteps.h"
+#include "tests/support/window/openwindow.h"
+#include "tests/support/window/windowsteps.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/space/projectionpanel.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/space/surfaces.h"
-#include "tests/support/openwindow.h"
-#include "tests/support/spacescenes.h"
+#include "tests/support/scenes/spacescenes.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/openwindow.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/space/segmentsliders.h"
 

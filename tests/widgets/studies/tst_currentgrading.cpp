@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/gradedclass.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/gradedclass.h"
 #include "widgets/model/studentpicture.h"
 #include "widgets/studies/gradebook.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/bounderrors.h"
-#include "core/scene/fileaccess.h"
+#include "core/scene/files/fileaccess.h"
 #include "tests/support/isolatedsettings.h"
-#include "tests/support/openwindow.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/openwindow.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"

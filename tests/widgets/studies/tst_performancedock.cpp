@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/measure/scenetiming.h"
 #include "core/runs/tracedscene.h"
-#include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/openwindow.h"
 #include "widgets/model/playhead.h"
 #include "widgets/studies/performancepanel.h"
 

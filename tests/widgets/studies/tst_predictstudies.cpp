@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/isolatedsettings.h"
-#include "tests/support/openwindow.h"
 #include "tests/support/testprogram.h"
-#include "tests/support/windowsteps.h"
+#include "tests/support/window/openwindow.h"
+#include "tests/support/window/windowsteps.h"
 #include "widgets/canvas/overdrawoverlay.h"
 #include "widgets/files/svgexport.h"
 #include "widgets/look/displayoptions.h"

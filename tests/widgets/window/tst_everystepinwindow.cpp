@@ -2,11 +2,11 @@
 #include "core/methods/method.h"
 #include "core/runs/scenerun.h"
 #include "tests/support/isolatedsettings.h"
-#include "tests/support/openwindow.h"
 #include "tests/support/sanitized.h"
-#include "tests/support/scenesformethods.h"
+#include "tests/support/scenes/scenesformethods.h"
 #include "tests/support/testprogram.h"
-#include "tests/support/windowsteps.h"
+#include "tests/support/window/openwindow.h"
+#include "tests/support/window/windowsteps.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QTest>

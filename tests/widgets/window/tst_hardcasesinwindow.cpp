@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/casestorun.h"
-#include "tests/support/hardcasescenes.h"
 #include "tests/support/isolatedsettings.h"
-#include "tests/support/openwindow.h"
+#include "tests/support/scenes/hardcasescenes.h"
 #include "tests/support/testprogram.h"
-#include "tests/support/windowsteps.h"
+#include "tests/support/window/openwindow.h"
+#include "tests/support/window/windowsteps.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QTest>

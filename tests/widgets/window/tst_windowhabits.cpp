@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/colours.h"
 #include "tests/support/isolatedsettings.h"
-#include "tests/support/openwindow.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/openwindow.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/look/messagebar.h"

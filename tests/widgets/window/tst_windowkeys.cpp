@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/isolatedsettings.h"
-#include "tests/support/openwindow.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/window/openwindow.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/dialogs/keysheet.h"
 #include "widgets/look/displayoptions.h"

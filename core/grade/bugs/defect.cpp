@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/bugs/defect.h"
+
+#include "core/grade/bugs/leveldefect.h"
+#include "core/grade/bugs/linechoice.h"
+#include "core/grade/bugs/scenedefect.h"
+#include "core/grade/bugs/spandefect.h"
+#include "core/grade/bugs/walkdefect.h"
+#include "core/grade/pictures/picturecause.h"
+#include "core/grade/scan/redrawing.h"
+#include "core/scan/choicenames.h"
+
+#include <QHash>
+
+#include <algorithm>
+#include <array>
+
+namespace pixelplumb {
+
+namespace {
+
+void appendVariants(std::vector<Defect> &defects, const Scene &scene)
+{
+    const Method &method = *methodNamed(QString::fromStdString(scene.method));
+    for (const Variant variant : allVariants) {
+        Defect defect{nameText(nameOf(variant)), nameText(wordsOf(variant, method.spanAxis).fault),
+                      sentenceOf(variant, method.spanAxis), [variant](Scene &changed) {
+                          changed.settings.variants = changed.settings.variants.with(variant);
+                          return true;
+                      }};
+        if (variant == Variant::StayAtZero && drawsNearestPixels(scene)) {
+            defect.forAssistant
+                += QStringLiteral(" Both pixels are equally near: that alone is no mistake.");
+            defect.isRightAlone = true;
+        }
+        appendWhereItApplies(defects, scene, {}, std::move(defect));
+    }
+}
+
+void appendSettings(std::vector<Defect> &defects, const Scene &scene)
+{
+    for (const FillRule rule : allFillRules)
+        appendWhereItApplies(
+            defects, scene, QLatin1String(ruleChoice),
+            {QStringLiteral("rule-") + nameText(nameOf(rule)),
+             QStringLiteral("Look at pixels exactly on an edge, and at neighbours' shared "
+                            "edges."),
+             QStringLiteral("The fill rule is %1 in place of %2.")
+                 .arg(nameText(nameOf(rule)), nameText(nameOf(scene.settings.fillRule))),
+             [rule](Scene &changed) {
+                 changed.settings.fillRule = rule;
+                 return true;
+             }});
+    for (const ByteRounding rounding : allByteRoundings)
+        appendWhereItApplies(
+            defects, scene, QLatin1String(roundingChoice),
+            {QStringLiteral("rounding-") + nameText(nameOf(rounding)),
+             QStringLiteral("Look at how a colour becomes a byte."),
+             rounding == ByteRounding::Nearest
+                 ? QStringLiteral("Levels are rounded to the nearest byte, not cut: ⌊v + ½⌋.")
+                 : QStringLiteral("Levels are cut to bytes, not rounded: ⌊v⌋ in place of "
+                                  "⌊v + ½⌋."),
+             [rounding](Scene &changed) {
+                 changed.settings.rounding = rounding;
+                 return true;
+             }});
+    for (const Arithmetic arithmetic : allArithmetics)
+        appendWhereItApplies(
+            defects, scene, QLatin1String(arithmeticChoice),
+            {QStringLiteral("arithmetic-") + nameText(nameOf(arithmetic)),
+             QStringLiteral("What your numbers are kept in decides pixels: how large is the "
+                            "error after many additions?"),
+             QStringLiteral("It is computed in %1.").arg(nameText(nameOf(arithmetic))),
+             [arithmetic](Scene &changed) {
+                 changed.settings.arithmetic = arithmetic;
+                 return true;
+             }});
+}
+
+/// Where to look, for each kind of change of a whole picture.
+QString questionOf(const QString &kind)
+{
+    static const QHash<QString, QString> questions = {
+        {QStringLiteral("shift"),
+         QStringLiteral("Where in the picture is the frame's first pixel?")},
+        {QStringLiteral("flip"),
+         QStringLiteral("Which of the picture's rows is written first, and which of the two "
+                        "coordinates counts rows?")},
+        {QStringLiteral("stride"),
+         QStringLiteral("At which address is the pixel (x, y) written, and where is it read?")},
+        {QStringLiteral("channels"), QStringLiteral("In which order are R, G and B stored?")},
+        {QStringLiteral("levels"),
+         QStringLiteral("Are the bytes in the file those that were computed?")},
+        {QStringLiteral("mask"), QStringLiteral("Which colour is written?")},
+        {QStringLiteral("background"),
+         QStringLiteral("What is in the frame before anything is drawn?")},
+    };
+    return questions.value(kind);
+}
+
+void appendPictures(std::vector<Defect> &defects, const Scene &scene)
+{
+    // Comes first: another background is still possible with it.
+    defects.push_back({.id = QStringLiteral("nothing-drawn"),
+                       .forStudent = QStringLiteral(
+                           "Is the picture that is written the one that was drawn into?"),
+                       .forAssistant = QStringLiteral("Nothing of the scene is drawn."),
+                       .changePicture =
+                           [](const Picture &right, const Colour &background) {
+                               Picture picture = right;
+                               std::ranges::fill(picture.colours, background);
+                               std::ranges::fill(picture.covered, std::uint8_t(0));
+                               return picture;
+                           },
+                       .leavesOut = true});
+    const Picture ofItsSize{scene.frame.width, scene.frame.height, {}, {}};
+    for (const PictureChange &change : pictureChangesFor(ofItsSize, scene.frame.background)) {
+        const QString id = QString(change.name).toLower().replace(u' ', u'-');
+        defects.push_back({id,
+                           questionOf(change.kind),
+                           change.sentence.isEmpty()
+                               ? QStringLiteral("Done to the whole picture: %1.").arg(change.name)
+                               : change.sentence,
+                           {},
+                           {},
+                           change.apply,
+                           change.isFar,
+                           change.kind});
+    }
+}
+
+/// A scene that can have every defect of its method: two primitives, turned either way, with
+/// vertices between pixels, two in one column and two in one row, and a level of 255.
+Scene proneScene(const Scene &conventions)
+{
+    Scene scene = conventions;
+    scene.frame.width = 48;
+    scene.frame.height = 40;
+    constexpr Lattice half = unitsPerPixel / 2;
+    const std::array<Vertex, 4> vertices = {{{{5 * half, 7 * half}, {{255, 40, 10}}},
+                                             {{81 * half, 7 * half}, {{20, 200, 90}}},
+                                             {{81 * half, 61 * half}, {{60, 30, 240}}},
+                                             {{9 * half, 71 * half}, {{200, 100, 0}}}}};
+    const Method &method = *methodNamed(QString::fromStdString(scene.method));
+    scene.triangles.clear();
+    if (method.draws(PrimitiveKind::Triangle))
+        scene.triangles = {{{{vertices[0], vertices[1], vertices[2]}}},
+                           {{{vertices[0], vertices[3], vertices[2]}}}};
+    scene.shapes = std::vector<Shape>(method.draws(PrimitiveKind::Line) ? 2 : 0);
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+        scene.shapes[i].vertices = {vertices[i], vertices[i + 2]};
+    return scene;
+}
+
+} // namespace
+
+QString undoingText()
+{
+    return QStringLiteral("the variants %1 and %2 cancel each other: the divisor is Δ again")
+        .arg(nameText(nameOf(Variant::DivisorMinusOne)), nameText(nameOf(Variant::DivisorPlusOne)));
+}
+
+Defect redrawnBy(const Redrawing &redrawing, Defect words)
+{
+    words.redraw = [redrawing](const Scene &scene) { return redrawn(scene, redrawing); };
+    words.redrawRange = [redrawing](const Scene &scene, Arithmetic arithmetic) {
+        return redrawnRange(scene, redrawing, arithmetic);
+    };
+    words.redrawing = std::make_shared<const Redrawing>(redrawing);
+    return words;
+}
+
+bool canBeTogether(const Defect &one, const Defect &other)
+{
+    const bool isOneChoice = !one.choice.isEmpty() && one.choice == other.choice;
+    if (isOneChoice)
+        return false;
+    const bool areRedrawings
+        = one.stage() == DefectStage::Drawing && other.stage() == DefectStage::Drawing;
+    return !areRedrawings
+        || (one.redrawing && other.redrawing
+            && together(*one.redrawing, *other.redrawing).has_value());
+}
+
+std::vector<Defect> defectsFor(const Scene &scene)
+{
+    std::vector<Defect> defects;
+    appendVariants(defects, scene);
+    appendSettings(defects, scene);
+    std::ranges::move(sceneDefectsFor(scene), std::back_inserter(defects));
+    std::ranges::move(lineDefectsFor(scene), std::back_inserter(defects));
+    std::ranges::move(spanDefectsFor(scene), std::back_inserter(defects));
+    std::ranges::move(levelDefectsFor(scene), std::back_inserter(defects));
+    appendPictures(defects, scene);
+    return defects;
+}
+
+std::vector<Defect> defectsUnder(const Scene &conventions)
+{
+    return defectsFor(proneScene(conventions));
+}
+
+std::vector<Defect> ownDefects(std::span<const Defect> known, std::span<const Defect> defects)
+{
+    std::vector<Defect> own;
+    for (const Defect &defect : defects) {
+        const auto found = std::ranges::find(known, defect.id, &Defect::id);
+        if (found != known.end())
+            own.push_back(*found);
+    }
+    return own;
+}
+
+} // namespace pixelplumb

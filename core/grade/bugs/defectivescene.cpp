@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/bugs/defectivescene.h"
+
+#include "core/grade/pictures/picturediff.h"
+#include "core/grade/scan/redrawing.h"
+#include "core/runs/scenerun.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+Picture finished(Picture picture, std::span<const Defect> defects, const Colour &background)
+{
+    for (const Defect &defect : defects) {
+        if (defect.changePicture)
+            picture = defect.changePicture(picture, background);
+    }
+    return picture;
+}
+
+} // namespace
+
+Scene withDefects(Scene scene, std::span<const Defect> defects)
+{
+    for (const Defect &defect : defects) {
+        if (defect.changeScene)
+            defect.changeScene(scene);
+    }
+    return scene;
+}
+
+std::optional<Defect> redrawingAmong(std::span<const Defect> defects)
+{
+    std::optional<Defect> among;
+    for (const Defect &defect : defects) {
+        if (defect.stage() != DefectStage::Drawing)
+            continue;
+        if (!among) {
+            among = defect;
+            continue;
+        }
+        const bool areOfTriangles = among->redrawing && defect.redrawing;
+        const auto both
+            = areOfTriangles ? together(*among->redrawing, *defect.redrawing) : std::nullopt;
+        if (both)
+            among = redrawnBy(*both, *std::move(among));
+    }
+    return among;
+}
+
+Picture pictureWith(const Scene &scene, std::span<const Defect> defects)
+{
+    const Scene drawn = withDefects(scene, defects);
+    const auto redrawing = redrawingAmong(defects);
+    return finished(redrawing ? redrawing->redraw(drawn) : pictureOf(drawn), defects,
+                    scene.frame.background);
+}
+
+std::optional<PictureRange> rangeWith(const Scene &scene, std::span<const Defect> defects,
+                                      const Margin &margin)
+{
+    const Scene drawn = withDefects(scene, defects);
+    const auto redrawing = redrawingAmong(defects);
+    const bool isKnown = canBeRedrawn(drawn) && objectionTo(drawn).isEmpty()
+        && (!redrawing || redrawing->redrawRange);
+    if (!isKnown)
+        return std::nullopt;
+    const Redrawing asItIs{[](TriangleRuns &) {}};
+    PictureRange range = redrawing ? redrawing->redrawRange(drawn, margin.tolerance)
+                                   : redrawnRange(drawn, asItIs, margin.tolerance);
+    if (margin.leavesEdgesOpen()) {
+        Picture open = emptyPicture(drawn.frame);
+        open.covered = tiesOf(drawn);
+        range.openEdges = finished(std::move(open), defects, scene.frame.background);
+    }
+    for (Picture &side : range.sides)
+        side = finished(std::move(side), defects, scene.frame.background);
+    return range;
+}
+
+} // namespace pixelplumb

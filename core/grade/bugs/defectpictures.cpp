@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/bugs/defectpictures.h"
+
+#include "core/grade/bugs/defectivescene.h"
+#include "core/grade/scan/redrawing.h"
+#include "core/runs/scenerun.h"
+
+#include <QHash>
+#include <QSet>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr std::size_t mostKept = std::size_t(256) << 20; // bytes
+
+std::size_t bytesOf(const Picture &picture)
+{
+    return picture.size() * (sizeof(Colour) + sizeof(std::uint8_t));
+}
+
+template <class T>
+std::size_t hashOf(const std::vector<T> &values)
+{
+    return qHashBits(values.data(), values.size() * sizeof(T));
+}
+
+} // namespace
+
+DefectPictures::DefectPictures(std::vector<Scene> scenes)
+    : m_scenes(std::move(scenes))
+    , m_lastScenePicture(m_scenes.size())
+{
+    QSet<QString> ids;
+    for (const Scene &scene : m_scenes) {
+        m_ofScene.push_back(defectsFor(scene));
+        for (const Defect &defect : m_ofScene.back()) {
+            if (defect.choice == QLatin1String(arithmeticChoice)) {
+                Scene changed = scene;
+                defect.changeScene(changed);
+                m_arithmetics.emplace(changed.settings.arithmetic, defect);
+            } else if (!ids.contains(defect.id)) {
+                ids += defect.id;
+                m_defects.push_back(defect);
+            }
+        }
+    }
+    // In a pair, the defect with the earlier stage comes first.
+    std::ranges::stable_sort(m_defects, {}, &Defect::stage);
+    QHash<QString, std::size_t> places;
+    for (std::size_t place = 0; place < m_defects.size(); ++place)
+        places.insert(m_defects[place].id, place);
+    for (const std::vector<Defect> &ofScene : m_ofScene) {
+        auto &ownPlaces = m_ownPlaces.emplace_back(m_defects.size());
+        for (std::size_t i = 0; i < ofScene.size(); ++i) {
+            if (const auto place = places.constFind(ofScene[i].id); place != places.constEnd())
+                ownPlaces[*place] = i;
+        }
+    }
+}
+
+const Defect *DefectPictures::own(std::size_t scene, std::size_t defect) const
+{
+    const std::optional<std::size_t> place = m_ownPlaces[scene][defect];
+    return place ? &m_ofScene[scene][*place] : nullptr;
+}
+
+std::vector<Defect> DefectPictures::defectsIn(const DefectSet &set) const
+{
+    std::vector<Defect> defects;
+    for (const auto &place : {set.first, set.second, set.choice}) {
+        if (place)
+            defects.push_back(m_defects[*place]);
+    }
+    return defects;
+}
+
+std::vector<Defect> DefectPictures::ownDefectsIn(const DefectSet &set, std::size_t scene) const
+{
+    std::vector<Defect> defects;
+    for (const auto &place : {set.first, set.second, set.choice}) {
+        if (const Defect *defect = place ? own(scene, *place) : nullptr)
+            defects.push_back(*defect);
+    }
+    return defects;
+}
+
+/// The picture of the scene with those of the defects that change scenes. The last one drawn is
+/// kept, since sets that differ only in defects of the picture follow one another.
+DefectPictures::SharedPicture DefectPictures::scenePicture(std::size_t scene, const Scene &drawn)
+{
+    LastPicture &last = m_lastScenePicture[scene];
+    {
+        const std::lock_guard lock(m_mutex);
+        if (last.scene == drawn)
+            return last.picture;
+    }
+    SharedPicture picture;
+    if (objectionTo(drawn).isEmpty())
+        picture = std::make_shared<const Picture>(pictureOf(drawn));
+    const std::lock_guard lock(m_mutex);
+    last = {drawn, picture};
+    return picture;
+}
+
+Scene DefectPictures::sceneIn(std::size_t scene, const DefectSet &set) const
+{
+    Scene drawn = m_scenes[scene];
+    drawn.settings.arithmetic = set.arithmetic.value_or(drawn.settings.arithmetic);
+    return drawn;
+}
+
+DefectPictures::SharedPicture DefectPictures::draw(std::size_t scene, const DefectSet &set)
+{
+    if (set.second && m_defects[*set.second].changePicture)
+        return changed(scene, set);
+    const std::vector<Defect> defects = ownDefectsIn(set, scene);
+    const Scene drawn = withDefects(sceneIn(scene, set), defects);
+    const auto redrawing = redrawingAmong(defects);
+    SharedPicture picture;
+    if (!redrawing)
+        picture = scenePicture(scene, drawn);
+    else if (objectionTo(drawn).isEmpty())
+        picture = std::make_shared<const Picture>(redrawing->redraw(drawn));
+    for (const Defect &defect : defects) {
+        if (picture && defect.changePicture)
+            picture = std::make_shared<const Picture>(
+                defect.changePicture(*picture, drawn.frame.background));
+    }
+    return picture;
+}
+
+/// The picture of the set's first defect, which many sets share, changed by the second.
+DefectPictures::SharedPicture DefectPictures::changed(std::size_t scene, const DefectSet &set)
+{
+    const DefectSet first{set.first, {}, set.arithmetic, set.choice};
+    const SharedPicture base = picture(scene, first);
+    const Defect *change = own(scene, *set.second);
+    if (!base || !change)
+        return base;
+    const Scene drawn = withDefects(sceneIn(scene, set), ownDefectsIn(first, scene));
+    return std::make_shared<const Picture>(change->changePicture(*base, drawn.frame.background));
+}
+
+DefectPictures::SharedPicture DefectPictures::picture(std::size_t scene, const DefectSet &set)
+{
+    const Key key(scene, set);
+    {
+        const std::lock_guard lock(m_mutex);
+        const auto found = m_drawn.find(key);
+        if (found != m_drawn.end() && (found->second.picture || !found->second.canBeDrawn))
+            return found->second.picture;
+    }
+    SharedPicture picture = draw(scene, set);
+    Drawn drawn;
+    drawn.canBeDrawn = bool(picture);
+    if (picture) {
+        drawn.colourHash = hashOf(picture->colours);
+        drawn.coverageHash = hashOf(picture->covered);
+    }
+    const std::lock_guard lock(m_mutex);
+    const auto [place, isNew] = m_drawn.emplace(key, drawn);
+    if (isNew && picture && m_kept + bytesOf(*picture) <= mostKept) {
+        place->second.picture = picture;
+        m_kept += bytesOf(*picture);
+    }
+    return picture;
+}
+
+DefectPictures::SharedRange DefectPictures::range(std::size_t scene, const DefectSet &set,
+                                                  const Margin &margin)
+{
+    const std::tuple key(Key(scene, set), margin.leeway, margin.tolerance);
+    {
+        const std::lock_guard lock(m_mutex);
+        if (const auto found = m_ranges.find(key); found != m_ranges.end())
+            return found->second;
+    }
+    SharedRange range;
+    if (auto drawn = rangeWith(m_scenes[scene], ownDefectsIn(set, scene), margin))
+        range = std::make_shared<const PictureRange>(*std::move(drawn));
+    const std::size_t bytes = range ? 5 * bytesOf(range->sides.front()) : 0;
+    const std::lock_guard lock(m_mutex);
+    if (m_kept + bytes <= mostKept && m_ranges.emplace(key, range).second)
+        m_kept += bytes;
+    return range;
+}
+
+bool DefectPictures::Drawn::isKnownToDiffer(const Picture &found) const
+{
+    if (picture || !canBeDrawn)
+        return !canBeDrawn;
+    return found.hasColours ? colourHash != hashOf(found.colours)
+                            : coverageHash != hashOf(found.covered);
+}
+
+bool DefectPictures::isRefusedAtOnce(std::size_t scene, const DefectSet &set,
+                                     const Picture &found) const
+{
+    const std::vector<Defect> defects = ownDefectsIn(set, scene);
+    const bool isOfPictures
+        = std::ranges::find(defects, DefectStage::Picture, &Defect::stage) != defects.end();
+    const auto redrawing = isOfPictures ? std::nullopt : redrawingAmong(defects);
+    if (!redrawing || !redrawing->redrawing)
+        return false;
+    const Scene drawn = withDefects(sceneIn(scene, set), defects);
+    return objectionTo(drawn).isEmpty() && differsAtOnce(drawn, *redrawing->redrawing, found);
+}
+
+bool DefectPictures::isKnownToDiffer(std::size_t scene, const DefectSet &set,
+                                     const Picture &found) const
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        const auto known = m_drawn.find({scene, set});
+        if (known != m_drawn.end())
+            return known->second.isKnownToDiffer(found);
+    }
+    return isRefusedAtOnce(scene, set, found);
+}
+
+} // namespace pixelplumb

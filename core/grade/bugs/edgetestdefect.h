@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/grade/bugs/defect.h"
+
+namespace pixelplumb {
+
+/// Mistakes of a program that tests the three edges at the samples of the bounding box: in the
+/// test, in the edge functions and in the vertices' weights.
+std::vector<Defect> edgeTestDefects();
+
+/// Mistakes of such a program in which samples it tests, and in which of those on an edge it leaves
+/// out.
+std::vector<Defect> boxDefects();
+
+} // namespace pixelplumb

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/diagnose/diagnosis.h"
+
+#include "core/grade/diagnose/defectsearch.h"
+#include "core/grade/diagnose/undecidable.h"
+#include "core/grade/pictures/picturecause.h"
+#include "core/grade/pictures/picturediff.h"
+#include "core/number/failure.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+/// How many of the differing pixels lie on ties or within the margin.
+std::int64_t undecidableIn(DefectPictures &pictures, std::span<const FoundPicture> found,
+                           const Margin &margin)
+{
+    std::int64_t undecidable = 0;
+    for (const FoundPicture &each : found) {
+        const Picture &right = *pictures.picture(each.scene, {});
+        const auto open
+            = undecidablePixels(pictures.scenes()[each.scene], right, each.picture, margin);
+        undecidable += differenceOf(right, each.picture, open).count(PixelVerdict::Undecidable);
+    }
+    return undecidable;
+}
+
+/// False where the listener ended it.
+bool diagnoseOnItsBackground(DefectPictures &pictures, std::span<const FoundPicture> found,
+                             const ProgressListener &listener, const Margin &margin,
+                             Diagnosis &diagnosis)
+{
+    PictureMatcher matcher(pictures, found, margin);
+    diagnosis.differing = matcher.distance({});
+    if (diagnosis.differing == 0) {
+        diagnosis.verdict = DiagnosisVerdict::Right;
+        return true;
+    }
+    diagnosis.undecidable = undecidableIn(pictures, found, margin);
+    if (diagnosis.undecidable == diagnosis.differing)
+        diagnosis.verdict = DiagnosisVerdict::Undecidable;
+    DefectSearch search(pictures, matcher, diagnosis, listener);
+    if (!search.run())
+        return false;
+    diagnosis.candidates = search.candidates();
+    return true;
+}
+
+/// The other background, if all pictures share one.
+std::optional<Colour> otherBackgroundOf(DefectPictures &pictures,
+                                        std::span<const FoundPicture> found)
+{
+    std::optional<Colour> other;
+    for (const FoundPicture &each : found) {
+        const Colour &background = pictures.scenes()[each.scene].frame.background;
+        const auto own
+            = otherBackgroundIn(each.picture, *pictures.picture(each.scene, {}), background);
+        if (!own || (other && *own != *other))
+            return std::nullopt;
+        other = own;
+    }
+    return other;
+}
+
+/// Replaces the other background by the scenes' own, except where its colour is rightly drawn.
+std::vector<FoundPicture> onRightBackground(DefectPictures &pictures,
+                                            std::span<const FoundPicture> found,
+                                            const Colour &other)
+{
+    std::vector<FoundPicture> changed(found.begin(), found.end());
+    for (FoundPicture &each : changed) {
+        const auto right = pictures.picture(each.scene, {});
+        const Colour &background = pictures.scenes()[each.scene].frame.background;
+        for (std::size_t place = 0; place < right->size(); ++place) {
+            const bool isDrawn = right->covered[place] != 0 && right->colours[place] == other;
+            if (isDrawn || each.picture.colours[place] != other)
+                continue;
+            each.picture.colours[place] = background;
+            each.picture.covered[place] = 0;
+        }
+    }
+    return changed;
+}
+
+/// "black or (64, 64, 64)", if scenes differ.
+QString backgroundsOf(const DefectPictures &pictures, std::span<const FoundPicture> found)
+{
+    QStringList names;
+    for (const FoundPicture &each : found)
+        names += nameOf(pictures.scenes()[each.scene].frame.background);
+    names.removeDuplicates();
+    return names.join(QStringLiteral(" or "));
+}
+
+Defect drawnOnOther(const Colour &other, const QString &backgrounds)
+{
+    const PictureChange change = drawnOn(other, backgrounds);
+    const auto &[red, green, blue] = other.channels;
+    return {.id = QStringLiteral("drawn-on-%1-%2-%3").arg(red).arg(green).arg(blue),
+            .forStudent = QStringLiteral("What is in the frame before anything is drawn?"),
+            .forAssistant = QStringLiteral("Done to the whole picture: %1.").arg(change.name),
+            .changePicture = change.apply,
+            .choice = change.kind};
+}
+
+/// False where the listener ended it.
+bool diagnoseOnAnyBackground(DefectPictures &pictures, std::span<const FoundPicture> found,
+                             const ProgressListener &listener, const Margin &margin,
+                             Diagnosis &diagnosis)
+{
+    if (!diagnoseOnItsBackground(pictures, found, listener, margin, diagnosis))
+        return false;
+    const bool isUnexplained
+        = diagnosis.verdict == DiagnosisVerdict::Wrong && !diagnosis.isExplained();
+    const auto other = isUnexplained ? otherBackgroundOf(pictures, found) : std::nullopt;
+    if (!other)
+        return true;
+    Diagnosis beside;
+    if (!diagnoseOnItsBackground(pictures, onRightBackground(pictures, found, *other), listener,
+                                 margin, beside))
+        return false;
+    if (beside.candidates.empty())
+        beside.candidates.push_back(
+            {{}, beside.differing - beside.undecidable, beside.undecidable});
+    const Defect drawnOnIt = drawnOnOther(*other, backgroundsOf(pictures, found));
+    for (DiagnosisCandidate &candidate : beside.candidates)
+        candidate.defects.push_back(drawnOnIt);
+    diagnosis.candidates = std::move(beside.candidates);
+    return true;
+}
+
+} // namespace
+
+QString nameOf(DiagnosisVerdict verdict)
+{
+    switch (verdict) {
+    case DiagnosisVerdict::Right:
+        return QStringLiteral("right");
+    case DiagnosisVerdict::Undecidable:
+        return QStringLiteral("undecidable");
+    case DiagnosisVerdict::Wrong:
+        break;
+    }
+    return QStringLiteral("wrong");
+}
+
+QStringList DiagnosisCandidate::ids() const
+{
+    QStringList ids;
+    for (const Defect &defect : defects)
+        ids += defect.id;
+    return ids;
+}
+
+QStringList DiagnosisCandidate::rightAlone() const
+{
+    QStringList ids;
+    for (const Defect &defect : defects) {
+        if (defect.isRightAlone)
+            ids += defect.id;
+    }
+    return ids;
+}
+
+QStringList DiagnosisCandidate::sentences(QString Defect::*words) const
+{
+    QStringList sentences;
+    const bool isNoMistake = std::ranges::all_of(defects, &Defect::isRightAlone);
+    for (const Defect &defect : defects) {
+        const bool isTold = words != &Defect::forStudent || !defect.isRightAlone || isNoMistake;
+        if (isTold && !sentences.contains(defect.*words))
+            sentences += defect.*words;
+    }
+    return sentences;
+}
+
+QString pixelsText(std::int64_t pixels)
+{
+    return pixels == 1 ? QStringLiteral("1 pixel") : QStringLiteral("%1 pixels").arg(pixels);
+}
+
+QString undecidableText(std::int64_t pixels)
+{
+    return pixels == 0
+        ? QString()
+        : QStringLiteral("but for %1 that rounding or a sample on an edge may decide")
+              .arg(pixelsText(pixels));
+}
+
+std::optional<Diagnosis> diagnose(std::span<const Submission> submissions,
+                                  const ProgressListener &listener, const Margin &margin)
+{
+    std::vector<Scene> scenes;
+    std::vector<FoundPicture> found;
+    for (const Submission &submission : submissions) {
+        found.push_back({scenes.size(), submission.picture});
+        scenes.push_back(submission.scene);
+    }
+    DefectPictures pictures(std::move(scenes));
+    return diagnose(pictures, found, listener, margin);
+}
+
+std::optional<Diagnosis> diagnose(DefectPictures &pictures, std::span<const FoundPicture> found,
+                                  const ProgressListener &listener, const Margin &margin)
+{
+    Diagnosis diagnosis;
+    bool isDone = true;
+    diagnosis.failure = failureOf(
+        [&] { isDone = diagnoseOnAnyBackground(pictures, found, listener, margin, diagnosis); });
+    return isDone ? std::optional(std::move(diagnosis)) : std::nullopt;
+}
+
+} // namespace pixelplumb

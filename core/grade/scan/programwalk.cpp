@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/scan/programwalk.h"
+
+#include "core/grade/rounding/boundedside.h"
+#include "core/scan/mistakes/mistakenscan.h"
+
+namespace pixelplumb {
+
+namespace {
+
+/// Keeps the runs of a walk, until one is not acceptable.
+struct RunKeeper {
+    static constexpr LevelDetail detail = LevelDetail::Whole;
+
+    TriangleRuns &triangle;
+    SpanOrder order;
+
+    template <class Numbers>
+    bool walked(const MistakenSpan<Numbers> &span)
+    {
+        triangle.runs.push_back({order == SpanOrder::Ascending ? span.span : -span.span,
+                                 span.samples.firstDrawn, span.samples.endDrawn, span.levels.whole,
+                                 span.samples.firstDrawn});
+        triangle.isRefused
+            = span.isFinal && triangle.mayBe && !triangle.mayBe(triangle.runs.back());
+        return !triangle.isRefused;
+    }
+};
+
+template <class Numbers>
+bool walkIn(TriangleRuns &triangle, const ScanBugs &bugs)
+{
+    const SpanOrder order = orderOf(bugs, triangle.order);
+    triangle.runs.clear();
+    RunKeeper keeper{triangle, order};
+    if (!triangle.side)
+        return walkMistaken<Numbers>(triangle, bugs, WalkSide(), keeper);
+    const BoundedSide side(seenFrom(triangle, order).triangle, *triangle.side);
+    return walkMistaken<Numbers>(triangle, bugs, side, keeper);
+}
+
+} // namespace
+
+bool walkAs(TriangleRuns &triangle, const ScanBugs &bugs)
+{
+    if (triangle.side)
+        return walkIn<RoundedWalk<double>>(triangle, bugs);
+    switch (triangle.settings.arithmetic) {
+    case Arithmetic::Exact:
+        return walkIn<ExactWalk>(triangle, bugs);
+    case Arithmetic::Float32:
+        return walkIn<RoundedWalk<float>>(triangle, bugs);
+    case Arithmetic::Float64:
+        return walkIn<RoundedWalk<double>>(triangle, bugs);
+    case Arithmetic::Fixed16:
+        return walkIn<RoundedWalk<FixedPoint16>>(triangle, bugs);
+    case Arithmetic::Fixed32:
+        return walkIn<RoundedWalk<FixedPoint32>>(triangle, bugs);
+    }
+    return false;
+}
+
+Redrawing redrawingBy(const ScanBugs &bugs)
+{
+    Redrawing redrawing{[bugs](TriangleRuns &triangle) { walkAs(triangle, bugs); }, bugs.overflow};
+    redrawing.walk = std::make_shared<const ScanBugs>(bugs);
+    return redrawing;
+}
+
+} // namespace pixelplumb

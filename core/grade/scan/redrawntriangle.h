@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/grade/scan/redrawing.h"
+#include "core/number/commonfraction.h"
+
+namespace pixelplumb {
+
+/// A scene's only triangle, redrawn: its samples in painting order.
+class RedrawnTriangle {
+public:
+    /// Changes the right picture, on a side of rounding if one is given. A walk draws everything
+    /// itself and needs no right picture.
+    RedrawnTriangle(const Scene &alone, const Redrawing &redrawing,
+                    std::function<Picture()> drawRight,
+                    const std::optional<RoundingSide> &side = {});
+
+    /// Draws only while it matches the picture found: a walk ends at the first run that does not.
+    RedrawnTriangle(const Scene &alone, const Redrawing &redrawing, const Picture &found);
+    bool isRefused() const { return m_runs.isRefused; }
+
+    void paintOn(Picture &picture, Repainting repainting, const Colour &background) const;
+
+private:
+    void see(const Scene &alone, VisitedBox box);
+    bool isIn(const Picture &found, const SampleRun &run) const;
+    const Picture &right() const;
+    std::optional<std::size_t> indexOf(std::int64_t span, std::int64_t place) const;
+    void readRuns();
+    std::uint8_t byteOf(std::int64_t level) const;
+    Colour colourAt(const SampleRun &run, std::int64_t place, std::size_t index) const;
+    WholeLevels levelsOf(const Colour &colour) const;
+    std::int64_t wholeLevelOf(const CommonFraction &exact) const;
+    WholeLevels planeAt(std::int64_t span, std::int64_t place) const;
+
+    FrameSpec m_frame;
+    LevelOverflow m_overflow;
+    LevelBytes m_bytes;
+    bool m_goesByRows = false;
+    std::function<Picture()> m_drawRight;
+    mutable std::optional<Picture> m_right; ///< drawn on first use
+    TriangleRuns m_runs;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/study/labfields.h"
+#include "core/lab/study/labfile.h"
+#include "core/scene/fields/fieldreader.h"
+
+namespace pixelplumb {
+
+Result<Study> readStudy(const QByteArray &text)
+{
+    JsonReader json(text);
+    if (json.hasFailed())
+        return json.error();
+    const QString versionKey = QStringLiteral("pixelplumbLab");
+    const JsonNode version = json.root()[versionKey];
+    const QString expected = QString::number(labFileVersion);
+    if (json.root().isObject() && version.isMissing()) {
+        json.fail(json.root(), QStringLiteral("no “%1”").arg(versionKey), expected);
+        return json.error();
+    }
+    Study study;
+    if (version.toInteger(0) != labFileVersion)
+        json.fail(version, describe(version), expected);
+    else
+        FieldReader(json).readMembers(json.root(), study, {versionKey, QStringLiteral("warnings")});
+    if (json.hasFailed())
+        return json.error();
+    return study;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/curves/strokenumbers.h"
+
+#include "core/methods/curves/curvenumbers.h"
+#include "core/methods/lines/lineendnumbers.h"
+#include "core/methods/shading/interpolationnames.h"
+#include "core/methods/words/channelnumbers.h"
+#include "core/methods/words/formulatext.h"
+#include "core/methods/words/placenumbers.h"
+#include "core/methods/words/samplesums.h"
+#include "core/methods/words/units.h"
+
+#include <bit>
+
+namespace pixelplumb {
+
+namespace {
+
+using Group = NumberGroup;
+
+NumberDescription strokeNumber(const QString &name, const QString &unit, const QString &toolTip,
+                               const QString &formula = {}, Group group = Group::Position)
+{
+    return {.id = name,
+            .title = name,
+            .unit = unit,
+            .toolTip = toolTip,
+            .formula = formula,
+            .group = group};
+}
+
+bool isLineStroke(const StrokeSetUp &setUp) { return setUp.shape.kind == PrimitiveKind::Line; }
+
+bool isRoundStroke(const StrokeSetUp &setUp)
+{
+    return setUp.shape.kind == PrimitiveKind::Circle || setUp.shape.kind == PrimitiveKind::Ellipse;
+}
+
+/// The ends of a line.
+void appendStrokeEnds(NumberTable<StrokeSetUp> &table)
+{
+    const auto append = [&](QChar letter, std::size_t end, Lattice LatticePoint::*axis) {
+        const QString toolTip = end == 0 ? QStringLiteral("of a line's first end.")
+                                         : QStringLiteral("of its other end.");
+        table.push_back(
+            endNumber<StrokeSetUp>(letter, int(end), toolTip, [=](const StrokeSetUp &setUp) {
+                return isLineStroke(setUp) ? pixels(setUp.shape.vertices[end].position.*axis)
+                                           : Quantity();
+            }));
+    };
+    for (const std::size_t end : {0, 1}) {
+        append(u'x', end, &LatticePoint::x);
+        append(u'y', end, &LatticePoint::y);
+    }
+}
+
+void appendHalfWidth(NumberTable<StrokeSetUp> &table)
+{
+    const auto append = [&](QChar letter, const QString &whole, StrokeUnit StrokePoint::*axis) {
+        table.push_back(
+            {strokeNumber(QStringLiteral("h_") + letter, unit::px(),
+                          QStringLiteral("Half of a line's width, ½ px square to it: %1 of "
+                                         "%2/(2·√(Δx² + Δy²)), to the nearest 2⁻¹⁶ px.")
+                              .arg(letter)
+                              .arg(whole)),
+             [axis](const StrokeSetUp &setUp) {
+                 return isLineStroke(setUp)
+                     ? Quantity::rational(setUp.half.*axis, strokeUnitsPerPixel)
+                     : Quantity();
+             }});
+    };
+    append(u'x', QStringLiteral("−Δy"), &StrokePoint::x);
+    append(u'y', QStringLiteral("Δx"), &StrokePoint::y);
+}
+
+void appendStrokeColours(NumberTable<StrokeSetUp> &table)
+{
+    for (const std::size_t end : {0, 1})
+        appendChannels(table,
+                       {.id = QStringLiteral("%_") + QString::number(end),
+                        .title = u'%' + QString(QChar(char16_t(u'₀' + end))),
+                        .unit = unit::levels(),
+                        .toolTip = end == 0
+                            ? QStringLiteral("% of a line's first end, or of the curve.")
+                            : QStringLiteral("% of a line's other end."),
+                        .formula = {}},
+                       [end](const StrokeSetUp &setUp, std::size_t channel) {
+                           const std::vector<Vertex> &vertices = setUp.shape.vertices;
+                           return end < vertices.size() && (end == 0 || isLineStroke(setUp))
+                               ? Quantity::integer(vertices[end].colour.channels[channel])
+                               : Quantity();
+                       });
+}
+
+/// What decides whether a pixel's one sample lies in the rectangle of a line.
+void appendDistances(NumberTable<StrokeSampleState> &table)
+{
+    const auto whole = QStringLiteral("((x₁ − x₀)·h_y − (y₁ − y₀)·h_x)");
+    table.push_back({strokeNumber(QStringLiteral("d_across"), QStringLiteral("half widths"),
+                                  QStringLiteral("How far the sample lies from a line, which "
+                                                 "covers it from −1 to 1."),
+                                  QStringLiteral("d_across = ((x₁ − x₀)·(y − y₀) − (y₁ − y₀)·(x − "
+                                                 "x₀))/")
+                                      + whole,
+                                  Group::Decision),
+                     [](const StrokeSampleState &state) { return state.across(); }});
+    table.push_back(
+        {strokeNumber(QStringLiteral("d_along"), QStringLiteral("lengths"),
+                      QStringLiteral("How far along a line the sample lies; from 0 to "
+                                     "1 the line covers it."),
+                      QStringLiteral("d_along = ((x − x₀)·h_y − (y − y₀)·h_x)/") + whole,
+                      Group::Decision),
+         [](const StrokeSampleState &state) { return state.along(); }});
+}
+
+/// R, G and B of a byte.
+void appendStrokeBytes(NumberTable<StrokeSampleState> &table, QChar letter, const QString &toolTip,
+                       const QString &formula,
+                       const std::function<int(const StrokeSampleState &, std::size_t)> &read)
+{
+    appendChannels(table,
+                   {.id = letter + QStringLiteral("_%"),
+                    .title = letter + QStringLiteral("_%"),
+                    .unit = {},
+                    .toolTip = toolTip,
+                    .formula = formula,
+                    .group = Group::FirstColour},
+                   [read](const StrokeSampleState &state, std::size_t channel) {
+                       return state.isRefused ? Quantity()
+                                              : Quantity::integer(read(state, channel));
+                   });
+}
+
+void appendStrokeSource(NumberTable<StrokeSampleState> &table)
+{
+    table.push_back(
+        {strokeNumber(QStringLiteral("t"), {},
+                      QStringLiteral("How far along a line the pixel's sample lies, from 0 at its "
+                                     "first end to 1 at the other."),
+                      {}, Group::FirstColour),
+         [](const StrokeSampleState &state) { return state.place(); },
+         [](NumberDescription &number, const StrokeSampleState &state) {
+             const StrokeColour::Place &place = state.sample.place;
+             if (!state.isOnLine())
+                 return;
+             const auto along = QStringLiteral("((x − x₀)·(x₁ − x₀) + (y − y₀)·(y₁ − y₀))/((x₁ − "
+                                               "x₀)² + (y₁ − y₀)²)");
+             number.formula = QStringLiteral("t = ")
+                 + (place.run > 0 && place.run < place.length
+                        ? along
+                        : QStringLiteral("min(1, max(0, %1))").arg(along));
+         }});
+    appendChannels(
+        table,
+        {.id = QStringLiteral("%"),
+         .title = QStringLiteral("%"),
+         .unit = unit::levels(),
+         .toolTip = QStringLiteral("% of the stroke at the sample."),
+         .formula = {},
+         .group = Group::FirstColour},
+        [](const StrokeSampleState &state, std::size_t channel) { return state.level(channel); },
+        [](NumberDescription &number, const StrokeSampleState &state) {
+            number.formula = state.isOnLine() ? QStringLiteral("% = %₀ + t·(%₁ − %₀)")
+                                              : QStringLiteral("% = %₀");
+        });
+    appendChannels(
+        table,
+        {.id = QStringLiteral("s_%"),
+         .title = QStringLiteral("s_%"),
+         .unit = {},
+         .toolTip = QStringLiteral("% that is painted."),
+         .formula = {},
+         .group = Group::FirstColour},
+        [](const StrokeSampleState &state, std::size_t channel) {
+            return state.isRefused ? Quantity() : Quantity::integer(state.sample.level[channel]);
+        },
+        [](NumberDescription &number, const StrokeSampleState &state) {
+            number.formula = state.rounding == ByteRounding::Nearest
+                ? QStringLiteral("s_% = ⌊% + ½⌋")
+                : QStringLiteral("s_% = ⌊%⌋");
+        });
+}
+
+/// How a pixel's byte is computed.
+QString writtenFormula(Antialiasing antialiasing)
+{
+    if (antialiasing == Antialiasing::Area)
+        return QStringLiteral("r_% = ⌊(s_%·a + d_%·(255 − a))/255 + ½⌋");
+    const std::size_t samples = samplePattern(antialiasing).size();
+    return samples == 0 ? QStringLiteral("r_% = s_%")
+                        : QStringLiteral("r_% = ⌊sum_%/%1 + ½⌋").arg(samples);
+}
+
+} // namespace
+
+const NumberTable<StrokeSetUp> &strokeSetUpNumbers()
+{
+    static const auto numbers = [] {
+        NumberTable<StrokeSetUp> table;
+        appendStrokeEnds(table);
+        appendHalfWidth(table);
+        for (const NumberRow<Round> &row : roundSetUpNumbers())
+            table.push_back({row.description, [read = row.read](const StrokeSetUp &setUp) {
+                                 return isRoundStroke(setUp) ? read(Round::of(setUp.shape))
+                                                             : Quantity();
+                             }});
+        table.push_back({strokeNumber(QStringLiteral("pieces"), {},
+                                      QStringLiteral("Quadrilaterals of the whole stroke: one of a "
+                                                     "line; 0 where it has no length.")),
+                         [](const StrokeSetUp &setUp) { return Quantity::integer(setUp.pieces); }});
+        table.push_back(
+            {strokeNumber(QStringLiteral("near"), {},
+                          QStringLiteral("Those of them that come near the frame.")),
+             [](const StrokeSetUp &setUp) { return Quantity::integer(setUp.nearFrame); }});
+        appendStrokeColours(table);
+        return table;
+    }();
+    return numbers;
+}
+
+const NumberTable<StrokeColumn> &strokeColumnNumbers()
+{
+    static const NumberTable<StrokeColumn> numbers = {
+        {scannedNumber(), [](const StrokeColumn &column) { return Quantity::integer(column.x); }},
+        {strokeNumber(QStringLiteral("y_first"), unit::px(),
+                      QStringLiteral("The first row whose square the stroke meets."), {},
+                      Group::Span),
+         [](const StrokeColumn &column) { return Quantity::integer(column.firstRow); }},
+        {strokeNumber(QStringLiteral("y_last"), unit::px(),
+                      QStringLiteral("The last row whose square it meets."), {}, Group::Span),
+         [](const StrokeColumn &column) { return Quantity::integer(column.endRow - 1); }}};
+    return numbers;
+}
+
+NumberTable<StrokeSampleState> strokeSampleNumbers(Antialiasing antialiasing)
+{
+    NumberTable<StrokeSampleState> table
+        = {{pixelY(), [](const StrokeSampleState &state) { return Quantity::integer(state.y); }}};
+    if (antialiasing == Antialiasing::Area) {
+        table.push_back(
+            {comparedNumber(QStringLiteral("area"), QStringLiteral("area"), unit::squarePx(),
+                            QStringLiteral("What of the pixel's square the stroke covers."), {},
+                            Group::Decision),
+             [](const StrokeSampleState &state) { return state.sample.area; }});
+        table.push_back(
+            {strokeNumber(QStringLiteral("a"), {},
+                          QStringLiteral("That area as an opacity, a byte."),
+                          QStringLiteral("a = ⌊255·area + ½⌋"), Group::Decision),
+             [](const StrokeSampleState &state) { return Quantity::integer(state.sample.alpha); }});
+    } else {
+        table.push_back({strokeNumber(QStringLiteral("samples"), {},
+                                      QStringLiteral("How many samples of the pixel the stroke "
+                                                     "covers."),
+                                      {}, Group::Decision),
+                         [](const StrokeSampleState &state) {
+                             return Quantity::integer(std::popcount(state.sample.covered));
+                         }});
+    }
+    const std::size_t samples = samplePattern(antialiasing).size();
+    if (antialiasing == Antialiasing::None)
+        appendDistances(table);
+    if (samples > 0)
+        appendSampleSums(table, [](const StrokeSampleState &state) -> const PixelSamples & {
+            return state.sample.current;
+        });
+    else
+        appendStrokeSource(table);
+    appendStrokeBytes(table, u'd', QStringLiteral("% that stood there."), {},
+                      [](const StrokeSampleState &state, std::size_t channel) {
+                          return unpacked(state.sample.before).channels[channel];
+                      });
+    appendStrokeBytes(table, u'r',
+                      samples == 0 ? QStringLiteral("% of the pixel now.")
+                                   : QStringLiteral("% of the pixel now: the mean of its samples."),
+                      writtenFormula(antialiasing),
+                      [](const StrokeSampleState &state, std::size_t channel) {
+                          return unpacked(state.sample.after).channels[channel];
+                      });
+    return table;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/triangle.h"
+#include "core/methods/words/channelnumbers.h"
+#include "core/methods/words/units.h"
+
+/// The numbers of a line's two ends, with which the set-ups of line methods begin.
+namespace pixelplumb {
+
+/// One coordinate of an end point: x₀, y₀, x₁, y₁, or u₀ …
+template <class State, class Read>
+NumberRow<State> endNumber(QChar letter, int end, const QString &toolTip, const Read &read)
+{
+    return {{.id = QStringLiteral("%1_%2").arg(letter).arg(end),
+             .title = QString(letter) + QChar(char16_t(u'₀' + end)),
+             .unit = unit::px(),
+             .toolTip = letter + u' ' + toolTip,
+             .formula = {}},
+            read};
+}
+
+/// A vertex' levels: R₀ G₀ B₀.
+template <class State, class SetUp>
+void appendEndColours(NumberTable<State> &table, int end, Vertex SetUp::*vertex)
+{
+    const QString digit = QString::number(end);
+    appendChannels(table,
+                   {.id = QStringLiteral("%_") + digit,
+                    .title = u'%' + QString(QChar(char16_t(u'₀' + end))),
+                    .unit = unit::levels(),
+                    .toolTip = end == 0 ? QStringLiteral("% of the end that is stored first.")
+                                        : QStringLiteral("% of the other end."),
+                    .formula = {}},
+                   [vertex](const State &setUp, std::size_t channel) {
+                       return Quantity::integer((setUp.*vertex).colour.channels[channel]);
+                   });
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/shading/interpolationnames.h"
+#include "core/methods/walklisting.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace pixelplumb {
+
+namespace {
+
+using enum Moment;
+
+/// What is computed once for every value that the vertices carry.
+QString coefficientsText(InterpolationForm form)
+{
+    switch (form) {
+    case InterpolationForm::Bilinear:
+    case InterpolationForm::BilinearRows:
+        return QStringLiteral("δ ← what each {span} adds to it along L₀₁, L₁₂ and L₀₂");
+    case InterpolationForm::Plane:
+        return QStringLiteral(
+            "a, b, c ← of the plane through its values at the three vertices — on "
+            "a segment, along it");
+    case InterpolationForm::Barycentric:
+        break;
+    }
+    return QStringLiteral(
+        "a, b, c ← of each weight α, β, γ: 1 at its own vertex, 0 at the others — "
+        "on a segment, along it");
+}
+
+/// How each sample gets its values.
+Pseudocode valueLines(InterpolationForm form)
+{
+    if (isBilinear(form))
+        return {{2,
+                 QStringLiteral("the first: each value v ← v_{lo}, moved on to this sample"),
+                 {First}},
+                {2, QStringLiteral("else: v ← v + Δv"), {Next}}};
+    if (form == InterpolationForm::Plane)
+        return {{2, QStringLiteral("each value v ← a·x + b·y + c"), {First, Next}}};
+    return {{2, QStringLiteral("α, β, γ ← a·x + b·y + c, of each its own"), {First, Next}},
+            {2,
+             QStringLiteral("each value v ← α·v₀ + β·v₁ + γ·v₂; a colour, alpha or z that is the "
+                            "same at all three: v ← v₀"),
+             {First, Next}}};
+}
+
+/// The vertices keep their names where only the walk along the edges needs their order.
+QString sortingText(InterpolationForm form)
+{
+    if (!isBilinear(form))
+        return QStringLiteral("the edges from left to right: one long, two short ones that meet in "
+                              "the middle vertex");
+    return axisOf(form) == SpanAxis::Row
+        ? QStringLiteral("sort the vertices by y, the largest first: P₀, P₁, P₂")
+        : QStringLiteral("sort the vertices by x: P₀, P₁, P₂");
+}
+
+Pseudocode columnLines(InterpolationForm form)
+{
+    Pseudocode code
+        = {{0, sortingText(form), {SetUp}},
+           {0,
+            isBilinear(form) ? QStringLiteral("m ← the slopes of L₀₁, L₁₂ and L₀₂")
+                             : QStringLiteral("m ← the slopes of the three edges"),
+            {SetUp}},
+           {0, QStringLiteral("of each value that is carried: ") + coefficientsText(form), {SetUp}},
+           {0, QStringLiteral("if no sample is to be drawn: done"), {Rejected}},
+           {0,
+            isBilinear(form)
+                ? QStringLiteral("for each {span} that the fill rule takes, with L₀₁ up to P₁, "
+                                 "with L₁₂ from there, and L₀₂:")
+                : QStringLiteral("for each {span} that the fill rule takes, with the long edge "
+                                 "and, up to the middle vertex and from there, a short one:"),
+            {Begin, Span}},
+           {1,
+            QStringLiteral("where an edge begins: its {a} in this {span}, from its vertex"),
+            {Begin}},
+           {1,
+            QStringLiteral("else: {a}_{lo} ← {a}_{lo} + m_{lo}, {a}_{hi} ← {a}_{hi} "
+                           "+ m_{hi}, exactly"),
+            {Span}}};
+    if (isBilinear(form))
+        code.push_back({1,
+                        QStringLiteral("of each value: v_{lo} and v_{hi} likewise, and if {a}_{lo} "
+                                       "< {a}_{hi}: Δv ← (v_{hi} − v_{lo})/({a}_{hi} − {a}_{lo})"),
+                        {Begin, Span}});
+    code.push_back({1,
+                    QStringLiteral("for each {across} from {a}_{lo} to {a}_{hi} "
+                                   "that the fill rule takes:"),
+                    {First, Next}});
+    return code;
+}
+
+/// Fills in the letters of the form's axis.
+Pseudocode inLettersOf(InterpolationForm form, Pseudocode code)
+{
+    const EdgeWalkNames names = walkNames(form);
+    for (PseudocodeLine &line : code)
+        line.text = names.filled(line.text);
+    return code;
+}
+
+/// What is linear in x and y: each value itself, or the three weights.
+void addCoefficients(WalkListing &listing, InterpolationForm form)
+{
+    listing.add(0, QStringLiteral("A ← ") + doubledAreaText(), {SetUp}, LineOf::Area);
+    if (form == InterpolationForm::Barycentric) {
+        listing.add(
+            0,
+            QStringLiteral("a_α, b_α, c_α ← (y₁ − y₂)/A, (x₂ − x₁)/A, (x₁·y₂ − x₂·y₁)/A; a_β "
+                           "and a_γ likewise"),
+            {SetUp}, LineOf::Area);
+        return;
+    }
+    const auto change
+        = [](QChar axis) { return planeSlope(axis, QStringLiteral("A")).replace(u'%', u'v'); };
+    listing.add(
+        0,
+        QStringLiteral("for each value v of R, G, B: a_v ← %1; b_v ← %2; c_v ← v₀ − a_v·x₀ − "
+                       "b_v·y₀")
+            .arg(change(u'x'), change(u'y')),
+        {SetUp}, LineOf::Area);
+}
+
+Pseudocode withSamples(Pseudocode code, InterpolationForm form)
+{
+    const std::vector<Moment> samples = {First, Next};
+    const auto add = [&](const QString &text, LineOf of) {
+        code.push_back({.depth = 2, .text = text, .moments = samples, .of = of});
+    };
+    if (form == InterpolationForm::Barycentric) {
+        add(QStringLiteral("α ← a_α·x + b_α·y + c_α; β and γ likewise"), LineOf::Area);
+        add(QStringLiteral("R ← α·R₀ + β·R₁ + γ·R₂; G and B likewise"), LineOf::Area);
+        add(QStringLiteral("if R₀ = R₁ = R₂ and G₀ = G₁ = G₂ and B₀ = B₁ = B₂: R ← R₀; G and B "
+                           "likewise"),
+            LineOf::Area);
+    } else {
+        add(QStringLiteral("for each value v of R, G, B: v ← a_v·x + b_v·y + c_v"), LineOf::Area);
+    }
+    add(QStringLiteral(
+            "t ← (x − x_l)/(x_r − x_l) if x_l < x_r, else (y − y_l)/(y_r − y_l) if y_l < "
+            "y_r, else 0; R ← R_l + t·(R_r − R_l); G and B likewise"),
+        LineOf::Segment);
+    add(QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), LineOf::EveryPrimitive);
+    return code;
+}
+
+} // namespace
+
+Pseudocode interpolationPseudocode(InterpolationForm form)
+{
+    if (isBilinear(form))
+        return walkPseudocode({.axis = axisOf(form)}, WalkCoverage::Exact);
+    WalkListing listing({.rate = ColourRate::Plane}, WalkCoverage::Exact);
+    listing.addSorting();
+    listing.addSlopes();
+    listing.nameSortedVerticesByLetters();
+    addCoefficients(listing, form);
+    listing.addRejection();
+    WalkListing loops({.rate = ColourRate::Plane}, WalkCoverage::Exact);
+    loops.addSpans();
+    loops.addSamples();
+    loops.nameSortedVerticesByLetters();
+    Pseudocode code = listing.written();
+    std::ranges::move(loops.written(), std::back_inserter(code));
+    return withSamples(std::move(code), form);
+}
+
+Pseudocode shadedPseudocode(InterpolationForm form)
+{
+    const std::vector<Antialiasing> one = {Antialiasing::None};
+    const std::vector<Antialiasing> several = {Antialiasing::Samples4, Antialiasing::Samples16};
+    const std::vector<Antialiasing> area = {Antialiasing::Area};
+
+    Pseudocode code = columnLines(form);
+    const auto columns = std::ranges::find_if(code, [](const PseudocodeLine &line) {
+        return line.text.startsWith(QStringLiteral("for each {span}"));
+    });
+    PseudocodeLine everyColumn = *columns;
+    columns->antialiasing = one;
+    everyColumn.text.replace(
+        QStringLiteral("that the fill rule takes"),
+        QStringLiteral("in which a sample, or a part of a pixel's square, is the triangle's"));
+    everyColumn.antialiasing
+        = {Antialiasing::Samples4, Antialiasing::Samples16, Antialiasing::Area};
+    code.insert(columns + 1, everyColumn);
+    code.insert(code.begin() + 2,
+                {0,
+                 QStringLiteral("divide what the vertices carry by their w, but for z and a "
+                                "colour or alpha that is the same at all of them; 1/w is "
+                                "carried, too, as 1 if nothing is divided"),
+                 {SetUp},
+                 Effect::Perspective});
+    const std::vector<Moment> atSamples = {First, Next, Refused};
+    code.back().antialiasing = one;
+    const auto appendLoop
+        = [&](const QString &text, const std::vector<Antialiasing> &antialiasing) {
+              code.push_back({1, text, atSamples});
+              code.back().antialiasing = antialiasing;
+          };
+    appendLoop(QStringLiteral("for each sample of the {span} that lies in the triangle by the fill "
+                              "rule, the centre of a pixel, or of one that an edge meets its 4 or "
+                              "16:"),
+               several);
+    appendLoop(QStringLiteral("for each {across} in which the triangle covers a part of the "
+                              "pixel's square:"),
+               area);
+    for (PseudocodeLine line : valueLines(form)) {
+        // A sample hidden by the depth test has its values, too.
+        line.moments.push_back(Refused);
+        if (isBilinear(form))
+            line.antialiasing = one;
+        code.push_back(line);
+    }
+    if (isBilinear(form)) {
+        code.push_back({2, QStringLiteral("each value v ← that of its plane here"), atSamples});
+        code.back().antialiasing = everyColumn.antialiasing;
+    }
+    code.push_back({2,
+                    QStringLiteral("if 1/w ≤ 0: on to the next sample — it lies beyond the horizon "
+                                   "of the triangle's plane"),
+                    atSamples, Effect::Perspective});
+    code.back().antialiasing = area;
+    const auto append = [&](const QString &text, std::optional<Effect> effect,
+                            const std::vector<Antialiasing> &antialiasing = {}) {
+        code.push_back({2, text, {First, Next}, effect});
+        code.back().antialiasing = antialiasing;
+    };
+    code.push_back({2,
+                    QStringLiteral("if z is greater than the depth that stands here: on to the "
+                                   "next sample; else the depth ← z"),
+                    atSamples, Effect::Depth});
+    append(QStringLiteral("each value v that was divided ← (v/w)/(1/w)"), Effect::Perspective);
+    append(QStringLiteral("colour ← the bytes of R, G, B"), {});
+    append(QStringLiteral("colour ← ⌊colour·t/255 + ½⌋ with the texel t at (u, v)"),
+           Effect::Texture);
+    append(QStringLiteral("colour ← ambient and, of each light, the diffuse and specular term"),
+           Effect::Light);
+    const auto blended = QStringLiteral("colour ← ⌊(colour·a + %1·(255 − a))/255 + ½⌋");
+    const QString overPixel = blended.arg(QStringLiteral("pixel"));
+    const auto ofAlpha = QStringLiteral(" — a is the byte of A");
+    append(overPixel + ofAlpha, Effect::Blending, one);
+    append(blended.arg(QStringLiteral("sample")) + ofAlpha, Effect::Blending, several);
+    append(
+        QStringLiteral("a ← ⌊a·area + ½⌋ — area is the covered part of the pixel's square, a was "
+                       "the byte of A, 255 where nothing is blended"),
+        {}, area);
+    append(overPixel, {}, area);
+    append(QStringLiteral("pixel (x, y) ← colour"), {}, {Antialiasing::None, Antialiasing::Area});
+    append(QStringLiteral("sample ← colour; pixel (x, y) ← the mean of its samples, ⌊Σ/n + ½⌋"), {},
+           several);
+    return inLettersOf(form, std::move(code));
+}
+
+} // namespace pixelplumb

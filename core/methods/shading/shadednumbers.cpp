@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/shading/shadednumbers.h"
+
+#include "core/methods/edgewalknames.h"
+#include "core/methods/shading/interpolationnames.h"
+#include "core/methods/words/formulatext.h"
+#include "core/methods/words/units.h"
+
+#include <utility>
+
+namespace pixelplumb {
+
+namespace {
+
+using Group = NumberGroup;
+
+void appendVertices(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope)
+{
+    const QString owner = isBilinear(scope.form) ? QStringLiteral("%1 of the sorted vertex P%2")
+                                                 : QStringLiteral("%1 of P%2, as it is given");
+    const QString dash = scope.isPlanned ? QString() : QStringLiteral("_");
+    for (std::size_t digit = 0; digit < 3; ++digit) {
+        const auto row = [&](const QString &name, const QString &unit, const QString &toolTip,
+                             const auto &read) {
+            table.push_back({{.id = name + dash + QString::number(digit),
+                              .title = name + vertexDigits[digit],
+                              .unit = unit,
+                              .toolTip = owner.arg(name).arg(vertexDigits[digit]) + toolTip,
+                              .formula = {}},
+                             [=](const ShadedSetUpState &state) {
+                                 return read(state, state.vertexOf(digit));
+                             }});
+        };
+        const QString fromCentre = QStringLiteral(", from the centre of pixel (0, 0).");
+        row(QStringLiteral("x"), unit::px(), fromCentre,
+            [](const ShadedSetUpState &state, std::size_t vertex) {
+                return pixels(state.position[vertex].x);
+            });
+        row(QStringLiteral("y"), unit::px(), fromCentre,
+            [](const ShadedSetUpState &state, std::size_t vertex) {
+                return pixels(state.position[vertex].y);
+            });
+        if (scope.effects.perspective)
+            row(QStringLiteral("w"), {}, QStringLiteral(": what the camera divided by."),
+                [](const ShadedSetUpState &state, std::size_t vertex) { return state.w[vertex]; });
+    }
+}
+
+/// A channel at the vertices; where perspective is corrected, also divided by w.
+void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope,
+                  const ScopedChannel &channel)
+{
+    const auto [at, which] = channel;
+    const bool isDivided = scope.effects.perspective && which != Channel::Depth;
+    for (std::size_t digit = 0; digit < 3; ++digit) {
+        const QString given = shadedName(which);
+        if (which != Channel::Reciprocal)
+            table.push_back(
+                {{.id = given + QString::number(digit),
+                  .title = given + vertexDigits[digit],
+                  .unit = unitOf(which),
+                  .toolTip = QStringLiteral("%1 at P%2.").arg(given).arg(vertexDigits[digit]),
+                  .formula = {},
+                  .group = Group::EdgeColours},
+                 [digit, at = channel.at](const ShadedSetUpState &state) {
+                     return state.given[at][state.vertexOf(digit)];
+                 }});
+        if (!isDivided)
+            continue;
+        const QString name = linearName(which, scope.effects);
+        const QString above
+            = which == Channel::Reciprocal ? QStringLiteral("1") : given + vertexDigits[digit];
+        table.push_back(
+            {comparedNumber(
+                 name + QString::number(digit), name + vertexDigits[digit], unitOf(which),
+                 QStringLiteral("%1 at P%2 divided by its w: what is linear in the frame.")
+                     .arg(which == Channel::Reciprocal ? QStringLiteral("1") : given)
+                     .arg(vertexDigits[digit]),
+                 QStringLiteral("%1 = %2/w%3")
+                     .arg(name + vertexDigits[digit], above, vertexDigits[digit]),
+                 Group::EdgeColours),
+             [digit, at = channel.at](const ShadedSetUpState &state) {
+                 return state.linear[at][state.vertexOf(digit)];
+             },
+             [=, at = channel.at](NumberDescription &number, const ShadedSetUpState &state) {
+                 if (state.isDivided[at])
+                     return;
+                 const bool divides = state.isDivided[indexOf(Channel::Reciprocal)];
+                 number.formula = QStringLiteral("%1 = %2").arg(number.title, above);
+                 number.toolTip = (divides ? QStringLiteral("%1 itself: the vertices agree in it.")
+                                           : QStringLiteral("%1 itself: there is nothing to "
+                                                            "correct in this triangle."))
+                                      .arg(above);
+             }});
+    }
+}
+
+/// The state's edge between the vertices that the digits of an edge name.
+std::size_t edgeIn(const ShadedSetUpState &state, SortedEdge named)
+{
+    if (isBilinear(state.form))
+        return std::size_t(named);
+    const std::array digits
+        = {std::size_t(state.order[0]), std::size_t(state.order[1]), std::size_t(state.order[2])};
+    for (const SortedEdge edge : sortedEdges) {
+        if (subscriptOf(edge, digits) == subscriptOf(named))
+            return std::size_t(edge);
+    }
+    return std::size_t(named);
+}
+
+/// "(% − %)/(x₁ − x₀)" of an edge; % stands for the letter.
+QString slopeFormula(const EdgeWalkNames &names, const QString &title, SortedEdge edge,
+                     const QString &letter)
+{
+    const auto &ends = sortedEdgeEnds[std::size_t(edge)];
+    return title + QStringLiteral(" = (") + letter + vertexDigits[ends[1]] + QStringLiteral(" − ")
+        + letter + vertexDigits[ends[0]] + QStringLiteral(")/") + names.way(ends[0], ends[1]);
+}
+
+/// What each span adds to its bound along an edge.
+void appendSlope(NumberTable<ShadedSetUpState> &table, const EdgeWalkNames &names, SortedEdge edge)
+{
+    const auto &ends = sortedEdgeEnds[std::size_t(edge)];
+    const QString title = u'm' + subscriptOf(edge);
+    table.push_back(
+        {names.filled(comparedNumber(
+             QStringLiteral("m_%1%2").arg(ends[0]).arg(ends[1]), title, QStringLiteral("px/{span}"),
+             QStringLiteral("Slope of the edge from P%1 to P%2: what each {span} adds to its {a}; "
+                            "none where it lies along the {span}s.")
+                 .arg(vertexDigits[ends[0]])
+                 .arg(vertexDigits[ends[1]]),
+             slopeFormula(names, title, edge, QStringLiteral("{a}")), Group::Position)),
+         [=](const ShadedSetUpState &state) { return state.slope[edgeIn(state, edge)]; }});
+}
+
+/// What each span adds to a channel along an edge.
+void appendRate(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope,
+                const ScopedChannel &channel, SortedEdge edge)
+{
+    const EdgeWalkNames names = walkNames(scope.form);
+    const auto &ends = sortedEdgeEnds[std::size_t(edge)];
+    const QString name = linearName(channel.which, scope.effects);
+    const QString title = u'δ' + name + subscriptOf(edge);
+    table.push_back(
+        {names.filled(comparedNumber(
+             QStringLiteral("rate_%1_%2%3").arg(name).arg(ends[0]).arg(ends[1]), title,
+             unitOf(channel.which, QStringLiteral("/{span}")),
+             QStringLiteral("What each {span} adds to %1 along %2.").arg(name, nameOf(edge)),
+             slopeFormula(names, title, edge, name), Group::ColourRates)),
+         [edge, at = channel.at](const ShadedSetUpState &state) {
+             return state.rate[std::size_t(edge)][at];
+         },
+         ifCarried(scope, channel.at)});
+}
+
+} // namespace
+
+NumberRow<ShadedSetUpState>::Specify ifCarried(const ShadedScope &scope, std::size_t at)
+{
+    if (scope.isPlanned)
+        return {};
+    return [at](NumberDescription &number, const ShadedSetUpState &state) {
+        if (!state.carries(at))
+            number.formula.clear();
+    };
+}
+
+NumberTable<ShadedSetUpState> shadedSetUpNumbers(const ShadedScope &scope)
+{
+    NumberTable<ShadedSetUpState> table;
+    appendVertices(table, scope);
+    for (const ScopedChannel &channel : scope.channels)
+        appendValues(table, scope, channel);
+    for (const SortedEdge edge : sortedEdges) {
+        if (scope.isPlanned || isBilinear(scope.form))
+            appendSlope(table, walkNames(scope.form), edge);
+    }
+    for (const ScopedChannel &channel : scope.channels) {
+        for (const SortedEdge edge : sortedEdges) {
+            if (isBilinear(scope.form))
+                appendRate(table, scope, channel, edge);
+        }
+    }
+    appendPlanes(table, scope);
+    if (scope.appearance)
+        appendLightSources(table, scope.appearance);
+    return table;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/tests/edgetestnumbers.h"
+
+#include "core/methods/tests/boxnumbers.h"
+#include "core/methods/tests/edgetestnames.h"
+#include "core/methods/words/channelnumbers.h"
+#include "core/methods/words/formulatext.h"
+#include "core/methods/words/placenumbers.h"
+#include "core/methods/words/units.h"
+#include "core/scan/degeneratesegment.h"
+
+namespace pixelplumb {
+
+namespace {
+
+using Group = NumberGroup;
+
+/// What decides a sample of a triangle without area: no edge does.
+NumberRow<EdgeTestSampleState> segmentNumber()
+{
+    using State = EdgeTestSampleState;
+    const auto segmentOf
+        = [](const State &state) { return DegenerateSegment(Triangle{state.vertices}); };
+    return {{.id = QStringLiteral("segment"),
+             .title = QStringLiteral("d"),
+             .unit = unit::squarePx(),
+             .toolTip = QStringLiteral("Twice the area that the sample makes with the segment of a "
+                                       "triangle without an area: 0 where the segment's line "
+                                       "passes through it. None of other triangles."),
+             .formula = {},
+             .group = Group::Span},
+            [segmentOf](const State &state) {
+                if (!state.ofSegment)
+                    return Quantity();
+                const DegenerateSegment segment = segmentOf(state);
+                return Quantity::rational(
+                    doubledArea(segment.first().position, segment.last().position, state.sample),
+                    squareUnitsPerPixel);
+            },
+            [segmentOf](NumberDescription &number, const State &state) {
+                if (!state.ofSegment)
+                    return;
+                const DegenerateSegment segment = segmentOf(state);
+                const LatticePoint first = segment.first().position;
+                const LatticePoint last = segment.last().position;
+                number.formula = QStringLiteral("d = ") + differenceText(last.x, first.x)
+                    + QStringLiteral("·(y − %1) − ").arg(operand(pixels(first.y)))
+                    + differenceText(last.y, first.y)
+                    + QStringLiteral("·(x − %1)").arg(operand(pixels(first.x)));
+            }};
+}
+
+/// What Cramer's rule asks in place of w.
+NumberRow<EdgeTestSampleState> sumNumber()
+{
+    return {{.id = QStringLiteral("s"),
+             .title = QStringLiteral("s"),
+             .unit = {},
+             .toolTip = QStringLiteral("u + v: above 1 beyond the edge AB."),
+             .formula = QStringLiteral("s = u + v"),
+             .group = Group::Decision,
+             .comparison = Comparison::WithExact},
+            [](const EdgeTestSampleState &state) { return state.sum; }};
+}
+
+/// Along the segment of a triangle without an area, whose tests are all 0/0.
+QString segmentFormula(const EdgeTestNames &names, const EdgeTestSampleState &sample)
+{
+    const std::array<int, 3> order = sortedByColumn(Triangle{sample.vertices});
+    const auto first = std::size_t(order[0]), last = std::size_t(order[2]);
+    const LatticePoint &from = sample.vertices[first].position;
+    const LatticePoint &to = sample.vertices[last].position;
+    QString formula = from == to ? QStringLiteral("% = %#")
+                                 : QStringLiteral("% = %# + (@ − @#)·(%& − %#)/(@& − @#)");
+    return formula.replace(u'@', from.x == to.x ? u'y' : u'x')
+        .replace(u'#', names.vertex(first))
+        .replace(u'&', names.vertex(last));
+}
+
+} // namespace
+
+NumberTable<EdgeTestSpanState> edgeTestSpanNumbers(const EdgeTestForm &form)
+{
+    using State = EdgeTestSpanState;
+    const EdgeTestNames names(form);
+    const bool isRow = form.order == LoopOrder::RowByRow;
+    const QChar across = isRow ? u'y' : u'x';
+    const QChar along = isRow ? u'x' : u'y';
+    NumberTable<EdgeTestSpanState> table
+        = {{triangleNumber(),
+            [](const State &state) { return Quantity::integer(Int128(state.primitive)); }},
+           {{.id = across,
+             .title = across,
+             .unit = unit::px(),
+             .toolTip = isRow ? QStringLiteral("The row.") : QStringLiteral("The column."),
+             .formula = {}},
+            [](const State &state) { return Quantity::integer(state.coordinate); }}};
+    appendExtent(table, form, along, QStringLiteral("sample"), Group::Span);
+    if (form.evaluation == Evaluation::EverySample)
+        return table;
+    if (!form.isBarycentric()) {
+        for (std::size_t line = 0; line < 3; ++line)
+            table.push_back(
+                {{.id = names.filledId(QStringLiteral("e{l}"), line),
+                  .title = names.filled(QStringLiteral("e{l}"), line),
+                  .unit = unit::squarePx(),
+                  .toolTip = names.filled(
+                      QStringLiteral("The edge function of {edge} at the row's first sample."),
+                      line),
+                  .formula = names.filled(QStringLiteral("e{l} ← e{l}′ + b{l}"), line),
+                  .startFormula
+                  = names.filled(QStringLiteral("e{l} = a{l}·x_min + b{l}·y + c{l}"), line),
+                  .group = Group::Span,
+                  .comparison = Comparison::WithExact},
+                 [line](const State &state) { return state.value[line]; }});
+        return table;
+    }
+    for (std::size_t line = 0; line < 3; ++line)
+        table.push_back(
+            {{.id = names.filledId(QStringLiteral("{w}_s"), line),
+              .title = names.filled(QStringLiteral("{w}_s"), line),
+              .unit = {},
+              .toolTip = names.filled(
+                  QStringLiteral("The weight of vertex {facing} at the column's first sample."),
+                  line),
+              .formula = names.filled(QStringLiteral("{w}_s ← {w}_s′ + Δ{w}_x"), line),
+              .startFormula
+              = names.filled(QStringLiteral("{w}_s = (a{l}·x + b{l}·y_min + c{l})/f{opp}"), line),
+              .group = Group::Span,
+              .comparison = Comparison::WithExact},
+             [line](const State &state) { return state.weight[line]; }});
+    appendChannels(table,
+                   {.id = QStringLiteral("%_s"),
+                    .title = QStringLiteral("%_s"),
+                    .unit = unit::levels(),
+                    .toolTip = QStringLiteral("Level of % at the column's first sample."),
+                    .formula = QStringLiteral("%_s ← %_s′ + Δ%_x"),
+                    .startFormula = QStringLiteral("%_s = α_s·%_a + β_s·%_b + γ_s·%_c"),
+                    .group = Group::FirstColour,
+                    .comparison = Comparison::WithExact},
+                   [](const State &state, std::size_t channel) { return state.colour[channel]; });
+    return table;
+}
+
+NumberTable<EdgeTestSampleState> edgeTestSampleNumbers(const EdgeTestForm &form)
+{
+    using State = EdgeTestSampleState;
+    const EdgeTestNames names(form);
+    NumberTable<EdgeTestSampleState> table;
+    const bool hasIncrements = form.evaluation == Evaluation::Increments;
+    const bool showsValues
+        = !form.isBarycentric() || (form.inside != InsideTest::Cramer && !hasIncrements);
+    for (std::size_t line = 0; line < 3 && showsValues; ++line) {
+        const bool decides = !form.isBarycentric();
+        table.push_back(
+            {{.id = names.filledId(QStringLiteral("{value}"), line),
+              .title = names.filled(QStringLiteral("{value}"), line),
+              .unit = form.line == LineForm::Solved ? QString() : unit::squarePx(),
+              .toolTip
+              = names.filled(QStringLiteral("The edge function of {edge} at the sample."), line),
+              .formula = hasIncrements
+                  ? names.filled(QStringLiteral("E{l} ← E{l}′ + a{l}"), line)
+                  : names.filled(QStringLiteral("{value} = ")
+                                     + names.lineAt(QStringLiteral("x"), QStringLiteral("y")),
+                                 line),
+              .startFormula
+              = hasIncrements ? names.filled(QStringLiteral("E{l} ← e{l}"), line) : QString(),
+              .group = decides ? Group::Decision : Group::Span,
+              .comparison = Comparison::WithExact},
+             [line](const State &state) { return state.value[line]; }});
+    }
+    const bool isCramer = form.inside == InsideTest::Cramer;
+    for (std::size_t line = 0; line < 3 && form.isBarycentric(); ++line) {
+        if (isCramer && line == 2)
+            table.push_back(sumNumber());
+        table.push_back(
+            {{.id = names.filledId(QStringLiteral("{w}"), line),
+              .title = names.filled(QStringLiteral("{w}"), line),
+              .unit = {},
+              .toolTip
+              = names.filled(QStringLiteral("The weight of vertex {facing} at the sample."), line),
+              .formula = names.weightFormula(line),
+              .startFormula
+              = hasIncrements ? names.filled(QStringLiteral("{w} ← {w}_s"), line) : QString(),
+              // Of w only the colours depend.
+              .group = isCramer && line == 2 ? Group::FirstColour : Group::Decision,
+              .comparison = Comparison::WithExact},
+             [line](const State &state) { return state.weight[line]; }});
+    }
+    table.push_back(segmentNumber());
+    const bool stepsColours = hasIncrements && form.isBarycentric();
+    appendChannels(
+        table,
+        {.id = QStringLiteral("%"),
+         .title = QStringLiteral("%"),
+         .unit = unit::levels(),
+         .toolTip = QStringLiteral("Level of % at the sample."),
+         .formula = names.levelFormula(),
+         .startFormula = stepsColours ? QStringLiteral("% ← %_s") : QString(),
+         .group = Group::FirstColour,
+         .comparison = Comparison::WithExact},
+        [](const State &state, std::size_t channel) { return state.colour[channel]; },
+        [names](NumberDescription &description, const State &state) {
+            if (!state.ofSegment)
+                return;
+            description.formula = segmentFormula(names, state);
+            description.startFormula.clear();
+        });
+    return table;
+}
+
+} // namespace pixelplumb

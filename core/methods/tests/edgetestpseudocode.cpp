@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/tests/edgetestnames.h"
+#include "core/methods/tests/edgetestnumbers.h"
+#include "core/methods/words/pseudocode.h"
+#include "core/scan/tests/edgetestsetup.h"
+
+#include <QStringList>
+
+/// The listings of the methods that test samples. A test runs every line from the box on: the names
+/// are those of the numbers' tables, and what is done to one edge, weight or channel is done to the
+/// others "likewise".
+namespace pixelplumb {
+
+namespace {
+
+using enum Moment;
+
+/// The listing of one form, line by line.
+class Listing {
+public:
+    explicit Listing(const EdgeTestForm &form)
+        : m_form(form)
+        , m_names(form)
+        , m_along(isRowByRow() ? u'x' : u'y')
+        , m_across(isRowByRow() ? u'y' : u'x')
+    {
+    }
+
+    Pseudocode written()
+    {
+        addSetUp();
+        if (m_form.evaluation == Evaluation::Increments)
+            addIncrementalLoops();
+        else
+            addLoops();
+        return std::move(m_code);
+    }
+
+private:
+    bool isRowByRow() const { return m_form.order == LoopOrder::RowByRow; }
+
+    void add(int depth, const QString &text, const std::vector<Moment> &moments,
+             LineOf of = LineOf::EveryPrimitive)
+    {
+        m_code.push_back({.depth = depth, .text = text, .moments = moments, .of = of});
+    }
+    /// Adds a line that runs where the edges decide.
+    void addOfArea(int depth, const QString &text, const std::vector<Moment> &moments)
+    {
+        add(depth, text, moments, LineOf::Area);
+    }
+    /// Adds a line for a triangle without area, which only the closed rule draws.
+    void addOfSegment(int depth, const QString &text, const std::vector<Moment> &moments)
+    {
+        add(depth, text, moments, LineOf::Segment);
+        for (const FillRule rule : allFillRules) {
+            if (rule != FillRule::Closed)
+                m_code.back().ruled.push_back({rule, {}});
+        }
+    }
+
+    /// What is done for line 0, and likewise for the two others.
+    QString alike(const QString &pattern, const QString &name) const
+    {
+        return m_names.filled(pattern, 0)
+            + QStringLiteral("; %1 and %2 likewise")
+                  .arg(m_names.filled(name, 1), m_names.filled(name, 2));
+    }
+    /// "E₀, E₁, E₂".
+    QString three(const QString &pattern) const
+    {
+        QStringList each;
+        for (std::size_t line = 0; line < 3; ++line)
+            each.append(m_names.filled(pattern, line));
+        return each.join(QStringLiteral(", "));
+    }
+    /// The numbers that increments reach: "α, β, γ, R, G, B".
+    QString stepped(const QString &weight, const QString &level) const
+    {
+        QStringList each = {three(weight)};
+        for (const QChar channel : channelLetters)
+            each.append(QString(level).replace(u'%', channel));
+        return each.join(QStringLiteral(", "));
+    }
+
+    void addSetUp()
+    {
+        add(0, m_names.linesText(), {SetUp});
+        if (m_form.inside == InsideTest::Signs) {
+            add(0,
+                QStringLiteral("sidedness₀, sidedness₁, sidedness₂ ← E₀, E₁, E₂ at P₂, P₀, P₁ — "
+                               "the vertex opposite"),
+                {SetUp});
+            add(0,
+                QStringLiteral("s ← 1; where sidedness < 0: s ← −1, and a, b, c of that edge "
+                               "change their signs; F ← s·sidedness"),
+                {SetUp});
+        } else if (m_form.inside != InsideTest::Cramer) {
+            add(0, QStringLiteral("f_a, f_b, f_c ← f_bc at a, f_ca at b, f_ab at c"), {SetUp});
+        }
+        addTies();
+        if (m_form.visited == VisitedSamples::Frame) {
+            add(0, QStringLiteral("box ← the whole frame"), {SetUp});
+        } else {
+            add(0,
+                QStringLiteral("box ← from the smallest to the largest x and y of the vertices, "
+                               "clipped to the frame"),
+                {SetUp});
+            m_code.back().varied
+                = {{VariantSet().with(Variant::RoundedBox),
+                    QStringLiteral("box ← from (int)(x_min + ½) to (int)(x_max − ½), y likewise, "
+                                   "clipped to the frame")}};
+        }
+        addOfSegment(0, QStringLiteral("sort the vertices by x: P_l, P_m, P_r"), {SetUp});
+        add(0, QStringLiteral("if no sample is to be drawn: done"), {Rejected});
+    }
+
+    /// Says which edges give the triangle a sample exactly on them.
+    void addTies()
+    {
+        add(0, tiesText(FillRule::Closed), {SetUp});
+        for (const FillRule rule : allFillRules)
+            m_code.back().ruled.push_back({rule, tiesText(rule)});
+    }
+
+    QString tiesText(FillRule rule) const
+    {
+        const QString tie = QStringLiteral("tie{l}");
+        if (rule == FillRule::OffScreenPoint)
+            return alike(QStringLiteral("tie{l} ← 1 if %1, else 0").arg(tieText(rule)), tie);
+        return three(tie) + QStringLiteral(" ← ") + ownersText(rule);
+    }
+
+    void addLoops()
+    {
+        add(0, QStringLiteral("for each %1 of the box:").arg(m_across), {Begin, Span});
+        add(1, QStringLiteral("for each %1 of the box:").arg(m_along), {First, Next, Refused});
+        addValues();
+        addTest();
+        addOfArea(3, colourText(), {First, Next});
+        addPixel();
+    }
+
+    /// Like currEELS next to currEE on the slide: the numbers at a line's start are kept, and the
+    /// next line starts from them.
+    void addIncrementalLoops()
+    {
+        const QString start = isRowByRow() ? QStringLiteral("row") : QStringLiteral("column");
+        addStart();
+        add(0, QStringLiteral("for each %1 of the box:").arg(m_across), {Begin, Span});
+        addOfArea(1,
+                  QStringLiteral("%1 ← %2 — back at the %3's start").arg(walked(), kept(), start),
+                  {Begin, Span});
+        add(1, QStringLiteral("for each %1 of the box:").arg(m_along), {First, Next, Refused});
+        addTest();
+        if (!m_form.isBarycentric())
+            addOfArea(3, colourText(), {First, Next});
+        addPixel();
+        addOfArea(2, QStringLiteral("add %1 to %2").arg(changes(m_along), walked()),
+                  {First, Next, Refused});
+        addOfArea(1, QStringLiteral("add %1 to %2").arg(changes(m_across), kept()), {Span});
+    }
+
+    QString walked() const
+    {
+        return m_form.isBarycentric() ? stepped(QStringLiteral("{w}"), QStringLiteral("%"))
+                                      : three(QStringLiteral("E{l}"));
+    }
+    QString kept() const
+    {
+        return m_form.isBarycentric() ? stepped(QStringLiteral("{w}_s"), QStringLiteral("%_s"))
+                                      : three(QStringLiteral("e{l}"));
+    }
+    /// What one step along an axis adds.
+    QString changes(const QString &axis) const
+    {
+        if (m_form.isBarycentric())
+            return stepped(QStringLiteral("Δ{w}_") + axis, QStringLiteral("Δ%_") + axis);
+        return three(axis == QStringLiteral("x") ? QStringLiteral("a{l}") : QStringLiteral("b{l}"));
+    }
+
+    /// Evaluates at the box's first sample.
+    void addStart()
+    {
+        const QString value = m_names.lineAt(QStringLiteral("x_min"), QStringLiteral("y_min"));
+        if (!m_form.isBarycentric()) {
+            addOfArea(0, alike(QStringLiteral("e{l} ← ") + value, QStringLiteral("e{l}")), {Begin});
+            return;
+        }
+        addOfArea(0,
+                  alike(QStringLiteral("{w}_s ← (%1)/f{opp}").arg(value), QStringLiteral("{w}_s")),
+                  {Begin});
+        addOfArea(0, QStringLiteral("R_s ← α_s·R_a + β_s·R_b + γ_s·R_c; G_s and B_s likewise"),
+                  {Begin});
+    }
+
+    void addValues()
+    {
+        const std::vector<Moment> samples = {First, Next, Refused};
+        if (m_form.inside == InsideTest::Cramer) {
+            for (std::size_t line = 0; line < 3; ++line)
+                addOfArea(2,
+                          m_names.weightFormula(line).replace(QStringLiteral(" = "),
+                                                              QStringLiteral(" ← ")),
+                          samples);
+            return;
+        }
+        const QString value = m_names.lineAt(QStringLiteral("x"), QStringLiteral("y"));
+        addOfArea(2, alike(QStringLiteral("{value} ← ") + value, QStringLiteral("{value}")),
+                  samples);
+        if (m_form.isBarycentric())
+            addOfArea(2, alike(QStringLiteral("{w} ← {value}/f{opp}"), QStringLiteral("{w}")),
+                      samples);
+    }
+
+    void addTest()
+    {
+        addOfArea(2, testText(FillRule::Closed), {First, Next, Refused});
+        for (const FillRule rule : allFillRules)
+            m_code.back().ruled.push_back({rule, testText(rule)});
+    }
+
+    /// The colour along a segment, and the pixel in either case.
+    void addPixel()
+    {
+        addOfSegment(2,
+                     QStringLiteral("if x_l ≤ x ≤ x_r; (x_r − x_l)·(y − y_l) = (y_r − y_l)·(x − "
+                                    "x_l); x_l < x_r, or y_l ≤ y ≤ y_r: — the segment passes "
+                                    "through (x, y)"),
+                     {First, Next, Refused});
+        addOfSegment(3,
+                     QStringLiteral("t ← (x − x_l)/(x_r − x_l) if x_l < x_r, else (y − y_l)/(y_r − "
+                                    "y_l) if y_l < y_r, else 0; R ← R_l + t·(R_r − R_l); G and B "
+                                    "likewise"),
+                     {First, Next});
+        add(3, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {First, Next});
+    }
+
+    QString colourText() const
+    {
+        return m_names.levelFormula()
+                   .replace(u'%', u'R')
+                   .replace(QStringLiteral(" = "), QStringLiteral(" ← "))
+            + QStringLiteral("; G and B likewise");
+    }
+
+    /// What gives the triangle a sample exactly on a line.
+    QString tieText(FillRule rule) const
+    {
+        return rule == FillRule::OffScreenPoint ? QStringLiteral("{value}({letter})·{value}(r) > 0")
+                                                : QStringLiteral("tie{l} = 1");
+    }
+
+    QString testText(FillRule rule) const
+    {
+        const bool decidesTies = rule != FillRule::Closed && rule != FillRule::Open;
+        if (m_form.inside == InsideTest::Cramer)
+            return cramerText(rule);
+        const bool isBounded = m_form.inside == InsideTest::UnitInterval;
+        const QString name
+            = m_form.inside == InsideTest::Signs ? QStringLiteral("E{l}") : QStringLiteral("{w}");
+        const bool takesZero = rule == FillRule::Closed;
+        QString within = name + (takesZero ? QStringLiteral(" ≥ 0") : QStringLiteral(" > 0"));
+        if (isBounded)
+            within = (takesZero ? QStringLiteral("0 ≤ ") : QStringLiteral("0 < ")) + name
+                + QStringLiteral(" ≤ 1");
+        if (decidesTies)
+            within += QStringLiteral(", or %1 = 0 and %2").arg(name, tieText(rule));
+        return QStringLiteral("if ") + alike(within, name) + u':';
+    }
+
+    /// u, v and w have no cycle: the third test is on the sum.
+    QString cramerText(FillRule rule) const
+    {
+        if (rule == FillRule::Closed)
+            return QStringLiteral("if u ≥ 0 and v ≥ 0 and u + v ≤ 1:");
+        if (rule == FillRule::Open)
+            return QStringLiteral("if u > 0 and v > 0 and u + v < 1:");
+        constexpr std::array inside
+            = {u"u > 0, or u = 0", u"v > 0, or v = 0", u"u + v < 1, or u + v = 1"};
+        QStringList tests;
+        for (std::size_t line = 0; line < 3; ++line)
+            tests.append(QString::fromUtf16(inside[line]) + QStringLiteral(" and ")
+                         + m_names.filled(tieText(rule), line));
+        return QStringLiteral("if ") + tests.join(QStringLiteral("; ")) + u':';
+    }
+
+    EdgeTestForm m_form;
+    EdgeTestNames m_names;
+    QString m_along, m_across; ///< the coordinate of the inner loop, and of the outer one
+    Pseudocode m_code;
+};
+
+} // namespace
+
+Pseudocode edgeTestPseudocode(const EdgeTestForm &form) { return Listing(form).written(); }
+
+} // namespace pixelplumb

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/tests/edgetestnames.h"
+#include "core/methods/tests/edgetestnumbers.h"
+#include "core/methods/words/units.h"
+
+#include <functional>
+
+/// Who owns a sample exactly on an edge, and the numbers by which the fill rule decides it.
+namespace pixelplumb {
+
+namespace {
+
+using State = EdgeTestSetUpState;
+
+/// "f_bc(a)·f_bc(r)".
+QString productTitle(const EdgeTestNames &names, std::size_t line)
+{
+    return names.filled(QStringLiteral("{value}({letter})·{value}(r)"), line);
+}
+
+/// The edge's function at a point. Cramer's rule has no coefficients for it: its own counts from C,
+/// or from the edge's first end if C is not an end of it.
+QString valueFormula(const EdgeTestNames &names, std::size_t line, const QString &point)
+{
+    const QString x = QStringLiteral("x") + point;
+    const QString y = QStringLiteral("y") + point;
+    if (names.form().inside != InsideTest::Cramer)
+        return names.filled(names.lineAt(x, y), line);
+    const bool hasC = line != 2;
+    const QString origin = hasC ? QStringLiteral("_C") : QStringLiteral("{from}");
+    return names.filled(
+        QStringLiteral("(y{to} − y{from})·(%1 − x%3) + (x{from} − x{to})·(%2 − y%3)")
+            .arg(x, y, origin),
+        line);
+}
+
+NumberRow<State> pointNumber(QChar axis, Quantity State::*coordinate)
+{
+    return {{.id = axis + QStringLiteral("_r"),
+             .title = axis + QStringLiteral("_r"),
+             .unit = unit::px(),
+             .toolTip = axis
+                 + QStringLiteral(" of the off-screen point r, from the centre of pixel (0, 0)."),
+             .formula = {}},
+            std::mem_fn(coordinate)};
+}
+
+/// How the off-screen-point rule finds on which side of an edge r lies.
+void appendSides(NumberTable<State> &table, const EdgeTestNames &names, std::size_t line)
+{
+    const auto filled
+        = [&](const char16_t *text) { return names.filled(QString::fromUtf16(text), line); };
+    const QString square = names.form().line == LineForm::Solved ? QString() : unit::squarePx();
+    const bool isCramer = names.form().inside == InsideTest::Cramer;
+    const QString atFacing = names.form().isBarycentric() ? filled(u"f{opp}") : filled(u"F{l}");
+    if (isCramer)
+        table.push_back(
+            {{.id = names.filledId(QStringLiteral("f{opp}"), line),
+              .title = atFacing,
+              .unit = square,
+              .toolTip = filled(u"The edge function of {edge} at vertex {facing}, which faces it."),
+              .formula = atFacing + QStringLiteral(" = ")
+                  + valueFormula(names, line,
+                                 names.vertex(edgeEndsOf(names.form(), line).opposite))},
+             [line](const State &state) {
+                 const EdgeTestLineState &of = state.lines[line];
+                 return of.atRulesPoint.isNone() ? Quantity() : of.atOpposite;
+             }});
+    const QString atPoint = filled(u"{value}(r)");
+    table.push_back({{.id = names.filledId(QStringLiteral("{value}_r"), line),
+                      .title = atPoint,
+                      .unit = square,
+                      .toolTip = filled(u"The edge function of {edge} at the off-screen point r."),
+                      .formula = atPoint + QStringLiteral(" = ")
+                          + valueFormula(names, line, QStringLiteral("_r"))},
+                     [line](const State &state) { return state.lines[line].atRulesPoint; }});
+    table.push_back(
+        {{.id = names.filledId(QStringLiteral("tie_product{l}"), line),
+          .title = productTitle(names, line),
+          .unit = {},
+          .toolTip = filled(u"Above 0 where {facing} and r lie on the same side of edge {edge}: it "
+                            u"owns a sample exactly on the edge."),
+          .formula = productTitle(names, line) + QStringLiteral(" = ") + atFacing + u'·' + atPoint},
+         [line](const State &state) { return state.lines[line].tieProduct; }});
+}
+
+/// What decides under a rule that displaces samples: the coefficient along the displacement, or the
+/// one across it where the first is 0. Empty for Cramer's rule, which has none.
+QString displacedCondition(const EdgeTestNames &names, std::size_t line, const State &state)
+{
+    const EdgeTestLineState &edge = state.lines[line];
+    if (names.form().inside == InsideTest::Cramer || edge.atOpposite.toDouble() == 0)
+        return {};
+    const bool isTopLeft = state.rule == FillRule::TopLeft;
+    const bool turns = (isTopLeft ? edge.a : edge.b).toDouble() == 0;
+    const bool isByY = isTopLeft == turns;
+    if ((isByY ? edge.b : edge.a).toDouble() == 0)
+        return {};
+    // The rule top-left goes down on the screen where an edge is level.
+    const bool isNegative = isTopLeft && isByY && state.down < 0;
+    const QString coefficient = isByY ? QStringLiteral("b{l}") : QStringLiteral("a{l}");
+    const QString decided
+        = names.form().isBarycentric() ? QStringLiteral("f{opp}·") + coefficient : coefficient;
+    return names.filled(decided, line)
+        + (isNegative ? QStringLiteral(" < 0") : QStringLiteral(" > 0"));
+}
+
+QString condition(const EdgeTestNames &names, std::size_t line, const State &state)
+{
+    switch (state.rule) {
+    case FillRule::OffScreenPoint:
+        return productTitle(names, line) + QStringLiteral(" > 0");
+    case FillRule::HalfOpenColumn:
+    case FillRule::TopLeft:
+        return displacedCondition(names, line, state);
+    case FillRule::Closed:
+    case FillRule::Open:
+        break;
+    }
+    return {};
+}
+
+} // namespace
+
+QString ownersText(FillRule rule)
+{
+    switch (rule) {
+    case FillRule::Closed:
+        return QStringLiteral("1 — every edge owns the samples on it");
+    case FillRule::Open:
+        return QStringLiteral("0 — no edge owns the samples on it");
+    case FillRule::TopLeft:
+        return QStringLiteral("1 of a left edge and of a level one at the top, else 0");
+    case FillRule::HalfOpenColumn:
+        return QStringLiteral("1 of an edge with the triangle at larger y, and of an upright one "
+                              "with it at larger x; else 0");
+    case FillRule::OffScreenPoint:
+        break;
+    }
+    return {};
+}
+
+void appendTies(NumberTable<State> &table, const EdgeTestNames &names)
+{
+    table.push_back(pointNumber(u'x', &State::rulesX));
+    table.push_back(pointNumber(u'y', &State::rulesY));
+    for (std::size_t line = 0; line < 3; ++line)
+        appendSides(table, names, line);
+    for (std::size_t line = 0; line < 3; ++line)
+        table.push_back(
+            {{.id = names.filledId(QStringLiteral("tie{l}"), line),
+              .title = names.filled(QStringLiteral("tie{l}"), line),
+              .unit = {},
+              .toolTip = names.filled(QStringLiteral("1: under the fill rule, a sample exactly on "
+                                                     "edge {edge} is inside."),
+                                      line),
+              .formula = {}},
+             [line](const State &state) { return Quantity::integer(state.ownsTie[line]); },
+             [names, line](NumberDescription &number, const State &state) {
+                 const QString decides = state.zeroArea ? QString() : condition(names, line, state);
+                 if (!decides.isEmpty())
+                     number.formula
+                         = QStringLiteral("%1 = 1 if %2, else 0").arg(number.title, decides);
+             }});
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/walks/edgewalkcolours.h"
+
+#include "core/methods/words/channelnumbers.h"
+#include "core/methods/words/units.h"
+
+namespace pixelplumb {
+
+namespace {
+
+using Group = NumberGroup;
+
+/// The levels at one bound: R_B G_B B_B or R_T G_T B_T.
+void appendBoundColours(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names,
+                        SpanBound bound)
+{
+    const bool isLower = bound == SpanBound::Lower;
+    const bool isDirect = names.form().walk == WalkForm::Direct;
+    const QString title
+        = u'%' + names.filled(isLower ? QStringLiteral("_{lo}") : QStringLiteral("_{hi}"));
+    const QString word = isLower ? QStringLiteral("{lower}") : QStringLiteral("{upper}");
+    const QString fromVertex = title
+        + (names.isRow() ? QStringLiteral(" ← %_v + (y_v − y)·δ%")
+                         : QStringLiteral(" ← %_v + (x − x_v)·δ%"));
+    appendChannels(
+        table,
+        names.filled({.id = title,
+                      .title = title,
+                      .unit = unit::levels(),
+                      .toolTip = QStringLiteral("Level of % where the ") + word
+                          + QStringLiteral(" edge meets the {span}."),
+                      .formula = isDirect
+                          ? fromVertex
+                          : title + QStringLiteral(" ← ") + title + QStringLiteral("′ + δ%"),
+                      .startFormula = isDirect ? QString() : fromVertex,
+                      .group = Group::EdgeColours,
+                      .comparison = Comparison::WithExact}),
+        [isLower](const EdgeWalkSpanState &state, std::size_t channel) {
+            return isLower ? state.column.colourBottom[channel] : state.column.colourTop[channel];
+        },
+        [=](NumberDescription &description, const EdgeWalkSpanState &state) {
+            description.toolTip = QStringLiteral("Level of % where ")
+                + nameOf(isLower ? state.lower : state.upper)
+                + names.filled(QStringLiteral(", the ") + word
+                               + QStringLiteral(" edge here, meets the {span}."));
+            description.formula = names.boundFormula(state, bound, title, QStringLiteral("%"),
+                                                     QStringLiteral("δ%"));
+            description.startFormula.clear();
+        });
+}
+
+/// Δ% of a triangle's colour plane along the spans.
+QString planeRate(const EdgeWalkNames &names)
+{
+    return planeSlope(names.isRow() ? u'x' : u'y', QStringLiteral("A"));
+}
+
+/// Whether the colours' change along a span is the plane's.
+bool isPlanesRate(const EdgeWalkNames &names, const EdgeWalkStart &start)
+{
+    return names.form().rate == ColourRate::Plane && start.hasPlane;
+}
+
+/// Between equal bounds (R_T − R_B)/(y_T − y_B) is undefined, and no pixel uses it.
+bool hasRate(const EdgeWalkNames &names, const EdgeWalkStart &start)
+{
+    return isPlanesRate(names, start) || !start.isPoint;
+}
+
+void specifyRate(const EdgeWalkNames &names, NumberDescription &description,
+                 const EdgeWalkSpanState &state)
+{
+    if (isPlanesRate(names, state.start)) {
+        description.formula = QStringLiteral("Δ% = ") + planeRate(names);
+        description.toolTip = QStringLiteral("Change of % along the {span}, the plane's, the same "
+                                             "in all of them.");
+    } else if (state.start.isPoint) {
+        description.formula.clear();
+        description.toolTip = QStringLiteral("None: {a}_{lo} = {a}_{hi}, there is nothing to share "
+                                             "out.");
+    } else {
+        description.formula = QStringLiteral("Δ% = (%_{hi} − %_{lo})/({a}_{hi} − {a}_{lo})");
+        description.toolTip = QStringLiteral("Change of % from sample to sample of the {span}.");
+    }
+    description = names.filled(std::move(description));
+}
+
+/// Whether each level is computed from the triangle's first vertex, not from the previous one.
+bool isDirect(const EdgeWalkNames &names, const EdgeWalkStart &start)
+{
+    return names.form().walk == WalkForm::Direct && (start.hasPlane || start.isVertical);
+}
+
+/// The level at @ on the span.
+QString directLevel(const EdgeWalkStart &start)
+{
+    return start.hasPlane ? QStringLiteral("%₀ + ") + planeSlope(u'x', QStringLiteral("A"))
+            + QStringLiteral("·(x − x₀) + Δ%·(@ − y₀)")
+                          : QStringLiteral("%₀ + (@ − y₀)·Δ%");
+}
+
+/// What the levels of a span start from.
+QString startFormula(const EdgeWalkNames &names, const EdgeWalkStart &start, const QString &title)
+{
+    const QString first = start.isClipped ? QStringLiteral("{a}_start")
+                                          : names.coveredSample(SpanBound::Lower, start.covered);
+    QString formula = QStringLiteral("%_{lo} + (@ − {a}_{lo})·Δ%");
+    if (!start.hasPreStep)
+        formula = start.isClipped && hasRate(names, start)
+            ? QStringLiteral("%_{lo} + ({a}_start − %1)·Δ%")
+                  .arg(names.coveredSample(SpanBound::Lower, start.covered))
+            : QStringLiteral("%_{lo}");
+    else if (isDirect(names, start))
+        formula = directLevel(start);
+    else if (!hasRate(names, start))
+        formula = QStringLiteral("%_{lo}");
+    return names.filled(title + formula.replace(u'@', first));
+}
+
+/// β of a level in float64: of a plane, or along a segment.
+QString colourBias(const EdgeWalkSampleState &state)
+{
+    if (state.bias.toDouble() == 0)
+        return QStringLiteral("0");
+    if (state.start.hasPlane)
+        return QStringLiteral("1/(4·max(A, −A)·256²)");
+    return state.start.isVertical ? QStringLiteral("1/(4·256·(y₂ − y₀))")
+        : state.start.isOnePoint  ? QStringLiteral("1/4")
+                                  : QStringLiteral("1/(4·256·(x₂ − x₀))");
+}
+
+void appendRamp(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names)
+{
+    const bool isPlanes = names.form().rate == ColourRate::Plane;
+    appendChannels(
+        table,
+        names.filled({.id = QStringLiteral("delta_%"),
+                      .title = QStringLiteral("Δ%"),
+                      .unit = QStringLiteral("levels/{across}"),
+                      .toolTip = QStringLiteral("Change of % from sample to sample of the {span}."),
+                      .formula = QStringLiteral("Δ% = ")
+                          + (isPlanes ? planeRate(names)
+                                      : QStringLiteral("(%_{hi} − %_{lo})/({a}_{hi} − {a}_{lo})")),
+                      .group = Group::ColourRates,
+                      .comparison = Comparison::WithExact}),
+        [names](const EdgeWalkSpanState &state, std::size_t channel) {
+            return hasRate(names, state.start) ? state.column.colourRate[channel] : Quantity();
+        },
+        [=](NumberDescription &description, const EdgeWalkSpanState &state) {
+            specifyRate(names, description, state);
+        });
+    const auto title = QStringLiteral("first % = ");
+    appendChannels(
+        table,
+        names.filled({.id = QStringLiteral("first_%"),
+                      .title = QStringLiteral("first %"),
+                      .unit = unit::levels(),
+                      .toolTip = QStringLiteral("Level of % at {a}_start, the {span}'s first "
+                                                "drawn pixel."),
+                      .formula = startFormula(names, {.hasPlane = true, .isClipped = true}, title),
+                      .group = Group::FirstColour,
+                      .comparison = Comparison::WithExact}),
+        [](const EdgeWalkSpanState &state, std::size_t channel) {
+            return state.drawnSamples() > 0 ? state.column.firstColour[channel] : Quantity();
+        },
+        [=](NumberDescription &description, const EdgeWalkSpanState &state) {
+            description.formula = startFormula(names, state.start, title);
+        });
+}
+
+} // namespace
+
+void appendEdgeWalkColours(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names)
+{
+    appendBoundColours(table, names, SpanBound::Lower);
+    appendBoundColours(table, names, SpanBound::Upper);
+    appendRamp(table, names);
+}
+
+NumberTable<EdgeWalkSampleState> edgeWalkSampleNumbers(const EdgeWalkForm &form)
+{
+    const EdgeWalkNames names(form);
+    NumberTable<EdgeWalkSampleState> table;
+    const auto title = QStringLiteral("% ← ");
+    appendChannels(
+        table,
+        {.id = QStringLiteral("%"),
+         .title = QStringLiteral("%"),
+         .unit = unit::levels(),
+         .toolTip = QStringLiteral("Level of % at the sample."),
+         .formula = QStringLiteral("% ← %′ + Δ%"),
+         .startFormula = startFormula(names, {.hasPlane = true}, title),
+         .group = Group::FirstColour,
+         .comparison = Comparison::WithExact},
+        [](const EdgeWalkSampleState &state, std::size_t channel) { return state.colour[channel]; },
+        [=](NumberDescription &description, const EdgeWalkSampleState &state) {
+            if (state.isFirst)
+                description.formula = startFormula(names, state.start, title);
+            else if (isDirect(names, state.start))
+                description.formula = names.filled(
+                    title + directLevel(state.start).replace(u'@', QStringLiteral("y")));
+            description.startFormula.clear();
+        });
+    if (form.walk == WalkForm::Direct)
+        table.push_back({{.id = QStringLiteral("bias_colour"),
+                          .title = colourBiasTitle(),
+                          .unit = unit::levels(),
+                          .toolTip = QStringLiteral("A quarter of the distance between the values "
+                                                    "that a level can have, added before it is cut "
+                                                    "to a byte; 0 where it is computed in "
+                                                    "integers."),
+                          .formula = {},
+                          .group = Group::FirstColour},
+                         [](const EdgeWalkSampleState &state) { return state.bias; },
+                         [](NumberDescription &description, const EdgeWalkSampleState &state) {
+                             description.formula
+                                 = colourBiasTitle() + QStringLiteral(" = ") + colourBias(state);
+                         }});
+    return table;
+}
+
+} // namespace pixelplumb

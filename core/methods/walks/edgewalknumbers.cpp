@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/walks/edgewalknumbers.h"
+
+#include "core/methods/edgewalknames.h"
+#include "core/methods/walks/edgewalkcolours.h"
+#include "core/methods/words/units.h"
+
+namespace pixelplumb {
+
+namespace {
+
+using Group = NumberGroup;
+
+void appendPlace(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names)
+{
+    const bool isRow = names.isRow();
+    table.push_back({{.id = QStringLiteral("primitive"),
+                      .title = QStringLiteral("tri"),
+                      .unit = {},
+                      .toolTip = QStringLiteral("The triangle's place in drawing order, from 0."),
+                      .formula = {}},
+                     [](const EdgeWalkSpanState &state) {
+                         return Quantity::integer(Int128(state.primitive));
+                     }});
+    table.push_back({names.filled({.id = QStringLiteral("{c}"),
+                                   .title = QStringLiteral("{c}"),
+                                   .unit = unit::px(),
+                                   .toolTip = QStringLiteral("The {span}."),
+                                   .formula = {}}),
+                     [isRow](const EdgeWalkSpanState &state) {
+                         return Quantity::integer(isRow ? -state.column.x : state.column.x);
+                     }});
+    table.push_back(
+        {names.filled({.id = QStringLiteral("{half}"),
+                       .title = QStringLiteral("{half}"),
+                       .unit = {},
+                       .toolTip = QStringLiteral("1: between L₀₁ and L₀₂; 2: between L₁₂ and L₀₂."),
+                       .formula = {}}),
+         [](const EdgeWalkSpanState &state) { return state.halfNumber(); },
+         [](NumberDescription &description, const EdgeWalkSpanState &state) {
+             description.toolTip = state.start.hasPlane
+                 ? QStringLiteral("Between %1 and %2.")
+                       .arg(nameOf(state.lower), nameOf(state.upper))
+                 : QStringLiteral("Along L₀₂: the triangle has no area.");
+         }});
+}
+
+/// One bound's position: y_B or y_T, x_L or x_R.
+void appendBound(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names, SpanBound bound)
+{
+    const bool isLower = bound == SpanBound::Lower;
+    const bool isDirect = names.form().walk == WalkForm::Direct;
+    const QString title
+        = names.filled(isLower ? QStringLiteral("{a}_{lo}") : QStringLiteral("{a}_{hi}"));
+    const QString word = isLower ? QStringLiteral("{lower}") : QStringLiteral("{upper}");
+    const QString fromVertex = names.filled(
+        title + QStringLiteral(" ← {a}_v + ")
+        + (names.isRow() ? QStringLiteral("(y_v − y)·m") : QStringLiteral("(x − x_v)·m")));
+    table.push_back(
+        {names.filled({.id = title,
+                       .title = title,
+                       .unit = unit::px(),
+                       .toolTip = QStringLiteral("Where the %1 edge meets the {span}.").arg(word),
+                       .formula = isDirect ? fromVertex : QStringLiteral("%1 ← %1′ + m").arg(title),
+                       .startFormula = isDirect ? QString() : fromVertex,
+                       .group = Group::Span,
+                       .comparison = Comparison::WithExact,
+                       .subject = isLower ? NumberSubject::LowerEdge : NumberSubject::UpperEdge}),
+         [isLower](const EdgeWalkSpanState &state) {
+             return isLower ? state.column.yBottom : state.column.yTop;
+         },
+         [=](NumberDescription &description, const EdgeWalkSpanState &state) {
+             description.toolTip
+                 = names.filled(QStringLiteral("Where %1, the %2 edge here, meets the {span}."))
+                       .arg(nameOf(isLower ? state.lower : state.upper), names.filled(word));
+             description.formula = names.boundFormula(
+                 state, bound, title, names.filled(QStringLiteral("{a}")), QStringLiteral("m"));
+             description.startFormula.clear();
+         }});
+}
+
+/// The first or the last covered sample: ⌈y_B⌉ … ⌊y_T⌋, or as the fill rule changes them.
+void appendCoveredSample(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names,
+                         SpanBound bound)
+{
+    const bool isLower = bound == SpanBound::Lower;
+    const QString word = isLower ? QStringLiteral("first") : QStringLiteral("last");
+    const auto specify = [=](NumberDescription &description, Interval covered) {
+        description.title = names.coveredSample(bound, covered);
+        description.formula
+            = names.filled(word + QStringLiteral(" {across} = ")) + names.biased(description.title);
+    };
+    NumberDescription description
+        = names.filled({.id = word + QStringLiteral("_{across}"),
+                        .title = {},
+                        .unit = unit::px(),
+                        .toolTip = QStringLiteral("The %1 covered {across}.").arg(word),
+                        .formula = {},
+                        .group = Group::Span,
+                        .comparison = Comparison::WithExact,
+                        .subject = isLower ? NumberSubject::LowerEdge : NumberSubject::UpperEdge});
+    specify(description, Interval::Closed);
+    table.push_back({description,
+                     [isLower](const EdgeWalkSpanState &state) {
+                         return Quantity::integer(isLower ? state.column.firstRow
+                                                          : state.column.endRow - 1);
+                     },
+                     [specify](NumberDescription &inForce, const EdgeWalkSpanState &state) {
+                         specify(inForce, state.start.covered);
+                     }});
+}
+
+void appendPixelCount(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names)
+{
+    table.push_back(
+        {names.filled(
+             {.id = QStringLiteral("pixels"),
+              .title = QStringLiteral("px"),
+              .unit = {},
+              .toolTip = QStringLiteral("Pixels written in this {span}, inside the frame."),
+              .formula = {},
+              .group = Group::Span}),
+         [](const EdgeWalkSpanState &state) { return Quantity::integer(state.drawnSamples()); }});
+}
+
+/// The first sample in the frame, from which the colours start.
+void appendStart(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names)
+{
+    table.push_back(
+        {names.filled({.id = QStringLiteral("first_drawn_{across}"),
+                       .title = QStringLiteral("{a}_start"),
+                       .unit = unit::px(),
+                       .toolTip = QStringLiteral("The first drawn {across}, where the colours "
+                                                 "start: the first covered one, or the frame's."),
+                       .formula = QStringLiteral("{a}_start = max(first {across}, {a}_frame)"),
+                       .group = Group::EdgeColours}),
+         [](const EdgeWalkSpanState &state) {
+             return state.drawnSamples() > 0 ? Quantity::integer(state.column.firstDrawn)
+                                             : Quantity();
+         },
+         [names](NumberDescription &description, const EdgeWalkSpanState &state) {
+             // Otherwise it is the first covered one, whose formula is shown already.
+             description.formula = state.start.isClipped
+                 ? names.filled(QStringLiteral("{a}_start = {a}_frame"))
+                 : QString();
+         }});
+}
+
+/// β of a bound in float64: half of 1/(ΔX·S), with lattice units converted to pixels.
+QString boundBias(const EdgeWalkNames &names, const EdgeWalkSpanState &state, SpanBound bound)
+{
+    if ((bound == SpanBound::Lower ? state.biasBottom : state.biasTop).toDouble() == 0)
+        return QStringLiteral("0");
+    const SortedEdge edge = bound == SpanBound::Lower ? state.lower : state.upper;
+    if (names.hasNoSlope(state.corners, edge))
+        return QStringLiteral("1/(2·256)");
+    const auto &ends = sortedEdgeEnds[std::size_t(edge)];
+    return QStringLiteral("1/(2·%1·256²)").arg(names.way(ends[0], ends[1]));
+}
+
+void appendBiases(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names)
+{
+    for (const bool isLower : {true, false})
+        table.push_back(
+            {names.filled(
+                 {.id = isLower ? QStringLiteral("bias_{lo}") : QStringLiteral("bias_{hi}"),
+                  .title = isLower ? QStringLiteral("β_{lo}") : QStringLiteral("β_{hi}"),
+                  .unit = unit::px(),
+                  .toolTip = QStringLiteral("Half the distance between the values that ")
+                      + (isLower ? QStringLiteral("{a}_{lo}") : QStringLiteral("{a}_{hi}"))
+                      + QStringLiteral(" can have; 0 where the edge is computed in integers."),
+                  .formula = {},
+                  .group = Group::Span}),
+             [isLower](const EdgeWalkSpanState &state) {
+                 return isLower ? state.biasBottom : state.biasTop;
+             },
+             [=](NumberDescription &number, const EdgeWalkSpanState &state) {
+                 number.formula = number.title + QStringLiteral(" = ")
+                     + boundBias(names, state, isLower ? SpanBound::Lower : SpanBound::Upper);
+             }});
+}
+
+} // namespace
+
+NumberTable<EdgeWalkSpanState> edgeWalkSpanNumbers(const EdgeWalkForm &form)
+{
+    const EdgeWalkNames names(form);
+    NumberTable<EdgeWalkSpanState> table;
+    appendPlace(table, names);
+    appendBound(table, names, SpanBound::Lower);
+    appendBound(table, names, SpanBound::Upper);
+    appendCoveredSample(table, names, SpanBound::Lower);
+    appendCoveredSample(table, names, SpanBound::Upper);
+    appendPixelCount(table, names);
+    appendStart(table, names);
+    if (form.walk == WalkForm::Direct)
+        appendBiases(table, names);
+    appendEdgeWalkColours(table, names);
+    return table;
+}
+
+} // namespace pixelplumb

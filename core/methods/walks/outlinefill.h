@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/kernelmethod.h"
+#include "core/methods/walks/outlinefillrecording.h"
+
+namespace pixelplumb {
+
+struct OutlineFillKernel : TriangleKernel, InIntegers {
+    template <class A>
+    using Recording = OutlineFillRecording<A>;
+
+    template <class A, class Observer>
+    static void scan(const Triangle &triangle, const ScanSettings &settings, FrameView frame,
+                     Observer observer)
+    {
+        fillOutline<A>(triangle, settings.rounding, frame, observer);
+    }
+};
+
+/// The outline by the midpoint algorithm, filled between its lowest and highest pixels.
+Method outlineFillMethod();
+
+} // namespace pixelplumb

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/walks/outlinefillnumbers.h"
+
+#include "core/methods/walks/outlinefillnames.h"
+#include "core/methods/words/channelnumbers.h"
+#include "core/methods/words/formulatext.h"
+#include "core/methods/words/placenumbers.h"
+#include "core/methods/words/units.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <functional>
+
+namespace pixelplumb {
+
+namespace {
+
+using Group = NumberGroup;
+
+/// How the previous pixel led to the one that bounds the column; none at the edge's start.
+void appendDecision(NumberTable<OutlineSpanState> &table, const QString &bound, const QString &word,
+                    OutlineDecision OutlineSpanState::*decision,
+                    OutlinePixel OutlineFillSpan<AnyArithmetic>::*pixel)
+{
+    const QString across = QStringLiteral("a_") + bound;
+    const QString parameter = QStringLiteral("p_") + bound;
+    const auto formula = [=](const QString &length, const QString &shorter) {
+        return QStringLiteral("%1 = 2·%2·n_%3 − %4 − 2·%4·%5")
+            .arg(parameter, shorter, bound, length, across);
+    };
+    table.push_back(
+        {{.id = across,
+          .title = across,
+          .unit = unit::px(),
+          .toolTip = QStringLiteral("How far across the line had gone before the "
+                                    "decision that led to the pixel of the %1 y.")
+                         .arg(word),
+          .formula = {},
+          .group = Group::Decision},
+         [decision](const OutlineSpanState &state) { return (state.*decision).across; }});
+    table.push_back(
+        {{.id = parameter,
+          .title = parameter,
+          .unit = {},
+          .toolTip = QStringLiteral("The decision parameter p_k that led to the pixel of the "
+                                    "%1 y: below 0 the line stayed, else it went one "
+                                    "across. None at the edge's first pixel.")
+                         .arg(word),
+          .formula = formula(QStringLiteral("Δ"), QStringLiteral("δ")),
+          .group = Group::Decision},
+         [decision](const OutlineSpanState &state) { return (state.*decision).parameter; },
+         [=](NumberDescription &number, const OutlineSpanState &state) {
+             const std::size_t edge = (state.span.*pixel).edge;
+             number.formula = formula(lengthTitle(edge), acrossTitle(edge));
+         }});
+}
+
+/// Which pixel of which edge bounds the column.
+void appendBound(NumberTable<OutlineSpanState> &table, const QString &bound, const QString &word,
+                 OutlinePixel OutlineFillSpan<AnyArithmetic>::*pixel)
+{
+    const auto row = [&](const QString &letter, const QString &unit, const QString &toolTip,
+                         const std::function<std::int64_t(const OutlinePixel &)> &read) {
+        const QString title = letter + u'_' + bound;
+        table.push_back({{.id = title,
+                          .title = title,
+                          .unit = unit,
+                          .toolTip = toolTip,
+                          .formula = {},
+                          .group = Group::Span},
+                         [=](const OutlineSpanState &state) {
+                             return Quantity::integer(read(state.span.*pixel));
+                         }});
+    };
+    row(QStringLiteral("y"), unit::px(),
+        QStringLiteral("The outline's pixel of the %1 y in the column.").arg(word),
+        [](const OutlinePixel &at) { return at.row; });
+    row(QStringLiteral("edge"), {},
+        QStringLiteral("Whose the pixel of the %1 y is: 0 is P₀P₁, 1 is P₁P₂, 2 is P₂P₀.")
+            .arg(word),
+        [](const OutlinePixel &at) { return std::int64_t(at.edge); });
+    row(QStringLiteral("n"), {},
+        QStringLiteral("How many steps of the midpoint algorithm it is from the edge's left end, "
+                       "or the one of smaller y where it is steep, to the pixel of the %1 y.")
+            .arg(word),
+        [](const OutlinePixel &at) { return at.number; });
+}
+
+/// The line's colour at a bounding pixel.
+void appendBoundColours(NumberTable<OutlineSpanState> &table, const QString &bound,
+                        const QString &word, OutlinePixel OutlineFillSpan<AnyArithmetic>::*pixel,
+                        std::array<Quantity, 3> ColumnState<AnyArithmetic>::*colour)
+{
+    const QString title = QStringLiteral("%_") + bound;
+    appendChannels(
+        table,
+        {.id = title,
+         .title = title,
+         .unit = unit::levels(),
+         .toolTip = QStringLiteral("Level of % at the outline's pixel of the %1 y, along its edge.")
+                        .replace(QStringLiteral("%1"), word),
+         .formula = title + QStringLiteral(" = %_from + n·(%_to − %_from)/Δ"),
+         .group = Group::EdgeColours},
+        [colour](const OutlineSpanState &state, std::size_t channel) {
+            return (state.span.column.*colour)[channel];
+        },
+        [=](NumberDescription &number, const OutlineSpanState &state) {
+            const OutlinePixel &at = state.span.*pixel;
+            const OutlineEdge &edge = state.setUp.edges[at.edge];
+            const QString from = QString(u'%') + vertexDigits[edge.ends[0]];
+            const QString to = QString(u'%') + vertexDigits[edge.ends[1]];
+            number.formula = title + QStringLiteral(" = ") + from;
+            if (at.number > 0)
+                number.formula += QStringLiteral(" + n_") + bound + QStringLiteral("·(") + to
+                    + QStringLiteral(" − ") + from + QStringLiteral(")/") + lengthTitle(at.edge);
+        });
+}
+
+QString startFormula(const QString &title, bool hasRate)
+{
+    return hasRate ? title + QStringLiteral("%_low + (y_start − y_low)·Δ%")
+                   : title + QStringLiteral("%_low");
+}
+
+void appendRamp(NumberTable<OutlineSpanState> &table)
+{
+    appendChannels(
+        table,
+        {.id = QStringLiteral("delta_%"),
+         .title = QStringLiteral("Δ%"),
+         .unit = QStringLiteral("levels/row"),
+         .toolTip = QStringLiteral("Change of % from row to row; none in a column of one pixel."),
+         .formula = QStringLiteral("Δ% = (%_high − %_low)/(y_high − y_low)"),
+         .group = Group::ColourRates},
+        [](const OutlineSpanState &state, std::size_t channel) {
+            return state.hasRate() ? state.span.column.colourRate[channel] : Quantity();
+        });
+    const QString title = QStringLiteral("first % = ");
+    appendChannels(
+        table,
+        {.id = QStringLiteral("first_%"),
+         .title = QStringLiteral("first %"),
+         .unit = unit::levels(),
+         .toolTip = QStringLiteral("Level of % at y_start, the column's first drawn pixel."),
+         .formula = startFormula(title, true),
+         .group = Group::FirstColour},
+        [](const OutlineSpanState &state, std::size_t channel) {
+            return state.drawnSamples() > 0 ? state.span.column.firstColour[channel] : Quantity();
+        },
+        [title](NumberDescription &number, const OutlineSpanState &state) {
+            number.formula = startFormula(title, state.hasRate());
+        });
+}
+
+/// "row 5, pixel 3 of P₀P₁".
+QString pixelText(const OutlinePixel &pixel)
+{
+    return QStringLiteral("row %1, pixel %2 of %3")
+        .arg(pixel.row)
+        .arg(pixel.number)
+        .arg(outlineEdgeName(pixel.edge));
+}
+
+} // namespace
+
+const NumberTable<OutlineSpanState> &outlineSpanNumbers()
+{
+    using State = OutlineSpanState;
+    static const auto numbers = [] {
+        using Span = OutlineFillSpan<AnyArithmetic>;
+        using Column = ColumnState<AnyArithmetic>;
+        const QString low = QStringLiteral("low");
+        const QString high = QStringLiteral("high");
+        NumberTable<State> table
+            = {{triangleNumber(),
+                [](const State &state) { return Quantity::integer(Int128(state.primitive)); }},
+               {scannedNumber(),
+                [](const State &state) { return Quantity::integer(state.span.column.x); }}};
+        appendBound(table, low, QStringLiteral("smallest"), &Span::low);
+        appendDecision(table, low, QStringLiteral("smallest"), &State::lowDecision, &Span::low);
+        appendBound(table, high, QStringLiteral("largest"), &Span::high);
+        appendDecision(table, high, QStringLiteral("largest"), &State::highDecision, &Span::high);
+        table.push_back({columnPixelsNumber(), [](const State &state) {
+                             return Quantity::integer(state.drawnSamples());
+                         }});
+        table.push_back({{.id = QStringLiteral("first_drawn_row"),
+                          .title = QStringLiteral("y_start"),
+                          .unit = unit::px(),
+                          .toolTip = QStringLiteral("The first drawn row, where the colours start: "
+                                                    "y_low, or the frame's first."),
+                          .formula = {},
+                          .group = Group::Span},
+                         [](const State &state) {
+                             return state.drawnSamples() > 0
+                                 ? Quantity::integer(state.span.column.firstDrawn)
+                                 : Quantity();
+                         }});
+        appendBoundColours(table, low, QStringLiteral("smallest"), &Span::low,
+                           &Column::colourBottom);
+        appendBoundColours(table, high, QStringLiteral("largest"), &Span::high, &Column::colourTop);
+        appendRamp(table);
+        return table;
+    }();
+    return numbers;
+}
+
+const NumberTable<OutlineSampleState> &outlineSampleNumbers()
+{
+    using State = OutlineSampleState;
+    static const auto numbers = [] {
+        const QString title = QStringLiteral("% ← ");
+        NumberTable<State> table;
+        appendChannels(
+            table,
+            {.id = QStringLiteral("%"),
+             .title = QStringLiteral("%"),
+             .unit = unit::levels(),
+             .toolTip = QStringLiteral("Level of % at the pixel."),
+             .formula = QStringLiteral("% ← %′ + Δ%"),
+             .startFormula = startFormula(title, true),
+             .group = Group::FirstColour},
+            [](const State &state, std::size_t channel) { return state.colour[channel]; },
+            [title](NumberDescription &number, const State &state) {
+                if (state.isFirst)
+                    number.formula = startFormula(title, state.hasRate);
+                number.startFormula.clear();
+            });
+        return table;
+    }();
+    return numbers;
+}
+
+void tellOutline(StepWords &words, const OutlineFillSetUp &setUp)
+{
+    QStringList points;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+        points.append(QStringLiteral("P%1 = %2")
+                          .arg(vertexDigits[corner])
+                          .arg(pointText(setUp.corners[corner].position)));
+    words.sentence = QStringLiteral("On whole pixels: %1. The outline are the lines from one to "
+                                    "the next by the midpoint algorithm.")
+                         .arg(points.join(QStringLiteral(", ")));
+}
+
+namespace {
+
+/// " p_low = −3 < 0: at (4, 2) the line stayed." Empty for an edge's first pixel, which nothing
+/// decides.
+QString decidedSentence(const QString &bound, const OutlinePixel &pixel,
+                        const OutlineDecision &decision, std::int64_t x)
+{
+    if (decision.parameter.isNone())
+        return {};
+    const bool stays = decision.parameter.numerator() < 0;
+    return QStringLiteral(" p_%1 = %2 %3 0: to (%4, %5) the line %6.")
+        .arg(bound, term(decision.parameter), stays ? QStringLiteral("<") : QStringLiteral("≥"),
+             QString::number(x), QString::number(pixel.row),
+             stays ? QStringLiteral("stayed") : QStringLiteral("went one across"));
+}
+
+} // namespace
+
+void tellOutline(StepWords &words, const OutlineSpanState &state)
+{
+    words.heading = QStringLiteral("Column %1").arg(state.span.column.x);
+    words.sentence = state.hasRate()
+        ? QStringLiteral("The outline reaches from %1, to %2: all between is filled.")
+              .arg(pixelText(state.span.low), pixelText(state.span.high))
+        : QStringLiteral("The outline is one pixel high: %1.").arg(pixelText(state.span.low));
+    const std::int64_t x = state.span.column.x;
+    words.sentence += decidedSentence(QStringLiteral("low"), state.span.low, state.lowDecision, x);
+    if (state.hasRate())
+        words.sentence
+            += decidedSentence(QStringLiteral("high"), state.span.high, state.highDecision, x);
+    if (state.drawnSamples() == 0)
+        words.sentence += QStringLiteral(" The frame shows none of it.");
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/lines/lineendnumbers.h"
+#include "core/methods/walks/outlinefillnames.h"
+#include "core/methods/walks/outlinefillnumbers.h"
+#include "core/methods/words/channelnumbers.h"
+#include "core/methods/words/formulatext.h"
+#include "core/methods/words/units.h"
+
+namespace pixelplumb {
+
+const NumberTable<OutlineFillSetUp> &outlineSetUpNumbers()
+{
+    using State = OutlineFillSetUp;
+    static const auto numbers = [] {
+        NumberTable<State> table;
+        for (int corner = 0; corner < 3; ++corner) {
+            const QString toolTip = QStringLiteral("of P%1, rounded to a whole pixel: ⌊v + ½⌋.")
+                                        .arg(vertexDigits[std::size_t(corner)]);
+            table.push_back(endNumber<State>(u'x', corner, toolTip, [corner](const State &setUp) {
+                return pixels(setUp.corners[std::size_t(corner)].position.x);
+            }));
+            table.push_back(endNumber<State>(u'y', corner, toolTip, [corner](const State &setUp) {
+                return pixels(setUp.corners[std::size_t(corner)].position.y);
+            }));
+        }
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            appendChannels(
+                table,
+                {.id = QStringLiteral("%_") + QString::number(corner),
+                 .title = QString(u'%') + vertexDigits[corner],
+                 .unit = unit::levels(),
+                 .toolTip = QStringLiteral("Level of % at P") + vertexDigits[corner] + u'.',
+                 .formula = {}},
+                [corner](const State &setUp, std::size_t channel) {
+                    return Quantity::integer(setUp.corners[corner].colour.channels[channel]);
+                });
+        }
+        for (std::size_t edge = 0; edge < 3; ++edge) {
+            const QString axes = QStringLiteral("%1%2 − %1%3");
+            const auto along = [&](QChar axis) {
+                return axes.arg(axis).arg(vertexDigits[(edge + 1) % 3]).arg(vertexDigits[edge]);
+            };
+            const auto back = [&](QChar axis) {
+                return axes.arg(axis).arg(vertexDigits[edge]).arg(vertexDigits[(edge + 1) % 3]);
+            };
+            const QString alongX = QStringLiteral("max(%1, %2)").arg(along(u'x'), back(u'x'));
+            const QString alongY = QStringLiteral("max(%1, %2)").arg(along(u'y'), back(u'y'));
+            table.push_back(
+                {{.id = QStringLiteral("steps_%1").arg(edge),
+                  .title = lengthTitle(edge),
+                  .unit = unit::px(),
+                  .toolTip = QStringLiteral("The steps of the midpoint algorithm along %1: its "
+                                            "longer side.")
+                                 .arg(outlineEdgeName(edge)),
+                  .formula
+                  = lengthTitle(edge) + QStringLiteral(" = max(%1, %2)").arg(alongX, alongY)},
+                 [edge](const State &setUp) {
+                     return Quantity::integer(setUp.edges[edge].line.deltaX);
+                 }});
+            table.push_back({{.id = QStringLiteral("across_%1").arg(edge),
+                              .title = acrossTitle(edge),
+                              .unit = unit::px(),
+                              .toolTip = QStringLiteral("How far %1 goes across: its shorter side.")
+                                             .arg(outlineEdgeName(edge)),
+                              .formula = acrossTitle(edge)
+                                  + QStringLiteral(" = min(%1, %2)").arg(alongX, alongY)},
+                             [edge](const State &setUp) {
+                                 return Quantity::integer(setUp.edges[edge].line.deltaY);
+                             }});
+        }
+        return table;
+    }();
+    return numbers;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/words/rejectiontext.h"
+
+namespace pixelplumb {
+
+namespace {
+
+/// " at vertex 4"
+QString placeText(const std::vector<std::size_t> &vertices)
+{
+    return vertices.empty() ? QString() : QStringLiteral(" at vertex %1").arg(vertices.front());
+}
+
+/// "Its edges 2–3 and 5–6 cross"
+QString crossingText(const std::vector<std::size_t> &vertices)
+{
+    return vertices.size() != 4 ? QStringLiteral("Edges of it cross")
+                                : QStringLiteral("Its edges %1–%2 and %3–%4 cross")
+                                      .arg(vertices[0])
+                                      .arg(vertices[1])
+                                      .arg(vertices[2])
+                                      .arg(vertices[3]);
+}
+
+} // namespace
+
+QString rejectionText(const Rejection &rejection)
+{
+    switch (rejection.reason) {
+    case PrimitiveRejection::ZeroArea:
+        return QStringLiteral("It has no area: its vertices lie on one line, and only the closed "
+                              "rule paints a segment. Nothing is drawn.");
+    case PrimitiveRejection::OutsideFrame:
+        return QStringLiteral("It lies outside the frame. Nothing is drawn.");
+    case PrimitiveRejection::BetweenSamples:
+        return QStringLiteral("It reaches into the frame, but by the run's tests no sample of the "
+                              "frame belongs to it. Nothing is drawn.");
+    case PrimitiveRejection::NotRepresentable:
+        return QStringLiteral(
+            "A coordinate does not fit this arithmetic: fixed16.16, and the products of exact runs "
+            "with variants, have room up to ±2¹⁵ px. Nothing is drawn.");
+    case PrimitiveRejection::VerticalLine:
+        return QStringLiteral("The line is vertical: y = m·x + b has no m. Nothing is drawn.");
+    case PrimitiveRejection::LineOfNoLength:
+        return QStringLiteral("The line is a point: y = m·x + b has no m. Nothing is drawn.");
+    case PrimitiveRejection::NotOfThisMethod:
+        return QStringLiteral(
+            "It is of a kind, or filled in a way, that this method does not draw.");
+    case PrimitiveRejection::NotConvex:
+        return QStringLiteral("It is not convex%1: only a single contour that turns one way and "
+                              "goes round once is tiled by a fan of triangles. Nothing is drawn.")
+            .arg(placeText(rejection.vertices));
+    case PrimitiveRejection::SelfCrossing:
+        return crossingText(rejection.vertices)
+            + QStringLiteral(" between their vertices: the triangles of this method have their "
+                             "corners at vertices alone. Nothing is drawn.");
+    case PrimitiveRejection::NoOutline:
+        return QStringLiteral(
+            "The text has no outline: it is empty, or nothing but blanks. Nothing "
+            "is drawn.");
+    case PrimitiveRejection::FontMissing:
+        return QStringLiteral("The font DejaVu Sans, from which the outlines come, is not "
+                              "installed (Debian: fonts-dejavu-core), or the program has no font "
+                              "system. Nothing is drawn.");
+    }
+    return {};
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/plan/effectreason.h"
+
+namespace pixelplumb {
+
+namespace {
+
+/// The kinds of primitives that are antialiased where the scene is drawn as it asks.
+QString antialiasedWord(const NeedsTally &tally)
+{
+    if (tally.askedStrokes == 0)
+        return QStringLiteral("triangle");
+    return tally.askedTriangles == 0 ? QStringLiteral("line or curve")
+                                     : QStringLiteral("triangle, line or curve");
+}
+
+} // namespace
+
+QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing)
+{
+    const auto ofSamples = [&](int samples) {
+        const QString pixel = tally.askedStrokes == 0
+            ? QStringLiteral("that an edge passes through")
+            : QStringLiteral("that the border of a %1 passes through").arg(antialiasedWord(tally));
+        return QStringLiteral("the scene asks for %1 samples in each pixel %2")
+            .arg(QString::number(samples), pixel);
+    };
+    if (antialiasing == Antialiasing::None)
+        return QStringLiteral("the scene asks for one sample a pixel");
+    const bool isCalledFor = tally.of[Effect::Antialiasing].primitives > 0;
+    if (!isCalledFor && tally.askedTriangles + tally.askedStrokes == 0)
+        return QStringLiteral("no triangle is drawn, nor any line or curve one pixel wide");
+    if (!isCalledFor)
+        return antialiasing == Antialiasing::Area
+            ? QStringLiteral("no edge parts a pixel of the frame: each is covered whole or not at "
+                             "all")
+            : QStringLiteral("no edge of a triangle with an area meets a pixel of the frame: each "
+                             "is drawn once, at its centre");
+    switch (antialiasing) {
+    case Antialiasing::None:
+        break;
+    case Antialiasing::Samples4:
+        return ofSamples(4);
+    case Antialiasing::Samples16:
+        return ofSamples(16);
+    case Antialiasing::Area:
+        return QStringLiteral("the scene asks for the exact area that a %1 has of a pixel")
+            .arg(antialiasedWord(tally));
+    }
+    return {};
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/plan/depthquestion.h"
+#include "core/plan/needstally.h"
+
+namespace pixelplumb {
+
+/// Why an effect is called for or not: one clause in a student's words, with numbers from the
+/// tally. For all effects but depth.
+QString effectReason(Effect effect, const NeedsTally &tally, const Primitives &primitives,
+                     const SampledFrame &where);
+
+/// Why antialiasing is called for or not.
+QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing);
+
+/// Why depth is called for or not, where the scene leaves the question to the plan.
+QString depthReason(const DepthAnswer &answer);
+
+/// "the triangle has", "1 of 3 triangles has", "both triangles have",
+/// "all 3 triangles have".
+QString countedWords(std::size_t count, std::size_t all, const QString &noun,
+                     const QString &singularVerb, const QString &pluralVerb);
+
+} // namespace pixelplumb

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/explain/edgerefusal.h"
+
+#include "core/methods/words/formulatext.h"
+#include "core/runs/explain/refusaltext.h"
+#include "core/runs/explain/segmenttext.h"
+#include "core/runs/explain/shapereason.h"
+#include "core/scan/choicenames.h"
+#include "core/trace/namednumbers.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+QString distanceText(const oracle::EdgeVerdict &edge, const ScanTrace &trace)
+{
+    const auto [exact, axis] = scanDistance(edge, trace);
+    if (exact.isNone())
+        return QStringLiteral("at no distance: the edge is a point");
+    return QStringLiteral("%1 px measured along the %2 (%3 px perpendicular to the edge)")
+        .arg(toText(exact),
+             axis == SpanAxis::Column ? QStringLiteral("column") : QStringLiteral("row"),
+             QString::number(edge.distance, 'g', 6));
+}
+
+/// Of the samples along the loop that passes the pixel's column or row, the first and the last; if
+/// none does, of the columns or rows that have loops.
+struct TestedExtent {
+    QString samples; ///< "rows"
+    Quantity first, last;
+};
+TestedExtent testedExtentOf(const PixelAttempt &attempt, const ScanTrace &trace)
+{
+    const QString rows = QStringLiteral("rows");
+    const QString columns = QStringLiteral("columns");
+    if (attempt.span)
+        return {attempt.span->place.axis == SpanAxis::Row ? columns : rows,
+                Quantity::integer(attempt.span->firstDrawn),
+                Quantity::integer(attempt.span->endDrawn - 1)};
+    const SetUpRecord setUp = trace.setUp(attempt.primitive);
+    const NamedNumbers numbers(trace.numbers().setUp, setUp.cells);
+    const bool isByRows = !numbers[QStringLiteral("y_min")].isNone();
+    return isByRows
+        ? TestedExtent{rows, numbers[QStringLiteral("y_min")], numbers[QStringLiteral("y_max")]}
+        : TestedExtent{columns, numbers[QStringLiteral("x_min")], numbers[QStringLiteral("x_max")]};
+}
+
+/// That the sample lies outside of the samples that are tested, and which these are.
+QString untestedText(const PixelAttempt &attempt, const TracedScene &traced)
+{
+    const QString box = traced.scene.settings.variants.contains(Variant::RoundedBox)
+        ? QStringLiteral("rounded box")
+        : QStringLiteral("box");
+    QString text = QStringLiteral("Not tested: it lies outside of the %1 of the vertices").arg(box);
+    const auto [samples, first, last] = testedExtentOf(attempt, *traced.trace);
+    if (first.toDouble() <= last.toDouble())
+        text += QStringLiteral(", which has the %1 %2 … %3")
+                    .arg(samples, toText(first), toText(last));
+    return text + QStringLiteral(". ");
+}
+
+/// By what the run itself passed over a sample that the truth refuses, where that may be another
+/// reason.
+QString ownReasonText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
+                      std::int64_t y)
+{
+    if (isDecidedByOutline(attempt, *traced.trace)) {
+        const QString decided = stepBesideText(attempt, *traced.trace, x, y);
+        return decided.isEmpty() ? QStringLiteral(" The outline has no pixel in this column.")
+                                 : decided;
+    }
+    if (attempt.written || !mayDecideOtherwise(traced))
+        return {};
+    if (attempt.sample)
+        return deciderText(attempt, traced);
+    return attempt.span && !attempt.span->lower.isNone()
+        ? QStringLiteral(" In the run, %1.").arg(boundsText(*attempt.span))
+        : QString();
+}
+
+QString segmentRefusalText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
+                           std::int64_t y, const QString &start)
+{
+    if (traced.scene.settings.fillRule != FillRule::Closed)
+        return QStringLiteral("The triangle has no area: only the closed rule paints a segment.");
+    return start.arg(segmentText(traced.primitives.triangles[attempt.primitive], x, y))
+        + ownReasonText(attempt, traced, x, y);
+}
+
+/// Its samples, or its area, have decided; the centre's place is given for orientation.
+QString partlyRefusedText(const PixelAttempt &attempt, const TracedScene &traced,
+                          const oracle::EdgeVerdict &refusing, const QString &edge, std::int64_t x,
+                          std::int64_t y)
+{
+    const QString place = refusing.edgeFunction == 0
+        ? tiesText(attempt, traced, x, y, TieSide::Other)
+        : QStringLiteral("beyond %1, at %2").arg(edge, distanceText(refusing, *traced.trace));
+    return noPartText(traced) + QStringLiteral(" The pixel's centre lies %1.").arg(place);
+}
+
+} // namespace
+
+ScanDistance scanDistance(const oracle::EdgeVerdict &edge, const ScanTrace &trace)
+{
+    const ScanDistance alongColumn{edge.distanceAlongColumn, SpanAxis::Column};
+    const ScanDistance alongRow{edge.distanceAlongRow, SpanAxis::Row};
+    const bool isByRows = trace.spanCount() > 0 && trace.placeOf(0).axis == SpanAxis::Row;
+    const ScanDistance &scanned = isByRows ? alongRow : alongColumn;
+    return scanned.exact.isNone() ? (isByRows ? alongColumn : alongRow) : scanned;
+}
+
+std::size_t refusingEdge(const oracle::SampleVerdict &verdict)
+{
+    const auto refusing = std::ranges::min_element(
+        verdict.edges, [](const oracle::EdgeVerdict &a, const oracle::EdgeVerdict &b) {
+            return std::pair(a.accepts, a.distance) < std::pair(b.accepts, b.distance);
+        });
+    return std::size_t(refusing - verdict.edges.begin());
+}
+
+bool mayDecideOtherwise(const TracedScene &traced)
+{
+    return !traced.method->isStableUnder(traced.scene.settings);
+}
+
+QString tiesText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
+                 std::int64_t y, TieSide side)
+{
+    QStringList ties;
+    for (std::size_t i = 0; i < attempt.verdict.edges.size(); ++i) {
+        const oracle::EdgeVerdict &edge = attempt.verdict.edges[i];
+        if (edge.edgeFunction == 0 && edge.accepts == (side == TieSide::This))
+            ties.append(
+                QStringLiteral("exactly on %1, and %2")
+                    .arg(attempt.edgeNames[i], tieText(traced, attempt.primitive, edge, x, y)));
+    }
+    return ties.join(QStringLiteral("; it lies "));
+}
+
+QString deciderText(const PixelAttempt &attempt, const TracedScene &traced)
+{
+    const auto decisions = decisionsOf(traced.trace->numbers().sample, *attempt.sample);
+    return u' ' + refusalSentence(traced, attempt.primitive, *attempt.sample, decisions);
+}
+
+QString boundsText(const SpanRecord &span)
+{
+    const QString bounds = QStringLiteral("the %1's bounds %2 and %3 give ")
+                               .arg(span.place.axis == SpanAxis::Column ? QStringLiteral("column")
+                                                                        : QStringLiteral("row"),
+                                    toText(span.lower), toText(span.upper));
+    return span.firstSample < span.endSample ? bounds
+            + QStringLiteral("the samples %1 … %2").arg(span.firstSample).arg(span.endSample - 1)
+                                             : bounds + QStringLiteral("no sample");
+}
+
+QString triangleRefusalText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
+                            std::int64_t y)
+{
+    const bool isBesideBox = isUntested(attempt, *traced.trace);
+    const bool isOfTruthAlone = attempt.written || isBesideBox || mayDecideOtherwise(traced)
+        || isDecidedByOutline(attempt, *traced.trace);
+    const QString untested = isBesideBox ? untestedText(attempt, traced) : QString();
+    if (attempt.verdict.zeroArea)
+        return segmentRefusalText(attempt, traced, x, y,
+                                  isOfTruthAlone
+                                      ? untested
+                                          + QStringLiteral("The triangle has no area. In truth, "
+                                                           "%1.")
+                                      : QStringLiteral("The triangle has no area, and %1."));
+    if (!noPartText(traced).isEmpty() && !attempt.isCentreRefused())
+        return noPartText(traced);
+    const std::size_t index = refusingEdge(attempt.verdict);
+    const oracle::EdgeVerdict &refusing = attempt.verdict.edges[index];
+    const QString &edge = attempt.edgeNames[index];
+    if (!noPartText(traced).isEmpty())
+        return partlyRefusedText(attempt, traced, refusing, edge, x, y);
+    const QString own = ownReasonText(attempt, traced, x, y);
+    if (refusing.edgeFunction == 0) {
+        const QString ties = tiesText(attempt, traced, x, y, TieSide::Other);
+        return untested + QStringLiteral("The sample lies %1.").arg(ties)
+            + (own.contains(ties) ? QString() : own);
+    }
+    return untested
+        + QStringLiteral("%1 %2: the sample is at %3, under the rule %4.")
+              .arg(isOfTruthAlone ? QStringLiteral("The truth refuses it by")
+                                  : QStringLiteral("Refused by"),
+                   edge, distanceText(refusing, *traced.trace),
+                   nameText(nameOf(traced.scene.settings.fillRule)))
+        + own;
+}
+
+} // namespace pixelplumb

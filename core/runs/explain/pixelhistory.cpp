@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/explain/pixelhistory.h"
+
+#include "core/oracle/effectoracle.h"
+#include "core/oracle/strokeoracle.h"
+#include "core/runs/explain/carriednumbers.h"
+#include "core/runs/explain/edgename.h"
+#include "core/runs/explain/pixelreason.h"
+#include "core/runs/spanheadings.h"
+#include "core/runs/undrawn.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace pixelplumb {
+
+namespace {
+
+/// The truth of one primitive at a pixel.
+void judge(PixelAttempt &attempt, const TracedScene &traced, std::int64_t x, std::int64_t y)
+{
+    const Primitives &primitives = traced.primitives;
+    if (attempt.kind == PrimitiveKind::Triangle) {
+        const Triangle &triangle = primitives.triangles[attempt.primitive];
+        const BoundaryRule rule = boundaryRuleOf(traced.scene);
+        attempt.verdict = oracle::judge(triangle, rule, x, y);
+        if (traced.shading())
+            attempt.verdict.covered
+                = oracle::coversPart(triangle, rule, traced.antialiasing(), x, y);
+    } else {
+        attempt.verdict.covered
+            = oracle::covers(primitives.shape(attempt.primitive), primitives.appearance,
+                             traced.scene.frame.origin, x, y);
+    }
+}
+
+/// The position after the last step of a primitive.
+std::size_t endOf(const ScanTrace &trace, std::size_t primitive)
+{
+    return primitive + 1 < trace.primitiveCount() ? trace.indexOfSetUp(primitive + 1)
+                                                  : trace.stepCount();
+}
+
+/// What the run did at the pixel.
+void recall(PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x, std::int64_t y)
+{
+    attempt.decided = trace.stepCount();
+    if (attempt.primitive >= trace.primitiveCount())
+        return;
+    attempt.decided = endOf(trace, attempt.primitive);
+    if (const auto visit = trace.visitOf(attempt.primitive, x, y)) {
+        const std::size_t span = trace.spanOf(*visit);
+        attempt.span = trace.span(span);
+        attempt.spanHeading = spanHeading(trace, span);
+        attempt.sample = trace.samples(span)[*visit - trace.firstSampleOf(span)];
+        attempt.step = trace.indexOfSample(*visit);
+        attempt.decided = attempt.step + 1;
+        attempt.change = trace.changes()[*visit];
+        attempt.written = attempt.change.isWritten();
+        return;
+    }
+    if (const auto span = trace.spanNear(attempt.primitive, x, y)) {
+        attempt.decided
+            = trace.indexOfSpan(*span) + 1 + trace.endSampleOf(*span) - trace.firstSampleOf(*span);
+        attempt.span = trace.span(*span);
+        attempt.spanHeading = spanHeading(trace, *span);
+    }
+}
+
+/// Adds the exact numbers for those that the run used at the visited sample.
+void recallExactly(PixelAttempt &attempt, const TracedScene &traced)
+{
+    if (!attempt.sample)
+        return;
+    const ExactSample exact = exactSamplesOf(traced, traced.trace->stepAt(attempt.step).span,
+                                             std::span(&*attempt.sample, 1))
+                                  .front();
+    attempt.exactColour = exact.colour;
+    for (const std::size_t i : carriedNumbers(traced, attempt.primitive)) {
+        if (i >= attempt.sample->cells.size() || attempt.sample->cells[i].isNone())
+            continue;
+        attempt.carried.push_back({traced.trace->numbers().sample[i].title,
+                                   attempt.sample->cells[i],
+                                   i < exact.cells.size() ? exact.cells[i] : Quantity()});
+    }
+}
+
+/// Whether the truth or the run may have painted the pixel; false is certain, and quick to find.
+bool mayHavePainted(const TracedScene &traced, std::size_t primitive, std::int64_t x,
+                    std::int64_t y)
+{
+    const Primitives &primitives = traced.primitives;
+    if (!primitives.isTriangle(primitive))
+        return true;
+    const auto &[a, b, c] = primitives.triangles[primitive].vertices;
+    const auto isBetween = [](Lattice sample, Lattice p, Lattice q, Lattice r) {
+        return sample >= std::min({p, q, r}) && sample <= std::max({p, q, r});
+    };
+    const LatticePoint sample = latticePixel(x, y);
+    if (isBetween(sample.x, a.position.x, b.position.x, c.position.x)
+        && isBetween(sample.y, a.position.y, b.position.y, c.position.y))
+        return true;
+    return primitive < traced.trace->primitiveCount()
+        && traced.trace->visitOf(primitive, x, y).has_value();
+}
+
+PixelAttempt attemptOf(std::size_t primitive, const TracedScene &traced, std::int64_t x,
+                       std::int64_t y)
+{
+    PixelAttempt attempt;
+    attempt.primitive = primitive;
+    attempt.kind = traced.primitives.kindOf(primitive);
+    judge(attempt, traced, x, y);
+    recall(attempt, *traced.trace, x, y);
+    recallExactly(attempt, traced);
+    if (attempt.hasEdges()) {
+        const SetUpRecord setUp = primitive < traced.trace->primitiveCount()
+            ? traced.trace->setUp(primitive)
+            : SetUpRecord();
+        for (std::size_t edge = 0; edge < attempt.edgeNames.size(); ++edge)
+            attempt.edgeNames[edge]
+                = edgeName(setUp, attempt.verdict.edges[edge].from, attempt.verdict.edges[edge].to);
+    }
+    attempt.reason = reasonOf(attempt, traced, x, y);
+    return attempt;
+}
+
+} // namespace
+
+std::vector<PixelAttempt> pixelHistory(const TracedScene &traced, std::int64_t x, std::int64_t y)
+{
+    return briefPixelHistory(traced, x, y, std::numeric_limits<std::size_t>::max()).attempts;
+}
+
+BriefPixelHistory briefPixelHistory(const TracedScene &traced, std::int64_t x, std::int64_t y,
+                                    std::size_t listedRefusals)
+{
+    BriefPixelHistory history;
+    std::size_t refusals = 0;
+    for (std::size_t primitive = 0; primitive < traced.primitives.size(); ++primitive) {
+        if (!isDrawn(traced.primitives, primitive, *traced.method))
+            continue;
+        if (refusals >= listedRefusals && !mayHavePainted(traced, primitive, x, y)) {
+            ++history.furtherRefusals;
+            continue;
+        }
+        PixelAttempt attempt = attemptOf(primitive, traced, x, y);
+        const bool isRefusal = !attempt.written && !attempt.verdict.covered;
+        if (isRefusal && ++refusals > listedRefusals)
+            ++history.furtherRefusals;
+        else
+            history.attempts.push_back(std::move(attempt));
+    }
+    return history;
+}
+
+bool leaveOutAhead(BriefPixelHistory &history, std::size_t position)
+{
+    const bool hasSome = std::erase_if(history.attempts, [position](const PixelAttempt &attempt) {
+        return attempt.decided > position;
+    });
+    if (hasSome)
+        history.furtherRefusals = 0; // those come after the ones that are ahead
+    return hasSome;
+}
+
+} // namespace pixelplumb

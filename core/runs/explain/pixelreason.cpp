@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/explain/pixelreason.h"
+
+#include "core/geometry/triangle.h"
+#include "core/methods/words/formulatext.h"
+#include "core/methods/words/rejectiontext.h"
+#include "core/oracle/effecttruth.h"
+#include "core/runs/explain/edgerefusal.h"
+#include "core/runs/explain/refusaltext.h"
+#include "core/runs/explain/rejectedprimitives.h"
+#include "core/runs/explain/segmenttext.h"
+#include "core/runs/explain/shapereason.h"
+#include "core/runs/explain/variantreason.h"
+#include "core/scan/choicenames.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+/// What the step in which the kernel passed over a sample says; empty if it says nothing, or if the
+/// sample was written or not visited.
+QString passingText(const PixelAttempt &attempt, const ScanTrace &trace)
+{
+    if (!attempt.sample || attempt.written)
+        return {};
+    const TraceStep step = trace.stepAt(attempt.step);
+    return trace.sampleWords(step.span, step.sample - trace.firstSampleOf(step.span)).sentence;
+}
+
+/// What keeps a sample out: an edge of a triangle, or what the kernel found of a shape.
+QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
+                    std::int64_t y)
+{
+    if (attempt.kind == PrimitiveKind::Triangle)
+        return triangleRefusalText(attempt, traced, x, y);
+    const QString found = passingText(attempt, *traced.trace);
+    const QString uncovered = QStringLiteral("The %1 does not cover it.").arg(nameOf(attempt.kind));
+    return (found.isEmpty() && !attempt.written ? uncovered : found)
+        + (attempt.written ? stepOfPixelText(attempt, *traced.trace)
+                           : stepBesideText(attempt, *traced.trace, x, y))
+        + tieOfShapeText(attempt, traced, x, y);
+}
+
+QString channelText(const PixelAttempt &attempt, std::size_t channel, QChar name)
+{
+    return QStringLiteral("%1 = %2 → %3")
+        .arg(name)
+        .arg(toText(attempt.sample->colour[channel]))
+        .arg(std::clamp<std::int64_t>(attempt.sample->level[channel], 0, 255));
+}
+
+QString writtenText(const PixelAttempt &attempt)
+{
+    QString text = QStringLiteral("Writes %1, %2, %3.")
+                       .arg(channelText(attempt, 0, u'R'), channelText(attempt, 1, u'G'),
+                            channelText(attempt, 2, u'B'));
+    if (attempt.sample->clamped)
+        text += QStringLiteral(" A level went outside 0 … 255 and was clamped.");
+    return text;
+}
+
+/// The edges, or the segment of a triangle without area, on which a written sample lies, and why
+/// they are the triangle's own; empty where no rule gives an edge to one of its sides.
+QString keptTiesText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
+                     std::int64_t y)
+{
+    const FillRule rule = traced.scene.settings.fillRule;
+    if (attempt.verdict.zeroArea)
+        return QStringLiteral(" The triangle has no area, and %1.")
+            .arg(segmentText(traced.primitives.triangles[attempt.primitive], x, y));
+    if (rule == FillRule::Closed || rule == FillRule::Open)
+        return {};
+    const QString ties = tiesText(attempt, traced, x, y, TieSide::This);
+    return ties.isEmpty() ? ties : QStringLiteral(" The sample lies %1.").arg(ties);
+}
+
+/// The numbers by which the kernel took a sample of a triangle that the truth refuses; empty if it
+/// tests no samples.
+QString acceptingText(const PixelAttempt &attempt, const TracedScene &traced)
+{
+    if (attempt.kind != PrimitiveKind::Triangle)
+        return {};
+    QStringList accepted;
+    for (const SampleDecision &decision :
+         decisionsOf(traced.trace->numbers().sample, *attempt.sample)) {
+        if (!decision.value.isNone())
+            accepted.append(QStringLiteral("%1 = %2").arg(decision.title, term(decision.value)));
+    }
+    return accepted.isEmpty() ? QString()
+                              : QStringLiteral(" The run accepted it by its own numbers: %1.")
+                                    .arg(accepted.join(QStringLiteral(", ")));
+}
+
+/// Why the kernel passed over a sample that the truth covers.
+QString missedText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
+                   std::int64_t y)
+{
+    const ScanTrace &trace = *traced.trace;
+    if (attempt.primitive >= trace.primitiveCount())
+        return QStringLiteral("Not recorded: the recording ended at its limit before this pixel.");
+    if (attempt.sample)
+        return QStringLiteral("Missing: the truth covers it, but the kernel refused the sample.")
+            + (attempt.kind == PrimitiveKind::Triangle ? deciderText(attempt, traced) : QString());
+    if (trace.isCut())
+        return QStringLiteral("Not recorded: the recording ended at its limit before this pixel.");
+    if (!attempt.span)
+        return QStringLiteral("Missing: the truth covers it, the kernel did not come here.")
+            + stepBesideText(attempt, trace, x, y);
+    if (attempt.kind == PrimitiveKind::Line)
+        return QStringLiteral("Missing: the truth covers it, but the line's pixel here is another.")
+            + stepBesideText(attempt, trace, x, y) + tieOfShapeText(attempt, traced, x, y);
+    const SpanRecord &span = *attempt.span;
+    const std::int64_t place = span.place.axis == SpanAxis::Column ? y : x;
+    if (span.lower.isNone() && (place < span.firstSample || place >= span.endSample)) {
+        const QString decided = stepBesideText(attempt, trace, x, y);
+        const QString line = span.place.axis == SpanAxis::Column ? QStringLiteral("column")
+                                                                 : QStringLiteral("row");
+        if (!decided.isEmpty())
+            return QStringLiteral("Missing: the truth covers it, but in this %1 the kernel fills "
+                                  "only the samples %2 … %3.")
+                       .arg(line)
+                       .arg(span.firstSample)
+                       .arg(span.endSample - 1)
+                + decided;
+        // A box is clipped to the frame.
+        return span.firstDrawn < span.endDrawn
+            ? QStringLiteral("Missing: the truth covers it, but in this %1 the kernel tests only "
+                             "the samples %2 … %3.")
+                  .arg(line)
+                  .arg(span.firstDrawn)
+                  .arg(span.endDrawn - 1)
+            : QStringLiteral("Missing: the truth covers it, but in this %1 the kernel tests no "
+                             "sample of the frame.")
+                  .arg(line);
+    }
+    if (span.lower.isNone())
+        return QStringLiteral("Missing: the truth covers it, the kernel did not write it.");
+    return QStringLiteral("Missing: the truth covers it, but %1.").arg(boundsText(span));
+}
+
+/// What became of a sample that more than coverage and colour decided.
+QString shadedText(const PixelAttempt &attempt, const TracedScene &traced)
+{
+    const ScanTrace &trace = *traced.trace;
+    const TraceStep step = trace.stepAt(attempt.step);
+    const QString told
+        = trace.sampleWords(step.span, step.sample - trace.firstSampleOf(step.span)).sentence;
+    if (!attempt.written)
+        return told;
+    const Colour colour = unpacked(attempt.change.after);
+    QString text = QStringLiteral("Writes %1, %2, %3.")
+                       .arg(colour.red())
+                       .arg(colour.green())
+                       .arg(colour.blue());
+    if (!told.isEmpty())
+        text += u' ' + told;
+    if (attempt.sample->clamped)
+        text += QStringLiteral(" A level went outside 0 … 255 and was clamped.");
+    return text;
+}
+
+/// The sentences for any attempt.
+QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
+                    std::int64_t y)
+{
+    if (attempt.primitive < traced.trace->primitiveCount()) {
+        if (const auto rejection = rejectionOf(traced, attempt.primitive))
+            return (attempt.verdict.covered ? QStringLiteral("Missing: the truth covers it. ")
+                                            : QString())
+                + rejectionText(*rejection);
+    }
+    const bool isAntialiasedShape = attempt.kind != PrimitiveKind::Triangle
+        && oracle::truthOf(traced.primitives.appearance).antialiasing != Antialiasing::None
+        && traced.method->supports(Effect::Antialiasing);
+    if ((traced.shading() || isAntialiasedShape) && attempt.sample)
+        return shadedText(attempt, traced);
+    const auto approximation = [&] { return approximationText(*traced.trace, attempt.primitive); };
+    if (!attempt.written) {
+        return attempt.verdict.covered ? missedText(attempt, traced, x, y)
+                + variantText(attempt, traced, x, y) + approximation()
+                                       : refusalText(attempt, traced, x, y);
+    }
+    QString text = writtenText(attempt);
+    if (!attempt.verdict.covered)
+        return text + QStringLiteral(" Extra: the truth does not cover it")
+            + (attempt.exactColour[0].isNone()
+                   ? QStringLiteral(". ")
+                   : QStringLiteral("; the exact levels are those of %1. ")
+                         .arg(attempt.verdict.zeroArea
+                                  ? QStringLiteral("its segment, prolonged")
+                                  : QStringLiteral("the triangle's plane outside of it")))
+            + refusalText(attempt, traced, x, y).trimmed() + acceptingText(attempt, traced)
+            + variantText(attempt, traced, x, y) + approximation();
+    if (attempt.kind != PrimitiveKind::Triangle)
+        return text + stepOfPixelText(attempt, *traced.trace) + variantText(attempt, traced, x, y);
+    text += keptTiesText(attempt, traced, x, y);
+    if (isDecidedByOutline(attempt, *traced.trace))
+        text += stepBesideText(attempt, *traced.trace, x, y);
+    const Colour exact
+        = oracle::byteColourAt(traced.primitives.triangles[attempt.primitive], attempt.change.x,
+                               attempt.change.y, traced.scene.settings.rounding);
+    if (packed(exact) != attempt.change.after)
+        text += QStringLiteral(" The exact colour is %1, %2, %3.")
+                    .arg(exact.red())
+                    .arg(exact.green())
+                    .arg(exact.blue())
+            + variantText(attempt, traced, x, y);
+    return text;
+}
+
+} // namespace
+
+QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
+                 std::int64_t y)
+{
+    return withMinus(sentencesOn(attempt, traced, x, y));
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/explain/segmenttext.h"
+
+#include "core/methods/words/formulatext.h"
+#include "core/scan/degeneratesegment.h"
+
+namespace pixelplumb {
+
+namespace {
+
+/// "(9 − 1)·(3 − 1) − (5 − 1)·(6 − 1) = −4": twice the area, in px², of the triangle that the
+/// sample makes with the segment.
+QString areaText(const LatticePoint &first, const LatticePoint &last, const LatticePoint &sample)
+{
+    const Quantity area = Quantity::rational(doubledArea(first, last, sample), squareUnitsPerPixel);
+    return differenceText(last.x, first.x) + u'·' + differenceText(sample.y, first.y)
+        + QStringLiteral(" − ") + differenceText(last.y, first.y) + u'·'
+        + differenceText(sample.x, first.x) + QStringLiteral(" = ") + term(area);
+}
+
+} // namespace
+
+QString segmentText(const Triangle &triangle, std::int64_t x, std::int64_t y)
+{
+    const DegenerateSegment segment(triangle);
+    const LatticePoint first = segment.first().position;
+    const LatticePoint last = segment.last().position;
+    const LatticePoint sample = latticePixel(x, y);
+    if (first == last)
+        return QStringLiteral("its vertices are all at %1, which is %2the sample")
+            .arg(pointText(first), first == sample ? QString() : QStringLiteral("not "));
+    const QString its
+        = QStringLiteral("its segment from %1 to %2 ").arg(pointText(first), pointText(last));
+    const QString area = areaText(first, last, sample);
+    if (segment.covers(x, y))
+        return its + QStringLiteral("passes through the sample: ") + area;
+    if (doubledArea(first, last, sample) == 0)
+        return its
+            + QStringLiteral("lies in line with the sample, %1, but does not reach it").arg(area);
+    return its + QStringLiteral("passes the sample by: %1, not 0").arg(area);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/explain/shapereason.h"
+
+#include "core/oracle/lineoracle.h"
+#include "core/polygons/contours.h"
+#include "core/runs/spanheadings.h"
+#include "core/scan/choicenames.h"
+#include "core/trace/namednumbers.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Whether a sample lies on an edge, its ends included.
+bool isOn(const ContourEdge &edge, const LatticePoint &sample)
+{
+    const auto [first, last] = std::minmax(edge.from, edge.to);
+    return first <= sample && sample <= last && doubledArea(first, last, sample) == 0;
+}
+
+/// Says that only the fill rule keeps a sample out; empty if none of the polygon's edges has it.
+QString tieOfPolygonText(const Shape &polygon, FillRule rule, const LatticePoint &sample)
+{
+    const auto edges = contoursOf(polygon).edges;
+    const auto found = std::ranges::find_if(
+        edges, [&sample](const ContourEdge &edge) { return isOn(edge, sample); });
+    return found == edges.end()
+        ? QString()
+        : QStringLiteral(" The sample lies exactly on edge %1, and the rule %2 leaves it outside.")
+              .arg(found - edges.begin())
+              .arg(nameText(nameOf(rule)));
+}
+
+/// Says that the line is equally near to the pixel and to the one beside it; empty if it is not, or
+/// if the truth has neither.
+QString tieOfLineText(const Shape &line, std::int64_t x, std::int64_t y)
+{
+    const oracle::TrueLine truth(line.vertices[0], line.vertices[1]);
+    const std::int64_t along = truth.isSteep() ? y : x;
+    const std::int64_t across = truth.isSteep() ? x : y;
+    if (along < truth.first() || along >= truth.end() || !truth.isMidwayAt(along))
+        return {};
+    const std::int64_t greater = truth.nearestAt(along);
+    if (across != greater && across != greater - 1)
+        return {};
+    const QString axis = truth.isSteep() ? QStringLiteral("x") : QStringLiteral("y");
+    return QStringLiteral(
+               " A tie: the line passes exactly midway between %1 = %2 and %1 = %3 here, "
+               "and the truth takes the greater one.")
+        .arg(axis)
+        .arg(greater - 1)
+        .arg(greater);
+}
+
+QString stepText(const ScanTrace &trace, std::size_t span)
+{
+    const QString told = trace.spanWords(span).sentence;
+    return told.isEmpty() ? told : QStringLiteral(" %1: %2").arg(spanHeading(trace, span), told);
+}
+
+/// Whether the steps of a primitive walk along it, as a curve's do, and those of a line by t.
+bool isWalkedAlong(const PixelAttempt &attempt, const ScanTrace &trace)
+{
+    constexpr std::array walked = {PrimitiveKind::Line, PrimitiveKind::Circle,
+                                   PrimitiveKind::Ellipse, PrimitiveKind::Bezier};
+    const std::size_t first = trace.firstSpanOf(attempt.primitive);
+    return std::ranges::find(walked, attempt.kind) != walked.end()
+        && first < trace.endSpanOf(attempt.primitive)
+        && trace.placeOf(first).axis == SpanAxis::Free;
+}
+
+/// The first of a primitive's written samples that are nearest to a pixel; none if it wrote
+/// nothing.
+std::optional<std::size_t> nearestWritten(const ScanTrace &trace, std::size_t primitive,
+                                          std::int64_t x, std::int64_t y)
+{
+    std::optional<std::size_t> nearest;
+    std::int64_t least = 0;
+    const std::size_t end = trace.endSampleOf(trace.endSpanOf(primitive) - 1);
+    for (std::size_t i = trace.firstSampleOf(trace.firstSpanOf(primitive)); i < end; ++i) {
+        const PixelChange &change = trace.changes()[i];
+        const std::int64_t distance
+            = (change.x - x) * (change.x - x) + (change.y - y) * (change.y - y);
+        if (change.isWritten() && (!nearest || distance < least)) {
+            nearest = i;
+            least = distance;
+        }
+    }
+    return nearest;
+}
+
+/// The steps that wrote the four pixels next to this one show where a curve goes; if it passes none
+/// of them, the step that wrote the nearest.
+QString stepsNextToText(const ScanTrace &trace, std::size_t primitive, std::int64_t x,
+                        std::int64_t y)
+{
+    std::vector<std::size_t> spans;
+    constexpr std::array<std::array<int, 2>, 4> sides = {{{0, 1}, {0, -1}, {1, 0}, {-1, 0}}};
+    for (const auto &[right, up] : sides) {
+        const auto visit = trace.visitOf(primitive, x + right, y + up);
+        if (!visit || !trace.changes()[*visit].isWritten())
+            continue;
+        if (const std::size_t span = trace.spanOf(*visit); std::ranges::count(spans, span) == 0)
+            spans.push_back(span);
+    }
+    if (spans.empty()) {
+        if (const auto nearest = nearestWritten(trace, primitive, x, y))
+            spans.push_back(trace.spanOf(*nearest));
+        else if (!trace.isCut())
+            return QStringLiteral(" None of its steps writes a pixel of the frame.");
+    }
+    std::ranges::sort(spans);
+    QString text;
+    for (const std::size_t span : spans)
+        text += stepText(trace, span);
+    return text;
+}
+
+/// That a line's walk has no step in the pixel's column or row; empty where it has, or has none.
+QString noStepText(const ScanTrace &trace, std::size_t primitive, std::int64_t x, std::int64_t y)
+{
+    const std::size_t first = trace.firstSpanOf(primitive);
+    const std::size_t end = trace.endSpanOf(primitive);
+    if (first >= end || trace.isCut())
+        return {};
+    const SpanAxis axis = trace.placeOf(first).axis;
+    std::int64_t least = trace.placeOf(first).coordinate;
+    std::int64_t greatest = least;
+    for (std::size_t span = first; span < end; ++span) {
+        least = std::min(least, trace.placeOf(span).coordinate);
+        greatest = std::max(greatest, trace.placeOf(span).coordinate);
+    }
+    const bool isColumn = axis == SpanAxis::Column;
+    const QString kind = isColumn ? QStringLiteral("column") : QStringLiteral("row");
+    const QString steps = least == greatest
+        ? QStringLiteral("its only step in the frame is that of the %1 %2").arg(kind).arg(least)
+        : QStringLiteral("its steps in the frame are those of the %1s %2 … %3")
+              .arg(kind)
+              .arg(least)
+              .arg(greatest);
+    return QStringLiteral(" The walk along the line has no step on the %1 %2: %3.")
+        .arg(kind)
+        .arg(isColumn ? x : y)
+        .arg(steps);
+}
+
+} // namespace
+
+bool isDecidedByOutline(const PixelAttempt &attempt, const ScanTrace &trace)
+{
+    return attempt.kind == PrimitiveKind::Triangle
+        && hasNumber(trace.numbers().span, QStringLiteral("edge_low"));
+}
+
+bool isUntested(const PixelAttempt &attempt, const ScanTrace &trace)
+{
+    const auto &numbers = trace.numbers().span;
+    const bool isOfBox = hasNumber(numbers, QStringLiteral("x_min"))
+        || hasNumber(numbers, QStringLiteral("y_min"));
+    return !attempt.sample && !trace.isCut() && isOfBox;
+}
+
+QString stepBesideText(const PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x,
+                       std::int64_t y)
+{
+    if (attempt.primitive >= trace.primitiveCount())
+        return {};
+    if (isWalkedAlong(attempt, trace))
+        return stepsNextToText(trace, attempt.primitive, x, y);
+    const auto step = trace.spanNear(attempt.primitive, x, y);
+    // Steps along its edges.
+    const bool isOutline = attempt.kind == PrimitiveKind::Polygon
+        && hasNumber(trace.numbers().span, QStringLiteral("p_k"));
+    const bool isTold = attempt.kind == PrimitiveKind::Line || isDecidedByOutline(attempt, trace)
+        || (step && !attempt.sample && attempt.kind != PrimitiveKind::Triangle
+            && (trace.placeOf(*step).axis == SpanAxis::Row || isOutline));
+    if (!step && attempt.kind == PrimitiveKind::Line)
+        return noStepText(trace, attempt.primitive, x, y);
+    return step && isTold ? stepText(trace, *step) : QString();
+}
+
+QString stepOfPixelText(const PixelAttempt &attempt, const ScanTrace &trace)
+{
+    if (!attempt.written)
+        return {};
+    const TraceStep step = trace.stepAt(attempt.step);
+    const QString told
+        = trace.sampleWords(step.span, step.sample - trace.firstSampleOf(step.span)).sentence;
+    // What decides samples of a row is how its edges cross it.
+    const bool hasCrossings = attempt.kind == PrimitiveKind::Polygon && !attempt.verdict.covered
+        && trace.placeOf(step.span).axis == SpanAxis::Row;
+    if (told.isEmpty() || hasCrossings)
+        return (told.isEmpty() ? told : u' ' + told) + stepText(trace, step.span);
+    return u' ' + told;
+}
+
+QString tieOfShapeText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
+                       std::int64_t y)
+{
+    if (attempt.kind == PrimitiveKind::Polygon)
+        return tieOfPolygonText(traced.primitives.shape(attempt.primitive),
+                                traced.scene.settings.fillRule, latticePixel(x, y));
+    if (attempt.kind == PrimitiveKind::Line)
+        return tieOfLineText(traced.primitives.shape(attempt.primitive), x, y);
+    return {};
+}
+
+QString approximationText(const ScanTrace &trace, std::size_t primitive)
+{
+    if (primitive >= trace.primitiveCount())
+        return {};
+    const SetUpRecord setUp = trace.setUp(primitive);
+    const NamedNumbers numbers(trace.numbers().setUp, setUp.cells);
+    if (const Quantity moved = numbers[QStringLiteral("moved")];
+        !moved.isNone() && moved.toDouble() > 0)
+        return QStringLiteral(" Its crossings were moved to multiples of 1/256 px, by %1 px at "
+                              "most, and tilt the edges that meet there.")
+            .arg(moved.toDouble(), 0, 'g', 3);
+    if (!numbers[QStringLiteral("curves")].isNone())
+        return QStringLiteral(" What was filled are its chords, which leave the curves by 1/32 px "
+                              "at most.");
+    return {};
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/fields/referredfiles.h"
+
+#include "core/scene/files/fileaccess.h"
+#include "core/scene/files/meshfile.h"
+#include "core/scene/files/texturefile.h"
+#include "core/scene/scenefile.h"
+#include "core/scene/text/jsonreader.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QSet>
+
+namespace pixelplumb {
+
+namespace {
+
+/// For a whole scene: four of the largest textures.
+constexpr std::size_t mostTexels = std::size_t(4) * largestTextureSide * largestTextureSide;
+
+} // namespace
+
+QString ReferredFiles::pathOf(const QString &name) const
+{
+    return QDir::cleanPath(QDir(m_folder).absoluteFilePath(name));
+}
+
+Result<std::shared_ptr<const Texture>> ReferredFiles::texture(const QString &name)
+{
+    const bool isChecker = name == QStringLiteral("checker");
+    const QString path = isChecker ? name : pathOf(name);
+    if (const auto known = m_textures.value(path))
+        return known;
+    Result<Texture> texture = isChecker ? checkerTexture() : readTexture(path);
+    if (!texture)
+        return texture.error();
+    m_texels += texture->texels.size();
+    if (m_texels > mostTexels)
+        return InputError{path,
+                          QStringLiteral("the scene's textures have %1 texels, %2 MiB")
+                              .arg(m_texels)
+                              .arg(m_texels * sizeof(Colour) >> 20),
+                          QStringLiteral("at most %1 in all").arg(mostTexels)};
+    return m_textures[path] = std::make_shared<const Texture>(std::move(*texture));
+}
+
+Result<std::shared_ptr<const Mesh>> ReferredFiles::mesh(const QString &name)
+{
+    const QString path = pathOf(name);
+    if (const auto known = m_meshes.value(path))
+        return known;
+    Result<Mesh> mesh = readMesh(path, m_listener);
+    if (!mesh)
+        return mesh.error();
+    return m_meshes[path] = std::make_shared<const Mesh>(std::move(*mesh));
+}
+
+qint64 bytesToRead(const QString &path)
+{
+    const QFileInfo file(path);
+    qint64 bytes = file.size();
+    if (!file.isFile() || bytes > shortText)
+        return bytes;
+    const Result<QByteArray> text = readFile(path);
+    if (!text)
+        return bytes;
+    QSet<QString> names;
+    const JsonReader json(*text);
+    const JsonNode materials = json.root()["materials"];
+    for (const QString &material : materials.keys())
+        names.insert(materials[material]["texture"].toString());
+    for (const JsonNode &primitive : json.root()["primitives"].elements())
+        names.insert(primitive["mesh"].toString());
+    names.remove(QString());
+    for (const QString &name : names)
+        bytes += QFileInfo(file.absoluteDir().absoluteFilePath(name)).size();
+    return bytes;
+}
+
+QString nameInFolder(const std::string &name, const QString &folder)
+{
+    const QString path = QString::fromStdString(name);
+    if (folder.isEmpty() || QDir::isRelativePath(path))
+        return path;
+    return QDir(folder).relativeFilePath(path);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/method.h"
+#include "core/scene/fields/appearancereader.h"
+#include "core/scene/fields/camerareader.h"
+#include "core/scene/fields/framereader.h"
+#include "core/scene/fields/primitivereader.h"
+#include "core/scene/files/fileaccess.h"
+#include "core/scene/text/choicereader.h"
+#include "core/scene/text/colourreader.h"
+
+#include <QFileInfo>
+
+#include <functional>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr auto primitivesKey = "primitives";
+
+/// Reads the parts of a scene from JSON; errors stay with the JsonReader.
+class SceneReader {
+public:
+    using MayGoOn = std::function<bool(qint64 offset)>;
+
+    SceneReader(JsonReader &json, ReferredFiles files, MayGoOn mayGoOn)
+        : m_json(json)
+        , m_mayGoOn(std::move(mayGoOn))
+        , m_current{{}, std::move(files)}
+    {
+    }
+
+    SceneReading read()
+    {
+        readSurroundings();
+        readPrimitives(m_json.root()[primitivesKey]);
+        chooseMethod(m_json.root());
+        return std::move(m_current.reading);
+    }
+
+private:
+    /// Everything except the primitives and the choice of a method, which depends on them.
+    void readSurroundings()
+    {
+        const JsonNode root = m_json.root();
+        readFormat(root);
+        const QStringList keys
+            = {"pixelplumb",     "frame",    "method",   "arithmetic", "fillRule",
+               "offScreenPoint", "rounding", "variants", "camera",     "motion"};
+        m_json.expectObject(root, keys + appearanceKeys() + QStringList{primitivesKey});
+        m_current.reading.scene.frame = readFrame(m_json, root["frame"]);
+        readSettings(root);
+        NumberReader numbers(m_json, m_current.reading.snaps);
+        Scene &scene = m_current.reading.scene;
+        if (const JsonNode point = root["offScreenPoint"]; !point.isMissing())
+            scene.frame.offScreenPoint = numbers.position(point);
+        if (const JsonNode camera = root["camera"]; !camera.isMissing())
+            scene.camera = readCamera(m_json, numbers, camera);
+        if (const JsonNode motion = root["motion"]; !motion.isMissing())
+            scene.motion = readMotion(numbers, motion);
+        scene.appearance = readAppearance(m_json, numbers, m_current.files, root);
+    }
+
+    /// Checked first: a newer file may have keys that this program does not know.
+    void readFormat(const JsonNode &root)
+    {
+        const JsonNode format = root["pixelplumb"];
+        if (!root.isObject() || format.isMissing()) {
+            m_json.fail(format, QStringLiteral("no format number: this is no Pixelplumb scene"),
+                        QStringLiteral("\"pixelplumb\": %1").arg(sceneFormat));
+            return;
+        }
+        const qint64 number = format.toInteger(0);
+        if (number > sceneFormat) {
+            m_json.fail(format,
+                        QStringLiteral("written by a newer Pixelplumb (format %1)").arg(number),
+                        QStringLiteral("a format up to %1, the newest that this one reads")
+                            .arg(sceneFormat));
+            return;
+        }
+        m_json.integer(format, 1, sceneFormat);
+    }
+
+    Motion readMotion(NumberReader &numbers, const JsonNode &node)
+    {
+        m_json.expectObject(node, {"by", "frames"});
+        Motion motion;
+        motion.by = numbers.position(node["by"]);
+        motion.frames = int(m_json.integer(node["frames"], 2, largestFrameCount));
+        return motion;
+    }
+
+    void readSettings(const JsonNode &root)
+    {
+        Scene &scene = m_current.reading.scene;
+        readChoice(m_json, root["arithmetic"], allArithmetics, scene.settings.arithmetic);
+        readChoice(m_json, root["fillRule"], allFillRules, scene.settings.fillRule);
+        readChoice(m_json, root["rounding"], allByteRoundings, scene.settings.rounding);
+        scene.settings.variants = readVariants(m_json, root["variants"]);
+    }
+
+    /// Before every 1024 primitives the listener is asked whether to go on.
+    void readPrimitives(const JsonNode &node)
+    {
+        constexpr qsizetype betweenProgress = 1024;
+        if (!node.isArray())
+            m_json.fail(node, describe(node), QStringLiteral("an array"));
+        const QString path = node.path();
+        qsizetype index = 0;
+        node.visitElements([&](const JsonNode &primitive) {
+            if (index % betweenProgress == 0 && !m_mayGoOn(primitive.offset()))
+                m_json.fail(readingCancelled({}));
+            if (m_json.hasFailed())
+                return false;
+            JsonReader json(m_json, primitive, elementPath(path, index++));
+            PrimitiveReader(json, m_current).read(json.root());
+            if (json.hasFailed())
+                m_json.fail(json.error());
+            return !json.hasFailed();
+        });
+    }
+
+    /// The method that the scene names, or methodFor() it.
+    void chooseMethod(const JsonNode &root)
+    {
+        Scene &scene = m_current.reading.scene;
+        const JsonNode node = root["method"];
+        OpenSettings &open = m_current.reading.open;
+        open = {node.isMissing(), root["arithmetic"].isMissing(), root["fillRule"].isMissing()};
+        const Method *method = nullptr;
+        if (open.method) {
+            method = &methodFor(scene, open);
+        } else {
+            method = methodNamed(m_json.string(node));
+            if (method == nullptr) {
+                QStringList ids;
+                for (const Method &each : methods())
+                    ids.append(each.id);
+                m_json.fail(node, describe(node), anyOf(ids));
+                return;
+            }
+        }
+        scene.method = method->id.toStdString();
+        scene.settings = settledFor(*method, scene.settings, open);
+        const QString refusal = method->refusal(scene.settings);
+        if (!refusal.isEmpty() && open.method)
+            m_json.fail(
+                root[open.fillRule ? QStringLiteral("arithmetic") : QStringLiteral("fillRule")],
+                refusalOfAll(scene, open), {});
+        else if (!refusal.isEmpty())
+            m_json.fail(refusedNode(*method, root), refusal, {});
+    }
+
+    /// The node of the setting that the method does not support.
+    JsonNode refusedNode(const Method &method, const JsonNode &root) const
+    {
+        const ScanSettings &settings = m_current.reading.scene.settings;
+        if (!method.supports(settings.arithmetic))
+            return root["arithmetic"];
+        return root[method.supports(settings.fillRule) ? QStringLiteral("variants")
+                                                       : QStringLiteral("fillRule")];
+    }
+
+    JsonReader &m_json;
+    MayGoOn m_mayGoOn;
+    CurrentScene m_current;
+};
+
+} // namespace
+
+QString SnapReport::message() const
+{
+    return QStringLiteral("%1: %2 is %3 %4, displaced by %5%6")
+        .arg(place, written, QLatin1String(format->use), numberText(snapped.units, *format),
+             toText(snapped.displacement), QLatin1String(format->unit));
+}
+
+Result<SceneReading> readScene(const QByteArray &text, const ProgressListener &listener,
+                               const QString &folder)
+{
+    const auto mayGoOn = [&](qint64 offset) {
+        return text.size() <= shortText
+            || goesOn(listener, {JobPhase::Reading, offset, text.size()});
+    };
+    if (!mayGoOn(0))
+        return readingCancelled({});
+    JsonReader json(text, primitivesKey);
+    if (json.hasFailed())
+        return json.error();
+    SceneReading reading = SceneReader(json, ReferredFiles(folder, listener), mayGoOn).read();
+    if (json.hasFailed())
+        return json.error();
+    return reading;
+}
+
+Scene readScene(JsonReader &json, const JsonNode &node, const QString &folder)
+{
+    JsonReader part(json, node, node.path(), primitivesKey);
+    const auto mayGoOn = [](qint64) { return true; };
+    SceneReading reading = SceneReader(part, ReferredFiles(folder, {}), mayGoOn).read();
+    if (part.hasFailed())
+        json.fail(part.error());
+    return reading.scene;
+}
+
+Result<SceneReading> readSceneFile(const QString &path, const ProgressListener &listener)
+{
+    const Result<QByteArray> text = readRegularFile(path);
+    if (!text)
+        return text.error();
+    Result<SceneReading> reading = readScene(*text, listener, QFileInfo(path).absolutePath());
+    if (reading)
+        return reading;
+    return errorIn(path, reading.error());
+}
+
+} // namespace pixelplumb

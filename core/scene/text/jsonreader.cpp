@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/text/jsonreader.h"
+
+#include "core/scene/text/shortened.h"
+
+#include <QLocale>
+
+#include <cmath>
+#include <limits>
+
+namespace pixelplumb {
+
+JsonReader::JsonReader(const QByteArray &text, QByteArrayView folded)
+{
+    if (Result<JsonText> parsed = parseJson(text, folded))
+        m_text = std::move(*parsed);
+    else
+        m_error = parsed.error();
+}
+
+JsonReader::JsonReader(const JsonReader &whole, const JsonNode &node, const QString &path,
+                       QByteArrayView folded)
+    : m_text(unfolded(whole.m_text, node.offset(), path, folded))
+{
+}
+
+void JsonReader::fail(const JsonNode &node, const QString &found, const QString &expected)
+{
+    if (!m_error)
+        m_error = InputError{placeOf(m_text.text, node.offset(), node.path()), found, expected};
+}
+
+void JsonReader::fail(const InputError &error)
+{
+    if (!m_error)
+        m_error = error;
+}
+
+void JsonReader::expectObject(const JsonNode &node, const QStringList &keys)
+{
+    if (!node.isObject()) {
+        fail(node, describe(node), QStringLiteral("an object"));
+        return;
+    }
+    if (node.hasOnly(keys))
+        return;
+    for (const QString &key : node.keys()) {
+        if (!keys.contains(key)) {
+            // For a long key the place is the object.
+            fail(key.size() > longestQuote ? node : node[key],
+                 QStringLiteral("unknown key “%1”").arg(shortened(key)),
+                 QStringLiteral("one of ") + keys.join(QStringLiteral(", ")));
+            return;
+        }
+    }
+}
+
+QString JsonReader::string(const JsonNode &node)
+{
+    if (!node.isString())
+        fail(node, describe(node), QStringLiteral("a string"));
+    return node.toString();
+}
+
+bool JsonReader::boolean(const JsonNode &node)
+{
+    if (!node.isBoolean())
+        fail(node, describe(node), QStringLiteral("true or false"));
+    return node.isTrue();
+}
+
+qint64 JsonReader::integer(const JsonNode &node, qint64 first, qint64 last)
+{
+    constexpr qint64 none = std::numeric_limits<qint64>::min();
+    const qint64 value = node.toInteger(none);
+    if (value >= first && value <= last && value != none)
+        return value;
+    fail(node, describe(node),
+         first == last ? QStringLiteral("the integer %1").arg(first)
+                       : QStringLiteral("an integer from %1 to %2").arg(first).arg(last));
+    return first;
+}
+
+std::vector<JsonNode> JsonReader::array(const JsonNode &node)
+{
+    if (!node.isArray())
+        fail(node, describe(node), QStringLiteral("an array"));
+    return node.elements();
+}
+
+std::vector<JsonNode> JsonReader::array(const JsonNode &node, qsizetype size)
+{
+    std::vector<JsonNode> nodes = array(node);
+    if (qsizetype(nodes.size()) != size)
+        fail(node, describe(node), QStringLiteral("an array of %1").arg(size));
+    nodes.resize(std::size_t(size));
+    return nodes;
+}
+
+QString describe(const JsonNode &node)
+{
+    if (node.isMissing())
+        return QStringLiteral("nothing");
+    if (node.isString())
+        return QStringLiteral("“%1”").arg(shortened(node.toString()));
+    if (node.isArray())
+        return QStringLiteral("an array of %1").arg(node.size());
+    if (node.isObject())
+        return QStringLiteral("an object");
+    return shortened(QString::fromUtf8(node.written()));
+}
+
+QString numberText(double number)
+{
+    // −0 is written as 0.
+    if (std::floor(number) == number && std::abs(number) < 1e60)
+        return QString::number(number + 0.0, 'f', 0);
+    return QString::number(number, 'g', QLocale::FloatingPointShortest);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/text/result.h"
+
+namespace pixelplumb {
+
+QString InputError::message() const
+{
+    QString text = found;
+    if (!place.isEmpty())
+        text.prepend(place + QStringLiteral(": "));
+    if (!expected.isEmpty())
+        text += QStringLiteral("; expected ") + expected;
+    return text;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/listings/listinglanguage.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace pixelplumb {
+
+namespace {
+
+/// "0 ≤ α ≤ 1".
+bool holdsChain(const QString &comparison, const ListingNames &names)
+{
+    const QString signs = QStringLiteral("<≤=≠≥>");
+    std::vector<BigRational> values;
+    QString between, side;
+    const auto end = [&] { values.push_back(valueOf(side.trimmed(), names)); };
+    for (const QChar character : comparison) {
+        if (!signs.contains(character)) {
+            side += character;
+            continue;
+        }
+        end();
+        side.clear();
+        between += character;
+    }
+    end();
+    if (between.isEmpty())
+        throw ListingFault(QStringLiteral("compares nothing: ") + comparison);
+    for (qsizetype i = 0; i < between.size(); ++i) {
+        const BigRational &a = values[std::size_t(i)];
+        const BigRational &b = values[std::size_t(i) + 1];
+        const QChar sign = between[i];
+        const bool isTrue = (sign == u'<' && a < b) || (sign == u'≤' && a <= b)
+            || (sign == u'=' && a == b) || (sign == u'≠' && a != b) || (sign == u'≥' && a >= b)
+            || (sign == u'>' && a > b);
+        if (!isTrue)
+            return false;
+    }
+    return true;
+}
+
+/// "A > 0, or A = 0 and B > 0".
+bool holdsOne(const QString &test, const ListingNames &names)
+{
+    const QStringList ways = test.split(QStringLiteral(", or "));
+    return std::ranges::any_of(ways, [&names](const QString &way) {
+        const QString rule = way.section(QStringLiteral(" by "), 1);
+        if (!rule.isEmpty() && !names.contains(rule))
+            return false;
+        const QStringList comparisons
+            = way.section(QStringLiteral(" by "), 0, 0).split(QStringLiteral(" and "));
+        return std::ranges::all_of(
+            comparisons, [&names](const QString &each) { return holdsChain(each, names); });
+    });
+}
+
+} // namespace
+
+bool holds(const QString &condition, const ListingNames &names)
+{
+    const QStringList tests = spelledOut(condition);
+    return std::ranges::all_of(tests,
+                               [&names](const QString &test) { return holdsOne(test, names); });
+}
+
+} // namespace pixelplumb

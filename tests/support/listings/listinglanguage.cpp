@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/listings/listinglanguage.h"
+
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+using Number = BigRational;
+
+Number floorOf(const Number &value)
+{
+    const BigInteger top = numerator(value), bottom = denominator(value);
+    const BigInteger whole = top / bottom; // towards 0
+    return Number(top < 0 && whole * bottom != top ? BigInteger(whole - 1) : whole);
+}
+
+/// Exact where the root is a fraction; else down to 2⁻⁶⁴.
+Number rootOf(const Number &value)
+{
+    const auto root = [](const BigInteger &whole) { return BigInteger(sqrt(whole)); };
+    const Number exact(root(numerator(value)), root(denominator(value)));
+    if (exact * exact == value)
+        return exact;
+    const Number scale(BigInteger(1) << 64);
+    return Number(root(BigInteger(numerator(floorOf(value * scale * scale))))) / scale;
+}
+
+/// Reads an expression from left to right.
+class Reader {
+public:
+    Reader(const QString &text, const ListingNames &names)
+        : m_text(text)
+        , m_names(names)
+    {
+    }
+
+    Number result()
+    {
+        const Number value = sum();
+        if (m_place != m_text.size())
+            throw ListingFault(QStringLiteral("cannot read “%1”").arg(m_text));
+        return value;
+    }
+
+private:
+    bool takes(const QString &token)
+    {
+        if (!QStringView(m_text).sliced(m_place).startsWith(token))
+            return false;
+        m_place += token.size();
+        return true;
+    }
+    Number sum()
+    {
+        Number value = product();
+        for (;;) {
+            if (takes(QStringLiteral(" + ")))
+                value += product();
+            else if (takes(QStringLiteral(" − ")))
+                value -= product();
+            else
+                return value;
+        }
+    }
+    Number product()
+    {
+        Number value = factor();
+        for (;;) {
+            if (takes(QStringLiteral("·"))) {
+                value *= factor();
+            } else if (takes(QStringLiteral("/"))) {
+                const Number divisor = factor();
+                if (divisor == 0)
+                    throw ListingFault(QStringLiteral("divides by 0: ") + m_text);
+                value /= divisor;
+            } else if (takes(QStringLiteral(" mod "))) {
+                const Number divisor = factor();
+                value -= divisor * floorOf(value / divisor);
+            } else {
+                return value;
+            }
+        }
+    }
+    Number factor()
+    {
+        if (takes(QStringLiteral("−")))
+            return -factor();
+        if (takes(QStringLiteral("cos ")))
+            return Number(std::cos(factor().convert_to<double>()));
+        if (takes(QStringLiteral("sin ")))
+            return Number(std::sin(factor().convert_to<double>()));
+        if (takes(QStringLiteral("√")))
+            return rootOf(factor());
+        const Number value = plainFactor();
+        return takes(QStringLiteral("²")) ? Number(value * value) : value;
+    }
+    Number plainFactor()
+    {
+        if (takes(QStringLiteral("(int)("))) {
+            const Number value = upTo(QStringLiteral(")"));
+            return value < 0 ? -floorOf(-value) : floorOf(value);
+        }
+        if (takes(QStringLiteral("(")))
+            return upTo(QStringLiteral(")"));
+        if (takes(QStringLiteral("⌊")))
+            return floorOf(upTo(QStringLiteral("⌋")));
+        if (takes(QStringLiteral("⌈")))
+            return -floorOf(-upTo(QStringLiteral("⌉")));
+        if (takes(QStringLiteral("|"))) {
+            const Number value = upTo(QStringLiteral("|"));
+            return value < 0 ? Number(-value) : value;
+        }
+        if (takes(QStringLiteral("½")))
+            return Number(1, 2);
+        if (takes(QStringLiteral("¼")))
+            return Number(1, 4);
+        const qsizetype first = m_place;
+        while (m_place < m_text.size() && m_text[m_place] >= u'0' && m_text[m_place] <= u'9')
+            ++m_place;
+        if (m_place == first)
+            return named();
+        const Number value(m_text.sliced(first, m_place - first).toStdString());
+        // A number before a name multiplies: 2Δy
+        return m_place < m_text.size() && m_text[m_place].isLetter() ? value * named() : value;
+    }
+    Number upTo(const QString &end)
+    {
+        const Number value = sum();
+        if (!takes(end))
+            throw ListingFault(QStringLiteral("not closed: ") + m_text);
+        return value;
+    }
+    /// The longest name that starts here and ends at a word boundary.
+    Number named()
+    {
+        const std::pair<const QString, Number> *longest = nullptr;
+        const QString begin = m_text.mid(m_place, 1);
+        for (auto entry = m_names.lower_bound(begin);
+             entry != m_names.end() && entry->first.startsWith(begin); ++entry) {
+            const qsizetype end = m_place + entry->first.size();
+            if (QStringView(m_text).sliced(m_place).startsWith(entry->first)
+                && (end == m_text.size() || !belongsToName(m_text[end]))
+                && (!longest || entry->first.size() > longest->first.size()))
+                longest = &*entry;
+        }
+        if (!longest)
+            throw ListingFault(
+                QStringLiteral("no value of “%1” in: %2").arg(m_text.sliced(m_place), m_text));
+        m_place += longest->first.size();
+        return longest->second;
+    }
+
+    const QString &m_text;
+    const ListingNames &m_names;
+    qsizetype m_place = 0;
+};
+
+} // namespace
+
+bool belongsToName(QChar character)
+{
+    const char16_t code = character.unicode();
+    const bool isSubscript
+        = (code >= 0x2080 && code <= 0x209C) || (code >= 0x1D62 && code <= 0x1D6A);
+    return (character.isLetterOrNumber() && character != u'²') || character == u'_' || isSubscript;
+}
+
+BigRational valueOf(const QString &expression, const ListingNames &names)
+{
+    return Reader(expression, names).result();
+}
+
+} // namespace pixelplumb

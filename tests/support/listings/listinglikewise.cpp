@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/listings/listinglanguage.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace pixelplumb {
+
+namespace {
+
+const QString likewise = QStringLiteral(" likewise");
+
+/// Replaces one of three names by the next one: "bc" → "ca".
+struct Cycle {
+    std::array<QString, 3> each;
+    QString before, after; ///< what must surround the name; an empty `after` means the name's end
+
+    qsizetype stepAt(const QString &text, qsizetype place, QString &result) const
+    {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const QString whole = before + each[i] + after;
+            if (!QStringView(text).sliced(place).startsWith(whole))
+                continue;
+            const qsizetype end = place + whole.size();
+            const bool ends = !after.isEmpty() || end == text.size() || !belongsToName(text[end]);
+            if (!before.isEmpty() && !ends)
+                continue;
+            result += before + each[(i + 1) % 3] + after;
+            return whole.size();
+        }
+        return 0;
+    }
+};
+
+QString turned(const QString &text, const std::vector<Cycle> &cycles)
+{
+    QString result;
+    for (qsizetype place = 0; place < text.size();) {
+        qsizetype taken = 0;
+        for (const Cycle &cycle : cycles) {
+            if ((taken = cycle.stepAt(text, place, result)) > 0)
+                break;
+        }
+        if (taken == 0)
+            result += text[place];
+        place += std::max<qsizetype>(taken, 1);
+    }
+    return result;
+}
+
+/// The text with the next edge, its vertices and the weight of the opposite vertex.
+QString nextEdge(const QString &text)
+{
+    const QString none, bar = QStringLiteral("_"), open = QStringLiteral("("),
+                        close = QStringLiteral(")");
+    return turned(text,
+                  {{{QStringLiteral("bc"), QStringLiteral("ca"), QStringLiteral("ab")}, bar, none},
+                   {{QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")}, bar, none},
+                   {{QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")}, open, close},
+                   {{QStringLiteral("₀"), QStringLiteral("₁"), QStringLiteral("₂")}, none, none},
+                   {{QStringLiteral("α"), QStringLiteral("β"), QStringLiteral("γ")}, none, none}});
+}
+
+/// Whether a name starts here, whatever change (Δ or δ) it may be of.
+bool startsName(const QString &text, qsizetype place)
+{
+    const QChar before = place == 0 ? QChar(u' ') : text[place - 1];
+    return before == u'Δ' || before == u'δ' || !belongsToName(before);
+}
+
+/// What is done to a coordinate along an edge, done to R: y₀₂ → R₀₂, m₀₂ → δR₀₂. The coordinate is
+/// the first one that the text names. Conditions stay.
+QString coordinateAsChannel(const QString &text)
+{
+    static const QRegularExpression firstCoordinate(QStringLiteral("[xy]"));
+    const qsizetype first = text.indexOf(firstCoordinate);
+    if (first < 0)
+        return text;
+    const QChar coordinate = text[first];
+    QString result;
+    bool isCondition = false;
+    for (qsizetype place = 0; place < text.size(); ++place) {
+        const QStringView rest = QStringView(text).sliced(place);
+        isCondition = rest.startsWith(QStringLiteral(" if "))
+            || (isCondition && !rest.startsWith(QStringLiteral(", else ")));
+        const bool isTurned
+            = !isCondition && startsName(text, place) && rest.size() > 1 && belongsToName(rest[1]);
+        if (isTurned && rest[0] == u'm')
+            result += QStringLiteral("δR");
+        else
+            result += isTurned && rest[0] == coordinate ? QChar(u'R') : rest[0];
+    }
+    return result;
+}
+
+/// The text with the next channel: R, R_a, R₀, ΔR_x; R after a coordinate.
+QString nextChannel(const QString &text)
+{
+    if (QStringLiteral("xym").contains(text.front()))
+        return coordinateAsChannel(text);
+    const QString letters = QStringLiteral("RGB");
+    QString result = text;
+    for (qsizetype place = 0; place < text.size(); ++place) {
+        const qsizetype channel = letters.indexOf(text[place]);
+        if (channel >= 0 && startsName(text, place))
+            result[place] = letters[(channel + 1) % 3];
+    }
+    return result;
+}
+
+/// Whether a name of the text begins with these letters.
+bool hasName(const QString &text, const QString &letters)
+{
+    qsizetype place = text.indexOf(letters);
+    while (place >= 0 && !startsName(text, place))
+        place = text.indexOf(letters, place + 1);
+    return place >= 0;
+}
+
+} // namespace
+
+QStringList spelledOut(const QString &text)
+{
+    QStringList parts;
+    for (const QString &part : text.split(QStringLiteral("; "))) {
+        if (!part.endsWith(likewise)) {
+            parts.append(part);
+            continue;
+        }
+        if (parts.isEmpty())
+            throw ListingFault(QStringLiteral("like what: ") + text);
+        const QString pattern = parts.constLast();
+        const QStringList names = part.chopped(likewise.size())
+                                      .replace(QStringLiteral(" and "), QStringLiteral(", "))
+                                      .split(QStringLiteral(", "));
+        QString edge = pattern, channel = pattern;
+        for (const QString &name : names) {
+            edge = nextEdge(edge);
+            channel = nextChannel(channel);
+            const bool isEdge = edge != pattern && hasName(edge, name);
+            if (!isEdge && (channel == pattern || !hasName(channel, name)))
+                throw ListingFault(QStringLiteral("no “%1” in: %2").arg(name, text));
+            parts.append(isEdge ? edge : channel);
+        }
+    }
+    return parts;
+}
+
+} // namespace pixelplumb

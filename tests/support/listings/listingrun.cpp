@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/listings/listingrun.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <utility>
+
+namespace pixelplumb {
+
+namespace {
+
+QString withoutRemark(const QString &line) { return line.section(QStringLiteral(" — "), 0, 0); }
+
+} // namespace
+
+void ListingRun::run()
+{
+    const auto isOfLoops = [](const PseudocodeLine &line) {
+        return std::ranges::find(line.moments, Moment::SetUp) == line.moments.end()
+            && std::ranges::find(line.moments, Moment::Rejected) == line.moments.end();
+    };
+    const auto first = std::ranges::find_if(m_code, isOfLoops);
+    m_state.set(QStringLiteral("x_min"), m_box.firstX);
+    m_state.set(QStringLiteral("y_min"), m_box.firstY);
+    runSetUp(std::size_t(first - m_code.begin()));
+    runBlock(std::size_t(first - m_code.begin()), m_code.size());
+}
+
+void ListingRun::runSetUp(std::size_t end)
+{
+    for (std::size_t line = 0; line < end; ++line) {
+        const QString text = withoutRemark(m_code[line].text);
+        if (m_setUp == SetUp::Run) {
+            if (!text.startsWith(QStringLiteral("if no sample"))
+                && !text.endsWith(QStringLiteral(" of the shape")))
+                runLine(line);
+            continue;
+        }
+        if (text.startsWith(QStringLiteral("sort the vertices ")))
+            m_state.run(text);
+        const QString name = text.section(assigns, 0, 0);
+        if (text.contains(QStringLiteral(", else ")) && !name.contains(u' ')
+            && !m_state.knows(name))
+            m_state.run(text);
+    }
+}
+
+/// One past the lines below a line that are nested in it.
+std::size_t ListingRun::endOfBlock(std::size_t line) const
+{
+    std::size_t end = line + 1;
+    while (end < m_code.size() && m_code[end].depth > m_code[line].depth)
+        ++end;
+    return end;
+}
+
+void ListingRun::runBlock(std::size_t first, std::size_t end)
+{
+    for (std::size_t line = first; line < end; line = endOfBlock(line))
+        runLine(line);
+}
+
+void ListingRun::runLine(std::size_t line)
+{
+    const QString text = m_state.meant(withoutRemark(m_code[line].text));
+    if (!runLoop(line, text) && !runCase(line, text))
+        m_state.run(text);
+}
+
+/// One round of a loop.
+void ListingRun::runRound(std::size_t line)
+{
+    m_hasCase = false;
+    runBlock(line + 1, endOfBlock(line));
+}
+
+/// False if the line is no loop.
+bool ListingRun::runLoop(std::size_t line, const QString &text)
+{
+    const QString during = QStringLiteral("while ");
+    if (text.startsWith(during)) {
+        while (m_state.holds(text.sliced(during.size()).section(u':', 0, 0)))
+            m_state.run(text.section(u':', 1).trimmed());
+        return true;
+    }
+    return text.startsWith(QStringLiteral("for each "))
+        && (runBox(line, text) || runEdges(text) || runArcs(line, text) || runTriangles(line, text)
+            || runMetItems(text) || runItems(line, text) || runRange(line, text));
+}
+
+bool ListingRun::runBox(std::size_t line, const QString &text)
+{
+    static const QRegularExpression ofBox(QStringLiteral("^for each (x|y) of the box:$"));
+    const auto match = ofBox.match(text);
+    if (!match.hasMatch())
+        return false;
+    const bool isX = match.captured(1) == QStringLiteral("x");
+    const std::int64_t end = isX ? m_box.endX : m_box.endY;
+    for (std::int64_t at = isX ? m_box.firstX : m_box.firstY; at < end; ++at) {
+        m_state.set(match.captured(1), Number(at));
+        runRound(line);
+    }
+    return true;
+}
+
+bool ListingRun::runRange(std::size_t line, const QString &text)
+{
+    static const QRegularExpression ofRange(
+        QStringLiteral("^for each (?:\\w+ )?(\\S+)(?: = i/(\\S+))? from (.+?)( down)? to (.+):$"),
+        QRegularExpression::UseUnicodePropertiesOption);
+    const auto match = ofRange.match(text);
+    if (!match.hasMatch())
+        return false;
+    const Number size
+        = match.captured(2).isEmpty() ? Number(1) : Number(1) / m_state.valueOf(match.captured(2));
+    const bool isDown = !match.captured(4).isEmpty();
+    const Number step = isDown ? Number(-size) : size;
+    const Number last = m_state.valueOf(match.captured(5));
+    const bool wasFirst = std::exchange(m_isFirst, true);
+    for (Number at = m_state.valueOf(match.captured(3)); isDown ? at >= last : at <= last;
+         at += step) {
+        m_state.set(match.captured(1), at);
+        runRound(line);
+        m_isFirst = false;
+    }
+    m_isFirst = wasFirst;
+    return true;
+}
+
+bool ListingRun::runEdges(const QString &text)
+{
+    static const QRegularExpression ofEdges(
+        QStringLiteral("^for each edge L_ij of ([^:]+): (.+)$"));
+    static const QRegularExpression ofValues(QStringLiteral("^for each value v of ([^:]+): (.+)$")),
+        value(QStringLiteral("(?<![A-Za-z])v(?![A-Za-z])"));
+    if (const auto match = ofValues.match(text); match.hasMatch()) {
+        for (const QString &letter : match.captured(1).split(QStringLiteral(", ")))
+            m_state.run(match.captured(2).replace(value, letter));
+        return true;
+    }
+    const auto match = ofEdges.match(text);
+    if (!match.hasMatch())
+        return false;
+    for (const QString &edge : match.captured(1).split(QStringLiteral(", "))) {
+        m_state.setEdge(edge.sliced(1));
+        m_state.run(m_state.meant(match.captured(2)));
+    }
+    m_state.setEdge({});
+    return true;
+}
+
+bool ListingRun::runArcs(std::size_t line, const QString &text)
+{
+    static const QRegularExpression ofArcs(
+        QStringLiteral("^for each arc \\((.+)\\) of \\((.+)\\) and, if (.+), \\((.+)\\):$"));
+    const auto match = ofArcs.match(text);
+    if (!match.hasMatch())
+        return false;
+    const bool hasSecond = m_state.holds(match.captured(3));
+    for (const int arc : {2, 4}) {
+        if (arc == 4 && !hasSecond)
+            break;
+        m_state.run(match.captured(1) + assigns + match.captured(arc));
+        runRound(line);
+    }
+    return true;
+}
+
+/// Points and edges; for edges k those with a condition, and min x_k and max x_k of these.
+bool ListingRun::runItems(std::size_t line, const QString &text)
+{
+    static const QRegularExpression ofItems(
+        QStringLiteral("^for each (?:point|edge(?: k)? from) \\((\\S+), (\\S+)\\)"
+                       "(?: to \\((\\S+), (\\S+)\\))?(?: with (.+))?:$"));
+    const auto match = ofItems.match(text);
+    if (!match.hasMatch())
+        return false;
+    m_ends = match.capturedTexts().sliced(1, match.captured(3).isEmpty() ? 2 : 4);
+    m_met.clear();
+    for (std::size_t item = m_first; item < m_end; ++item) {
+        enterItem(item, m_ends);
+        if (!match.captured(5).isEmpty() && !m_state.holds(match.captured(5)))
+            continue;
+        m_met.push_back(item);
+        runRound(line);
+    }
+    m_state.setIndex({});
+    if (match.captured(5).isEmpty())
+        return true;
+    std::vector<Number> places = {Number(0)}; // of no edge there are no samples
+    if (!m_met.empty())
+        places.clear();
+    for (const std::size_t item : m_met)
+        places.push_back(m_state.valueOf(QStringLiteral("x_%1").arg(item)));
+    m_state.set(QStringLiteral("min x_k"), std::ranges::min(places));
+    m_state.set(QStringLiteral("max x_k"), std::ranges::max(places));
+    return true;
+}
+
+/// The edges come in threes, a triangle's.
+bool ListingRun::runTriangles(std::size_t line, const QString &text)
+{
+    if (text != QStringLiteral("for each triangle, with its three edges:"))
+        return false;
+    for (std::size_t item = 0; item < m_items.size(); item += 3) {
+        m_first = item;
+        m_end = item + 3;
+        runRound(line);
+    }
+    return true;
+}
+
+bool ListingRun::runMetItems(const QString &text)
+{
+    static const QRegularExpression ofThem(
+        QStringLiteral("^for each edge k of them with ([^:]+): (.+)$"));
+    const auto match = ofThem.match(text);
+    if (!match.hasMatch())
+        return false;
+    for (const std::size_t item : m_met) {
+        enterItem(item, m_ends);
+        if (m_state.holds(m_state.meant(match.captured(1))))
+            m_state.run(m_state.meant(match.captured(2)));
+    }
+    m_state.setIndex({});
+    return true;
+}
+
+void ListingRun::enterItem(std::size_t item, const QStringList &names)
+{
+    for (qsizetype i = 0; i < names.size(); ++i)
+        m_state.set(names[i], m_items[item].at(std::size_t(i)));
+    m_state.setIndex(QString::number(item));
+    m_state.setExchange(Exchange::None);
+}
+
+/// False if the line is no case.
+bool ListingRun::runCase(std::size_t line, const QString &text)
+{
+    const QString first = QStringLiteral("the first:"),
+                  begins = QStringLiteral("where it begins: "), otherwise = QStringLiteral("else:"),
+                  ifElse = QStringLiteral("else if "), onlyIf = QStringLiteral("if ");
+    bool isTaken = false;
+    if (text.startsWith(first))
+        isTaken = m_isFirst;
+    else if (text.startsWith(begins))
+        isTaken = !m_state.knows(text.sliced(begins.size()).section(assigns, 0, 0));
+    else if (text.startsWith(otherwise))
+        isTaken = !m_hasCase;
+    else if (text.startsWith(ifElse))
+        isTaken = !m_hasCase && m_state.holds(text.sliced(ifElse.size()).section(u':', 0, 0));
+    else if (text.startsWith(onlyIf))
+        isTaken = m_state.holds(text.sliced(onlyIf.size()).section(u':', 0, 0));
+    else
+        return false;
+    const bool hadCase = m_hasCase && text.startsWith(u'e');
+    const QString statements = text.section(u':', 1).trimmed();
+    if (isTaken && !statements.isEmpty())
+        m_state.run(statements);
+    if (isTaken)
+        runBlock(line + 1, endOfBlock(line));
+    m_hasCase = isTaken || hadCase;
+    return true;
+}
+
+} // namespace pixelplumb

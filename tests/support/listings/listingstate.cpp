@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/listings/listingstate.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+namespace pixelplumb {
+
+void ListingState::run(const QString &text)
+{
+    if (text.startsWith(QStringLiteral("sort the vertices "))) {
+        sortVertices(text);
+        return;
+    }
+    auto statements = m_spelledOut.find(text);
+    if (statements == m_spelledOut.end())
+        statements = m_spelledOut.emplace(text, spelledOut(text)).first;
+    for (const QString &statement : statements->second)
+        runStatement(statement);
+}
+
+void ListingState::runStatement(const QString &text)
+{
+    if (text.startsWith(QStringLiteral("pixel (")) || text.startsWith(QStringLiteral("frame[")))
+        draw(text);
+    else if (text.startsWith(QStringLiteral("L_ij ← L")))
+        m_edge = chosen(text.section(assigns, 1)).sliced(1);
+    else if (text.startsWith(QStringLiteral("add ")))
+        add(text);
+    else if (text == QStringLiteral("exchange x and y, here and where a pixel is written"))
+        exchangeAxes();
+    else if (text.contains(assigns))
+        assign(text);
+    else
+        throw ListingFault(QStringLiteral("does nothing: ") + text);
+}
+
+/// Of "1 if y₁ ≥ y₀, else −1", which is never part of an expression, the side that holds.
+QString ListingState::chosen(const QString &expression) const
+{
+    const QString condition = QStringLiteral(" if "), otherwise = QStringLiteral(", else ");
+    if (!expression.contains(condition))
+        return expression;
+    const QString rest = expression.section(condition, 1);
+    return holds(rest.section(otherwise, 0, 0)) ? expression.section(condition, 0, 0)
+                                                : chosen(rest.section(otherwise, 1));
+}
+
+/// All values are read before the first is written.
+void ListingState::assign(const QString &statement)
+{
+    const QStringList names = statement.section(assigns, 0, 0).split(QStringLiteral(", "));
+    const QString right = chosen(statement.section(assigns, 1));
+    const QStringList expressions
+        = names.size() == 1 ? QStringList(right) : right.split(QStringLiteral(", "));
+    if (names.size() != expressions.size())
+        throw ListingFault(QStringLiteral("unequal sides: ") + statement);
+    std::vector<Number> values;
+    for (const QString &expression : expressions)
+        values.push_back(valueOf(expression));
+    for (qsizetype i = 0; i < names.size(); ++i)
+        m_names[names[i]] = values[std::size_t(i)];
+}
+
+void ListingState::add(const QString &statement)
+{
+    const QString to = QStringLiteral(" to ");
+    const QStringList changes = statement.sliced(4).section(to, 0, 0).split(QStringLiteral(", "));
+    const QStringList names = statement.section(to, 1).split(QStringLiteral(", "));
+    if (names.size() != changes.size())
+        throw ListingFault(QStringLiteral("unequal sides: ") + statement);
+    for (qsizetype i = 0; i < names.size(); ++i) {
+        const Number change = valueOf(changes[i]);
+        m_names[names[i]] = valueOf(names[i]) + change;
+    }
+}
+
+/// Of the two ends of an edge, and of each pixel from here on.
+void ListingState::exchangeAxes()
+{
+    std::swap(m_names.at(QStringLiteral("x₀")), m_names.at(QStringLiteral("y₀")));
+    std::swap(m_names.at(QStringLiteral("x₁")), m_names.at(QStringLiteral("y₁")));
+    m_exchange = Exchange::Axes;
+}
+
+void ListingState::draw(const QString &statement)
+{
+    static const QRegularExpression pixel(QStringLiteral(
+        "^(?:pixel \\((.+)\\)|frame\\[(.+)\\]) ← (?:the bytes of (.+), (.+), (.+)|colour)$"));
+    const auto match = pixel.match(statement);
+    if (!match.hasMatch())
+        throw ListingFault(QStringLiteral("draws nothing: ") + statement);
+    const auto byte = [&](int part, const char *channel) {
+        const QString named = match.captured(part);
+        const Number level
+            = valueOf(named.isEmpty() ? QStringLiteral("colour ") + QLatin1String(channel) : named);
+        // Rounds towards 0, which is down for levels that are not negative.
+        const Number half = std::clamp(level, Number(0), Number(255)) + Number(1, 2);
+        return BigInteger(numerator(half) / denominator(half)).convert_to<int>();
+    };
+    const QRgb colour = qRgb(byte(3, "R"), byte(4, "G"), byte(5, "B"));
+    const QString address = match.captured(2);
+    write(address.isEmpty() ? match.captured(1)
+                            : QStringLiteral("x₀ + %1 mod width, y₀ + ⌊%1/width⌋").arg(address),
+          colour);
+}
+
+/// Writes both pixels of "x ± 1".
+void ListingState::write(const QString &place, QRgb colour)
+{
+    const qsizetype both = place.indexOf(u'±');
+    if (both >= 0) {
+        for (const QChar sign : {u'+', u'−'})
+            write(QString(place).replace(both, 1, sign), colour);
+        return;
+    }
+    const auto coordinate = [&](int part) {
+        const Number value = valueOf(place.section(QStringLiteral(", "), part, part));
+        if (denominator(value) != 1)
+            throw ListingFault(QStringLiteral("is no pixel: ") + place);
+        return numerator(value).convert_to<std::int64_t>();
+    };
+    std::int64_t x = coordinate(0), y = coordinate(1);
+    if (m_exchange == Exchange::Axes)
+        std::swap(x, y);
+    if (x >= m_box.firstX && x < m_box.endX && y >= m_box.firstY && y < m_box.endY)
+        m_pixels[{x, y}] = colour;
+}
+
+bool ListingState::holds(const QString &condition) const
+{
+    return pixelplumb::holds(condition, m_names);
+}
+
+ListingState::Number ListingState::valueOf(const QString &expression) const
+{
+    return pixelplumb::valueOf(chosen(expression), m_names);
+}
+
+/// Vertices of equal x are ordered by y, those of equal y by x. The names that they get may be new.
+void ListingState::sortVertices(const QString &statement)
+{
+    const bool isByY = statement.contains(QStringLiteral("by y"));
+    std::array<std::array<Number, 5>, 3> vertices; // in the order x, y, R, G, B
+    const QString letters = QStringLiteral("xyRGB");
+    for (std::size_t vertex = 0; vertex < 3; ++vertex)
+        for (std::size_t letter = 0; letter < 5; ++letter)
+            vertices[vertex][letter]
+                = m_names.at(letters[qsizetype(letter)] + QString(QChar(u'₀' + int(vertex))));
+    const auto before = [isByY](const auto &a, const auto &b) {
+        return isByY ? std::tuple(b[1], a[0]) < std::tuple(a[1], b[0])
+                     : std::tuple(a[0], a[1]) < std::tuple(b[0], b[1]);
+    };
+    std::ranges::stable_sort(vertices, before);
+    const std::size_t sorted = statement.contains(QStringLiteral("in the order given")) ? 2 : 5;
+    const QStringList points = statement.section(QStringLiteral(": "), 1)
+                                   .section(u';', 0, 0)
+                                   .split(QStringLiteral(", "));
+    for (std::size_t vertex = 0; vertex < 3; ++vertex)
+        for (std::size_t letter = 0; letter < sorted; ++letter)
+            m_names[letters[qsizetype(letter)] + points[qsizetype(vertex)].sliced(1)]
+                = vertices[vertex][letter];
+}
+
+QString ListingState::meant(QString text) const
+{
+    static const QRegularExpression both(QStringLiteral("_ij\\b")), first(QStringLiteral("_i\\b")),
+        second(QStringLiteral("_j\\b")), index(QStringLiteral("_k\\b"));
+    if (!text.contains(u'_') || text.startsWith(QStringLiteral("L_ij")))
+        return text;
+    if (!m_edge.isEmpty())
+        text.replace(both, m_edge)
+            .replace(first, m_edge.chopped(1))
+            .replace(second, m_edge.startsWith(u'_') ? u'_' + m_edge.last(1) : m_edge.last(1));
+    return m_index.isEmpty() ? text : text.replace(index, u'_' + m_index);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scan/tests/edgeteststate.h"
+#include "tests/support/listings/listinglanguage.h"
+
+#include <QRgb>
+
+namespace pixelplumb {
+
+/// What a running listing has computed and drawn. Its statements are
+///   A, B ← C, D        add A, B to C, D        A ← B; C and D likewise
+///   A ← 1 if B > 0, else −1        A, B ← C, D if E > 0, else D, C
+///   L_ij ← L₀₁ if x < x₁, else L₁₂            the edge whose digits i and j are from here on
+///   sort the vertices by x: P₀, P₁, P₂        or "by y, the largest first"
+///   exchange x and y, here and where a pixel is written
+///   pixel (A, B) ← the bytes of R, G, B       writes nothing outside the frame
+///   pixel (A, B) ← colour                     the shape's: "colour R", "colour G", "colour B"
+///   pixel (A ± B, C) ← colour                 both pixels
+///   frame[A] ← colour
+/// with the expressions of listinglanguage.h.
+class ListingState {
+public:
+    using Number = BigRational;
+    using Pixels = std::map<std::pair<std::int64_t, std::int64_t>, QRgb>; ///< by (x, y)
+    /// For a steep line, x and y are swapped when a pixel is written.
+    enum class Exchange { None, Axes };
+
+    ListingState(ListingNames names, const SampleBox &box, Exchange exchange)
+        : m_names(std::move(names))
+        , m_box(box)
+        , m_exchange(exchange)
+    {
+    }
+
+    /// Throws ListingFault, as all of these do.
+    void run(const QString &statements);
+    bool holds(const QString &condition) const;
+    /// Of an expression, or of the side of "A if B > 0, else C" that holds.
+    Number valueOf(const QString &expression) const;
+
+    bool knows(const QString &name) const { return m_names.contains(name); }
+    void set(const QString &name, const Number &value) { m_names[name] = value; }
+    void setExchange(Exchange exchange) { m_exchange = exchange; }
+
+    /// Lets i and j stand for the two digits of an edge, k for a number; nothing if empty.
+    void setEdge(const QString &digits) { m_edge = digits; }
+    void setIndex(const QString &index) { m_index = index; }
+    /// The text with what i, j and k stand for.
+    QString meant(QString text) const;
+
+    const Pixels &pixels() const { return m_pixels; }
+
+private:
+    void runStatement(const QString &text);
+    QString chosen(const QString &expression) const;
+    void assign(const QString &statement);
+    void add(const QString &statement);
+    void sortVertices(const QString &statement);
+    void exchangeAxes();
+    void draw(const QString &statement);
+    void write(const QString &place, QRgb colour);
+
+    ListingNames m_names;
+    SampleBox m_box;
+    Exchange m_exchange;
+    QString m_edge, m_index;
+    std::map<QString, QStringList> m_spelledOut; ///< the statements of the texts that were run
+    Pixels m_pixels;
+};
+
+} // namespace pixelplumb

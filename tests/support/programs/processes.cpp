@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/programs/processes.h"
+
+#include <QDir>
+#include <QFile>
+
+#include <unistd.h>
+
+namespace pixelplumb {
+
+int processesWith(const QByteArray &word)
+{
+    int count = 0;
+    const QDir processes(QStringLiteral("/proc"));
+    for (const QString &process : processes.entryList(QDir::Dirs)) {
+        QFile file(QStringLiteral("/proc/%1/cmdline").arg(process));
+        if (file.open(QIODevice::ReadOnly) && file.readAll().split('\0').contains(word))
+            ++count;
+    }
+    return count;
+}
+
+QByteArray unusualSeconds()
+{
+    static int each = 0;
+    return QByteArray::number(1000 + ++each) + '.' + QByteArray::number(getpid());
+}
+
+} // namespace pixelplumb
