@@ -3,6 +3,7 @@
 
 #include "core/methods/words/formulatext.h"
 #include "core/scan/degeneratesegment.h"
+#include "core/scan/tests/edgeline.h"
 
 namespace pixelplumb {
 
