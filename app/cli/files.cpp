@@ -101,7 +101,7 @@ QStringList outputPaths(const QString &output, const QStringList &inputs, const 
             = QDir(output).filePath(QFileInfo(input).completeBaseName() + u'.') + suffix;
         if (const qsizetype other = paths.indexOf(path); other >= 0)
             refuse({input,
-                    QStringLiteral("its picture would be %2, and so would that of %1")
+                    QStringLiteral("its output would be %2, and so would that of %1")
                         .arg(inputs[other], path),
                     QStringLiteral("scenes of different names")});
         paths.append(path);

@@ -166,6 +166,7 @@ QStringList textOf(const PlanReport &report)
 QJsonObject jsonOf(const PlanReport &report)
 {
     const EffectPlan &plan = report.plan;
+    const bool isRefused = !report.refusal.isEmpty();
     QJsonArray effects;
     for (const Effect effect : allEffects) {
         const EffectVerdict &verdict = plan.verdicts[effect];
@@ -176,14 +177,14 @@ QJsonObject jsonOf(const PlanReport &report)
             {QStringLiteral("primitives"), qint64(verdict.primitives)},
             {QStringLiteral("mostPixels"), qint64(verdict.pixels)},
             {QStringLiteral("forced"), report.forced[effect] != Forcing::AsCalledFor},
-            {QStringLiteral("runs"), report.refusal.isEmpty() && plan.runs(effect)}};
+            {QStringLiteral("runs"), !isRefused && plan.runs(effect)}};
         if (report.timing && report.timing->costs[effect])
             object.insert(QStringLiteral("measured"),
                           jsonOf(*report.timing, *report.timing->costs[effect]));
         effects.append(object);
     }
     QJsonArray batches;
-    for (const EffectBatch &batch : plan.batches) {
+    for (const EffectBatch &batch : isRefused ? std::vector<EffectBatch>() : plan.batches) {
         QJsonArray names;
         for (const Effect effect : allEffects) {
             if (contains(batch.effects, effect))
@@ -194,11 +195,11 @@ QJsonObject jsonOf(const PlanReport &report)
                                    {QStringLiteral("notDrawn"), qint64(batch.unseen)},
                                    {QStringLiteral("effects"), names}});
     }
-    QJsonObject object{{QStringLiteral("effects"), effects},
-                       {QStringLiteral("antialiasing"), samplesText(antialiasingOf(plan))},
-                       {QStringLiteral("batches"), batches}};
-    if (!report.refusal.isEmpty())
+    QJsonObject object{{QStringLiteral("effects"), effects}, {QStringLiteral("batches"), batches}};
+    if (isRefused)
         object.insert(QStringLiteral("refused"), report.refusal);
+    else
+        object.insert(QStringLiteral("antialiasing"), samplesText(antialiasingOf(plan)));
     return object;
 }
 

@@ -48,9 +48,12 @@ QString askerText(bool isCalledFor)
 }
 QString askerText(const EffectPlan &plan, const std::vector<Effect> &effects)
 {
-    return askerText(std::ranges::any_of(effects, [&plan](Effect effect) {
-        return plan.verdicts[effect].verdict != Verdict::NotCalledFor;
-    }));
+    const auto isCalledFor
+        = [&plan](Effect effect) { return plan.verdicts[effect].verdict != Verdict::NotCalledFor; };
+    const bool areAll = std::ranges::all_of(effects, isCalledFor);
+    if (!areAll && std::ranges::any_of(effects, isCalledFor))
+        return QStringLiteral("which the scene calls for or which are forced on");
+    return askerText(areAll);
 }
 
 /// "interpolate-plane can": which methods of the kind do the effects under the settings; where none

@@ -17,7 +17,7 @@ struct LevelDefect {
     LevelBytes bytes;
 };
 
-constexpr const char *question
+constexpr const char *byteQuestion
     = "How does a level from 0 to 1 become a byte? And one of exactly 1?";
 
 bool hasFullLevel(const Scene &scene)
@@ -70,10 +70,10 @@ std::vector<Defect> levelDefectsFor(const Scene &scene)
         if (needsFullLevel && !hasFullLevel(scene))
             continue; // it would draw what another defect does, or the right picture
         const auto unchanged = [](TriangleRuns &) {};
-        defects.push_back(redrawnDefect(QString::fromLatin1(row.id), QString::fromUtf8(question),
-                                        QString::fromUtf8(row.forAssistant),
-                                        {unchanged, row.overflow, Repainting::Over, row.bytes},
-                                        axis));
+        defects.push_back(
+            redrawnDefect(QString::fromLatin1(row.id), QString::fromUtf8(byteQuestion),
+                          QString::fromUtf8(row.forAssistant),
+                          {unchanged, row.overflow, Repainting::Over, row.bytes}, axis));
         // Truncated levels are not also rounded in another way.
         if (row.bytes.rounding != LevelRounding::OfScene)
             defects.back().choice = QString::fromLatin1(roundingChoice);

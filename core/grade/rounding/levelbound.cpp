@@ -20,9 +20,9 @@ double heightAt(const Triangle &triangle, std::int64_t x)
 
 std::pair<int, int> LevelRange::bytes(ByteRounding rounding) const
 {
-    const double shift = rounding == ByteRounding::Nearest ? 0.5 : 0;
+    const double added = rounding == ByteRounding::Nearest ? 0.5 : 0;
     const auto byteOf
-        = [shift](double level) { return int(std::clamp(std::floor(level + shift), 0.0, 255.0)); };
+        = [added](double level) { return int(std::clamp(std::floor(level + added), 0.0, 255.0)); };
     return {byteOf(least), byteOf(most)};
 }
 

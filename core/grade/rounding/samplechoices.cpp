@@ -86,7 +86,7 @@ std::vector<Direction> directionsBetween(const std::vector<Sector> &sectors)
     for (const Sector &sector : sectors)
         bounds.insert(bounds.end(), {sector.from, sector.to});
     std::ranges::sort(bounds, isBefore);
-    bounds.erase(std::ranges::unique(bounds, areAlike).begin(), bounds.end());
+    bounds.erase(std::unique(bounds.begin(), bounds.end(), areAlike), bounds.end());
     std::vector<Direction> between;
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         const Direction &from = bounds[i];

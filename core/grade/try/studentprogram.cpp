@@ -15,10 +15,12 @@ namespace pixelplumb {
 namespace {
 
 /// Whether a folder holds files of more than one program: the user's own folder, those of the
-/// system, and their parents.
+/// system, their parents, and what everybody may write to.
 bool isShared(const QString &folder)
 {
-    const QDir home = QDir::home();
+    if (QFileInfo(folder).permission(QFile::WriteOther))
+        return true;
+    const QDir home(QDir::home().canonicalPath()); // it may be a link
     const QStringList shared = {home.path(),
                                 home.filePath(QStringLiteral(".local")),
                                 home.filePath(QStringLiteral(".config")),

@@ -63,7 +63,7 @@ void denySharedMemory(FilterRules &rules)
     for (const char *call : {"shmget", "msgget", "semget", "mq_open"})
         rules.deny(seccomp_syscall_resolve_name(call), EPERM);
     // A file in memory holds megabytes of attributes, which its file system does not count.
-    for (const char *call : {"setxattr", "lsetxattr", "fsetxattr", "setxattrat"})
+    for (const char *call : {"setxattr", "lsetxattr", "fsetxattr"})
         rules.deny(seccomp_syscall_resolve_name(call), EOPNOTSUPP);
 }
 
@@ -104,6 +104,15 @@ void denyShared(FilterRules &rules)
     rules.denyWhere(SCMP_SYS(socket), EAFNOSUPPORT, argument(0, SCMP_CMP_GT, unsigned(lastDomain)));
 }
 
+/// What this program does not know: a newer kernel may do by another number what is denied above.
+void denyNewerCalls(FilterRules &rules)
+{
+    constexpr int firstUnknown = 450; // after futex_waitv, of Linux 5.16
+    constexpr int lastDenied = 1023;
+    for (int call = firstUnknown; call <= lastDenied; ++call)
+        rules.deny(call, ENOSYS);
+}
+
 /// Without a process namespace, a signal to all would end whoever started the program.
 void denyDisturbing(FilterRules &rules)
 {
@@ -122,6 +131,7 @@ QByteArray makeFilter()
     denyNamespaces(rules);
     denyShared(rules);
     denyDisturbing(rules);
+    denyNewerCalls(rules);
     return rules.program();
 }
 

@@ -33,8 +33,8 @@ Quantity StrokeSampleState::across(const LatticePoint &offset) const
         return {};
     const LatticePoint &start = setUp.shape.vertices[0].position;
     const StrokePoint line = from(start, setUp.shape.vertices[1].position);
-    const LatticePoint sample = {x * unitsPerPixel + offset.x, y * unitsPerPixel + offset.y};
-    return Quantity::rational(crossOf(line, from(start, sample)), crossOf(line, setUp.half));
+    const LatticePoint there = {x * unitsPerPixel + offset.x, y * unitsPerPixel + offset.y};
+    return Quantity::rational(crossOf(line, from(start, there)), crossOf(line, setUp.half));
 }
 
 Quantity StrokeSampleState::along(const LatticePoint &offset) const
@@ -43,8 +43,8 @@ Quantity StrokeSampleState::along(const LatticePoint &offset) const
         return {};
     const LatticePoint &start = setUp.shape.vertices[0].position;
     const StrokePoint line = from(start, setUp.shape.vertices[1].position);
-    const LatticePoint sample = {x * unitsPerPixel + offset.x, y * unitsPerPixel + offset.y};
-    return Quantity::rational(crossOf(from(start, sample), setUp.half), crossOf(line, setUp.half));
+    const LatticePoint there = {x * unitsPerPixel + offset.x, y * unitsPerPixel + offset.y};
+    return Quantity::rational(crossOf(from(start, there), setUp.half), crossOf(line, setUp.half));
 }
 
 Quantity StrokeSampleState::place() const

@@ -76,10 +76,9 @@ bool hasOneColour(const InterpolationSetUp<Number, channelsInAll> &setUp)
 {
     if (!FloatingNumber<Number> || setUp.zeroArea)
         return false;
-    const auto &[a, b, c] = setUp.vertices;
-    const auto agree = [&](std::size_t channel) {
-        return a.channels[channel] == b.channels[channel]
-            && a.channels[channel] == c.channels[channel];
+    const auto agree = [&vertices = setUp.vertices](std::size_t channel) {
+        return vertices[0].channels[channel] == vertices[1].channels[channel]
+            && vertices[0].channels[channel] == vertices[2].channels[channel];
     };
     return agree(0) && agree(1) && agree(2);
 }

@@ -26,7 +26,7 @@ constexpr std::size_t placeOf()
 using enum SettingPart;
 constexpr std::uint8_t never = ScanSetting::never;
 
-constexpr std::array settings = {
+constexpr std::array allSettings = {
     ScanSetting{"order", placeOf<&ScanBugs::order>(), Edges, 1},
     ScanSetting{"vertices", placeOf<&ScanBugs::vertices>(), Edges, 3, 3},
     ScanSetting{"vertex-colours", placeOf<&ScanBugs::vertexColours>(), Edges, 1},
@@ -95,12 +95,12 @@ constexpr std::array settings = {
     ScanSetting{"span-start", placeOf<&ScanBugs::spanStart>(), Span, 1, 1},
     ScanSetting{"overflow", placeOf<&ScanBugs::overflow>(), Sample},
 };
-static_assert(settings.size() == sizeof(ScanBugs), "each setting is a byte and has a row");
+static_assert(allSettings.size() == sizeof(ScanBugs), "each setting is a byte and has a row");
 
 /// Whether one of the settings has at least the value from which something is so.
 bool hasValueFrom(std::uint8_t ScanSetting::*from, const ScanBugs &bugs)
 {
-    return std::ranges::any_of(settings, [&](const ScanSetting &setting) {
+    return std::ranges::any_of(allSettings, [&](const ScanSetting &setting) {
         return setting.*from != never && valueOf(setting, bugs) >= setting.*from;
     });
 }
@@ -129,14 +129,14 @@ bool ScanBugs::hasOrder() const { return hasValueFrom(&ScanSetting::ordersFrom, 
 ScanBugs ScanBugs::withRightEdges() const
 {
     ScanBugs bugs = *this;
-    for (const ScanSetting &setting : settings) {
+    for (const ScanSetting &setting : allSettings) {
         if (setting.part == SettingPart::Edge)
             setValue(setting, 0, bugs);
     }
     return bugs;
 }
 
-std::span<const ScanSetting> scanSettings() { return settings; }
+std::span<const ScanSetting> scanSettings() { return allSettings; }
 
 std::uint8_t valueOf(const ScanSetting &setting, const ScanBugs &bugs)
 {
@@ -155,7 +155,7 @@ std::optional<ScanBugs> together(const ScanBugs &one, const ScanBugs &other)
     if (spreads(one, other))
         return std::nullopt;
     ScanBugs both = one;
-    for (const ScanSetting &setting : settings) {
+    for (const ScanSetting &setting : allSettings) {
         const std::uint8_t first = valueOf(setting, one);
         const std::uint8_t second = valueOf(setting, other);
         const bool isOrder = setting.place == placeOf<&ScanBugs::order>();
