@@ -119,7 +119,7 @@ void LookDialog::show(const QModelIndex &part)
 
 void LookDialog::judge()
 {
-    const Result<Look> look = m_look->look();
+    const Result<ChosenLook> look = m_look->look();
     m_verdict->setText(look ? QString() : look.error().message());
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(look.isOk());
     if (look)

@@ -21,7 +21,7 @@ public:
     LookDialog(const Scene &scene, const QString &folder, QWidget *parent = nullptr);
 
     /// Once the dialog is accepted: what was chosen.
-    const Look &look() const { return m_chosen; }
+    const ChosenLook &look() const { return m_chosen; }
 
 private:
     void addButtons(QBoxLayout *row);
@@ -29,7 +29,7 @@ private:
     void judge();
 
     SceneLook *m_look;
-    Look m_chosen;
+    ChosenLook m_chosen;
     QTreeView *m_tree;
     QPushButton *m_removal = nullptr;
     QLabel *m_verdict;

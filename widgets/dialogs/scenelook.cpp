@@ -173,12 +173,12 @@ QByteArray SceneLook::text() const
     return "{ " + fields.join(", ") + ", \"primitives\": [] }";
 }
 
-Result<Look> SceneLook::look() const
+Result<ChosenLook> SceneLook::look() const
 {
     const Result<SceneReading> read = readScene(text(), {}, m_folder);
     if (!read)
         return read.error();
-    Look look = {read->scene.camera, read->scene.appearance};
+    ChosenLook look = {read->scene.camera, read->scene.appearance};
     look.appearance.forced = m_forced;
     // Primitives name materials by their place; a file has them by name.
     for (int row = 0; row < m_materials->rowCount(); ++row) {

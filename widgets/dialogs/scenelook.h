@@ -9,7 +9,7 @@
 namespace pixelplumb {
 
 /// How a scene is seen, apart from its primitives.
-struct Look {
+struct ChosenLook {
     std::optional<Camera> camera;
     Appearance appearance;
 };
@@ -27,7 +27,7 @@ public:
     SceneLook(const Scene &scene, const QString &folder, QObject *parent = nullptr);
 
     /// What the rows say, or what is wrong with them.
-    Result<Look> look() const;
+    Result<ChosenLook> look() const;
 
     QModelIndex addLight();
     QModelIndex addMaterial();

@@ -109,9 +109,11 @@ private slots:
         QCOMPARE(recorded.size(), std::size_t(isDrawn ? 0 : 1));
         QCOMPARE(rejectedPrimitives(SceneRun(drawn)), recorded);
         for (const RejectedPrimitive &each : recorded)
-            QCOMPARE(each.message(),
-                     QStringLiteral("primitive 0 (triangle): It reaches into the frame, but no "
-                                    "sample of the frame belongs to it. Nothing is drawn."));
+            QCOMPARE(
+                each.message(),
+                QStringLiteral(
+                    "primitive 0 (triangle): It reaches into the frame, but by the run's tests no "
+                    "sample of the frame belongs to it. Nothing is drawn."));
     }
 
     /// Whether a part of it lies within the squares of the frame's pixels, 8 × 8 from (−½, −½) on.
