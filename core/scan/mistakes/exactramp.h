@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/scan/mistakes/exacttrack.h"
+#include "core/scan/mistakes/walkedtriangle.h"
 
 #include <type_traits>
 #include <vector>

@@ -134,10 +134,10 @@ LongEdge sideOfLongEdge(LongEdge ofTriangle, Interval rows, const Number &shortY
 constexpr Interval rowsBeside(const BoundaryRule &rule, LongEdge longEdge,
                               const SortedCorners &corners, const SortedEnds &shortEdge)
 {
-    const Lattice shortRise = corners[shortEdge[1]].y - corners[shortEdge[0]].y;
-    const Lattice longRise = corners[2].y - corners[0].y;
-    return longEdge == LongEdge::Above ? rowsBetween(rule, shortRise, longRise)
-                                       : rowsBetween(rule, longRise, shortRise);
+    const Lattice alongShort = corners[shortEdge[1]].y - corners[shortEdge[0]].y;
+    const Lattice alongLong = corners[2].y - corners[0].y;
+    return longEdge == LongEdge::Above ? rowsBetween(rule, alongShort, alongLong)
+                                       : rowsBetween(rule, alongLong, alongShort);
 }
 
 /// Sets which rows a column covers between its bounds, and which of them the frame has.
