@@ -108,9 +108,10 @@ Side readSide(const QString &path, const Margin &margin)
     if (!text.startsWith('{'))
         return {required(parsePicture(content, path, formats)), std::nullopt};
     const Scene scene = sceneIn(content, path).scene;
-    refuseIf(refusalOf(SceneRun(scene), path));
+    const SceneRun run(scene);
+    refuseIf(refusalOf(run, path));
     const Scene judged = judgedScene(scene, margin);
-    return {pictureOf(SceneRun(judged)), judged};
+    return {judged == scene ? pictureOf(run) : pictureOf(judged), judged};
 }
 
 /// What the scene on either side leaves open at the other side's pixels.

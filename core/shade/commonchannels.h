@@ -11,10 +11,18 @@ namespace pixelplumb {
 /// is nothing to correct.
 enum class DivisionBy : std::uint8_t { W, One };
 
+/// Whether a value, by the place of its vertex in (x, y) order, is the same at all that count: of a
+/// segment only its two ends, of a point only its first vertex.
+template <class ValueAt>
+constexpr bool agreeInOrder(const ValueAt &valueAt, bool isSegment, bool isPoint)
+{
+    return isPoint || (valueAt(0) == valueAt(2) && (isSegment || valueAt(0) == valueAt(1)));
+}
+
 namespace shadedsetup {
 
-/// Of a segment only its two ends count, of a point only its first vertex. The three colours count
-/// as one channel: one that is interpolated is interpolated as without effects.
+/// The three colours count as one channel: one that is interpolated is interpolated as without
+/// effects.
 template <class SetUp, class ShadedTriangle>
 void setCommonChannels(SetUp &setUp, const ShadedTriangle &triangle)
 {
@@ -26,8 +34,7 @@ void setCommonChannels(SetUp &setUp, const ShadedTriangle &triangle)
         const bool isPoint = setUp.zeroArea
             && place[std::size_t(setUp.order[0])].position
                 == place[std::size_t(setUp.order[2])].position;
-        return isPoint
-            || (valueAt(0) == valueAt(2) && (setUp.zeroArea || valueAt(0) == valueAt(1)));
+        return agreeInOrder(valueAt, setUp.zeroArea, isPoint);
     };
     const bool isOneColour = agree(Channel::Red) && agree(Channel::Green) && agree(Channel::Blue);
     for (const Channel channel : {Channel::Red, Channel::Green, Channel::Blue})

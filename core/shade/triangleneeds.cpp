@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shade/triangleneeds.h"
 
+#include "core/shade/commonchannels.h"
 #include "core/space/materialcolour.h"
 
 #include <algorithm>
@@ -19,14 +20,13 @@ public:
     {
     }
 
-    /// A segment uses only its two ends, a point only its first vertex.
     template <class Vertices, class Value>
     bool differIn(const Vertices &vertices, Value value) const
     {
         const auto at = [&](std::size_t place) {
             return std::invoke(value, vertices[std::size_t(m_order[place])]);
         };
-        return !m_isPoint && (at(0) != at(2) || (!m_isSegment && at(0) != at(1)));
+        return !agreeInOrder(at, m_isSegment, m_isPoint);
     }
 
     template <class Vertices, class Value>

@@ -13,12 +13,16 @@ namespace pixelplumb {
 
 namespace {
 
+using Textures = std::map<QString, std::shared_ptr<const Texture>>;
+
+const QString textureKey = QStringLiteral("texture");
+
 /// A value as a scene file has it: arrays and numbers as they are, all else as text.
 QByteArray jsonText(const QString &key, const QString &value)
 {
     static const QRegularExpression bare(
         QStringLiteral("^(\\[[^\\[\\]{}:]*\\]|-?\\d+(\\.\\d+)?([eE][-+]?\\d+)?)$"));
-    const bool isBare = key != QLatin1String("texture") && bare.match(value).hasMatch();
+    const bool isBare = key != textureKey && bare.match(value).hasMatch();
     return isBare ? value.toUtf8() : quotedText(value.toUtf8());
 }
 
@@ -40,15 +44,29 @@ void addFields(QStandardItem *parent, const std::vector<FieldText> &fields)
         addField(parent, field);
 }
 
-/// "\"near\": 2, …": the fields that have a value.
-QByteArray fieldsText(const QStandardItem &part)
+QString valueIn(const QStandardItem &part, int row)
+{
+    const QStandardItem *cell = part.child(row, SceneLook::Value);
+    return cell ? cell->text().trimmed() : QString();
+}
+
+QString textureNameIn(const QStandardItem &material)
+{
+    for (int row = 0; row < material.rowCount(); ++row) {
+        if (material.child(row, SceneLook::Key)->text() == textureKey)
+            return valueIn(material, row);
+    }
+    return {};
+}
+
+/// "\"near\": 2, …": the fields that have a value, without the textures that are known.
+QByteArray fieldsText(const QStandardItem &part, const Textures &known)
 {
     QByteArrayList fields;
     for (int row = 0; row < part.rowCount(); ++row) {
         const QString key = part.child(row, SceneLook::Key)->text();
-        const QStandardItem *cell = part.child(row, SceneLook::Value);
-        const QString value = cell ? cell->text().trimmed() : QString();
-        if (!value.isEmpty())
+        const QString value = valueIn(part, row);
+        if (!value.isEmpty() && !(key == textureKey && known.contains(value)))
             fields.append(quotedText(key.toUtf8()) + ": " + jsonText(key, value));
     }
     return fields.join(", ");
@@ -102,6 +120,8 @@ void SceneLook::addMaterial(const Material &material)
     part->setEditable(true);
     part->setToolTip(tr("The material's name, by which primitives name it"));
     addFields(part, fieldTexts(material, m_folder));
+    if (material.texture)
+        m_textures[textureNameIn(*part)] = material.texture;
 }
 
 QModelIndex SceneLook::addLight()
@@ -157,23 +177,24 @@ QByteArray SceneLook::text() const
     QByteArrayList fields = {"\"pixelplumb\": " + QByteArray::number(sceneFormat),
                              "\"frame\": { \"width\": 1, \"height\": 1 }"};
     if (m_camera->checkState() == Qt::Checked)
-        fields.append("\"camera\": { " + fieldsText(*m_camera) + " }");
+        fields.append("\"camera\": { " + fieldsText(*m_camera, m_textures) + " }");
     QByteArrayList materials;
     for (int row = 0; row < m_materials->rowCount(); ++row) {
         const QStandardItem &part = *m_materials->child(row);
-        materials.append(quotedText(part.text().toUtf8()) + ": { " + fieldsText(part) + " }");
+        materials.append(quotedText(part.text().toUtf8()) + ": { " + fieldsText(part, m_textures)
+                         + " }");
     }
     fields.append("\"materials\": { " + materials.join(", ") + " }");
     QByteArrayList lights;
     for (int row = 0; row < m_lights->rowCount(); ++row)
-        lights.append("{ " + fieldsText(*m_lights->child(row)) + " }");
+        lights.append("{ " + fieldsText(*m_lights->child(row), m_textures) + " }");
     fields.append("\"lights\": [ " + lights.join(", ") + " ]");
-    if (const QByteArray rest = fieldsText(*invisibleRootItem()); !rest.isEmpty())
+    if (const QByteArray rest = fieldsText(*invisibleRootItem(), m_textures); !rest.isEmpty())
         fields.append(rest);
     return "{ " + fields.join(", ") + ", \"primitives\": [] }";
 }
 
-Result<ChosenLook> SceneLook::look() const
+Result<ChosenLook> SceneLook::look()
 {
     const Result<SceneReading> read = readScene(text(), {}, m_folder);
     if (!read)
@@ -186,6 +207,12 @@ Result<ChosenLook> SceneLook::look() const
             = std::ranges::find(look.appearance.materials,
                                 m_materials->child(row)->text().toStdString(), &Material::name);
         std::iter_swap(look.appearance.materials.begin() + row, named);
+        Material &material = look.appearance.materials[std::size_t(row)];
+        const QString texture = textureNameIn(*m_materials->child(row));
+        if (material.texture)
+            m_textures[texture] = material.texture;
+        else if (!texture.isEmpty())
+            material.texture = m_textures[texture];
     }
     return look;
 }

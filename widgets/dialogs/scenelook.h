@@ -6,6 +6,8 @@
 
 #include <QStandardItemModel>
 
+#include <map>
+
 namespace pixelplumb {
 
 /// How a scene is seen, apart from its primitives.
@@ -26,8 +28,8 @@ public:
     /// `folder`: the scene's, in which textures are looked up.
     SceneLook(const Scene &scene, const QString &folder, QObject *parent = nullptr);
 
-    /// What the rows say, or what is wrong with them.
-    Result<ChosenLook> look() const;
+    /// What the rows say, or what is wrong with them. A texture is read once.
+    Result<ChosenLook> look();
 
     QModelIndex addLight();
     QModelIndex addMaterial();
@@ -43,6 +45,7 @@ private:
 
     QString m_folder;
     EffectForcing m_forced; ///< kept: a file does not have it
+    std::map<QString, std::shared_ptr<const Texture>> m_textures; ///< by the names in the rows
     std::size_t m_usedMaterials = 0; ///< the first ones, which cannot be removed
     QStandardItem *m_camera = nullptr;
     QStandardItem *m_lights = nullptr;

@@ -19,17 +19,15 @@ namespace {
 class PixelColours {
 public:
     PixelColours(const Scene &scene, const Margin &margin)
-        : m_scene(scene)
-        , m_primitives(primitivesOnSamples(scene))
-        , m_settings(scene.settings)
-        , m_plan(planOf(SceneRun(scene)))
+        : m_run(scene)
+        , m_plan(planOf(m_run))
     {
-        m_settings.fillRule = FillRule::Closed;
-        for (const Triangle &triangle : m_primitives.triangles)
+        m_run.settings.fillRule = FillRule::Closed;
+        for (const Triangle &triangle : triangles())
             m_margins.emplace_back(triangle, scene, margin);
     }
 
-    const std::vector<Triangle> &triangles() const { return m_primitives.triangles; }
+    const std::vector<Triangle> &triangles() const { return m_run.primitives.triangles; }
     bool isAntialiased() const { return m_plan.runs(Effect::Antialiasing); }
 
     bool mayBe(const Colour &colour, const SampleChoice &choice,
@@ -49,20 +47,21 @@ private:
             return a.alpha == b.alpha && b.alpha == c.alpha;
         };
         return std::ranges::none_of(others, [this](Effect each) { return m_plan.runs(each); })
-            && m_primitives.shapes.empty() && oracle::truthOf(m_primitives.appearance).smooth
-            && std::ranges::all_of(m_primitives.attributes, hasOneAlpha);
+            && m_run.primitives.shapes.empty()
+            && oracle::truthOf(m_run.primitives.appearance).smooth
+            && std::ranges::all_of(m_run.primitives.attributes, hasOneAlpha);
     }
 
     /// Blending grows with both colours, so that the bounds are the blends of bounds.
     bool isBlendOf(const Colour &colour, const SampleChoice &choice,
                    const std::vector<std::size_t> &drawn) const
     {
-        const bool isBlended = oracle::truthOf(m_primitives.appearance).blending;
-        ColourRange range{m_scene.frame.background, m_scene.frame.background};
+        const bool isBlended = oracle::truthOf(m_run.primitives.appearance).blending;
+        ColourRange range{m_run.scene.frame.background, m_run.scene.frame.background};
         for (const std::size_t triangle : drawn) {
             const auto own = m_margins[triangle].coloursAt(choice.x(), choice.y());
             const std::uint8_t alpha
-                = isBlended ? oracle::attributesOf(m_primitives, triangle)[0].alpha : 255;
+                = isBlended ? oracle::attributesOf(m_run.primitives, triangle)[0].alpha : 255;
             range = {oracle::blended(own.least, alpha, range.least),
                      oracle::blended(own.most, alpha, range.most)};
         }
@@ -71,29 +70,27 @@ private:
 
     Colour trueColour(const SampleChoice &choice, const std::vector<std::size_t> &drawn)
     {
-        const std::vector<Triangle> kept = m_primitives.triangles;
+        const std::vector<Triangle> kept = m_run.primitives.triangles;
         for (const std::size_t triangle : choice.open()) {
             if (!std::ranges::binary_search(drawn, triangle)) {
-                for (Vertex &vertex : m_primitives.triangles[triangle].vertices)
+                for (Vertex &vertex : m_run.primitives.triangles[triangle].vertices)
                     vertex.position = latticePixel(choice.x() - 8, choice.y() - 8);
             }
         }
-        QRgb pixel = packed(m_scene.frame.background);
-        FrameView view = windowOf(m_scene.frame);
+        QRgb pixel = packed(m_run.scene.frame.background);
+        FrameView view = windowOf(m_run.scene.frame);
         view.base = &pixel;
         view.stride = 1;
         view.firstColumn = std::int32_t(choice.x());
         view.firstRow = std::int32_t(choice.y());
         view.width = view.height = 1;
-        oracle::drawPicture(m_primitives, m_settings, &m_plan, view);
-        m_primitives.triangles = kept;
+        oracle::drawPicture(m_run.primitives, m_run.settings, &m_plan, view);
+        m_run.primitives.triangles = kept;
         return unpacked(pixel);
     }
 
-    const Scene &m_scene;
-    Primitives m_primitives;
-    ScanSettings m_settings;
-    EffectPlan m_plan;
+    SceneRun m_run;
+    EffectPlan m_plan; ///< under the scene's own rule
     std::vector<TriangleMargin> m_margins;
 };
 

@@ -16,10 +16,7 @@ namespace {
 using Direction = LatticePoint;
 using Set = std::vector<std::size_t>;
 
-Int128 cross(const Direction &a, const Direction &b)
-{
-    return Int128(a.x) * b.y - Int128(a.y) * b.x;
-}
+Int128 cross(const Direction &a, const Direction &b) { return doubledArea(Direction(), a, b); }
 
 Int128 dot(const Direction &a, const Direction &b) { return Int128(a.x) * b.x + Int128(a.y) * b.y; }
 

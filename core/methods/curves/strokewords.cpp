@@ -25,26 +25,32 @@ StrokePoint from(const LatticePoint &start, const LatticePoint &end)
     return strokePoint({end.x - start.x, end.y - start.y});
 }
 
+/// From a line's first end: to its other one, and to a place beside the pixel's sample.
+std::pair<StrokePoint, StrokePoint> fromStartOf(const StrokeSampleState &state,
+                                                const LatticePoint &offset)
+{
+    const auto &ends = state.setUp.shape.vertices;
+    const LatticePoint there
+        = {state.x * unitsPerPixel + offset.x, state.y * unitsPerPixel + offset.y};
+    return {from(ends[0].position, ends[1].position), from(ends[0].position, there)};
+}
+
 } // namespace
 
 Quantity StrokeSampleState::across(const LatticePoint &offset) const
 {
     if (setUp.shape.kind != PrimitiveKind::Line)
         return {};
-    const LatticePoint &start = setUp.shape.vertices[0].position;
-    const StrokePoint line = from(start, setUp.shape.vertices[1].position);
-    const LatticePoint there = {x * unitsPerPixel + offset.x, y * unitsPerPixel + offset.y};
-    return Quantity::rational(crossOf(line, from(start, there)), crossOf(line, setUp.half));
+    const auto [line, there] = fromStartOf(*this, offset);
+    return Quantity::rational(crossOf(line, there), crossOf(line, setUp.half));
 }
 
 Quantity StrokeSampleState::along(const LatticePoint &offset) const
 {
     if (setUp.shape.kind != PrimitiveKind::Line)
         return {};
-    const LatticePoint &start = setUp.shape.vertices[0].position;
-    const StrokePoint line = from(start, setUp.shape.vertices[1].position);
-    const LatticePoint there = {x * unitsPerPixel + offset.x, y * unitsPerPixel + offset.y};
-    return Quantity::rational(crossOf(from(start, there), setUp.half), crossOf(line, setUp.half));
+    const auto [line, there] = fromStartOf(*this, offset);
+    return Quantity::rational(crossOf(there, setUp.half), crossOf(line, setUp.half));
 }
 
 Quantity StrokeSampleState::place() const

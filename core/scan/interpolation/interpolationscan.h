@@ -74,20 +74,7 @@ public:
         if (!m_setUp.zeroArea)
             computeCoefficients();
         m_observer.primitiveBegun(m_setUp);
-        if (m_setUp.zeroArea && m_intervals.columns != Interval::Closed) {
-            m_observer.primitiveRejected(PrimitiveRejection::ZeroArea);
-            return;
-        }
-        const WalkedColumns columns = columnsInFrame(m_range, corners(), m_frame);
-        if (columns.isEmpty()) {
-            m_observer.primitiveRejected(PrimitiveRejection::OutsideFrame);
-            return;
-        }
-        if (m_setUp.zeroArea) {
-            scanSegment(*this, columns);
-            return;
-        }
-        walkHalves(*this, m_range, columns, m_observer);
+        walkTriangle(*this, m_range, m_intervals.columns, corners(), m_frame, m_observer);
     }
 
     /// What the walk asks for (columnwalk.h).
@@ -118,6 +105,22 @@ public:
                     });
     }
 
+    [[gnu::noinline]] static void scanSegment(InterpolationScan scan, const WalkedColumns &columns)
+    {
+        const auto fill = [&](const Column &column) {
+            fillSegment(scan.m_setUp, column, scan.m_settings.rounding, scan.m_frame,
+                        scan.m_observer);
+        };
+        walkSegment(
+            scan.corners(), columns, scan.m_observer,
+            [&](const SortedEnds &ends, std::int64_t column) {
+                return scan.walkerOn(ends, column);
+            },
+            [&](ColumnHalf half, std::int64_t x, const Walker &lower, const Walker &upper) {
+                scan.scanBetween(half, scan.m_intervals.rows, x, lower, upper, fill);
+            });
+    }
+
 private:
     std::size_t indexAt(std::size_t corner) const { return std::size_t(m_setUp.order[corner]); }
     const VertexOfChannels<channelsInAll> &at(std::size_t corner) const
@@ -138,22 +141,6 @@ private:
                 setWeighted(m_setUp, vertex);
             }
         }
-    }
-
-    [[gnu::noinline]] static void scanSegment(InterpolationScan scan, const WalkedColumns &columns)
-    {
-        const auto fill = [&](const Column &column) {
-            fillSegment(scan.m_setUp, column, scan.m_settings.rounding, scan.m_frame,
-                        scan.m_observer);
-        };
-        walkSegment(
-            scan.corners(), columns, scan.m_observer,
-            [&](const SortedEnds &ends, std::int64_t column) {
-                return scan.walkerOn(ends, column);
-            },
-            [&](ColumnHalf half, std::int64_t x, const Walker &lower, const Walker &upper) {
-                scan.scanBetween(half, scan.m_intervals.rows, x, lower, upper, fill);
-            });
     }
 
     template <class Fill>

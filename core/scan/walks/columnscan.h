@@ -85,20 +85,7 @@ public:
             return;
         }
         m_observer.primitiveBegun(setUp());
-        if (m_range.zeroArea && m_intervals.columns != Interval::Closed) {
-            m_observer.primitiveRejected(PrimitiveRejection::ZeroArea);
-            return;
-        }
-        const WalkedColumns columns = columnsInFrame(m_range, corners(), m_frame);
-        if (columns.isEmpty()) {
-            m_observer.primitiveRejected(PrimitiveRejection::OutsideFrame);
-            return;
-        }
-        if (m_range.zeroArea) {
-            scanSegment(*this, columns);
-            return;
-        }
-        walkHalves(*this, m_range, columns, m_observer);
+        walkTriangle(*this, m_range, m_intervals.columns, corners(), m_frame, m_observer);
     }
 
     /// What the walk asks for (columnwalk.h).
@@ -135,6 +122,19 @@ public:
         fillColumn(column, m_rounding, m_frame, m_observer);
     }
 
+    [[gnu::noinline]] static void scanSegment(ColumnScan scan, const WalkedColumns &columns)
+    {
+        using Edge = EdgeWalker<A>;
+        walkSegment(
+            scan.corners(), columns, scan.m_observer,
+            [&](const SortedEnds &ends, std::int64_t column) {
+                return Edge(scan.at(ends[0]), scan.at(ends[1]), column);
+            },
+            [&](ColumnHalf half, std::int64_t x, const Edge &lower, const Edge &upper) {
+                scan.scanColumn(half, scan.m_intervals.rows, x, lower, upper);
+            });
+    }
+
 private:
     const Vertex &at(std::size_t corner) const
     {
@@ -163,19 +163,6 @@ private:
             }
         }
         return setUp;
-    }
-
-    [[gnu::noinline]] static void scanSegment(ColumnScan scan, const WalkedColumns &columns)
-    {
-        using Edge = EdgeWalker<A>;
-        walkSegment(
-            scan.corners(), columns, scan.m_observer,
-            [&](const SortedEnds &ends, std::int64_t column) {
-                return Edge(scan.at(ends[0]), scan.at(ends[1]), column);
-            },
-            [&](ColumnHalf half, std::int64_t x, const Edge &lower, const Edge &upper) {
-                scan.scanColumn(half, scan.m_intervals.rows, x, lower, upper);
-            });
     }
 
     [[no_unique_address]] Form m_form;

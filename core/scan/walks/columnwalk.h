@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/primitiverejection.h"
 #include "core/scan/columnstate.h"
 #include "core/scan/interval.h"
 #include "core/scan/workstage.h"
@@ -114,6 +115,28 @@ void walkSegment(const SortedCorners &corners, const WalkedColumns &columns,
         lower.stepToNextColumn();
         upper.stepToNextColumn();
     }
+}
+
+/// Walks a triangle whose set-up is announced, or announces why none of it is drawn. The scan also
+/// says how it walks a segment, scanSegment(scan, columns).
+template <class Scan, class View, class Observer>
+[[gnu::always_inline]] inline void walkTriangle(Scan &scan, const ColumnRange &range,
+                                                Interval inColumns, const SortedCorners &corners,
+                                                const View &frame, Observer &observer)
+{
+    if (range.zeroArea && inColumns != Interval::Closed) {
+        observer.primitiveRejected(PrimitiveRejection::ZeroArea);
+        return;
+    }
+    const WalkedColumns columns = columnsInFrame(range, corners, frame);
+    if (columns.isEmpty()) {
+        observer.primitiveRejected(PrimitiveRejection::OutsideFrame);
+        return;
+    }
+    if (range.zeroArea)
+        Scan::scanSegment(scan, columns);
+    else
+        walkHalves(scan, range, columns, observer);
 }
 
 /// The assignment has y_B ≤ y_T in each column: where rounding makes the edges cross, as it does
