@@ -174,11 +174,14 @@ Result<Picture> parsePicture(const QByteArray &content, const QString &name, con
     }
     if (content.isEmpty())
         return InputError{name, QStringLiteral("it is empty"), formats};
+    const auto broken = [&name](const QString &fault) {
+        return InputError{name, QStringLiteral("no picture: ") + fault,
+                          QStringLiteral("a whole file")};
+    };
     PictureReader reader(content);
     for (const QString &fault : {reader.fault(), pnmFault(content)}) {
         if (!fault.isEmpty())
-            return InputError{name, QStringLiteral("no picture: ") + fault,
-                              QStringLiteral("a whole file")};
+            return broken(fault);
     }
     if (const QByteArray format = reader.format(); !format.isEmpty() && !isPictureFormat(format))
         return InputError{
@@ -187,6 +190,8 @@ Result<Picture> parsePicture(const QByteArray &content, const QString &name, con
     if (const QSize size = reader.size(); size.isValid() && isTooLarge(size))
         return tooLarge(name, size);
     QImage image = reader.read();
+    if (image.isNull() && !reader.fault().isEmpty())
+        return broken(reader.fault());
     if (image.isNull())
         return InputError{name, QStringLiteral("no picture: ") + reader.errorString(), formats};
     if (isTooLarge(image.size()))

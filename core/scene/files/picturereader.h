@@ -1,28 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/scene/files/pngpicture.h"
+
 #include <QBuffer>
 #include <QImageReader>
 
+#include <optional>
+
 namespace pixelplumb {
 
-/// Reads a picture file and recognises its format by the content. What its decoder would print to
-/// the terminal is reported as a fault. Pictures of up to 2^28 pixels are decoded, more than Qt
-/// allows by default.
+/// Reads a picture file and recognises its format by the content. Nothing is printed to the
+/// terminal. Pictures of up to 2^28 pixels are decoded, more than Qt allows by default.
 class PictureReader {
 public:
     explicit PictureReader(const QByteArray &content);
 
-    /// Where a PNG or BMP has a fault that its decoder would print or ignore; empty for a whole one
-    /// and for other formats. A broken picture must not be decoded.
-    const QString &fault() const { return m_fault; }
-    QByteArray format() { return m_reader.format(); } ///< "png"; empty: no picture
-    QSize size() { return m_reader.size(); } ///< px, before decoding; not valid: unknown
-    QImage read() { return m_reader.read(); } ///< null where it cannot be decoded
-    QString errorString() const { return m_reader.errorString(); }
+    /// What is wrong with a PNG, as far as it was read, or with a BMP; empty for whole ones and
+    /// other formats.
+    QString fault() const { return m_png ? m_png->fault() : m_bmpFault; }
+    QByteArray format() { return m_png ? "png" : m_reader.format(); } ///< empty: no picture
+    /// In px, before decoding; not valid: unknown.
+    QSize size() { return m_png ? m_png->size() : m_reader.size(); }
+    /// Null where it cannot be decoded.
+    QImage read() { return m_png ? m_png->read() : m_reader.read(); }
+    QString errorString() const { return m_png ? m_png->fault() : m_reader.errorString(); }
 
 private:
-    QString m_fault;
+    std::optional<PngPicture> m_png;
+    QString m_bmpFault;
     QByteArray m_content;
     QBuffer m_buffer;
     QImageReader m_reader;

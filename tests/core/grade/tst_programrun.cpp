@@ -480,7 +480,7 @@ private slots:
             "a broken PPM: line 1: “2000000000” is no width from 1 to 65535");
         row("a large one", "P6 30000 30000 255\n", "a picture of 30000 × 30000 pixels");
         row("one of another size", "P3 1 1 255 0 0 0\n", "a picture of 1 × 1 pixels");
-        row("half a picture", halfPicture(), "a PNG that ends early, in");
+        row("half a picture", halfPicture(), "a broken PNG: read beyond end of data");
         row("no pixels", "P6 4 3 255\n",
             "a PPM that ends early, 36 of 36 bytes of pixels are missing");
         row("a header that ends early", "P6 4\n",
