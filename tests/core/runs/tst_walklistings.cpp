@@ -54,7 +54,7 @@ private slots:
         for (const char *id :
              {"column-scan", "row-walk", "column-scan-constant-rate", "row-walk-constant-rate",
               "column-scan-bias", "interpolate-bilinear", "interpolate-bilinear-rows",
-              "interpolate-plane", "interpolate-barycentric"}) {
+              "interpolate-plane", "interpolate-barycentric", "midpoint-outline-fill"}) {
             const Method &method = *methodNamed(QString::fromLatin1(id));
             for (const FillRule rule : method.fillRules) {
                 QTest::addRow("%s, %s", id, std::string(nameOf(rule)).c_str())

@@ -29,7 +29,7 @@ void ListingRun::run()
 
 void ListingRun::runSetUp(std::size_t end)
 {
-    for (std::size_t line = 0; line < end; ++line) {
+    for (std::size_t line = 0; line < end; line = endOfBlock(line)) {
         const QString text = withoutRemark(m_code[line].text);
         if (m_setUp == SetUp::Run) {
             if (!text.startsWith(QStringLiteral("if no sample"))
@@ -85,8 +85,9 @@ bool ListingRun::runLoop(std::size_t line, const QString &text)
         return true;
     }
     return text.startsWith(QStringLiteral("for each "))
-        && (runBox(line, text) || runEdges(text) || runArcs(line, text) || runTriangles(line, text)
-            || runMetItems(text) || runItems(line, text) || runRange(line, text));
+        && (runBox(line, text) || runColumns(line, text) || runEdges(line, text)
+            || runArcs(line, text) || runTriangles(line, text) || runMetItems(text)
+            || runItems(line, text) || runRange(line, text));
 }
 
 bool ListingRun::runBox(std::size_t line, const QString &text)
@@ -128,10 +129,22 @@ bool ListingRun::runRange(std::size_t line, const QString &text)
     return true;
 }
 
-bool ListingRun::runEdges(const QString &text)
+/// The columns for which there is a smallest y.
+bool ListingRun::runColumns(std::size_t line, const QString &text)
+{
+    if (text != QStringLiteral("for each column x of the outline:"))
+        return false;
+    for (const Number &column : m_state.indicesOf(QStringLiteral("y_low"))) {
+        m_state.set(QStringLiteral("x"), column);
+        runRound(line);
+    }
+    return true;
+}
+
+bool ListingRun::runEdges(std::size_t line, const QString &text)
 {
     static const QRegularExpression ofEdges(
-        QStringLiteral("^for each edge L_ij of ([^:]+): (.+)$"));
+        QStringLiteral("^for each edge L_ij of ([^:]+):(?: (.+))?$"));
     static const QRegularExpression ofValues(QStringLiteral("^for each value v of ([^:]+): (.+)$")),
         value(QStringLiteral("(?<![A-Za-z])v(?![A-Za-z])"));
     if (const auto match = ofValues.match(text); match.hasMatch()) {
@@ -144,7 +157,10 @@ bool ListingRun::runEdges(const QString &text)
         return false;
     for (const QString &edge : match.captured(1).split(QStringLiteral(", "))) {
         m_state.setEdge(edge.sliced(1));
-        m_state.run(m_state.meant(match.captured(2)));
+        if (match.captured(2).isEmpty())
+            runRound(line);
+        else
+            m_state.run(m_state.meant(match.captured(2)));
     }
     m_state.setEdge({});
     return true;
@@ -245,7 +261,8 @@ bool ListingRun::runCase(std::size_t line, const QString &text)
     if (text.startsWith(first))
         isTaken = m_isFirst;
     else if (text.startsWith(begins))
-        isTaken = !m_state.knows(text.sliced(begins.size()).section(assigns, 0, 0));
+        isTaken = !m_state.knows(
+            text.sliced(begins.size()).section(assigns, 0, 0).section(QStringLiteral(", "), 0, 0));
     else if (text.startsWith(otherwise))
         isTaken = !m_hasCase;
     else if (text.startsWith(ifElse))

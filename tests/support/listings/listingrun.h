@@ -12,7 +12,9 @@ namespace pixelplumb {
 ///   for each column x from A to B:            "column" may be another word or missing
 ///   for each row y from A down to B:
 ///   for each t = i/N from A to B:             i = 0, 1, 2 …
-///   for each edge L_ij of L₀₁, L₁₂, L₀₂: …    statements in which i and j are the edge's digits
+///   for each edge L_ij of L₀₁, L₁₂, L₀₂: …    statements, or a block, in which i and j are the
+///                                             edge's digits
+///   for each column x of the outline:         those for which y_low[x] has a value
 ///   for each value v of R, G, B: …            statements with R, G and B for v
 ///   for each arc (a, b) of (A, B) and, if C ≠ D, (B, A):
 ///   for each point (x, y):     for each edge from (x₀, y₀) to (x₁, y₁):     of the primitive
@@ -66,7 +68,8 @@ private:
     bool runLoop(std::size_t line, const QString &text);
     bool runBox(std::size_t line, const QString &text);
     bool runRange(std::size_t line, const QString &text);
-    bool runEdges(const QString &text);
+    bool runColumns(std::size_t line, const QString &text);
+    bool runEdges(std::size_t line, const QString &text);
     bool runArcs(std::size_t line, const QString &text);
     bool runItems(std::size_t line, const QString &text);
     bool runTriangles(std::size_t line, const QString &text);

@@ -32,6 +32,8 @@ void ListingState::runStatement(const QString &text)
         add(text);
     else if (text == QStringLiteral("exchange x and y, here and where a pixel is written"))
         exchangeAxes();
+    else if (text == QStringLiteral("exchange i and j"))
+        std::swap(m_edge[0], m_edge[1]);
     else if (text.contains(assigns))
         assign(text);
     else
@@ -165,12 +167,27 @@ void ListingState::sortVertices(const QString &statement)
                 = vertices[vertex][letter];
 }
 
+std::vector<ListingState::Number> ListingState::indicesOf(const QString &name) const
+{
+    const QString begin = name + u'[';
+    std::vector<Number> indices;
+    for (auto entry = m_names.lower_bound(begin);
+         entry != m_names.end() && entry->first.startsWith(begin); ++entry)
+        indices.emplace_back(entry->first.sliced(begin.size()).chopped(1).toStdString());
+    std::ranges::sort(indices);
+    return indices;
+}
+
 QString ListingState::meant(QString text) const
 {
     static const QRegularExpression both(QStringLiteral("_ij\\b")), first(QStringLiteral("_i\\b")),
         second(QStringLiteral("_j\\b")), index(QStringLiteral("_k\\b"));
     if (!text.contains(u'_') || text.startsWith(QStringLiteral("L_ij")))
         return text;
+    static const QRegularExpression indexed(QStringLiteral("(?<=[a-z])\\[([a-z])\\]"));
+    for (auto match = indexed.match(text); match.hasMatch(); match = indexed.match(text))
+        text.replace(match.capturedStart(1), 1,
+                     QString::fromStdString(valueOf(match.captured(1)).str()));
     if (!m_edge.isEmpty())
         text.replace(both, m_edge)
             .replace(first, m_edge.chopped(1))

@@ -6,6 +6,8 @@
 
 #include <QRgb>
 
+#include <vector>
+
 namespace pixelplumb {
 
 /// What a running listing has computed and drawn. Its statements are
@@ -14,6 +16,8 @@ namespace pixelplumb {
 ///   L_ij ← L₀₁ if x < x₁, else L₁₂            the edge whose digits i and j are from here on
 ///   sort the vertices by x: P₀, P₁, P₂        or "by y, the largest first"
 ///   exchange x and y, here and where a pixel is written
+///   exchange i and j                          the digits of the edge
+///   A[B] ← C                                  a value for each B
 ///   pixel (A, B) ← the bytes of R, G, B       writes nothing outside the frame
 ///   pixel (A, B) ← colour                     the shape's: "colour R", "colour G", "colour B"
 ///   pixel (A ± B, C) ← colour                 both pixels
@@ -46,7 +50,9 @@ public:
     /// Lets i and j stand for the two digits of an edge, k for a number; nothing if empty.
     void setEdge(const QString &digits) { m_edge = digits; }
     void setIndex(const QString &index) { m_index = index; }
-    /// The text with what i, j and k stand for.
+    /// Those for which A[…] has a value, ascending.
+    std::vector<Number> indicesOf(const QString &name) const;
+    /// The text with what i, j, k and indices stand for.
     QString meant(QString text) const;
 
     const Pixels &pixels() const { return m_pixels; }
