@@ -14,8 +14,8 @@
 /// Conversion"): forms that are equal in exact numbers. Coverage is decided exactly, column by
 /// column, whatever the channels are computed in, so that forms and arithmetics differ only in
 /// their values. A list of stages (core/shade) without effects draws the same bytes, with about
-/// eight times the instructions in exact numbers and twice in floats: so plain triangles keep this
-/// kernel.
+/// eight times the instructions in exact numbers and over twice in floats: so plain triangles keep
+/// this kernel.
 namespace pixelplumb {
 
 /// Scans one triangle, turned if the form goes by rows, into one frame. Coverage is decided in
