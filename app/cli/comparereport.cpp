@@ -77,7 +77,7 @@ QStringList contenderTable(const Contest &contest)
     for (std::size_t i = 0; i < contest.runs.size(); ++i) {
         const ContenderRun &run = contest.runs[i];
         const auto against
-            = [&run](Difference kind) { return number(run.tally.againstTruth[std::size_t(kind)]); };
+            = [&run](Difference kind) { return number(run.tally.againstTruth.count(kind)); };
         QStringList row = {QStringLiteral("%1 %2").arg(i + 1).arg(run.contender.name()),
                            number(run.tally.written), against(Difference::Missing),
                            against(Difference::Extra), against(Difference::Colour)};
@@ -171,7 +171,7 @@ QJsonObject jsonOf(const PixelComparison &pixel)
 QJsonObject jsonOf(const ContenderRun &run, const Contest &contest)
 {
     const auto against
-        = [&run](Difference kind) { return qint64(run.tally.againstTruth[std::size_t(kind)]); };
+        = [&run](Difference kind) { return qint64(run.tally.againstTruth.count(kind)); };
     QJsonArray differs;
     for (const std::int64_t count : run.tally.differsFrom)
         differs.append(qint64(count));

@@ -14,18 +14,18 @@ namespace pixelplumb::cli {
 
 namespace {
 
-std::optional<QRgb> markOf(PixelVerdict verdict)
+std::optional<QRgb> markOf(Difference verdict)
 {
     switch (verdict) {
-    case PixelVerdict::Same:
+    case Difference::None:
         break;
-    case PixelVerdict::Missing:
+    case Difference::Missing:
         return qRgb(213, 94, 0);
-    case PixelVerdict::Extra:
+    case Difference::Extra:
         return qRgb(0, 114, 178);
-    case PixelVerdict::Colour:
+    case Difference::Colour:
         return qRgb(204, 121, 167);
-    case PixelVerdict::Undecidable:
+    case Difference::Undecidable:
         return qRgb(240, 228, 66);
     }
     return std::nullopt;
@@ -46,14 +46,19 @@ QImage markedPicture(const PictureDiff &diff, const Picture &expected)
     return picture;
 }
 
+QString wordOf(Difference verdict)
+{
+    return verdict == Difference::None ? QStringLiteral("same") : nameOf(verdict);
+}
+
 } // namespace
 
 QStringList diffLines(const PictureDiff &diff)
 {
     QStringList counts;
-    for (const PixelVerdict verdict : allPixelVerdicts) {
-        if (verdict == PixelVerdict::Same || diff.count(verdict) > 0)
-            counts.append(QStringLiteral("%1 %2").arg(diff.count(verdict)).arg(nameOf(verdict)));
+    for (const Difference verdict : allDifferences) {
+        if (verdict == Difference::None || diff.count(verdict) > 0)
+            counts.append(QStringLiteral("%1 %2").arg(diff.count(verdict)).arg(wordOf(verdict)));
     }
     QString text = QStringLiteral("%1 × %2 pixels: %3")
                        .arg(diff.width)
@@ -78,8 +83,8 @@ QJsonObject diffJson(const PictureDiff &diff)
     QJsonObject object{{QStringLiteral("width"), diff.width},
                        {QStringLiteral("height"), diff.height},
                        {QStringLiteral("largestError"), diff.largestError}};
-    for (const PixelVerdict verdict : allPixelVerdicts)
-        object.insert(nameOf(verdict), qint64(diff.count(verdict)));
+    for (const Difference verdict : allDifferences)
+        object.insert(wordOf(verdict), qint64(diff.count(verdict)));
     QJsonArray causes;
     for (const PictureCause &cause : diff.causes)
         causes.append(QJsonObject{{QStringLiteral("cause"), cause.name},

@@ -2,7 +2,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
 #include "core/export/numbertext.h"
-#include "core/runs/differencename.h"
 #include "core/runs/explain/edgerefusal.h"
 #include "core/runs/explain/pixelhistory.h"
 #include "core/scene/text/colourtext.h"

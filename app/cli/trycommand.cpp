@@ -113,7 +113,7 @@ QString verdictOf(const std::vector<SceneTrial> &tried)
 {
     std::int64_t open = 0;
     for (const SceneTrial &each : tried)
-        open += each.trial.picture ? each.trial.picture->count(PixelVerdict::Undecidable) : 0;
+        open += each.trial.picture ? each.trial.picture->count(Difference::Undecidable) : 0;
     if (open == 0)
         return QStringLiteral("right");
     return QStringLiteral("undecidable: %1 %2, as a right program may have it")

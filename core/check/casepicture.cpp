@@ -2,7 +2,6 @@
 #include "core/check/casepicture.h"
 
 #include <QCryptographicHash>
-#include <QStringList>
 
 namespace pixelplumb {
 
@@ -117,35 +116,19 @@ QByteArray CasePicture::colourHash() const
     return hash.result().toHex().first(16);
 }
 
-QString PictureDifference::message() const
+DifferenceCounts differencesBetween(const CasePicture &drawn, const CasePicture &truth)
 {
-    QStringList parts;
-    const auto add = [&](std::int64_t count, const char *what) {
-        const char *noun = count == 1 ? "pixel" : "pixels";
-        if (count > 0)
-            parts.append(QStringLiteral("%1 %2 %3")
-                             .arg(count)
-                             .arg(QLatin1String(noun), QLatin1String(what)));
-    };
-    add(missing, "missing");
-    add(extra, "extra");
-    add(otherColour, "in another colour");
-    return parts.join(QStringLiteral(", "));
-}
-
-PictureDifference differenceBetween(const CasePicture &drawn, const CasePicture &truth)
-{
-    PictureDifference difference;
+    DifferenceCounts counts;
     drawn.forEachWritten([&](std::int64_t x, std::int64_t y) {
-        if (!truth.isWritten(x, y))
-            ++difference.extra;
-        else if (drawn.colourAt(x, y) != truth.colourAt(x, y))
-            ++difference.otherColour;
+        const bool isWanted = truth.isWritten(x, y);
+        if (!isWanted || drawn.colourAt(x, y) != truth.colourAt(x, y))
+            counts.add(differenceOf(true, isWanted));
     });
     truth.forEachWritten([&](std::int64_t x, std::int64_t y) {
-        difference.missing += drawn.isWritten(x, y) ? 0 : 1;
+        if (!drawn.isWritten(x, y))
+            counts.add(Difference::Missing);
     });
-    return difference;
+    return counts;
 }
 
 } // namespace pixelplumb

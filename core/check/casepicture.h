@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/frame/difference.h"
 #include "core/frame/writtenframe.h"
 #include "core/methods/run.h"
 
@@ -73,17 +74,7 @@ private:
     WrittenFrame m_frame;
 };
 
-/// How two pictures of the same canvas differ.
-struct PictureDifference {
-    std::int64_t missing = 0;
-    std::int64_t extra = 0;
-    std::int64_t otherColour = 0;
-
-    bool isNone() const { return missing == 0 && extra == 0 && otherColour == 0; }
-    /// "3 pixels missing, 1 pixel in another colour"
-    QString message() const;
-};
-
-PictureDifference differenceBetween(const CasePicture &drawn, const CasePicture &truth);
+/// Of two pictures of the same canvas.
+DifferenceCounts differencesBetween(const CasePicture &drawn, const CasePicture &truth);
 
 } // namespace pixelplumb

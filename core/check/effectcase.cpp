@@ -100,9 +100,9 @@ QStringList effectShortfalls(const HardCase &hardCase, const ScanSettings &setti
     // Facts show that something is wrong; only the truth shows how many pixels.
     CasePicture truth(hardCase.canvas, settings.fillRule);
     truth.draw(primitives, settings, drawTruly);
-    const PictureDifference difference = differenceBetween(picture, truth);
-    if (!difference.isNone())
-        shortfalls.prepend(difference.message());
+    const DifferenceCounts differences = differencesBetween(picture, truth);
+    if (differences.total() > 0)
+        shortfalls.prepend(differences.message());
     return shortfalls;
 }
 

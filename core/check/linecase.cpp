@@ -90,10 +90,11 @@ QStringList shortfalls(const std::vector<CasePixel> &drawn, const std::vector<Ca
         remarks.append(QStringLiteral("other pixels than the case lists"));
     if (remarks.isEmpty())
         return remarks;
-    const PictureDifference difference
-        = {countOutside(truth, drawn), countOutside(drawn, truth), 0};
-    if (!difference.isNone())
-        remarks.prepend(difference.message());
+    DifferenceCounts differences;
+    differences.add(Difference::Missing, countOutside(truth, drawn));
+    differences.add(Difference::Extra, countOutside(drawn, truth));
+    if (differences.total() > 0)
+        remarks.prepend(differences.message());
     return remarks;
 }
 

@@ -105,9 +105,9 @@ QStringList shapeShortfalls(const HardCase &hardCase, const ScanSettings &settin
             return shortfalls;
     }
     // Facts show that something is wrong; only the truth shows how many pixels.
-    const PictureDifference difference = differenceBetween(picture, drawnBy(drawTruly));
-    if (!difference.isNone())
-        shortfalls.prepend(difference.message());
+    const DifferenceCounts differences = differencesBetween(picture, drawnBy(drawTruly));
+    if (differences.total() > 0)
+        shortfalls.prepend(differences.message());
     return shortfalls;
 }
 

@@ -69,13 +69,13 @@ QStringList strokeShortfalls(const HardCase &hardCase, const ScanSettings &setti
                 CasePicture truth(windowAround(place), settings.fillRule);
                 picture.draw(primitives, settings, drawing);
                 truth.draw(primitives, settings, drawTruly);
-                const PictureDifference difference = differenceBetween(picture, truth);
-                if (!difference.isNone())
+                const DifferenceCounts differences = differencesBetween(picture, truth);
+                if (differences.total() > 0)
                     shortfalls
                         += QStringLiteral("%1, near (%2, %3): %4")
                                .arg(nameOfAntialiasing(antialiasing),
                                     QString::number(floorPixel(place.x)),
-                                    QString::number(floorPixel(place.y)), difference.message());
+                                    QString::number(floorPixel(place.y)), differences.message());
             }
         }
     }

@@ -61,10 +61,10 @@ QStringList singleShortfalls(const HardCase &hardCase, const ScanSettings &setti
             return shortfalls;
     }
     // Facts show that something is wrong; only the truth shows how many pixels.
-    const PictureDifference difference
-        = differenceBetween(picture, pictureOf(triangle, hardCase.canvas, settings, drawTruly));
-    if (!difference.isNone())
-        shortfalls.prepend(difference.message());
+    const DifferenceCounts differences
+        = differencesBetween(picture, pictureOf(triangle, hardCase.canvas, settings, drawTruly));
+    if (differences.total() > 0)
+        shortfalls.prepend(differences.message());
     return shortfalls;
 }
 

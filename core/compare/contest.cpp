@@ -75,16 +75,9 @@ private:
         const JudgedRun judged{&m_contest->primitives, nullptr, &run.picture, &run.truth, nullptr};
         forEachPixel([&](std::int64_t x, std::int64_t y) {
             run.tally.written += run.picture.isWritten(x, y) ? 1 : 0;
-            ++run.tally.againstTruth[std::size_t(differenceAt(judged, x, y))];
+            run.tally.againstTruth.add(differenceAt(judged, x, y));
             run.tally.undrawn += run.isUndrawn(x, y) ? 1 : 0;
         });
-    }
-
-    static bool departsFromTruth(const ContenderRun &run)
-    {
-        const auto &counts = run.tally.againstTruth;
-        return std::any_of(counts.begin() + 1, counts.end(),
-                           [](std::int64_t count) { return count > 0; });
     }
 
     /// Whether it interpolates values other than colour that the scene's triangles carry.
@@ -97,7 +90,7 @@ private:
     void record(std::size_t index, const JobProgress &progress)
     {
         ContenderRun &run = m_contest->runs[index];
-        const bool departs = departsFromTruth(run);
+        const bool departs = run.tally.againstTruth.total() > 0;
         const bool isNeeded
             = departs || m_options.recorded == Recorded::All || carries(run.contender);
         if (run.contender.isTruth() || !isNeeded)

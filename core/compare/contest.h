@@ -14,8 +14,7 @@ inline constexpr std::size_t mostContenders = 4;
 /// How one contender did.
 struct ContenderTally {
     std::int64_t written = 0; ///< pixels
-    /// Differences from the truth under the contender's own rule, by Difference.
-    std::array<std::int64_t, 4> againstTruth = {};
+    DifferenceCounts againstTruth; ///< under the contender's own rule
     /// Pixels where primitives that the method cannot draw change the truth.
     std::int64_t undrawn = 0;
     std::vector<std::int64_t> differsFrom; ///< pixels, by contender

@@ -19,17 +19,7 @@ QString boundName(DecidingBound bound, SpanAxis axis)
 
 QString kindText(Difference kind)
 {
-    switch (kind) {
-    case Difference::None:
-        return {};
-    case Difference::Missing:
-        return QStringLiteral("missing");
-    case Difference::Extra:
-        return QStringLiteral("extra");
-    case Difference::Colour:
-        return QStringLiteral("another colour");
-    }
-    return {};
+    return kind == Difference::Colour ? QStringLiteral("another colour") : nameOf(kind);
 }
 
 /// "y_T = 9.999998 instead of 10, 1.9e-06 px too low"

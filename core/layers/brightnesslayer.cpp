@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/layers.h"
+#include "core/methods/method.h"
 
 #include <QLineF>
 
@@ -110,6 +111,17 @@ void drawBrightness(const LayerMoment &moment, LayerDrawing &drawing)
     drawEvenLine(line, drawing);
 }
 
+/// Those that write a pixel a step, and so draw a line brighter on the level than at 45°.
+QStringList thinLineMethods()
+{
+    QStringList ids;
+    for (const Method &method : methods()) {
+        if (method.family == MethodFamily::Lines)
+            ids += method.id;
+    }
+    return ids;
+}
+
 } // namespace
 
 Layer brightnessLayer()
@@ -121,9 +133,7 @@ Layer brightnessLayer()
                 "on the level, 1/√2 at 45°; beside it a line of even brightness, one pixel wide."),
             .source = QStringLiteral("Rasterization slides, “Raster Conversion of Lines”"),
             .kinds = {PrimitiveKind::Line},
-            .methods = {QStringLiteral("line-dda"), QStringLiteral("line-slope-intercept"),
-                        QStringLiteral("line-parametric"), QStringLiteral("line-bresenham"),
-                        QStringLiteral("line-bresenham-symmetric")},
+            .methods = thinLineMethods(),
             .draw = drawBrightness};
 }
 

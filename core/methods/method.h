@@ -39,6 +39,7 @@ struct Method {
     /// Why it supports no other fill rules; empty if it supports all.
     QString fillRuleReason = {};
     std::vector<Variant> variants = {}; ///< departures that it accepts
+    bool roundsPoints = false; ///< draws from vertices, ends or a centre on whole pixels
     /// For runs that call for nothing but colour; a trace has its own (ScanTrace::numbers).
     TraceNumbers numbers = {};
 

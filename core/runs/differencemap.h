@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/frame/difference.h"
 #include "core/frame/framebuffer.h"
 #include "core/frame/framemap.h"
 
-#include <array>
 #include <span>
 
 namespace pixelplumb {
-
-/// How a pixel of the finished picture differs from the truth.
-enum class Difference : std::uint8_t {
-    None,
-    Missing, ///< the truth covers it, the kernel did not write it
-    Extra, ///< the kernel wrote it, the truth does not cover it
-    Colour, ///< both wrote it, with different bytes
-};
 
 /// The differences of a whole picture from the truth, a byte a pixel.
 class DifferenceMap {
@@ -42,19 +34,16 @@ public:
     }
     void set(std::int64_t x, std::int64_t y, Difference kind)
     {
-        --m_counts[std::size_t(m_kinds.at(x, y))];
+        m_counts.add(m_kinds.at(x, y), -1);
         m_kinds.at(x, y) = kind;
-        ++m_counts[std::size_t(kind)];
+        m_counts.add(kind);
     }
-    std::int64_t count(Difference kind) const { return m_counts[std::size_t(kind)]; }
-    std::int64_t total() const
-    {
-        return count(Difference::Missing) + count(Difference::Extra) + count(Difference::Colour);
-    }
+    std::int64_t count(Difference kind) const { return m_counts.count(kind); }
+    std::int64_t total() const { return m_counts.total(); }
 
 private:
     FrameMap<Difference> m_kinds;
-    std::array<std::int64_t, 4> m_counts = {};
+    DifferenceCounts m_counts;
 };
 
 } // namespace pixelplumb

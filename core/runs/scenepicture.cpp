@@ -11,18 +11,6 @@
 
 namespace pixelplumb {
 
-namespace {
-
-/// Compares two words that differ.
-Difference differenceBetween(QRgb drawn, QRgb twin)
-{
-    if (qAlpha(drawn) == 0)
-        return Difference::Missing;
-    return qAlpha(twin) == 0 ? Difference::Extra : Difference::Colour;
-}
-
-} // namespace
-
 ScenePicture::ScenePicture(const FrameSpec &frame)
     : m_drawn(frame)
     , m_differences(frame)
@@ -187,7 +175,7 @@ void ScenePicture::noteDifferences(std::int64_t y, const QRgb *drawnRow, const Q
     for (std::int32_t x = 0; x < spec().width; ++x) {
         if (drawnRow[x] != twinRow[x])
             m_differences.set(std::int64_t(spec().firstColumn) + x, y,
-                              differenceBetween(drawnRow[x], twinRow[x]));
+                              differenceOf(qAlpha(drawnRow[x]) != 0, qAlpha(twinRow[x]) != 0));
     }
 }
 

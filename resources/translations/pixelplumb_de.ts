@@ -96,10 +96,6 @@
         <translation>Dreieck %1</translation>
     </message>
     <message>
-        <source>same</source>
-        <translation>gleich</translation>
-    </message>
-    <message>
         <source>missing</source>
         <translation>fehlt</translation>
     </message>

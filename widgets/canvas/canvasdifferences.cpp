@@ -44,12 +44,10 @@ std::size_t nextDifference(std::span<const Kind> row, std::size_t column)
     return row.size();
 }
 
-// Both enums number their kinds of marks in the order of the signs.
+// The marks are in the order of the signs.
 static_assert(int(Difference::None) == 0 && int(Difference::Missing) == 1
-              && int(Difference::Extra) == 2 && int(Difference::Colour) == 3);
-static_assert(int(PixelVerdict::Same) == 0 && int(PixelVerdict::Missing) == 1
-              && int(PixelVerdict::Extra) == 2 && int(PixelVerdict::Colour) == 3
-              && int(PixelVerdict::Undecidable) == 4);
+              && int(Difference::Extra) == 2 && int(Difference::Colour) == 3
+              && int(Difference::Undecidable) == 4);
 
 } // namespace
 
@@ -71,7 +69,7 @@ void CanvasDifferences::lookUp(const Source &source, const ViewMapping &mapping,
     const QRect cells = picturePixelsIn(device, mapping);
     if (source.judgement) {
         const PictureDiff &diff = source.judgement->diff;
-        const std::span<const PixelVerdict> all = diff.verdicts;
+        const std::span<const Difference> all = diff.verdicts;
         lookUpCells(cells, [&](std::int64_t y) {
             const int line = pictureLine(mapping.frame(), y);
             return all.subspan(std::size_t(line) * std::size_t(diff.width),

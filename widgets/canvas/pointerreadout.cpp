@@ -117,7 +117,7 @@ QString studentText(const QPoint &pixel, const CanvasSources &sources)
 {
     const auto judgement = markedJudgement(sources);
     const auto place = judgement ? judgement->placeOf(pixel) : std::nullopt;
-    if (!place || judgement->diff.verdicts[*place] == PixelVerdict::Same)
+    if (!place || judgement->diff.verdicts[*place] == Difference::None)
         return {};
     const QString verdict = coreWord(nameOf(judgement->diff.verdicts[*place]));
     return PointerReadout::tr("student: %1")

@@ -23,21 +23,6 @@ bool isTie(const Triangle &triangle, FillRule rule, const QPoint &pixel)
     return std::ranges::all_of(verdict.edges, isInside) && std::ranges::any_of(verdict.edges, isOn);
 }
 
-std::optional<Sign> differenceSign(Difference difference)
-{
-    switch (difference) {
-    case Difference::None:
-        break;
-    case Difference::Missing:
-        return Sign::Missing;
-    case Difference::Extra:
-        return Sign::Extra;
-    case Difference::Colour:
-        return Sign::ColourDiffers;
-    }
-    return std::nullopt;
-}
-
 /// The name of a span that crosses the cells; empty for other spans.
 QString nameAmongCells(const SpanPlace &place, const PixelGridMapping &mapping)
 {
@@ -72,11 +57,10 @@ public:
             return cell;
         cell.colour = *m_shown.at(pixel.x(), pixel.y());
         cell.isBackground = (cell.colour | 0xff000000U) == packed(m_traced.scene.frame.background);
-        const std::optional<Sign> difference
-            = differenceSign(m_traced.differences.at(pixel.x(), pixel.y()));
+        const Difference difference = m_traced.differences.at(pixel.x(), pixel.y());
         const bool isDecided = m_traced.decidedAt(pixel.x(), pixel.y()) <= m_position;
-        if (m_differences && difference && isDecided)
-            cell.signs.push_back(*difference);
+        if (m_differences && difference != Difference::None && isDecided)
+            cell.signs.push_back(signOf(difference));
         if (!m_triangle)
             return cell;
         if (columnHasTie && (isDecided || !m_isAheadHidden)

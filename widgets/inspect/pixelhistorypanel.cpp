@@ -34,20 +34,6 @@ QString swatchHtml(QRgb colour)
         .arg(name);
 }
 
-Sign signOf(Difference difference)
-{
-    switch (difference) {
-    case Difference::Missing:
-        return Sign::Missing;
-    case Difference::Extra:
-        return Sign::Extra;
-    case Difference::None:
-    case Difference::Colour:
-        break;
-    }
-    return Sign::ColourDiffers;
-}
-
 } // namespace
 
 PixelHistoryPanel::PixelHistoryPanel(Playhead *playhead, QWidget *parent)

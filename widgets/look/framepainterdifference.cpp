@@ -14,20 +14,6 @@ namespace {
 constexpr double leastFramedCell = 4;
 constexpr double largestGlyph = 22;
 
-Sign signOf(Difference kind)
-{
-    switch (kind) {
-    case Difference::Missing:
-        return Sign::Missing;
-    case Difference::Extra:
-        return Sign::Extra;
-    case Difference::Colour:
-    case Difference::None:
-        break;
-    }
-    return Sign::ColourDiffers;
-}
-
 /// The glyph's outline with its ink centred in a cell.
 QPainterPath glyphPath(const QString &glyph, QFont font, const QRectF &cell)
 {

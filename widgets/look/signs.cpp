@@ -112,6 +112,22 @@ private:
 
 } // namespace
 
+Sign signOf(Difference difference)
+{
+    switch (difference) {
+    case Difference::Missing:
+        return Sign::Missing;
+    case Difference::Extra:
+        return Sign::Extra;
+    case Difference::Undecidable:
+        return Sign::Tie;
+    case Difference::Colour:
+    case Difference::None:
+        break;
+    }
+    return Sign::ColourDiffers;
+}
+
 QColor signColour(Sign sign, const QPalette &palette)
 {
     const SignColours colours = coloursOf(sign);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/frame/difference.h"
+
 #include <QColor>
 #include <QIcon>
 #include <QPalette>
@@ -30,6 +32,7 @@ enum class Sign {
 QColor signColour(Sign sign, const QPalette &palette);
 /// The glyph that marks a sign in addition to its colour; empty where its position does so.
 QString signGlyph(Sign sign);
+Sign signOf(Difference difference); ///< of one other than None
 bool isDark(const QPalette &palette);
 
 /// The signs of a tape deck. They are drawn, because no font can be relied on to have them.

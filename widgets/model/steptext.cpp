@@ -47,6 +47,7 @@ QString firstDifferenceText(const TracedScene &traced)
         case Difference::Extra:
             return StepText::tr("first difference from the truth: pixel (%1, %2) is extra");
         case Difference::Colour:
+        case Difference::Undecidable:
         case Difference::None:
             break;
         }

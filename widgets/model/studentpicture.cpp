@@ -56,10 +56,10 @@ std::optional<std::size_t> PictureJudgement::placeOf(const QPoint &pixel) const
     return expected.placeOf(column, pictureLine(frame, pixel.y()));
 }
 
-PixelVerdict PictureJudgement::verdictAt(const QPoint &pixel) const
+Difference PictureJudgement::verdictAt(const QPoint &pixel) const
 {
     const std::optional<std::size_t> place = placeOf(pixel);
-    return place ? diff.verdicts[*place] : PixelVerdict::Same;
+    return place ? diff.verdicts[*place] : Difference::None;
 }
 
 namespace {
@@ -68,7 +68,7 @@ template <class IsMeant>
 std::optional<QPoint> firstFrom(std::size_t begin, const PictureJudgement &judgement,
                                 IsMeant isMeant)
 {
-    const std::vector<PixelVerdict> &verdicts = judgement.diff.verdicts;
+    const std::vector<Difference> &verdicts = judgement.diff.verdicts;
     const auto found
         = std::find_if(verdicts.begin() + std::ptrdiff_t(begin), verdicts.end(), isMeant);
     if (found == verdicts.end())
@@ -84,15 +84,14 @@ Result<Picture> pictureFrom(const Result<QByteArray> &content, const QString &na
     return content ? parsePicture(*content, name) : Result<Picture>(content.error());
 }
 
-bool differs(PixelVerdict verdict) { return verdict != PixelVerdict::Same; }
+bool differs(Difference verdict) { return verdict != Difference::None; }
 
 } // namespace
 
 std::optional<QPoint> PictureJudgement::firstDifference() const
 {
-    const auto isWrong = [](PixelVerdict verdict) {
-        return differs(verdict) && verdict != PixelVerdict::Undecidable;
-    };
+    const auto isWrong
+        = [](Difference verdict) { return differs(verdict) && verdict != Difference::Undecidable; };
     const auto wrong = firstFrom(0, *this, isWrong);
     return wrong ? wrong : firstFrom(0, *this, differs);
 }

@@ -14,7 +14,7 @@ namespace {
 
 QString countOf(const ContenderRun &run, Difference kind)
 {
-    return QString::number(run.tally.againstTruth[std::size_t(kind)]);
+    return QString::number(run.tally.againstTruth.count(kind));
 }
 
 } // namespace

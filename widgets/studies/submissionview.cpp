@@ -24,21 +24,21 @@ QString contentOf(const Picture &picture, std::size_t place)
                                        : SubmissionPanel::tr("not covered");
 }
 
-QString countText(const PictureDiff &diff, PixelVerdict verdict)
+QString countText(const PictureDiff &diff, Difference verdict)
 {
     const qint64 count = diff.count(verdict);
     switch (verdict) {
-    case PixelVerdict::Missing:
+    case Difference::Missing:
         return SubmissionPanel::tr("%L1 missing").arg(count);
-    case PixelVerdict::Extra:
+    case Difference::Extra:
         return SubmissionPanel::tr("%L1 extra").arg(count);
-    case PixelVerdict::Colour:
+    case Difference::Colour:
         return SubmissionPanel::tr("%L1 of another colour, by up to %2")
             .arg(count)
             .arg(diff.largestError);
-    case PixelVerdict::Undecidable:
+    case Difference::Undecidable:
         return SubmissionPanel::tr("%L1 undecidable, on an edge or by rounding").arg(count);
-    case PixelVerdict::Same:
+    case Difference::None:
         break;
     }
     return SubmissionPanel::tr("%L1 the same").arg(count);
@@ -61,25 +61,9 @@ QImage shownImage(const Picture &picture)
 
 } // namespace
 
-Sign signOf(PixelVerdict verdict)
-{
-    switch (verdict) {
-    case PixelVerdict::Missing:
-        return Sign::Missing;
-    case PixelVerdict::Extra:
-        return Sign::Extra;
-    case PixelVerdict::Undecidable:
-        return Sign::Tie;
-    case PixelVerdict::Colour:
-    case PixelVerdict::Same:
-        break;
-    }
-    return Sign::ColourDiffers;
-}
-
 QString verdictText(const PictureDiff &diff)
 {
-    const std::int64_t open = diff.count(PixelVerdict::Undecidable);
+    const std::int64_t open = diff.count(Difference::Undecidable);
     if (diff.differing() > 0)
         return SubmissionPanel::tr("Wrong: %n pixels differ.", nullptr, int(diff.differing()));
     if (open > 0)
@@ -94,8 +78,8 @@ QString countsText(const PictureJudgement &judgement, const QPalette &palette)
 {
     const PictureDiff &diff = judgement.diff;
     QStringList lines;
-    for (const PixelVerdict verdict : allPixelVerdicts) {
-        const bool isSame = verdict == PixelVerdict::Same;
+    for (const Difference verdict : allDifferences) {
+        const bool isSame = verdict == Difference::None;
         if (!isSame && diff.count(verdict) == 0)
             continue;
         const QString colour = isSame ? palette.color(QPalette::Text).name()
@@ -126,14 +110,14 @@ QString pixelText(const PictureJudgement &judgement, const QPoint &pixel)
     const std::optional<std::size_t> place = judgement.placeOf(pixel);
     if (!place)
         return {};
-    const PixelVerdict verdict = judgement.diff.verdicts[*place];
+    const Difference verdict = judgement.diff.verdicts[*place];
     const QString text
         = SubmissionPanel::tr("(%1, %2) student: %3, expected: %4")
               .arg(pixel.x())
               .arg(pixel.y())
               .arg(contentOf(judgement.found, *place), contentOf(judgement.expected, *place));
-    return verdict == PixelVerdict::Same ? text
-                                         : text + QStringLiteral(" — ") + coreWord(nameOf(verdict));
+    return verdict == Difference::None ? text
+                                       : text + QStringLiteral(" — ") + coreWord(nameOf(verdict));
 }
 
 SubmissionView::SubmissionView(Side side, CompareLink *link, Playhead *playhead, QWidget *parent)
@@ -165,10 +149,10 @@ void SubmissionView::paintSigns(QPainter &painter, FramePainter &, const ViewMap
     const QRect shown = mapping.pictureIn(mapping.deviceRect(rect()) & mapping.devicePicture());
     for (int line = shown.top(); line <= shown.bottom(); ++line) {
         for (int column = shown.left(); column <= shown.right(); ++column) {
-            const PixelVerdict verdict
+            const Difference verdict
                 = m_judgement->diff.verdicts[m_judgement->expected.placeOf(column, line)];
             const QPoint pixel(frame.firstColumn + column, int(rowOfPictureLine(frame, line)));
-            if (verdict != PixelVerdict::Same)
+            if (verdict != Difference::None)
                 paintMark(painter, mapping.cellOf(pixel), signOf(verdict), palette());
         }
     }

@@ -7,8 +7,6 @@
 
 namespace pixelplumb {
 
-Sign signOf(PixelVerdict verdict); ///< of a verdict other than Same
-
 /// "Wrong: 12 pixels differ."
 QString verdictText(const PictureDiff &diff);
 /// How many pixels of each kind, with its glyph in its colour, and whether transparency is ignored;

@@ -117,7 +117,7 @@ void connectSubmission(const WindowParts &parts, WindowDocks &docks, MainWindow 
                          const bool covers = submission->underMouse()
                              && window->tabifiedDockWidgets(history).contains(submission);
                          if (docks.workspaces()->current() == Workspace::Step && judgement
-                             && judgement->verdictAt(pixel) != PixelVerdict::Same && !covers)
+                             && judgement->verdictAt(pixel) != Difference::None && !covers)
                              docks.raise(history);
                      });
 }

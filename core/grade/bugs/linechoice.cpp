@@ -3,6 +3,7 @@
 
 #include "core/frame/framebuffer.h"
 #include "core/grade/bugs/drawnline.h"
+#include "core/methods/method.h"
 #include "core/scan/errorlimit.h"
 #include "core/scan/lines/linebresenham.h"
 
@@ -88,11 +89,16 @@ std::array<LevelRange, 3> levelsAt(const Vertex &from, const Vertex &to, double 
 
 bool isMethod(const Scene &scene, std::string_view id) { return scene.method == id; }
 
+const Method &methodOf(const Scene &scene)
+{
+    return *methodNamed(QString::fromStdString(scene.method));
+}
+
 /// Steps by whole columns, or rows of a steep line.
 std::vector<LineChoice> stepsByPixel(Vertex from, Vertex to, const Scene &scene,
                                      Arithmetic arithmetic)
 {
-    if (isMethod(scene, "line-bresenham")) {
+    if (methodOf(scene).roundsPoints) {
         from = onPixel(from);
         to = onPixel(to);
     }
@@ -190,11 +196,8 @@ bool LineChoice::mayHave(const Colour &colour, ByteRounding rounding) const
 
 bool drawsNearestPixels(const Scene &scene)
 {
-    constexpr std::array methods = {"line-slope-intercept", "line-parametric", "line-dda",
-                                    "line-bresenham", "line-bresenham-symmetric"};
-    const auto isOwn = [&](const char *id) { return isMethod(scene, id); };
     return isOfLines(scene) && scene.settings.variants.without(Variant::StayAtZero).isEmpty()
-        && std::ranges::any_of(methods, isOwn);
+        && methodOf(scene).family == MethodFamily::Lines;
 }
 
 std::vector<LineChoice> lineChoices(const Shape &line, const Scene &scene, Arithmetic arithmetic)

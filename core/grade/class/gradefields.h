@@ -42,7 +42,7 @@ void eachField(Self &self, const Visit &visit)
     visit("lack", self.lack);
     visit("picture", self.picture);
     visit("pictureDigest", self.pictureDigest);
-    visit("counts", self.counts); // same, missing, extra, colour, undecidable
+    visit("counts", self.counts.pixels); // same, missing, extra, colour, undecidable
     visit("largestError", self.largestError);
     visit("causes", self.causes);
     visit("firstDifference", self.firstDifference);

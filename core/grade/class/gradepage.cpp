@@ -52,18 +52,18 @@ QString figure(const QImage &image, const QString &caption)
 
 // The colours of marked pictures (Okabe and Ito's), as in `diff`: missing vermilion, extra blue,
 // another colour purple, undecidable yellow.
-QRgb inkOf(PixelVerdict verdict)
+QRgb inkOf(Difference verdict)
 {
     switch (verdict) {
-    case PixelVerdict::Missing:
+    case Difference::Missing:
         return qRgb(0xd5, 0x5e, 0x00);
-    case PixelVerdict::Extra:
+    case Difference::Extra:
         return qRgb(0x00, 0x72, 0xb2);
-    case PixelVerdict::Colour:
+    case Difference::Colour:
         return qRgb(0xcc, 0x79, 0xa7);
-    case PixelVerdict::Undecidable:
+    case Difference::Undecidable:
         return qRgb(0xf0, 0xe4, 0x42);
-    case PixelVerdict::Same:
+    case Difference::None:
         break;
     }
     return 0;
@@ -75,9 +75,9 @@ QImage imageOf(const PictureDiff &diff, const Picture &expected)
     for (int line = 0; line < diff.height; ++line) {
         for (int x = 0; x < diff.width; ++x) {
             const std::size_t place = expected.placeOf(x, line);
-            const PixelVerdict verdict = diff.verdicts[place];
+            const Difference verdict = diff.verdicts[place];
             const QRgb covered = expected.covered[place] != 0 ? qRgb(96, 96, 96) : qRgb(32, 32, 32);
-            image.setPixel(x, line, verdict == PixelVerdict::Same ? covered : inkOf(verdict));
+            image.setPixel(x, line, verdict == Difference::None ? covered : inkOf(verdict));
         }
     }
     return image;
@@ -183,10 +183,10 @@ private:
             += figure(imageOf(diff, expected),
                       QStringLiteral("%1 missing (orange), %2 extra (blue), %3 of another colour "
                                      "(purple), %4 undecidable (yellow)")
-                          .arg(diff.count(PixelVerdict::Missing))
-                          .arg(diff.count(PixelVerdict::Extra))
-                          .arg(diff.count(PixelVerdict::Colour))
-                          .arg(diff.count(PixelVerdict::Undecidable)));
+                          .arg(diff.count(Difference::Missing))
+                          .arg(diff.count(Difference::Extra))
+                          .arg(diff.count(Difference::Colour))
+                          .arg(diff.count(Difference::Undecidable)));
     }
 
     const GradeReport &m_report;

@@ -23,11 +23,11 @@ CoveredTally tallyOf(const Picture &expected, const PictureDiff &diff)
 {
     CoveredTally tally;
     for (std::size_t i = 0; i < expected.size(); ++i) {
-        if (expected.covered[i] == 0 || diff.verdicts[i] == PixelVerdict::Undecidable)
+        if (expected.covered[i] == 0 || diff.verdicts[i] == Difference::Undecidable)
             continue;
         ++tally.asked;
-        tally.there += diff.verdicts[i] != PixelVerdict::Missing ? 1 : 0;
-        tally.right += diff.verdicts[i] == PixelVerdict::Same ? 1 : 0;
+        tally.there += diff.verdicts[i] != Difference::Missing ? 1 : 0;
+        tally.right += diff.verdicts[i] == Difference::None ? 1 : 0;
     }
     return tally;
 }
@@ -40,7 +40,7 @@ bool isPassed(Check check, const Picture &expected, const Delivery &delivery,
     case Check::Picture:
         return true;
     case Check::Coverage:
-        return diff.count(PixelVerdict::Missing) + diff.count(PixelVerdict::Extra) == 0;
+        return diff.count(Difference::Missing) + diff.count(Difference::Extra) == 0;
     case Check::Invariants:
         return delivery.brokenInvariants && delivery.brokenInvariants->empty();
     case Check::Colours:
@@ -48,7 +48,7 @@ bool isPassed(Check check, const Picture &expected, const Delivery &delivery,
     }
     const CoveredTally tally = tallyOf(expected, diff);
     return found.hasColours && 2 * tally.there >= tally.asked
-        && diff.count(PixelVerdict::Colour) == 0;
+        && diff.count(Difference::Colour) == 0;
 }
 
 /// The points for a failed check, rounded down to hundredths. Coverage: the pixels rightly covered,
@@ -63,7 +63,7 @@ double pointsInPart(const GradedCheck &check, const Picture &expected, const Pic
         return 0;
     const CoveredTally tally = tallyOf(expected, diff);
     const bool isCoverage = check.check == Check::Coverage;
-    const std::int64_t doubledOf = isCoverage ? 2 * (tally.asked + diff.count(PixelVerdict::Extra))
+    const std::int64_t doubledOf = isCoverage ? 2 * (tally.asked + diff.count(Difference::Extra))
                                               : std::max(2 * tally.there, tally.asked);
     const std::int64_t reached = isCoverage ? tally.there : tally.right;
     constexpr double ofRounding = 1e-9; // for points that are no binary fractions
@@ -74,10 +74,10 @@ double pointsInPart(const GradedCheck &check, const Picture &expected, const Pic
 
 std::optional<FramePixel> firstDifferenceIn(const PictureDiff &diff, const FrameSpec &frame)
 {
-    const auto isOther = [](PixelVerdict verdict) { return verdict != PixelVerdict::Same; };
+    const auto isOther = [](Difference verdict) { return verdict != Difference::None; };
     // An open pixel is returned only where there is no other.
-    auto found = std::ranges::find_if(diff.verdicts, [&](PixelVerdict verdict) {
-        return isOther(verdict) && verdict != PixelVerdict::Undecidable;
+    auto found = std::ranges::find_if(diff.verdicts, [&](Difference verdict) {
+        return isOther(verdict) && verdict != Difference::Undecidable;
     });
     if (found == diff.verdicts.end())
         found = std::ranges::find_if(diff.verdicts, isOther);
@@ -95,13 +95,8 @@ GradeVerdict verdictOf(const std::vector<GradedScene> &scenes)
     std::int64_t open = 0;
     for (const GradedScene &scene : scenes) {
         judged += scene.fault.isEmpty() ? 1 : 0;
-        for (const PixelVerdict verdict : allPixelVerdicts) {
-            const std::int64_t count = scene.counts[std::size_t(verdict)];
-            if (verdict == PixelVerdict::Undecidable)
-                open += count;
-            else if (verdict != PixelVerdict::Same)
-                wrong += count;
-        }
+        open += scene.counts.count(Difference::Undecidable);
+        wrong += scene.counts.total();
     }
     if (judged == 0)
         return GradeVerdict::Nothing;

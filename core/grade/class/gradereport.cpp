@@ -19,12 +19,12 @@ QString countText(std::int64_t count, const QString &what)
 QString differencesText(const GradedScene &scene)
 {
     QStringList parts;
-    for (const PixelVerdict verdict : allPixelVerdicts) {
-        const std::int64_t count = scene.counts[std::size_t(verdict)];
-        if (verdict != PixelVerdict::Same && count > 0)
+    for (const Difference verdict : allDifferences) {
+        const std::int64_t count = scene.counts.count(verdict);
+        if (verdict != Difference::None && count > 0)
             parts += countText(count,
-                               verdict == PixelVerdict::Colour ? QStringLiteral("of another colour")
-                                                               : nameOf(verdict));
+                               verdict == Difference::Colour ? QStringLiteral("of another colour")
+                                                             : nameOf(verdict));
     }
     QString text = QStringLiteral("%1: %2").arg(scene.scene, parts.join(QStringLiteral(", ")));
     if (const auto &first = scene.firstDifference)

@@ -72,7 +72,7 @@ struct GradedScene {
         = {}; ///< the kind of fault; none: there is a picture, or no kind was recorded
     QString picture; ///< a copy of what was judged, relative to the results' folder; or empty
     QString pictureDigest = {}; ///< of the copy's bytes, SHA-256 in hexadecimal digits; or empty
-    std::array<std::int64_t, allPixelVerdicts.size()> counts = {}; ///< pixels, by PixelVerdict
+    DifferenceCounts counts;
     int largestError = 0; ///< of a byte, in pixels with the verdict Colour
     QStringList causes; ///< changes of the whole picture that leave at most half of the differences
     std::optional<FramePixel> firstDifference; ///< in reading order, from the top line on

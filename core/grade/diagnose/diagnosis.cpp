@@ -22,7 +22,7 @@ std::int64_t undecidableIn(DefectPictures &pictures, std::span<const FoundPictur
         const Picture &right = *pictures.picture(each.scene, {});
         const auto open
             = undecidablePixels(pictures.scenes()[each.scene], right, each.picture, margin);
-        undecidable += differenceOf(right, each.picture, open).count(PixelVerdict::Undecidable);
+        undecidable += differenceOf(right, each.picture, open).count(Difference::Undecidable);
     }
     return undecidable;
 }

@@ -4,7 +4,6 @@
 #include "core/frame/framebuffer.h"
 #include "core/grade/pictures/picturecause.h"
 #include "core/oracle/oracle.h"
-#include "core/runs/differencename.h"
 #include "core/scan/tests/edgeteststate.h"
 
 #include <algorithm>
@@ -23,15 +22,15 @@ int errorBetween(const Colour &a, const Colour &b)
     return error;
 }
 
-PixelVerdict verdictAt(const Picture &expected, const Picture &found, std::size_t place)
+Difference verdictAt(const Picture &expected, const Picture &found, std::size_t place)
 {
     // Drawing in the background's colour is invisible: where there are bytes, they decide.
     const bool haveColours = expected.hasColours && found.hasColours;
     if (haveColours && expected.colours[place] == found.colours[place])
-        return PixelVerdict::Same;
-    if (expected.covered[place] != found.covered[place])
-        return expected.covered[place] != 0 ? PixelVerdict::Missing : PixelVerdict::Extra;
-    return haveColours ? PixelVerdict::Colour : PixelVerdict::Same;
+        return Difference::None;
+    const Difference difference
+        = differenceOf(found.covered[place] != 0, expected.covered[place] != 0);
+    return difference == Difference::Colour && !haveColours ? Difference::None : difference;
 }
 
 void findCauses(const Picture &expected, const Picture &found, PictureDiff &diff)
@@ -71,23 +70,6 @@ std::int64_t differingEntries(const std::vector<Entry> &expected, const std::vec
 
 } // namespace
 
-QString nameOf(PixelVerdict verdict)
-{
-    switch (verdict) {
-    case PixelVerdict::Same:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "same"));
-    case PixelVerdict::Missing:
-        return nameOf(Difference::Missing);
-    case PixelVerdict::Extra:
-        return nameOf(Difference::Extra);
-    case PixelVerdict::Colour:
-        return nameOf(Difference::Colour);
-    case PixelVerdict::Undecidable:
-        break;
-    }
-    return QStringLiteral(QT_TRANSLATE_NOOP("core", "undecidable"));
-}
-
 std::int64_t differingPixels(const Picture &expected, const Picture &found, std::int64_t limit)
 {
     if (expected.hasColours && found.hasColours)
@@ -103,15 +85,15 @@ PictureDiff differenceOf(const Picture &expected, const Picture &found,
     diff.height = expected.height;
     diff.verdicts.reserve(expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
-        PixelVerdict verdict = verdictAt(expected, found, i);
+        Difference verdict = verdictAt(expected, found, i);
         const bool isOpen = !undecidable.empty() && undecidable[i] != 0;
-        if (verdict != PixelVerdict::Same && isOpen)
-            verdict = PixelVerdict::Undecidable;
-        if (verdict == PixelVerdict::Colour)
+        if (verdict != Difference::None && isOpen)
+            verdict = Difference::Undecidable;
+        if (verdict == Difference::Colour)
             diff.largestError
                 = std::max(diff.largestError, errorBetween(expected.colours[i], found.colours[i]));
         diff.verdicts.push_back(verdict);
-        ++diff.counts[std::size_t(verdict)];
+        diff.counts.add(verdict);
     }
     if (diff.differing() > 0)
         findCauses(expected, found, diff);
@@ -145,19 +127,19 @@ QString rasterOf(const PictureDiff &diff, const Picture &expected)
         for (int x = 0; x < diff.width; ++x) {
             const std::size_t place = expected.placeOf(x, line);
             switch (diff.verdicts[place]) {
-            case PixelVerdict::Same:
+            case Difference::None:
                 raster += expected.covered[place] != 0 ? u'#' : u'.';
                 break;
-            case PixelVerdict::Missing:
+            case Difference::Missing:
                 raster += u'?';
                 break;
-            case PixelVerdict::Extra:
+            case Difference::Extra:
                 raster += u'!';
                 break;
-            case PixelVerdict::Colour:
+            case Difference::Colour:
                 raster += u'c';
                 break;
-            case PixelVerdict::Undecidable:
+            case Difference::Undecidable:
                 raster += u'=';
                 break;
             }

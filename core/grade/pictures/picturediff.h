@@ -1,30 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/frame/difference.h"
 #include "core/grade/pictures/picture.h"
 
 #include <QString>
 
-#include <array>
 #include <limits>
 #include <span>
 
 namespace pixelplumb {
-
-/// How a pixel of a picture compares with the expected one.
-enum class PixelVerdict : std::uint8_t {
-    Same,
-    Missing, ///< should be covered
-    Extra, ///< should not be covered
-    Colour, ///< covered in both, with other bytes
-    Undecidable, ///< different, but left open by the scene: a sample on an edge
-};
-inline constexpr std::array allPixelVerdicts
-    = {PixelVerdict::Same, PixelVerdict::Missing, PixelVerdict::Extra, PixelVerdict::Colour,
-       PixelVerdict::Undecidable};
-
-/// "same", "missing", …
-QString nameOf(PixelVerdict verdict);
 
 /// A change of the whole expected picture that leaves fewer differences.
 struct PictureCause {
@@ -38,18 +23,13 @@ struct PictureCause {
 struct PictureDiff {
     int width = 0;
     int height = 0;
-    std::vector<PixelVerdict> verdicts; ///< line by line, the top line first
-    std::array<std::int64_t, allPixelVerdicts.size()> counts = {};
+    std::vector<Difference> verdicts; ///< line by line, the top line first
+    DifferenceCounts counts;
     int largestError = 0; ///< of a byte, where the verdict is Colour
     std::vector<PictureCause> causes; ///< those that leave at most half; the best first
 
-    std::int64_t count(PixelVerdict verdict) const { return counts[std::size_t(verdict)]; }
-    /// Wrong pixels; undecidable ones are not counted.
-    std::int64_t differing() const
-    {
-        return count(PixelVerdict::Missing) + count(PixelVerdict::Extra)
-            + count(PixelVerdict::Colour);
-    }
+    std::int64_t count(Difference verdict) const { return counts.count(verdict); }
+    std::int64_t differing() const { return counts.total(); }
 };
 
 /// Counts differing pixels, stopping at a limit: by colour alone where both pictures have colours,

@@ -59,9 +59,11 @@ QString countingGap(const Method &method, Arithmetic arithmetic)
         return QStringLiteral(
             "Not counted: an area takes as many steps as its polygon has corners, "
             "in floating point and, where a byte depends on it, in fractions.");
-    if (!isCounted(method))
+    if (method.id == QLatin1String("bezier-subdivision"))
         return QStringLiteral("Not counted: it computes in integers that grow with every cut, so "
                               "that one operation is not like another.");
+    if (!isCounted(method))
+        return QStringLiteral("Not counted.");
     if (method.id == QLatin1String("column-scan-bias") && arithmetic == Arithmetic::Float64)
         return QStringLiteral(
             "Annotated step by step, not counted by its numbers; what integers compute "

@@ -159,6 +159,7 @@ Method circleMidpointMethod()
                           "whole number of quarters, and mirrors each pixel into the other seven; "
                           "of unequal radii through two arcs of a quarter, each into three."));
     method.remarks += QStringLiteral("whole-pixel centre and radii");
+    method.roundsPoints = true;
     method.variants = {Variant::StayAtZero};
     return method;
 }

@@ -2,51 +2,9 @@
 #include "core/methods/lines/lines.h"
 
 #include "core/methods/lines/linekernels.h"
-#include "core/shade/linecolours.h"
+#include "core/methods/lines/linemethod.h"
 
 namespace pixelplumb {
-
-namespace {
-
-template <class Kernel>
-bool drawLines(const Run &run, FrameView frame, const ProgressListener &listener)
-{
-    return withDrawnColours(
-        run, [&](const Run &drawn) { return drawWith<Kernel>(drawn, frame, listener); });
-}
-
-template <class Kernel>
-std::unique_ptr<ScanTrace> traceLines(const Run &run, FrameView frame, const TraceOptions &options)
-{
-    return withDrawnColours(
-        run, [&](const Run &drawn) { return traceWith<Kernel>(drawn, frame, options); });
-}
-
-/// The common part of all line methods.
-template <class Kernel>
-Method lineMethod()
-{
-    Method method = methodOf<Kernel>();
-    method.draw = drawLines<Kernel>;
-    method.trace = traceLines<Kernel>;
-    method.family = MethodFamily::Lines;
-    method.effects = {Effect::SmoothColour, Effect::Clipping};
-    method.kinds = {PrimitiveKind::Line};
-    method.arithmetics = {Arithmetic::Exact};
-    method.fillRules = {FillRule::Closed};
-    method.fillRuleReason = QStringLiteral("a line has no inside that an edge could bound");
-    return method;
-}
-
-/// Of the methods that decisions lead.
-PseudocodeLine coloursAlongLine()
-{
-    return {1,
-            QStringLiteral("R ← R₀ + (x − x₀)·(R₁ − R₀)/Δx if Δx > 0, else R₀; G and B likewise"),
-            {Moment::First}};
-}
-
-} // namespace
 
 Method lineSlopeInterceptMethod()
 {
@@ -196,6 +154,7 @@ Method lineBresenhamMethod()
                           "Steps from the end of smaller x (of a steep line, of smaller y) by the "
                           "sign of an integer; p_k < 0 stays, so that a tie steps across."));
     method.remarks += QStringLiteral("whole-pixel end points");
+    method.roundsPoints = true;
     method.variants = {Variant::StayAtZero, Variant::OneStepShort};
     return method;
 }

@@ -69,6 +69,7 @@ Method outlineFillMethod()
                           "nearest to an edge are painted on whichever side of it they "
                           "lie, those of a shared edge twice."));
     method.remarks += QStringLiteral("whole-pixel vertices");
+    method.roundsPoints = true;
     method.effects = {Effect::SmoothColour, Effect::Clipping};
     method.arithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::Closed};

@@ -116,7 +116,7 @@ private slots:
             tenths(), {truth(), columnScan(Arithmetic::Float32), columnScan(Arithmetic::Float64)});
 
         const auto missing = [&](std::size_t run) {
-            return contest->runs[run].tally.againstTruth[std::size_t(Difference::Missing)];
+            return contest->runs[run].tally.againstTruth.count(Difference::Missing);
         };
         QCOMPARE(missing(1), 64);
         QCOMPARE(missing(2), 127);

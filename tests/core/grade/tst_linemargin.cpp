@@ -81,7 +81,7 @@ private slots:
                     = judged(scene, textbookPicture<double>(scene, halves), Arithmetic::Float64);
                 QCOMPARE(single.differing(), std::int64_t(0));
                 QCOMPARE(twofold.differing(), std::int64_t(0));
-                open += single.count(PixelVerdict::Undecidable);
+                open += single.count(Difference::Undecidable);
             }
         }
         QVERIFY(open > 100);
@@ -200,7 +200,7 @@ private slots:
                 fillColumns(found, colour);
                 const PictureDiff diff = judged(scene, found, Arithmetic::Float32);
                 QCOMPARE(diff.differing(), std::int64_t(0));
-                open += diff.count(PixelVerdict::Undecidable);
+                open += diff.count(Difference::Undecidable);
             }
             Picture larger = pictureOf(scene);
             for (std::size_t place = larger.size(); place-- > 1;) {

@@ -84,7 +84,7 @@ private slots:
 
             const PictureDiff diff = judged(scene, found);
 
-            QCOMPARE(diff.count(PixelVerdict::Same), std::int64_t(found.size()));
+            QCOMPARE(diff.count(Difference::None), std::int64_t(found.size()));
         }
     }
 
@@ -118,22 +118,22 @@ private slots:
     void edgeOwnershipIsOpenButNotTheColour_data()
     {
         QTest::addColumn<QByteArray>("repainted");
-        QTest::addColumn<PixelVerdict>("verdict");
+        QTest::addColumn<Difference>("verdict");
         QTest::addColumn<Arithmetic>("tolerance");
         for (const Arithmetic tolerance : {Arithmetic::Exact, Arithmetic::Float32}) {
-            const auto row = [&](const char *colour, PixelVerdict verdict) {
+            const auto row = [&](const char *colour, Difference verdict) {
                 QTest::addRow("%s, %s", colour, nameOf(tolerance).data())
                     << QByteArray(colour) << verdict << tolerance;
             };
-            row("black", PixelVerdict::Undecidable);
-            row("red", PixelVerdict::Same);
-            row("cyan", PixelVerdict::Colour);
+            row("black", Difference::Undecidable);
+            row("red", Difference::None);
+            row("cyan", Difference::Colour);
         }
     }
     void edgeOwnershipIsOpenButNotTheColour()
     {
         QFETCH(QByteArray, repainted);
-        QFETCH(PixelVerdict, verdict);
+        QFETCH(Difference, verdict);
         QFETCH(Arithmetic, tolerance);
         const Colour colour = repainted == "black" ? black : repainted == "red" ? red : cyan;
         const Scene scene = sceneOf(
@@ -148,9 +148,9 @@ private slots:
         const PictureDiff diff = judged(scene, readBack(scene, found), {Leeway::Edges, tolerance});
 
         QCOMPARE(std::ranges::count(ties, 1), std::ptrdiff_t(27));
-        QCOMPARE(diff.count(verdict), std::int64_t(verdict == PixelVerdict::Same ? 144 : 27));
-        QCOMPARE(diff.count(PixelVerdict::Same),
-                 std::int64_t(verdict == PixelVerdict::Same ? 144 : 117));
+        QCOMPARE(diff.count(verdict), std::int64_t(verdict == Difference::None ? 144 : 27));
+        QCOMPARE(diff.count(Difference::None),
+                 std::int64_t(verdict == Difference::None ? 144 : 117));
     }
 
     void onASharedEdgeEitherTriangleMayHaveTheSample_data()
@@ -185,10 +185,10 @@ private slots:
         const Colour ofOther = right.colours[right.placeOf(4, pictureLine(scene.frame, 6))];
 
         QVERIFY(ofOne != ofOther);
-        QVERIFY(verdictOf(ofOne) != PixelVerdict::Colour);
-        QVERIFY(verdictOf(ofOther) != PixelVerdict::Colour);
-        QCOMPARE(verdictOf(black), PixelVerdict::Undecidable);
-        QCOMPARE(verdictOf({{10, 20, 30}}), PixelVerdict::Colour);
+        QVERIFY(verdictOf(ofOne) != Difference::Colour);
+        QVERIFY(verdictOf(ofOther) != Difference::Colour);
+        QCOMPARE(verdictOf(black), Difference::Undecidable);
+        QCOMPARE(verdictOf({{10, 20, 30}}), Difference::Colour);
     }
 
     void whatLiesBelowAnEdgeStaysThere()
@@ -206,9 +206,9 @@ private slots:
             return judged(scene, readBack(scene, found)).verdicts[place];
         };
 
-        QCOMPARE(verdictOf(cyan), PixelVerdict::Same);
-        QCOMPARE(verdictOf(red), PixelVerdict::Undecidable);
-        QCOMPARE(verdictOf(black), PixelVerdict::Missing);
+        QCOMPARE(verdictOf(cyan), Difference::None);
+        QCOMPARE(verdictOf(red), Difference::Undecidable);
+        QCOMPARE(verdictOf(black), Difference::Missing);
     }
 };
 

@@ -166,7 +166,7 @@ private slots:
         for (const Arithmetic arithmetic :
              {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64}) {
             const CasePicture drawn = pictureBy(u"circle-explicit", circle, frame, arithmetic);
-            QVERIFY(differenceBetween(drawn, truth).missing > 10);
+            QVERIFY(differencesBetween(drawn, truth).count(Difference::Missing) > 10);
             for (std::int64_t x = -14; x <= 14; ++x) { // 20/√2 = 14.1
                 for (std::int64_t y = -20; y <= 20; ++y)
                     QCOMPARE(drawn.isWritten(x, y), truth.isWritten(x, y) && absolute(y) >= 14);

@@ -112,12 +112,12 @@ private slots:
     {
         QTest::addColumn<QString>("id");
         QTest::addColumn<VariantSet>("variants");
-        for (const char *id : {"line-slope-intercept", "line-dda", "line-parametric",
-                               "line-bresenham", "line-bresenham-symmetric"}) {
-            const Method &method = *methodNamed(QString::fromLatin1(id));
-            QTest::newRow(id) << method.id << VariantSet();
+        for (const Method &method : methods()) {
+            if (method.family != MethodFamily::Lines)
+                continue;
+            QTest::newRow(qPrintable(method.id)) << method.id << VariantSet();
             for (const Variant variant : method.variants) {
-                QTest::addRow("%s, %s", id, std::string(nameOf(variant)).c_str())
+                QTest::addRow("%s, %s", qPrintable(method.id), std::string(nameOf(variant)).c_str())
                     << method.id << VariantSet().with(variant);
             }
         }
@@ -146,7 +146,7 @@ private slots:
                 continue;
             ListingNames names = setUpNames(*traced);
             LatticePoint a = line.vertices[0].position, b = line.vertices[1].position;
-            if (id == QStringLiteral("line-bresenham")) {
+            if (methodNamed(id)->roundsPoints) {
                 a = {rounded(a.x), rounded(a.y)};
                 b = {rounded(b.x), rounded(b.y)};
             }

@@ -71,8 +71,7 @@ QString textOf(const CasePicture &picture)
 
 QString departure(const CasePicture &drawn, const CasePicture &truth)
 {
-    const PictureDifference difference = differenceBetween(drawn, truth);
-    return difference.isNone() ? QString() : difference.message();
+    return differencesBetween(drawn, truth).message();
 }
 
 QString nameOf(const Shape &shape)

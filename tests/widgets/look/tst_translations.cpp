@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/agreement.h"
+#include "core/frame/difference.h"
 #include "core/grade/class/gradereport.h"
 #include "core/grade/pictures/picturediff.h"
 #include "core/lab/counting/operation.h"
@@ -22,6 +23,8 @@
 #include <QSet>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <span>
 
 namespace tst_translations {
 
@@ -143,7 +146,7 @@ QStringList namesOfCore()
     append(allSolidKinds);
     append(allSurfaces);
     append(allEffects);
-    append(allPixelVerdicts);
+    append(std::span(allDifferences).subspan(1)); // no difference is not shown
     append(allGradeVerdicts);
     append(allDisagreements);
     append(allOperations);

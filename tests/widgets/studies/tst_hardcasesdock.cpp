@@ -109,9 +109,7 @@ private slots:
                                      && compare->contest()->scene.frame.width == 1001,
                                  30000);
         const auto missing = [&](std::size_t run) {
-            return compare->contest()
-                ->runs[run]
-                .tally.againstTruth[std::size_t(Difference::Missing)];
+            return compare->contest()->runs[run].tally.againstTruth.count(Difference::Missing);
         };
         QCOMPARE(compare->contenders()[1].settings.arithmetic, Arithmetic::Float32);
         QCOMPARE(missing(1), 64);

@@ -186,8 +186,8 @@ private slots:
         dropFile(*window, path);
 
         QTRY_VERIFY(judgement(*window));
-        QCOMPARE(judgement(*window)->verdictAt(missing), PixelVerdict::Missing);
-        QCOMPARE(judgement(*window)->verdictAt(extra), PixelVerdict::Extra);
+        QCOMPARE(judgement(*window)->verdictAt(missing), Difference::Missing);
+        QCOMPARE(judgement(*window)->verdictAt(extra), Difference::Extra);
         QCOMPARE(judgement(*window)->diff.differing(), std::int64_t(2));
         QVERIFY(named<QDockWidget>(*window, "submissionDock")->isVisible());
         QCOMPARE(text(*window, "submissionName"), "student.png");
@@ -239,8 +239,8 @@ private slots:
         QTest::keyClick(window->parts().canvas, Qt::Key_V, Qt::ControlModifier);
 
         QTRY_VERIFY(judgement(*window));
-        QCOMPARE(judgement(*window)->diff.count(PixelVerdict::Missing), std::int64_t(1));
-        QCOMPARE(judgement(*window)->diff.count(PixelVerdict::Extra), std::int64_t(1));
+        QCOMPARE(judgement(*window)->diff.count(Difference::Missing), std::int64_t(1));
+        QCOMPARE(judgement(*window)->diff.count(Difference::Extra), std::int64_t(1));
     }
 
     void aPastedPictureIsCompared()
@@ -321,7 +321,7 @@ private slots:
 
         document->setSettings(settings);
 
-        QTRY_VERIFY(judgement(*window)->diff.count(PixelVerdict::Colour) > 0);
+        QTRY_VERIFY(judgement(*window)->diff.count(Difference::Colour) > 0);
     }
 
     void aPictureOfAnotherSizeIsRefusedAndNothingIsLost()
@@ -582,7 +582,7 @@ private slots:
         QVERIFY(!named<QPushButton>(*window, "diagnosisCompare")->isEnabled());
         const TraceStep step = playhead->traced()->trace->stepAt(parts->step);
         const PixelChange &pixel = playhead->traced()->trace->changes()[step.sample];
-        QVERIFY(judgement(*window)->verdictAt(QPoint(pixel.x, pixel.y)) != PixelVerdict::Same);
+        QVERIFY(judgement(*window)->verdictAt(QPoint(pixel.x, pixel.y)) != Difference::None);
     }
 
     void aDefectOfThePictureAloneHasNoStep()
