@@ -128,6 +128,8 @@ TextOutlines outlinesOf(const Shape &text)
     } else if (outlines.polygon.vertices.empty()) {
         outlines.rejection = PrimitiveRejection::NoOutline;
     }
+    outlines.polygon.vertices.shrink_to_fit();
+    outlines.contours = contoursOf(outlines.polygon);
     return outlines;
 }
 

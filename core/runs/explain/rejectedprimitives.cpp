@@ -49,7 +49,7 @@ std::vector<ContourEdge> edgesOf(const Primitives &primitives, std::size_t index
                 {{low.x, high.y}, low}};
     }
     case PrimitiveKind::Text:
-        return contoursOf(sharedOutlinesOf(shape)->polygon).edges;
+        return sharedOutlinesOf(shape)->contours.edges;
     case PrimitiveKind::Bezier: {
         std::vector<ContourEdge> edges = contoursOf(chordsOf(shape)).edges;
         if (shape.fill == ShapeFill::Outline && !edges.empty())
