@@ -2,6 +2,7 @@
 #include "app/cli/console.h"
 #include "core/methods/method.h"
 #include "core/scan/choicenames.h"
+#include "core/scene/files/filepath.h"
 #include "version.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/look/corewords.h"
@@ -154,7 +155,8 @@ void open(MainWindow &window, const QCommandLineParser &parser, const Options &o
     };
     window.openDefaultScene();
     take(OpeningMoment::HalfDrawn);
-    const QStringList paths = parser.positionalArguments();
+    QStringList paths = parser.positionalArguments();
+    std::ranges::transform(paths, paths.begin(), filePath);
     if (paths.isEmpty())
         return;
     if (paths.size() > 1 || paths.constFirst().isEmpty())
@@ -215,6 +217,8 @@ int main(int argc, char *argv[])
     // dropped, instead of piling up in the workers' heaps.
     mallopt(M_MMAP_THRESHOLD, 1 << 16);
 #endif
+    if (const auto refusal = cli::refusalOfBytes(argc, argv))
+        refuse(*refusal);
     const bool isWindowless = asksForWordsAlone(argc, argv);
     const std::unique_ptr<QCoreApplication> application(
         isWindowless ? new QCoreApplication(argc, argv) : new QApplication(argc, argv));

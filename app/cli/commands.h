@@ -93,7 +93,7 @@ struct PixelReport {
     const TracedScene &traced;
     std::int64_t x = 0;
     std::int64_t y = 0;
-    std::vector<PixelAttempt> attempts;
+    BriefPixelHistory history; ///< in JSON with all attempts
     Colour colour; ///< in the finished picture
     Colour truth; ///< from the primitives that the method draws
     Colour truthOfAll; ///< from all primitives of the scene

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/console.h"
 
+#include "core/grade/class/submissionfolder.h"
 #include "core/grade/showntext.h"
 #include "core/scene/files/inputrecord.h"
 #include "core/scene/text/shortened.h"
@@ -14,6 +15,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <vector>
 
 namespace pixelplumb::cli {
@@ -43,6 +45,24 @@ void refuseIf(const std::optional<InputError> &why)
 {
     if (why)
         refuse(*why);
+}
+
+std::optional<QString> refusalOfBytes(int argc, char *argv[])
+{
+    const auto isForeign = [](const QByteArray &bytes) { return !bytes.isValidUtf8(); };
+    const QString expected = QStringLiteral("is not UTF-8; expected names in UTF-8");
+    for (int i = 1; i < argc; ++i) {
+        if (isForeign(argv[i]))
+            return QStringLiteral("argument %1, “%2”, ").arg(i).arg(escapedName(argv[i]))
+                + expected;
+    }
+    std::error_code ignored;
+    const std::string folder = std::filesystem::current_path(ignored).native();
+    if (isForeign(QByteArray::fromStdString(folder)))
+        return QStringLiteral("the current folder, “%1”, ")
+                   .arg(escapedName(QByteArray::fromStdString(folder)))
+            + expected;
+    return std::nullopt;
 }
 
 ExitCode endOf(const QString &command, const std::function<ExitCode()> &work)

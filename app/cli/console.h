@@ -50,6 +50,10 @@ Value requiredIn(const QString &path, Result<Value> result)
     return std::move(*result);
 }
 
+/// What is wrong with a program's arguments, or with the folder that it was started in, if one is
+/// not UTF-8: Qt would look for another name than the one that was meant.
+std::optional<QString> refusalOfBytes(int argc, char *argv[]);
+
 /// Does a command's work, reports what ends it, and returns the exit code.
 ExitCode endOf(const QString &command, const std::function<ExitCode()> &work);
 

@@ -6,6 +6,7 @@
 #include "core/frame/framebuffer.h"
 #include "core/grade/diagnose/diagnosis.h"
 #include "core/grade/hunt/counterexample.h"
+#include "core/scene/files/filepath.h"
 #include "core/scene/files/inputrecord.h"
 #include "core/scene/scenefile.h"
 #include "core/scene/text/colourtext.h"
@@ -141,7 +142,7 @@ QString pathIn(const QString &output)
     const auto paths
         = outputPaths(output, {QStringLiteral("counterexample")}, QStringLiteral("json"));
     refuseIf(refusalToWrite(paths.front()));
-    const QFileInfo file(paths.front());
+    const QFileInfo file(filePath(paths.front()));
     const QFileInfo folder(file.path());
     if (!file.exists() && !(folder.isDir() && folder.isWritable()))
         refuse({QStringLiteral("-o ") + output,

@@ -2,6 +2,7 @@
 #include "app/cli/files.h"
 
 #include "core/frame/framespec.h"
+#include "core/scene/files/filepath.h"
 #include "core/scene/files/inputrecord.h"
 #include "core/scene/files/outputfolder.h"
 
@@ -11,9 +12,23 @@
 #include <QFileInfo>
 #include <QImageWriter>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cstdio>
 
 namespace pixelplumb::cli {
+
+namespace {
+
+/// Where several may write, since nothing is kept.
+bool isNullDevice(const struct stat &file)
+{
+    struct stat null = {};
+    return S_ISCHR(file.st_mode) && stat("/dev/null", &null) == 0 && file.st_rdev == null.st_rdev;
+}
+
+} // namespace
 
 QByteArray readInput(const QString &path, qint64 most)
 {
@@ -32,12 +47,23 @@ QByteArray readInput(const QString &path, qint64 most)
 
 QString folderOf(const QString &path)
 {
-    return path == QStringLiteral("-") ? QString() : QFileInfo(path).absolutePath();
+    return path == QStringLiteral("-") ? QString() : QFileInfo(filePath(path)).absolutePath();
+}
+
+bool isStandardOutput(const QString &path)
+{
+    if (path == QStringLiteral("-"))
+        return true;
+    struct stat named = {};
+    struct stat printed = {};
+    return stat(QFile::encodeName(path).constData(), &named) == 0
+        && fstat(STDOUT_FILENO, &printed) == 0 && named.st_dev == printed.st_dev
+        && named.st_ino == printed.st_ino && !isNullDevice(named);
 }
 
 Output::Output(const QString &path)
 {
-    if (path != QStringLiteral("-"))
+    if (!isStandardOutput(path))
         m_file.emplace(path);
 }
 
@@ -72,18 +98,19 @@ InputError Output::error(const QString &otherwise) const
 
 void refuseStandardOutput(const QString &path, const QString &expected)
 {
-    if (path == QStringLiteral("-"))
-        refuse(
-            {QStringLiteral("-o -"), QStringLiteral("standard output has the report"), expected});
+    if (isStandardOutput(path))
+        refuse({QStringLiteral("-o ") + path, QStringLiteral("standard output has the report"),
+                expected});
 }
 
 QStringList outputPaths(const QString &output, const QStringList &inputs, const QString &suffix)
 {
-    const bool isStandardOutput = output == QStringLiteral("-");
-    const bool isFolder = !isStandardOutput && (output.endsWith(u'/') || QFileInfo(output).isDir());
+    const bool isPrinted = isStandardOutput(output);
+    const bool isFolder
+        = !isPrinted && (output.endsWith(u'/') || QFileInfo(filePath(output)).isDir());
     if (!isFolder && inputs.size() == 1)
         return QStringList(output);
-    if (isStandardOutput)
+    if (isPrinted)
         refuse({QStringLiteral("%1 scenes").arg(inputs.size()),
                 QStringLiteral("standard output is one"),
                 QStringLiteral("a folder to write to, -o DIR/")});
@@ -98,7 +125,7 @@ QStringList outputPaths(const QString &output, const QStringList &inputs, const 
                     QStringLiteral("standard input has no name in a folder"),
                     QStringLiteral("a scene file, or a file to write to")});
         const QString path
-            = QDir(output).filePath(QFileInfo(input).completeBaseName() + u'.') + suffix;
+            = QDir(filePath(output)).filePath(QFileInfo(input).completeBaseName() + u'.') + suffix;
         if (const qsizetype other = paths.indexOf(path); other >= 0)
             refuse({input,
                     QStringLiteral("its output would be %2, and so would that of %1")
@@ -138,7 +165,7 @@ const QStringList &pictureFormats()
 
 QString pictureFormatOf(const QString &option, const QString &path)
 {
-    const QFileInfo file(path);
+    const QFileInfo file(filePath(path));
     const bool isStream = path == QStringLiteral("-") || path.startsWith(QStringLiteral("/dev/"))
         || (file.exists() && !file.isFile() && !file.isDir());
     QString format = file.suffix().toLower();

@@ -24,8 +24,12 @@ QByteArray readInput(const QString &path, qint64 most = largestFile);
 /// one, for "-".
 QString folderOf(const QString &path);
 
-/// Where a result is written while it is made: standard output for "-", else a file that is no
-/// input and appears whole or not at all.
+/// Whether a path stands for standard output: "-", or what leads to the file, pipe or terminal that
+/// it goes to, such as /dev/stdout and links to it.
+bool isStandardOutput(const QString &path);
+
+/// Where a result is written while it is made: standard output, or a file that is no input and
+/// appears whole or not at all.
 class Output {
 public:
     explicit Output(const QString &path);
@@ -43,7 +47,7 @@ private:
     std::optional<OutputFile> m_file; ///< none: standard output
 };
 
-/// Refuses "-" for what a command writes in addition to its printed report.
+/// Refuses standard output for what a command writes in addition to its printed report.
 void refuseStandardOutput(const QString &path, const QString &expected);
 
 /// Where the results of several inputs are written, in their order. A single result goes to

@@ -9,6 +9,7 @@
 #include "core/grade/class/gradereports.h"
 #include "core/grade/class/submissionfolder.h"
 #include "core/grade/showntext.h"
+#include "core/scene/files/filepath.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -190,7 +191,7 @@ ExitCode grade(const Command &command, const QStringList &arguments)
                     .arg(line.value(assignmentOption)));
     const std::vector<GivenPoints> given = givenPoints(line);
     const auto jobs = wholeNumberOf(line, jobsOption, {1, 256});
-    const GradingOrder order{line.argument(0), line.value(resultsOption),
+    const GradingOrder order{filePath(line.argument(0)), filePath(line.value(resultsOption)),
                              QCoreApplication::applicationVersion(),
                              int(jobs.value_or(threadsOfMachine())), line.arguments().mid(1)};
     sayHidden(line.argument(0));

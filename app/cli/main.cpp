@@ -149,6 +149,10 @@ int main(int argc, char *argv[])
     QCoreApplication::setApplicationVersion(QStringLiteral(PIXELPLUMB_VERSION));
     // Image errors are reported by the commands, with the picture's name.
     QLoggingCategory::setFilterRules(QStringLiteral("qt.gui.imageio*=false"));
+    if (const auto refusal = pixelplumb::cli::refusalOfBytes(argc, argv)) {
+        sayLine(QStringLiteral("pixelplumb-cli: ") + *refusal);
+        return int(ExitCode::Usage);
+    }
     try {
         ExitCode code = pixelplumb::cli::run(QCoreApplication::arguments().sliced(1));
         // Unless a command has reported it.

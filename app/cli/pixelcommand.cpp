@@ -35,15 +35,23 @@ Colour trueColourOfAll(const TracedScene &traced, std::int64_t x, std::int64_t y
     return unpacked(*view.at(x, y));
 }
 
-PixelReport reportOf(const TracedScene &traced, std::int64_t x, std::int64_t y)
+PixelReport reportOf(const TracedScene &traced, BriefPixelHistory history, std::int64_t x,
+                     std::int64_t y)
 {
-    PixelReport report{traced, x, y, pixelHistory(traced, x, y), {}, {}, {}, {}};
-    report.colour = finalColour(traced.scene.frame, report.attempts);
+    PixelReport report{traced, x, y, std::move(history), {}, {}, {}, {}};
+    report.colour = finalColour(traced.scene.frame, report.history.attempts);
     report.truth = unpacked(*traced.truth.view().at(x, y));
     report.truthOfAll = trueColourOfAll(traced, x, y);
     report.undrawn
         = undrawnAt(traced.primitives, *traced.method, boundaryRuleOf(traced.scene), x, y);
     return report;
+}
+
+/// Of many primitives those whose box does not hold the pixel are only counted.
+BriefPixelHistory shownHistory(const TracedScene &traced, std::int64_t x, std::int64_t y)
+{
+    const std::size_t all = traced.primitives.size();
+    return briefPixelHistory(traced, x, y, {all, all > fewRefusals ? 0 : all});
 }
 
 } // namespace
@@ -71,8 +79,10 @@ ExitCode pixel(const Command &command, const QStringList &arguments)
     const auto traced = traceScene(std::move(run));
     reportRejections(line.argument(0) + QStringLiteral(", ") + traced->method->id,
                      rejectedPrimitives(*traced));
-    const PixelReport report = reportOf(*traced, x, y);
-    line.asksForJson() ? printJson(pixelJson(report)) : printLines(pixelLines(report));
+    if (line.asksForJson())
+        printJson(pixelJson(reportOf(*traced, {pixelHistory(*traced, x, y)}, x, y)));
+    else
+        printLines(pixelLines(reportOf(*traced, shownHistory(*traced, x, y), x, y)));
     return ExitCode::Done;
 }
 

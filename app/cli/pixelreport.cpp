@@ -233,9 +233,9 @@ QStringList pixelLines(const PixelReport &report)
             += QStringLiteral("; the truth of the scene, with %1, is %2")
                    .arg(report.undrawn.join(QStringLiteral(", ")), colourText(report.truthOfAll));
     QStringList lines = {heading};
-    if (report.attempts.empty())
+    if (report.history.attempts.empty() && report.history.furtherRefusals == 0)
         lines += QStringLiteral("the scene has nothing that the method draws");
-    for (const PixelAttempt &attempt : report.attempts) {
+    for (const PixelAttempt &attempt : report.history.attempts) {
         QString line
             = QStringLiteral("%1 %2: %3")
                   .arg(nameOf(attempt.kind), QString::number(attempt.primitive), attempt.reason);
@@ -253,6 +253,11 @@ QStringList pixelLines(const PixelReport &report)
         for (std::size_t edge = 0; edge < attempt.edgeNames.size(); ++edge)
             lines.append(edgeText(attempt.edgeNames[edge], attempt.verdict.edges[edge], traced));
     }
+    if (const std::size_t further = report.history.furtherRefusals; further > 0)
+        lines.append((report.history.attempts.empty() ? QStringLiteral("%1 primitives")
+                                                      : QStringLiteral("%1 other primitives"))
+                         .arg(further)
+                     + QStringLiteral(" leave it alone: it lies outside of their boxes"));
     for (QString &line : lines)
         line = withMinus(line);
     return lines;
@@ -261,7 +266,7 @@ QStringList pixelLines(const PixelReport &report)
 QJsonObject pixelJson(const PixelReport &report)
 {
     QJsonArray attempts;
-    for (const PixelAttempt &attempt : report.attempts)
+    for (const PixelAttempt &attempt : report.history.attempts)
         attempts.append(jsonOf(attempt));
     return {
         {QStringLiteral("x"), qint64(report.x)},

@@ -63,15 +63,18 @@ Antialiasing antialiasingOf(const EffectPlan &plan)
     return std::max(plan.antialiasing, plan.strokeAntialiasing);
 }
 
-QString samplesText(Antialiasing antialiasing)
+QString samplesText(const EffectPlan &plan)
 {
-    switch (antialiasing) {
+    const QString pixels = plan.antialiasing == Antialiasing::None
+        ? QStringLiteral("in pixels that the border of a line or curve passes")
+        : QStringLiteral("in pixels that an edge passes");
+    switch (antialiasingOf(plan)) {
     case Antialiasing::None:
         return QStringLiteral("one sample a pixel");
     case Antialiasing::Samples4:
-        return QStringLiteral("4 samples in pixels that an edge passes");
+        return QStringLiteral("4 samples ") + pixels;
     case Antialiasing::Samples16:
-        return QStringLiteral("16 samples in pixels that an edge passes");
+        return QStringLiteral("16 samples ") + pixels;
     case Antialiasing::Area:
         return QStringLiteral("exact areas");
     }
@@ -153,7 +156,7 @@ QStringList textOf(const PlanReport &report)
     if (!report.refusal.isEmpty())
         return lines;
     lines.append(QString());
-    lines.append(samplesText(antialiasingOf(plan)));
+    lines.append(samplesText(plan));
     if (plan.vertexLight)
         lines.append(
             QStringLiteral("light in set-up, into the vertices' colours, before what follows"));
@@ -199,7 +202,7 @@ QJsonObject jsonOf(const PlanReport &report)
     if (isRefused)
         object.insert(QStringLiteral("refused"), report.refusal);
     else
-        object.insert(QStringLiteral("antialiasing"), samplesText(antialiasingOf(plan)));
+        object.insert(QStringLiteral("antialiasing"), samplesText(plan));
     return object;
 }
 

@@ -68,25 +68,12 @@ SceneRun sceneToRender(const CommandLine &line, const QString &path)
     return withinBudget(readSceneForAnyMethod(line, path), line.value(accuracyOption));
 }
 
-/// Whether a scene covers no pixel; only few primitives are drawn once more to find out.
-bool isLeftEmpty(const SceneRun &run)
-{
-    const Scene &scene = run.scene;
-    constexpr std::size_t few = 1000;
-    const std::size_t count = scene.triangles.size() + scene.shapes.size();
-    return count > 0 && count <= few && scene.solids.empty()
-        && coverageOf(run) == CoverageMask(scene.frame);
-}
-
 ExitCode renderScene(const RenderRequest &request, const NamedScene &named,
                      const QString &outputPath)
 {
     const SceneRun &run = *named.run;
     const QString drawnBy = named.path + QStringLiteral(", ") + run.method->id;
-    const std::vector<RejectedPrimitive> rejected = rejectedPrimitives(run);
-    reportRejections(drawnBy, rejected);
-    if (rejected.empty() && isLeftEmpty(run))
-        sayLine(drawnBy + QStringLiteral(": nothing is drawn in the frame"));
+    reportRejections(drawnBy, rejectedPrimitives(run));
     if (request.wantsPicture) {
         Output output(outputPath);
         writePicture(pictureOf(run, request), output, request.format);
@@ -103,9 +90,10 @@ RenderRequest requestFrom(const CommandLine &line)
     request.wantsAscii = line.isSet(asciiOption);
     if (!request.wantsPicture && !request.wantsAscii)
         refuse({{}, QStringLiteral("nothing to do"), QStringLiteral("-o FILE, --ascii or both")});
-    if (request.wantsAscii && line.value(pictureOption) == QStringLiteral("-"))
+    if (const QString output = line.value(pictureOption);
+        request.wantsAscii && request.wantsPicture && isStandardOutput(output))
         refuse({{},
-                QStringLiteral("-o - and --ascii both need standard output"),
+                QStringLiteral("-o %1 and --ascii both need standard output").arg(output),
                 QStringLiteral("one")});
     if (line.isSet(accuracyOption)
         && (line.isSet(QStringLiteral("method")) || line.isSet(QStringLiteral("arithmetic"))))

@@ -110,8 +110,8 @@ Choice chosen(const CommandLine &line, const QString &option, Choice unset,
 /// Text for a person at a terminal, CSV for a pipe or a file.
 TableFormat formatFor(const QString &output)
 {
-    return output == QStringLiteral("-") && isatty(STDOUT_FILENO) != 0 ? TableFormat::Text
-                                                                       : TableFormat::Csv;
+    return isStandardOutput(output) && isatty(STDOUT_FILENO) != 0 ? TableFormat::Text
+                                                                  : TableFormat::Csv;
 }
 
 QStringList chosenColumns(const CommandLine &line, const TraceNumbers &numbers, TraceLevel level)

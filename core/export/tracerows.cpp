@@ -115,7 +115,7 @@ SetUpRow setUpRow(const TracedScene &traced, std::size_t primitive)
                  rejectionOf(traced, primitive),
                  {}};
     // Where nothing was computed the cells hold only initial values.
-    if (row.rejection)
+    if (row.record.rejection)
         row.record.cells.clear();
     else
         row.exact = exactSetUpCells(traced, primitive);

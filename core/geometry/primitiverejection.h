@@ -16,6 +16,7 @@ enum class PrimitiveRejection {
     NotRepresentable, ///< a coordinate does not fit the arithmetic (fixed 16.16: |c| < 2^15 px)
     VerticalLine, ///< y = m·x + b has no m
     LineOfNoLength, ///< nor does a point
+    StrokeOfNoLength, ///< a stroke along a point has no area
     NotOfThisMethod, ///< the method draws other kinds of primitives
     NotConvex, ///< a polygon that no fan of triangles tiles
     SelfCrossing, ///< edges of a polygon cross between vertices

@@ -39,7 +39,7 @@ Contours scannedContours(const LayerMoment &moment)
     case PrimitiveKind::Bezier:
         return BezierFillKernel::geometryOf(moment.primitives(), moment.primitive);
     case PrimitiveKind::Text:
-        return TextKernel::geometryOf(moment.primitives(), moment.primitive).contours;
+        return TextKernel::geometryOf(moment.primitives(), moment.primitive)->contours;
     default:
         return ParityKernel::geometryOf(moment.primitives(), moment.primitive);
     }

@@ -69,7 +69,7 @@ const Glyphs::Glyph &Glyphs::glyphOf(char32_t character)
         return QPointF(double(point.x), double(point.y)) / emHeight;
     };
     const LatticePoint *end = nullptr;
-    const Contours contours = contoursOf(outlinesOf(text).polygon);
+    const Contours contours = outlinesOf(text).contours;
     for (const ContourEdge &edge : contours.edges) {
         if (!end || edge.from != *end)
             glyph.outline.moveTo(pointOf(edge.from));

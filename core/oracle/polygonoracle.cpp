@@ -52,16 +52,16 @@ void forEachEdge(const Shape &polygon, const Function &function)
     }
 }
 
-std::vector<UpwardEdge> upwardEdgesOf(const Shape &polygon)
+/// Calls a function with each edge that is not horizontal.
+template <class Function>
+void forEachUpwardEdge(const Shape &polygon, const Function &function)
 {
-    std::vector<UpwardEdge> edges;
-    forEachEdge(polygon, [&edges](const LatticePoint &from, const LatticePoint &to) {
+    forEachEdge(polygon, [&function](const LatticePoint &from, const LatticePoint &to) {
         if (from.y < to.y)
-            edges.push_back({from, to, 1});
+            function(UpwardEdge{from, to, 1});
         else if (from.y > to.y)
-            edges.push_back({to, from, -1});
+            function(UpwardEdge{to, from, -1});
     });
-    return edges;
 }
 
 std::vector<Shape> edgeLinesOf(const Shape &polygon)
@@ -74,19 +74,25 @@ std::vector<Shape> edgeLinesOf(const Shape &polygon)
     return lines;
 }
 
-bool isInside(const std::vector<UpwardEdge> &edges, ShapeFill fill, FrameOrigin origin,
-              const LatticePoint &sample)
-{
-    std::int64_t crossings = 0;
-    std::int64_t winding = 0;
-    for (const UpwardEdge &edge : edges) {
-        if (!edge.crossesHeight(sample.y, origin) || !edge.isLeftOf(sample))
-            continue;
-        ++crossings;
-        winding += edge.turn;
+/// The edges that a sample's row crosses to its left.
+class CrossedEdges {
+public:
+    void add(const UpwardEdge &edge, const LatticePoint &sample)
+    {
+        if (!edge.isLeftOf(sample))
+            return;
+        ++m_crossings;
+        m_winding += edge.turn;
     }
-    return fill == ShapeFill::NonZero ? winding != 0 : crossings % 2 != 0;
-}
+    bool areAroundSample(ShapeFill fill) const
+    {
+        return fill == ShapeFill::NonZero ? m_winding != 0 : m_crossings % 2 != 0;
+    }
+
+private:
+    std::int64_t m_crossings = 0;
+    std::int64_t m_winding = 0;
+};
 
 } // namespace
 
@@ -95,7 +101,13 @@ bool polygonCovers(const Shape &polygon, FrameOrigin origin, std::int64_t x, std
     if (polygon.fill == ShapeFill::Outline)
         return std::ranges::any_of(edgeLinesOf(polygon),
                                    [&](const Shape &line) { return lineCovers(line, x, y); });
-    return isInside(upwardEdgesOf(polygon), polygon.fill, origin, latticePixel(x, y));
+    const LatticePoint sample = latticePixel(x, y);
+    CrossedEdges crossed;
+    forEachUpwardEdge(polygon, [&](const UpwardEdge &edge) {
+        if (edge.crossesHeight(sample.y, origin))
+            crossed.add(edge, sample);
+    });
+    return crossed.areAroundSample(polygon.fill);
 }
 
 void drawPolygon(const Shape &polygon, FrameView frame)
@@ -112,18 +124,27 @@ void drawPolygon(const Shape &polygon, FrameView frame)
     const std::int64_t firstX
         = std::max<std::int64_t>(ceilPixel(left->position.x), frame.firstColumn);
     const std::int64_t endX = std::min(floorPixel(right->position.x) + 1, frame.endColumn());
-    const std::vector<UpwardEdge> edges = upwardEdgesOf(polygon);
+    // A row asks only the edges that it crosses left of the frame's end, so that thousands of edges
+    // cost little, and what lies beyond the frame no memory.
+    std::vector<UpwardEdge> edges;
+    forEachUpwardEdge(polygon, [&](const UpwardEdge &edge) {
+        if (std::min(edge.low.x, edge.high.x) < endX * unitsPerPixel
+            && edge.high.y >= frame.firstRow * unitsPerPixel
+            && edge.low.y <= frame.endRow() * unitsPerPixel)
+            edges.push_back(edge);
+    });
     std::vector<UpwardEdge> atHeight;
     for (std::int64_t y = frame.firstRow; y < frame.endRow(); ++y) {
-        // Only the edges that a ray of this row can cross, so that thousands of edges cost little.
         atHeight.clear();
         std::ranges::copy_if(edges, std::back_inserter(atHeight), [&](const UpwardEdge &edge) {
             return edge.crossesHeight(y * unitsPerPixel, frame.origin);
         });
         for (std::int64_t x = firstX; x < endX && !atHeight.empty(); ++x) {
-            if (!isInside(atHeight, polygon.fill, frame.origin, latticePixel(x, y)))
-                continue;
-            *frame.at(x, y) = packed(polygon.vertices.front().colour);
+            CrossedEdges crossed;
+            for (const UpwardEdge &edge : atHeight)
+                crossed.add(edge, latticePixel(x, y));
+            if (crossed.areAroundSample(polygon.fill))
+                *frame.at(x, y) = packed(polygon.vertices.front().colour);
         }
     }
 }

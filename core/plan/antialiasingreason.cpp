@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/plan/effectreason.h"
+#include "core/shade/strokestrip.h"
+
+#include <algorithm>
 
 namespace pixelplumb {
 
@@ -14,10 +17,24 @@ QString antialiasedWord(const NeedsTally &tally)
                                      : QStringLiteral("triangle, line or curve");
 }
 
+/// That what the scene has is never antialiased, or is not drawn.
+QString nothingAntialiased(const Primitives &primitives)
+{
+    const bool hasStrokes = std::ranges::any_of(primitives.shapes, isStroke);
+    const QString strokes = QStringLiteral("line or curve one pixel wide");
+    if (primitives.triangles.empty())
+        return hasStrokes ? QStringLiteral("no %1 is drawn in the frame").arg(strokes)
+                          : QStringLiteral("only triangles, and lines and curves one pixel wide, "
+                                           "have more than one sample a pixel");
+    return hasStrokes ? QStringLiteral("no triangle is drawn in the frame, nor any ") + strokes
+                      : QStringLiteral("no triangle is drawn in the frame");
+}
+
 } // namespace
 
-QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing)
+QString antialiasingReason(const Primitives &primitives, const NeedsTally &tally)
 {
+    const Antialiasing antialiasing = primitives.appearance.antialiasing;
     const auto ofSamples = [&](int samples) {
         const QString pixel = tally.askedStrokes == 0
             ? QStringLiteral("that an edge passes through")
@@ -29,13 +46,15 @@ QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing)
         return QStringLiteral("the scene asks for one sample a pixel");
     const bool isCalledFor = tally.of[Effect::Antialiasing].primitives > 0;
     if (!isCalledFor && tally.askedTriangles + tally.askedStrokes == 0)
-        return QStringLiteral("no triangle is drawn, nor any line or curve one pixel wide");
+        return nothingAntialiased(primitives);
     if (!isCalledFor)
         return antialiasing == Antialiasing::Area
             ? QStringLiteral("no edge parts a pixel of the frame: each is covered whole or not at "
                              "all")
-            : QStringLiteral("no edge of a triangle with an area meets a pixel of the frame: each "
-                             "is drawn once, at its centre");
+            : QStringLiteral("no edge of a %1 meets a pixel of the frame: each is drawn once, at "
+                             "its centre")
+                  .arg(tally.askedTriangles == 0 ? QStringLiteral("stroke")
+                                                 : QStringLiteral("triangle with an area"));
     switch (antialiasing) {
     case Antialiasing::None:
         break;

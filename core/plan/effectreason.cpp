@@ -7,16 +7,56 @@
 
 #include <QStringList>
 
+#include <algorithm>
+
 namespace pixelplumb {
 
 namespace {
 
 QString triangleWord() { return QStringLiteral("triangle"); }
 
-/// "primitive", where there are shapes besides triangles.
+/// "triangle", "line", … where all that is drawn is of one kind, else "primitive".
 QString primitiveWord(const Primitives &primitives)
 {
-    return primitives.shapes.empty() ? triangleWord() : QStringLiteral("primitive");
+    if (primitives.shapes.empty())
+        return triangleWord();
+    const PrimitiveKind kind = primitives.shapes.front().kind;
+    const bool isOfOneKind = primitives.triangles.empty()
+        && std::ranges::all_of(primitives.shapes, [&](auto &shape) { return shape.kind == kind; });
+    if (!isOfOneKind)
+        return QStringLiteral("primitive");
+    return kind == PrimitiveKind::Bezier ? QStringLiteral("Bézier curve") : nameOf(kind);
+}
+
+/// Why an effect of triangles alone is not called for where none is drawn; `what` they alone have.
+QString withoutTriangles(const Primitives &primitives, const NeedsTally &tally, const QString &what)
+{
+    return (primitives.triangles.empty() && !primitives.isPart && tally.cutAtNear == 0
+                ? QStringLiteral("there is no triangle, and nothing else has %1")
+                : QStringLiteral("no triangle is drawn in the frame, and nothing else has %1"))
+        .arg(what);
+}
+
+/// What only triangles have that an effect works on; empty if other primitives have it, too.
+QString onlyOfTriangles(Effect effect)
+{
+    switch (effect) {
+    case Effect::Depth:
+        return QStringLiteral("a depth");
+    case Effect::Perspective:
+        return QStringLiteral("w");
+    case Effect::Texture:
+        return QStringLiteral("a texture");
+    case Effect::Light:
+        return QStringLiteral("normals");
+    case Effect::Blending:
+        return QStringLiteral("an alpha");
+    case Effect::SmoothColour:
+    case Effect::Clipping:
+    case Effect::Antialiasing:
+        break;
+    }
+    return {};
 }
 
 /// Limits a statement about all or none to what is drawn, where some primitives are not.
@@ -57,6 +97,10 @@ QString smoothColourReason(const NeedsTally &tally, const Appearance &appearance
             + (isFlatLit ? QStringLiteral("; flat light gives each triangle that it falls on one "
                                           "colour")
                          : QString());
+    if (tally.drawnTriangles == 0 && tally.ownColours == 0)
+        return (tally.drawn == 1 ? QStringLiteral("the %1 has one colour")
+                                 : QStringLiteral("each %1 has one colour"))
+            .arg(noun);
     if (isFlatLit) {
         const bool isEachLit = tally.of[Effect::Light].primitives == tally.drawnTriangles;
         return isEachLit ? QStringLiteral("flat light gives each triangle one colour")
@@ -65,9 +109,8 @@ QString smoothColourReason(const NeedsTally &tally, const Appearance &appearance
                 + ofEnds(tally);
     }
     if (tally.ownColours > 0)
-        return QStringLiteral(
-            "no triangle and no line goes from one vertex colour to another where "
-            "it is drawn");
+        return QStringLiteral("no %1 goes from one vertex colour to another where it is drawn")
+            .arg(noun);
     if (!tally.isOfAll())
         return QStringLiteral("the %1 are equal in each %2%3").arg(colours, noun, amongDrawn(tally))
             + ofEnds(tally);
@@ -142,10 +185,8 @@ QString perspectiveReason(const NeedsTally &tally)
                    "w differs between the vertices of %1, but nothing that is divided by it does")
                    .arg(ofTriangles(tally.dividingNothing, tally.drawnTriangles))
             + ofEnds(tally);
-    return tally.drawnTriangles == 0
-        ? QStringLiteral("no triangle is drawn")
-        : QStringLiteral("w is the same at the vertices of every triangle") + amongDrawn(tally)
-            + ofEnds(tally);
+    return QStringLiteral("w is the same at the vertices of every triangle") + amongDrawn(tally)
+        + ofEnds(tally);
 }
 
 QString textureReason(const NeedsTally &tally)
@@ -255,6 +296,9 @@ QString effectReason(Effect effect, const NeedsTally &tally, const Primitives &p
 {
     if (tally.drawn == 0 && tally.of[effect].primitives == 0)
         return QStringLiteral("nothing is drawn in the frame");
+    const QString owned = onlyOfTriangles(effect);
+    if (tally.drawnTriangles == 0 && !owned.isEmpty() && tally.of[effect].primitives == 0)
+        return withoutTriangles(primitives, tally, owned);
     switch (effect) {
     case Effect::SmoothColour:
         return smoothColourReason(tally, primitives.appearance, primitiveWord(primitives));
@@ -270,7 +314,7 @@ QString effectReason(Effect effect, const NeedsTally &tally, const Primitives &p
     case Effect::Blending:
         return blendingReason(primitives, tally, where);
     case Effect::Antialiasing:
-        return antialiasingReason(tally, primitives.appearance.antialiasing);
+        return antialiasingReason(primitives, tally);
     case Effect::Depth:
         break;
     }

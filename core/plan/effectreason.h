@@ -7,12 +7,12 @@
 namespace pixelplumb {
 
 /// Why an effect is called for or not: one clause in a student's words, with numbers from the
-/// tally. For all effects but depth.
+/// tally. For all effects but depth, of which it is told only where no triangle is drawn.
 QString effectReason(Effect effect, const NeedsTally &tally, const Primitives &primitives,
                      const SampledFrame &where);
 
 /// Why antialiasing is called for or not.
-QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing);
+QString antialiasingReason(const Primitives &primitives, const NeedsTally &tally);
 
 /// Why depth is called for or not, where the scene leaves the question to the plan.
 QString depthReason(const DepthAnswer &answer);

@@ -33,8 +33,7 @@ EffectVerdict depthVerdict(const Primitives &primitives, const NeedsTally &tally
 {
     EffectVerdict verdict;
     if (tally.drawnTriangles == 0 && primitives.appearance.depth != DepthUse::Off) {
-        verdict.reason = tally.drawn == 0 ? QStringLiteral("nothing is drawn in the frame")
-                                          : QStringLiteral("no triangle is drawn in the frame");
+        verdict.reason = effectReason(Effect::Depth, tally, primitives, where);
         return verdict;
     }
     switch (primitives.appearance.depth) {

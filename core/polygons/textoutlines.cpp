@@ -128,6 +128,8 @@ TextOutlines outlinesOf(const Shape &text)
     } else if (outlines.polygon.vertices.empty()) {
         outlines.rejection = PrimitiveRejection::NoOutline;
     }
+    outlines.polygon.vertices.shrink_to_fit();
+    outlines.contours = contoursOf(outlines.polygon);
     return outlines;
 }
 
@@ -138,17 +140,15 @@ std::shared_ptr<const TextOutlines> sharedOutlinesOf(const Shape &text)
     static QString lastFont;
     static std::shared_ptr<const TextOutlines> last;
     const QString font = textFontFile();
-    {
-        const std::lock_guard guard(mutex);
-        if (last && lastFont == font && lastText == text)
-            return last;
-    }
-    auto outlines = std::make_shared<const TextOutlines>(outlinesOf(text));
+    // Held while they are made: threads that ask at once shall wait and share them.
     const std::lock_guard guard(mutex);
+    if (last && lastFont == font && lastText == text)
+        return last;
+    last.reset();
+    last = std::make_shared<const TextOutlines>(outlinesOf(text));
     lastText = text;
     lastFont = font;
-    last = outlines;
-    return outlines;
+    return last;
 }
 
 Lattice advanceOf(const Shape &text)

@@ -3,6 +3,7 @@
 
 #include "core/geometry/primitiverejection.h"
 #include "core/geometry/shape.h"
+#include "core/polygons/contours.h"
 
 #include <QString>
 
@@ -15,6 +16,8 @@ namespace pixelplumb {
 /// may overlap, and holes run the other way round.
 struct TextOutlines {
     Shape polygon;
+    Contours
+        contours; ///< of the polygon; runs refer to them, since they may have millions of edges
     std::optional<PrimitiveRejection> rejection; ///< then the polygon has no vertices
 };
 

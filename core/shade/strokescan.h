@@ -115,8 +115,9 @@ public:
         if constexpr (readsNumbers<Observer>)
             m_observer.primitiveBegun(setUpOf(strip));
         const std::vector<StrokePixel> entries = strokePixels(strip.quads, m_canvas.frame());
-        if (entries.empty() && strip.pieces > 0)
-            m_observer.primitiveRejected(PrimitiveRejection::OutsideFrame);
+        if (entries.empty())
+            m_observer.primitiveRejected(strip.pieces > 0 ? PrimitiveRejection::OutsideFrame
+                                                          : PrimitiveRejection::StrokeOfNoLength);
         const std::span<const StrokePixel> all = entries;
         for (std::size_t first = 0; first < all.size();) {
             const std::size_t end = endOf(

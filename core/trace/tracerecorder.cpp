@@ -39,6 +39,8 @@ public:
     }
     void spanEntered(const void *span) override
     {
+        if (m_options->detail == TraceDetail::Rejections)
+            return;
         if (!goesOn(m_options->progress,
                     {JobPhase::Recording, std::int64_t(m_trace->spanCount()), 0}))
             throw RecordingEnded{RecordingEnded::Why::Cancelled};
@@ -50,7 +52,7 @@ public:
     }
     void sampleRejected(std::int64_t x, std::int64_t y, QRgb pixel, const void *sample) override
     {
-        if (m_options->detail == TraceDetail::Spans)
+        if (m_options->detail != TraceDetail::Samples)
             return;
         append(PixelChange::refused(std::int32_t(x), std::int32_t(y), pixel), sample);
         ++m_trace->m_refusals;
@@ -58,6 +60,8 @@ public:
     void pixelWritten(std::int64_t x, std::int64_t y, QRgb before, QRgb after,
                       const void *sample) override
     {
+        if (m_options->detail == TraceDetail::Rejections)
+            throw RecordingEnded{RecordingEnded::Why::Cancelled};
         if (m_options->detail == TraceDetail::Spans)
             return;
         append({std::int32_t(x), std::int32_t(y), before, after}, sample);

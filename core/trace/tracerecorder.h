@@ -6,8 +6,12 @@
 
 namespace pixelplumb {
 
-/// Whether a recording keeps every sample or only the numbers of the spans.
-enum class TraceDetail { Samples, Spans };
+/// What a recording keeps.
+enum class TraceDetail {
+    Samples, ///< every sample
+    Spans, ///< only the numbers of the spans
+    Rejections, ///< only those; the first pixel that is written cancels the recording
+};
 
 /// Limits, progress and detail of a recording.
 struct TraceOptions {

@@ -19,8 +19,6 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr std::size_t mostCopiedRefusals = 20; ///< rejections of a pixel that are copied
-
 /// The result of writing a trace.
 struct WrittenTrace {
     /// Empty where the file is complete.
@@ -196,8 +194,7 @@ void SceneExports::copyPickedPixel()
                       colourText(colour)};
     if (const QString frame = frameText(*m_document); !frame.isEmpty())
         cells += frame;
-    BriefPixelHistory history
-        = briefPixelHistory(*m_playhead->traced(), pixel->x(), pixel->y(), mostCopiedRefusals);
+    BriefPixelHistory history = briefPixelHistory(*m_playhead->traced(), pixel->x(), pixel->y());
     if (m_playhead->isAheadHidden())
         leaveOutAhead(history, m_playhead->position());
     for (const PixelAttempt &attempt : history.attempts)

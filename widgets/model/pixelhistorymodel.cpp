@@ -23,8 +23,7 @@ void PixelHistoryModel::setPixel(std::shared_ptr<const TracedScene> traced,
     m_unlisted = 0;
     m_isSomethingHidden = false;
     if (m_traced && pixel) {
-        BriefPixelHistory history
-            = briefPixelHistory(*m_traced, pixel->x(), pixel->y(), std::size_t(listedRefusals));
+        BriefPixelHistory history = briefPixelHistory(*m_traced, pixel->x(), pixel->y());
         m_isSomethingHidden = ahead == Ahead::Hidden && leaveOutAhead(history, m_position);
         m_attempts = std::move(history.attempts);
         m_unlisted = history.furtherRefusals;

@@ -27,7 +27,7 @@ public:
         AfterColourRole,
     };
 
-    static constexpr int listedRefusals = 20;
+    static constexpr int listedRefusals = int(fewRefusals);
 
     using QAbstractItemModel::QAbstractItemModel;
 

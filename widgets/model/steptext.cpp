@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/model/steptext.h"
 
+#include "core/runs/explain/rejectedprimitives.h"
 #include "core/runs/spanheadings.h"
 #include "widgets/look/corewords.h"
 #include "widgets/model/scenedocument.h"
@@ -25,7 +26,7 @@ QString spanText(const TracedScene &traced, std::size_t span)
 
 QString primitiveText(const TracedScene &traced, std::size_t primitive)
 {
-    const bool refused = traced.trace->setUp(primitive).rejection.has_value();
+    const bool refused = rejectionOf(traced, primitive).has_value();
     return (refused ? StepText::tr("%1 %2 draws nothing") : StepText::tr("%1 %2 set up"))
         .arg(coreWord(nameOf(traced.primitives.kindOf(primitive))), QString::number(primitive));
 }

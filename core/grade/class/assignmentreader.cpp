@@ -4,6 +4,7 @@
 #include "core/runs/scenerun.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/files/fileaccess.h"
+#include "core/scene/files/filepath.h"
 #include "core/scene/scenefile.h"
 #include "core/scene/text/choicereader.h"
 
@@ -164,7 +165,7 @@ private:
         if (node.isObject()) {
             scene = pixelplumb::readScene(m_json, node, m_folder);
         } else if (const QString file = m_json.string(node); !m_json.hasFailed()) {
-            if (const auto reading = readSceneFile(QDir(m_folder).filePath(file)))
+            if (const auto reading = readSceneFile(QDir(m_folder).filePath(filePath(file))))
                 scene = reading->scene;
             else
                 m_json.fail(node, reading.error().message(),
@@ -239,7 +240,7 @@ Result<Assignment> readAssignmentFile(const QString &path)
     const Result<QByteArray> text = readRegularFile(path);
     if (!text)
         return text.error();
-    Result<Assignment> assignment = readAssignment(*text, QFileInfo(path).absolutePath());
+    Result<Assignment> assignment = readAssignment(*text, QFileInfo(filePath(path)).absolutePath());
     if (assignment)
         return assignment;
     return errorIn(path, assignment.error());

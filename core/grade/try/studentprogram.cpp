@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/try/studentprogram.h"
 
+#include "core/scene/files/filepath.h"
 #include "core/scene/files/inputrecord.h"
 
 #include <QDir>
@@ -89,7 +90,7 @@ QString scriptInterpreter()
 Result<StudentProgram> studentProgramOf(const QStringList &words, ShownFiles shown)
 {
     const QString name = words.value(0);
-    const QFileInfo file(name);
+    const QFileInfo file(filePath(name));
     StudentProgram student{
         file.isFile() ? wholePath(file) : QStandardPaths::findExecutable(name), words.mid(1), {}};
     if (name.isEmpty() || student.path.isEmpty())
@@ -98,8 +99,8 @@ Result<StudentProgram> studentProgramOf(const QStringList &words, ShownFiles sho
         return InputError{name, QStringLiteral("it is no program: its file is not executable"), {}};
     QStringList files = {student.path};
     for (QString &argument : student.arguments) {
-        if (QFileInfo::exists(argument)) {
-            argument = wholePath(QFileInfo(argument));
+        if (const QFileInfo named(filePath(argument)); named.exists()) {
+            argument = wholePath(named);
             files += argument;
         }
     }

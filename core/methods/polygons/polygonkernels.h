@@ -102,41 +102,29 @@ struct TriangulationKernel : FilledPolygonKernel, InIntegers {
 
 using TessellationKernel = TriangulationKernel<tessellationOf, PolygonForm::CrossingTriangles>;
 
-/// The contours that are scanned for a text.
-struct TextContours {
-    explicit TextContours(const Shape &text)
-    {
-        const std::shared_ptr<const TextOutlines> outlines = sharedOutlinesOf(text);
-        contours = contoursOf(outlines->polygon);
-        rejection = outlines->rejection;
-    }
-
-    Contours contours;
-    std::optional<PrimitiveRejection> rejection;
-};
-
 struct TextKernel : ShapeKernel<PrimitiveKind::Text>, InAnyArithmetic {
     template <class A>
     using Recording = PolygonRecording<A, PolygonForm::Whole>;
 
-    static TextContours geometryOf(const Primitives &primitives, std::size_t index)
+    using Outlines = std::shared_ptr<const TextOutlines>;
+
+    static Outlines geometryOf(const Primitives &primitives, std::size_t index)
     {
-        return TextContours(primitives.shape(index));
+        return sharedOutlinesOf(primitives.shape(index));
     }
-    static IntegerWidth widthFor(const TextContours &text, const FrameView &)
+    static IntegerWidth widthFor(const Outlines &text, const FrameView &)
     {
-        return integerWidthFor(text.contours.edges);
+        return integerWidthFor(text->contours.edges);
     }
     template <class A, class Observer>
-    static void scan(const TextContours &text, const ScanSettings &, FrameView frame,
-                     Observer observer)
+    static void scan(const Outlines &text, const ScanSettings &, FrameView frame, Observer observer)
     {
-        if (!text.rejection) {
-            scanPolygon<A>(text.contours, frame, observer);
+        if (!text->rejection) {
+            scanPolygon<A>(text->contours, frame, observer, {text, &text->contours.edges});
             return;
         }
-        observer.primitiveBegun(polygonSetUpFor(text.contours, frame.origin));
-        observer.primitiveRejected(*text.rejection);
+        observer.primitiveBegun(polygonSetUpFor(text->contours, frame.origin));
+        observer.primitiveRejected(*text->rejection);
     }
 };
 

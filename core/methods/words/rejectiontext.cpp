@@ -43,6 +43,9 @@ QString rejectionText(const Rejection &rejection)
         return QStringLiteral("The line is vertical: y = m·x + b has no m. Nothing is drawn.");
     case PrimitiveRejection::LineOfNoLength:
         return QStringLiteral("The line is a point: y = m·x + b has no m. Nothing is drawn.");
+    case PrimitiveRejection::StrokeOfNoLength:
+        return QStringLiteral("It is a point: a stroke of no length has no area. Nothing is "
+                              "drawn.");
     case PrimitiveRejection::NotOfThisMethod:
         return QStringLiteral(
             "It is of a kind, or filled in a way, that this method does not draw.");

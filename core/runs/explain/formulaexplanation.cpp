@@ -51,13 +51,14 @@ Explanation explainBeginning(const TracedScene &traced, std::size_t primitive)
     Explanation explanation;
     explanation.heading = QStringLiteral("%1: set-up").arg(primitiveText(traced, primitive));
     explanation.stages = stageFormulas(traced, primitive);
+    const auto rejection = rejectionOf(traced, primitive);
+    const QString rejected = rejection ? u' ' + rejectionText(*rejection) : QString();
     if (setUp.rejection) {
-        explanation.sentence = setUpSentence(traced, primitive, {}) + u' '
-            + rejectionText(*rejectionOf(traced, primitive));
+        explanation.sentence = setUpSentence(traced, primitive, {}) + rejected;
         return explanation;
     }
     const StepWords words = traced.trace->setUpWords(primitive);
-    explanation.sentence = setUpSentence(traced, primitive, words.sentence);
+    explanation.sentence = setUpSentence(traced, primitive, words.sentence) + rejected;
     FormulaNames names;
     names.add(words.numbers, setUp.cells);
     appendLines(explanation, words.numbers, setUp.cells, exactSetUpCells(traced, primitive), names,

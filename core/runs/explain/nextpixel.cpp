@@ -87,14 +87,8 @@ QString wrongPixelText(const TracedScene &traced, std::size_t position, const QP
             .arg(frame.endRow() - 1);
     const TraceStep next = trace.stepAt(*index);
     const auto visit = trace.visitOf(next.primitive, pixel.x(), pixel.y());
-    if (!visit || !trace.changes()[*visit].isWritten()) {
-        for (const PixelAttempt &attempt :
-             briefPixelHistory(traced, pixel.x(), pixel.y(), next.primitive + 1).attempts) {
-            if (attempt.primitive == next.primitive)
-                return attempt.reason;
-        }
-        return {};
-    }
+    if (!visit || !trace.changes()[*visit].isWritten())
+        return pixelAttempt(traced, next.primitive, pixel.x(), pixel.y()).reason;
     if (trace.indexOfSample(*visit) < position)
         return QStringLiteral("It has been drawn already, in step %1.")
             .arg(trace.indexOfSample(*visit) + 1);

@@ -10,7 +10,6 @@
 #include "core/runs/undrawn.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace pixelplumb {
 
@@ -85,27 +84,36 @@ void recallExactly(PixelAttempt &attempt, const TracedScene &traced)
     }
 }
 
-/// Whether the truth or the run may have painted the pixel; false is certain, and quick to find.
+/// Whether the box of a triangle or line, a line's with a pixel on each side, holds the pixel, or
+/// the run visited it; for another shape true. If not, it cannot have painted the pixel.
 bool mayHavePainted(const TracedScene &traced, std::size_t primitive, std::int64_t x,
                     std::int64_t y)
 {
     const Primitives &primitives = traced.primitives;
-    if (!primitives.isTriangle(primitive))
+    if (!primitives.isTriangle(primitive) && primitives.kindOf(primitive) != PrimitiveKind::Line)
         return true;
-    const auto &[a, b, c] = primitives.triangles[primitive].vertices;
-    const auto isBetween = [](Lattice sample, Lattice p, Lattice q, Lattice r) {
-        return sample >= std::min({p, q, r}) && sample <= std::max({p, q, r});
-    };
     const LatticePoint sample = latticePixel(x, y);
-    if (isBetween(sample.x, a.position.x, b.position.x, c.position.x)
-        && isBetween(sample.y, a.position.y, b.position.y, c.position.y))
-        return true;
-    return primitive < traced.trace->primitiveCount()
-        && traced.trace->visitOf(primitive, x, y).has_value();
+    const auto isInBox = [&sample](const auto &vertices, Lattice margin) {
+        const auto [left, right] = std::ranges::minmax(
+            vertices, {}, [](const Vertex &vertex) { return vertex.position.x; });
+        const auto [low, high] = std::ranges::minmax(
+            vertices, {}, [](const Vertex &vertex) { return vertex.position.y; });
+        return sample.x >= left.position.x - margin && sample.x <= right.position.x + margin
+            && sample.y >= low.position.y - margin && sample.y <= high.position.y + margin;
+    };
+    // Antialiased, a pixel is painted where its square is met.
+    const bool isInside = primitives.isTriangle(primitive)
+        ? isInBox(primitives.triangles[primitive].vertices, unitsPerPixel / 2)
+        : isInBox(primitives.shape(primitive).vertices, unitsPerPixel);
+    return isInside
+        || (primitive < traced.trace->primitiveCount()
+            && traced.trace->visitOf(primitive, x, y).has_value());
 }
 
-PixelAttempt attemptOf(std::size_t primitive, const TracedScene &traced, std::int64_t x,
-                       std::int64_t y)
+} // namespace
+
+PixelAttempt pixelAttempt(const TracedScene &traced, std::size_t primitive, std::int64_t x,
+                          std::int64_t y)
 {
     PixelAttempt attempt;
     attempt.primitive = primitive;
@@ -125,28 +133,33 @@ PixelAttempt attemptOf(std::size_t primitive, const TracedScene &traced, std::in
     return attempt;
 }
 
-} // namespace
-
 std::vector<PixelAttempt> pixelHistory(const TracedScene &traced, std::int64_t x, std::int64_t y)
 {
-    return briefPixelHistory(traced, x, y, std::numeric_limits<std::size_t>::max()).attempts;
+    std::vector<PixelAttempt> attempts;
+    for (std::size_t primitive = 0; primitive < traced.primitives.size(); ++primitive) {
+        if (isDrawn(traced.primitives, primitive, *traced.method))
+            attempts.push_back(pixelAttempt(traced, primitive, x, y));
+    }
+    return attempts;
 }
 
 BriefPixelHistory briefPixelHistory(const TracedScene &traced, std::int64_t x, std::int64_t y,
-                                    std::size_t listedRefusals)
+                                    const ListedRefusals &most)
 {
     BriefPixelHistory history;
-    std::size_t refusals = 0;
+    std::size_t inBox = 0;
+    std::size_t outside = 0;
     for (std::size_t primitive = 0; primitive < traced.primitives.size(); ++primitive) {
         if (!isDrawn(traced.primitives, primitive, *traced.method))
             continue;
-        if (refusals >= listedRefusals && !mayHavePainted(traced, primitive, x, y)) {
+        const bool isInside = mayHavePainted(traced, primitive, x, y);
+        if (!isInside && ++outside > most.outside) {
             ++history.furtherRefusals;
             continue;
         }
-        PixelAttempt attempt = attemptOf(primitive, traced, x, y);
+        PixelAttempt attempt = pixelAttempt(traced, primitive, x, y);
         const bool isRefusal = !attempt.written && !attempt.verdict.covered;
-        if (isRefusal && ++refusals > listedRefusals)
+        if (isInside && isRefusal && ++inBox > most.inBox)
             ++history.furtherRefusals;
         else
             history.attempts.push_back(std::move(attempt));

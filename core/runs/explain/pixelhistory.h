@@ -56,13 +56,23 @@ struct PixelAttempt {
 /// The attempts of all primitives on a pixel, in drawing order.
 std::vector<PixelAttempt> pixelHistory(const TracedScene &traced, std::int64_t x, std::int64_t y);
 
+/// The attempt of one primitive that the method draws.
+PixelAttempt pixelAttempt(const TracedScene &traced, std::size_t primitive, std::int64_t x,
+                          std::int64_t y);
+
 /// A history without most primitives that rightly leave the pixel alone: there may be a million.
 struct BriefPixelHistory {
     std::vector<PixelAttempt> attempts;
     std::size_t furtherRefusals = 0; ///< that are not among the attempts
 };
+inline constexpr std::size_t fewRefusals = 20;
+/// How many refusals are listed.
+struct ListedRefusals {
+    std::size_t inBox = fewRefusals; ///< of primitives whose box holds the pixel
+    std::size_t outside = fewRefusals; ///< of all others
+};
 BriefPixelHistory briefPixelHistory(const TracedScene &traced, std::int64_t x, std::int64_t y,
-                                    std::size_t listedRefusals);
+                                    const ListedRefusals &most = {});
 /// Removes the attempts that are decided after a position; returns whether there were any.
 bool leaveOutAhead(BriefPixelHistory &history, std::size_t position);
 

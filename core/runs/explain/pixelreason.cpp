@@ -161,12 +161,20 @@ QString shadedText(const PixelAttempt &attempt, const TracedScene &traced)
     return text;
 }
 
+bool isRejectedByKernel(const ScanTrace &trace, std::size_t primitive)
+{
+    return std::ranges::binary_search(trace.rejectedPrimitives(), primitive);
+}
+
 /// The sentences for any attempt.
 QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
                     std::int64_t y)
 {
+    // What a kernel found out about a sample says more than that it drew nothing.
+    const bool isRefused = attempt.kind == PrimitiveKind::Triangle || attempt.sample.has_value();
     if (attempt.primitive < traced.trace->primitiveCount()) {
-        if (const auto rejection = rejectionOf(traced, attempt.primitive))
+        const auto rejection = rejectionOf(traced, attempt.primitive);
+        if (rejection && (!isRefused || isRejectedByKernel(*traced.trace, attempt.primitive)))
             return (attempt.verdict.covered ? QStringLiteral("Missing: the truth covers it. ")
                                             : QString())
                 + rejectionText(*rejection);

@@ -3,7 +3,6 @@
 
 #include "core/frame/framebuffer.h"
 #include "core/methods/words/rejectiontext.h"
-#include "core/plan/framereach.h"
 #include "core/plan/framesquare.h"
 #include "core/polygons/contours.h"
 #include "core/polygons/curvechords.h"
@@ -30,11 +29,6 @@ bool wroteNothing(const ScanTrace &trace, std::size_t primitive)
     return true;
 }
 
-SampledFrame drawnSamplesOf(const SceneRun &run)
-{
-    return {windowOf(run.scene.frame), run.settings.fillRule, run.antialiasing()};
-}
-
 /// The edges that bound a primitive, or that it consists of.
 std::vector<ContourEdge> edgesOf(const Primitives &primitives, std::size_t index)
 {
@@ -55,7 +49,7 @@ std::vector<ContourEdge> edgesOf(const Primitives &primitives, std::size_t index
                 {{low.x, high.y}, low}};
     }
     case PrimitiveKind::Text:
-        return contoursOf(sharedOutlinesOf(shape)->polygon).edges;
+        return sharedOutlinesOf(shape)->contours.edges;
     case PrimitiveKind::Bezier: {
         std::vector<ContourEdge> edges = contoursOf(chordsOf(shape)).edges;
         if (shape.fill == ShapeFill::Outline && !edges.empty())
@@ -89,14 +83,51 @@ Rejection decided(const Rejection &rejection, const Primitives &primitives, std:
         : rejection;
 }
 
+/// Why nothing is drawn of a primitive, whatever hides it in the scene: the kernel draws it alone,
+/// up to the first pixel that it writes.
+std::optional<Rejection> rejectionAlone(const SceneRun &run, std::size_t index,
+                                        const FrameBuffer &frame)
+{
+    const Primitives &primitives = run.primitives;
+    if (!run.method->draws(primitives.kindOf(index)))
+        return PrimitiveRejection::NotOfThisMethod;
+    const Run one(run.method, aloneOf(primitives, index), run.settings, frame.view());
+    TraceOptions options;
+    options.detail = TraceDetail::Rejections;
+    const auto trace = one.trace(frame.view(), options);
+    if (!trace || trace->primitiveCount() == 0)
+        return std::nullopt;
+    if (const auto rejection = trace->setUp(0).rejection)
+        return decided(*rejection, primitives, index, run.scene);
+    // Where a stroke is not rejected, it meets the square of a pixel.
+    const bool isStroke
+        = !primitives.isTriangle(index) && run.method->supports(Effect::Antialiasing);
+    return isStroke ? PrimitiveRejection::BetweenSamples
+                    : missOf(primitives, index, windowOf(run.scene.frame));
+}
+
+/// `frame`: one to draw in, made where it is needed.
+std::optional<Rejection> rejectionIn(const TracedScene &traced, std::size_t primitive,
+                                     std::optional<FrameBuffer> &frame)
+{
+    const ScanTrace &trace = *traced.trace;
+    if (std::ranges::binary_search(trace.rejectedPrimitives(), primitive))
+        return decided(*trace.setUp(primitive).rejection, traced.primitives, primitive,
+                       traced.scene);
+    const bool isWhole = primitive + 1 < trace.primitiveCount() || !trace.isCut();
+    if (!isWhole || !wroteNothing(trace, primitive))
+        return std::nullopt;
+    if (!frame)
+        frame.emplace(traced.scene.frame);
+    return rejectionAlone(traced, primitive, *frame);
+}
+
 } // namespace
 
 std::optional<Rejection> rejectionOf(const TracedScene &traced, std::size_t primitive)
 {
-    const auto rejection = traced.trace->setUp(primitive).rejection;
-    return rejection
-        ? std::optional(decided(*rejection, traced.primitives, primitive, traced.scene))
-        : std::nullopt;
+    std::optional<FrameBuffer> frame;
+    return rejectionIn(traced, primitive, frame);
 }
 
 QString RejectedPrimitive::message() const
@@ -108,54 +139,22 @@ QString RejectedPrimitive::message() const
 
 std::vector<RejectedPrimitive> rejectedPrimitives(const SceneRun &run)
 {
-    const Primitives &primitives = run.primitives;
     const FrameBuffer frame(run.scene.frame);
-    const SampledFrame where = drawnSamplesOf(run);
     std::vector<RejectedPrimitive> rejected;
-    TraceOptions untilTheFirstSpan;
-    untilTheFirstSpan.detail = TraceDetail::Spans;
-    untilTheFirstSpan.progress = [](const JobProgress &) { return false; };
-    for (std::size_t index = 0; index < primitives.size(); ++index) {
-        const PrimitiveKind kind = primitives.kindOf(index);
-        if (!run.method->draws(kind)) {
-            rejected.push_back({index, kind, PrimitiveRejection::NotOfThisMethod});
-            continue;
-        }
-        const Run one(run.method, aloneOf(primitives, index), run.settings, frame.view());
-        // Cancelled, and so null, if a span was entered.
-        auto trace = one.trace(frame.view(), untilTheFirstSpan);
-        if (!trace && primitives.isTriangle(index)
-            && reachOf(primitives.triangles[index], where).isEmpty()) {
-            trace = one.trace(frame.view());
-            if (!trace->isCut() && wroteNothing(*trace, 0))
-                rejected.push_back({index, kind, missOf(primitives, index, where.frame)});
-            continue;
-        }
-        if (!trace || trace->primitiveCount() == 0)
-            continue;
-        if (const auto rejection = trace->setUp(0).rejection)
-            rejected.push_back({index, kind, decided(*rejection, primitives, index, run.scene)});
+    for (std::size_t index = 0; index < run.primitives.size(); ++index) {
+        if (const auto rejection = rejectionAlone(run, index, frame))
+            rejected.push_back({index, run.primitives.kindOf(index), *rejection});
     }
     return rejected;
 }
 
 std::vector<RejectedPrimitive> rejectedPrimitives(const TracedScene &traced)
 {
-    const Primitives &primitives = traced.primitives;
-    const ScanTrace &trace = *traced.trace;
-    const SampledFrame where = drawnSamplesOf(traced);
-    const auto liesBetween = [&](std::size_t triangle) {
-        return reachOf(primitives.triangles[triangle], where).isEmpty()
-            && wroteNothing(trace, triangle);
-    };
+    std::optional<FrameBuffer> frame;
     std::vector<RejectedPrimitive> rejected;
-    const std::size_t whole = trace.primitiveCount() - (trace.isCut() ? 1 : 0);
-    for (std::size_t index = 0; index < trace.primitiveCount(); ++index) {
-        if (std::ranges::binary_search(trace.rejectedPrimitives(), index))
-            rejected.push_back({index, primitives.kindOf(index), *rejectionOf(traced, index)});
-        else if (index < whole && primitives.isTriangle(index) && liesBetween(index))
-            rejected.push_back(
-                {index, PrimitiveKind::Triangle, missOf(primitives, index, where.frame)});
+    for (std::size_t index = 0; index < traced.trace->primitiveCount(); ++index) {
+        if (const auto rejection = rejectionIn(traced, index, frame))
+            rejected.push_back({index, traced.primitives.kindOf(index), *rejection});
     }
     return rejected;
 }

@@ -19,16 +19,16 @@ struct RejectedPrimitive {
     friend bool operator==(const RejectedPrimitive &, const RejectedPrimitive &) = default;
 };
 
-/// Why a recorded run drew nothing of a primitive that its method rejected; for one without a
-/// sample in the frame, whether it lies outside it or reaches into it. None for any other.
+/// Why a recorded run drew nothing of a primitive: what its method rejects it for, or where it lies
+/// if it has no sample in the frame. None for one that was drawn, is hidden by others, or is not
+/// recorded to its end.
 std::optional<Rejection> rejectionOf(const TracedScene &traced, std::size_t primitive);
 
-/// What the run's method rejects, in drawing order, without a recording. It runs the kernel
-/// itself, primitive by primitive, and stops it before it writes the first pixel; for a triangle
-/// between the samples the kernel tries all of them.
+/// The primitives of which the run's method draws nothing, in drawing order, without a recording:
+/// the kernel itself draws each alone, up to the first pixel that it writes.
 std::vector<RejectedPrimitive> rejectedPrimitives(const SceneRun &run);
 
-/// What was rejected in a recorded run, and which triangles lie between the samples.
+/// The same primitives of a recorded run, as far as it is recorded.
 std::vector<RejectedPrimitive> rejectedPrimitives(const TracedScene &traced);
 
 } // namespace pixelplumb

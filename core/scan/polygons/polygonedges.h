@@ -4,6 +4,7 @@
 #include "core/scan/polygons/polygonrows.h"
 
 #include <algorithm>
+#include <compare>
 #include <span>
 
 namespace pixelplumb {
@@ -14,22 +15,21 @@ namespace pixelplumb {
 template <class A>
 class EdgeTable {
 public:
+    /// `edges` must outlive the table.
     EdgeTable(std::span<const ContourEdge> edges, FrameOrigin origin)
+        : m_edges(edges)
+        , m_origin(origin)
     {
+        const auto isCrossed = [](const ContourEdge &edge) { return edge.from.y != edge.to.y; };
         const Interval rows = rowsCrossed(origin);
+        m_entries.reserve(std::size_t(std::ranges::count_if(edges, isCrossed)));
         for (std::size_t index = 0; index < edges.size(); ++index) {
-            const LatticePoint &from = edges[index].from;
-            const LatticePoint &to = edges[index].to;
-            if (from.y == to.y)
-                continue;
-            const bool upward = from.y < to.y;
-            const LatticePoint &low = upward ? from : to;
-            const LatticePoint &high = upward ? to : from;
-            m_entries.push_back({mirrored(low), mirrored(high), index,
-                                 windingRightOf(edges[index], origin), firstSampleFrom(low.y, rows),
-                                 endSampleAt(high.y, rows)});
+            const ContourEdge &edge = edges[index];
+            if (isCrossed(edge))
+                m_entries.push_back(
+                    {firstSampleFrom(std::min(edge.from.y, edge.to.y), rows), index});
         }
-        std::ranges::stable_sort(m_entries, {}, &Entry::firstRow);
+        std::ranges::sort(m_entries);
     }
 
     std::size_t size() const { return m_entries.size(); }
@@ -41,36 +41,51 @@ public:
     void activate(std::int64_t row, std::vector<Crossing<A>> &active)
     {
         for (; m_next < m_entries.size() && m_entries[m_next].firstRow <= row; ++m_next) {
-            const Entry &entry = m_entries[m_next];
-            if (entry.endRow > row)
-                active.push_back(started(entry, row));
+            const Upward edge(m_edges[m_entries[m_next].index]);
+            const std::int64_t endRow = endSampleAt(edge.high.y, rowsCrossed(m_origin));
+            if (endRow > row)
+                active.push_back(started(m_entries[m_next].index, endRow, row));
         }
     }
 
 private:
+    /// Small, since a text may have millions of edges.
     struct Entry {
-        Vertex low, high; ///< x and y exchanged: the arithmetics walk along columns
+        std::int64_t firstRow = 0;
         std::size_t index = 0;
-        int turn = 0;
-        std::int64_t firstRow = 0, endRow = 0;
+
+        friend auto operator<=>(const Entry &, const Entry &) = default;
+    };
+    struct Upward {
+        explicit Upward(const ContourEdge &edge)
+            : low(edge.from.y < edge.to.y ? edge.from : edge.to)
+            , high(edge.from.y < edge.to.y ? edge.to : edge.from)
+        {
+        }
+
+        LatticePoint low, high;
     };
 
+    /// x and y exchanged: the arithmetics walk along columns.
     static Vertex mirrored(const LatticePoint &point) { return {{point.y, point.x}, {}}; }
 
-    static Crossing<A> started(const Entry &entry, std::int64_t row)
+    Crossing<A> started(std::size_t index, std::int64_t endRow, std::int64_t row) const
     {
+        const Upward edge(m_edges[index]);
+        const Vertex low = mirrored(edge.low);
+        const Vertex high = mirrored(edge.high);
         Crossing<A> crossing;
-        crossing.edge = entry.index;
-        crossing.turn = entry.turn;
-        crossing.endRow = entry.endRow;
-        crossing.slope = A::edgeSlope(entry.low, entry.high);
-        crossing.base = onLattice(entry.low.position.y);
-        const auto run = A::runTo(row, entry.low);
+        crossing.edge = index;
+        crossing.turn = windingRightOf(m_edges[index], m_origin);
+        crossing.endRow = endRow;
+        crossing.slope = A::edgeSlope(low, high);
+        crossing.base = onLattice(low.position.y);
+        const auto run = A::runTo(row, low);
         if constexpr (A::arithmetic == Arithmetic::Exact)
             crossing.rise = A::Number::fromFraction(run, unitsPerPixel);
         else
             crossing.rise = run;
-        crossing.x = A::edgeOrdinate(entry.low, entry.high, run, crossing.slope);
+        crossing.x = A::edgeOrdinate(low, high, run, crossing.slope);
         crossing.firstRight = A::ceil(crossing.x);
         return crossing;
     }
@@ -83,6 +98,8 @@ private:
             return A::Traits::fromLattice(units);
     }
 
+    std::span<const ContourEdge> m_edges;
+    FrameOrigin m_origin;
     std::vector<Entry> m_entries; ///< ascending by first row
     std::size_t m_next = 0; ///< the first entry not yet activated
 };

@@ -75,13 +75,16 @@ void scanRows(std::span<const ContourEdge> edges, const PolygonSetUp &setUp, int
     }
 }
 
-/// Scans one polygon into one frame.
+/// Scans one polygon into one frame. `edges`: the contours', where the run may share them, else it
+/// keeps a copy.
 template <class A, ScanObserver<PolygonNumbers<A>> Observer>
-void scanPolygon(const Contours &contours, FrameView frame, Observer observer)
+void scanPolygon(const Contours &contours, FrameView frame, Observer observer,
+                 const std::shared_ptr<const std::vector<ContourEdge>> &edges = nullptr)
 {
     PolygonSetUp setUp = polygonSetUpFor(contours, frame.origin);
     if constexpr (readsNumbers<Observer>)
-        setUp.edges = std::make_shared<const std::vector<ContourEdge>>(contours.edges);
+        setUp.edges
+            = edges ? edges : std::make_shared<const std::vector<ContourEdge>>(contours.edges);
     observer.primitiveBegun(setUp);
     if (const auto rejection = polygonRejection<A>(contours, frame)) {
         observer.primitiveRejected(*rejection);

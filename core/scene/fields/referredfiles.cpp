@@ -2,6 +2,7 @@
 #include "core/scene/fields/referredfiles.h"
 
 #include "core/scene/files/fileaccess.h"
+#include "core/scene/files/filepath.h"
 #include "core/scene/files/meshfile.h"
 #include "core/scene/files/texturefile.h"
 #include "core/scene/scenefile.h"
@@ -22,7 +23,7 @@ constexpr std::size_t mostTexels = std::size_t(4) * largestTextureSide * largest
 
 QString ReferredFiles::pathOf(const QString &name) const
 {
-    return QDir::cleanPath(QDir(m_folder).absoluteFilePath(name));
+    return QDir::cleanPath(QDir(m_folder).absoluteFilePath(filePath(name)));
 }
 
 Result<std::shared_ptr<const Texture>> ReferredFiles::texture(const QString &name)
@@ -57,7 +58,7 @@ Result<std::shared_ptr<const Mesh>> ReferredFiles::mesh(const QString &name)
 
 qint64 bytesToRead(const QString &path)
 {
-    const QFileInfo file(path);
+    const QFileInfo file(filePath(path));
     qint64 bytes = file.size();
     if (!file.isFile() || bytes > shortText)
         return bytes;
@@ -73,14 +74,14 @@ qint64 bytesToRead(const QString &path)
         names.insert(primitive["mesh"].toString());
     names.remove(QString());
     for (const QString &name : names)
-        bytes += QFileInfo(file.absoluteDir().absoluteFilePath(name)).size();
+        bytes += QFileInfo(file.absoluteDir().absoluteFilePath(filePath(name))).size();
     return bytes;
 }
 
 QString nameInFolder(const std::string &name, const QString &folder)
 {
     const QString path = QString::fromStdString(name);
-    if (folder.isEmpty() || QDir::isRelativePath(path))
+    if (folder.isEmpty() || QDir::isRelativePath(filePath(path)))
         return path;
     return QDir(folder).relativeFilePath(path);
 }

@@ -5,6 +5,7 @@
 #include "core/scene/fields/framereader.h"
 #include "core/scene/fields/primitivereader.h"
 #include "core/scene/files/fileaccess.h"
+#include "core/scene/files/filepath.h"
 #include "core/scene/text/choicereader.h"
 #include "core/scene/text/colourreader.h"
 
@@ -208,7 +209,8 @@ Result<SceneReading> readSceneFile(const QString &path, const ProgressListener &
     const Result<QByteArray> text = readRegularFile(path);
     if (!text)
         return text.error();
-    Result<SceneReading> reading = readScene(*text, listener, QFileInfo(path).absolutePath());
+    Result<SceneReading> reading
+        = readScene(*text, listener, QFileInfo(filePath(path)).absolutePath());
     if (reading)
         return reading;
     return errorIn(path, reading.error());

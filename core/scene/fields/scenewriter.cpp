@@ -4,6 +4,7 @@
 #include "core/scene/fields/solidwriter.h"
 #include "core/scene/fileorder.h"
 #include "core/scene/files/fileaccess.h"
+#include "core/scene/files/filepath.h"
 #include "core/scene/framenames.h"
 #include "core/scene/scenefile.h"
 #include "core/scene/text/colourtext.h"
@@ -100,7 +101,7 @@ QByteArray writeScene(const Scene &scene, const QString &folder)
 
 std::optional<InputError> writeSceneFile(const QString &path, const Scene &scene)
 {
-    return writeFile(path, writeScene(scene, QFileInfo(path).absolutePath()));
+    return writeFile(path, writeScene(scene, QFileInfo(filePath(path)).absolutePath()));
 }
 
 } // namespace pixelplumb

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/files/fileaccess.h"
 
+#include "core/scene/files/filepath.h"
 #include "core/scene/files/inputrecord.h"
 #include "core/scene/files/outputfile.h"
 
@@ -55,11 +56,11 @@ Result<QByteArray> readFile(const QString &path, qint64 most)
     const auto refusal = [&](const QString &why) {
         return InputError{path, QStringLiteral("cannot be read: ") + why, {}};
     };
-    if (QFileInfo(path).isDir())
+    if (QFileInfo(filePath(path)).isDir())
         return refusal(QStringLiteral("it is a folder"));
     if (auto objection = noteInput(path))
         return *objection;
-    QFile file(path);
+    QFile file(filePath(path));
     if (!openToRead(file))
         return refusal(file.errorString());
     return readDevice(path, file, most);
@@ -67,7 +68,7 @@ Result<QByteArray> readFile(const QString &path, qint64 most)
 
 Result<QByteArray> readRegularFile(const QString &path, qint64 most)
 {
-    const QFileInfo file(path);
+    const QFileInfo file(filePath(path));
     if (file.exists() && !file.isFile() && !file.isDir())
         return InputError{path, QStringLiteral("cannot be read: it is a pipe or a device"),
                           QStringLiteral("a file")};

@@ -2,13 +2,13 @@
 #include "core/scene/files/inputrecord.h"
 
 #include <QFile>
-#include <QFileInfo>
 
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <compare>
+#include <cstdlib>
 #include <map>
 #include <mutex>
 #include <set>
@@ -33,10 +33,14 @@ std::optional<FileIdentity> identityIn(int result, const struct stat &status)
 }
 
 /// None unless it is a regular file. It is not opened: a pipe can be read only once.
-std::optional<FileIdentity> identityOf(const QString &path)
+std::optional<FileIdentity> identityOf(const QByteArray &path)
 {
     struct stat status = {};
-    return identityIn(stat(QFile::encodeName(path).constData(), &status), status);
+    return identityIn(stat(path.constData(), &status), status);
+}
+std::optional<FileIdentity> identityOf(const QString &path)
+{
+    return identityOf(QFile::encodeName(path));
 }
 
 std::optional<FileIdentity> identityOf(int descriptor)
@@ -45,12 +49,23 @@ std::optional<FileIdentity> identityOf(int descriptor)
     return identityIn(fstat(descriptor, &status), status);
 }
 
+/// The path without links, in the system's own bytes, which need not be UTF-8; empty where nothing
+/// is.
+QByteArray canonical(const QByteArray &path)
+{
+    char *const found = realpath(path.constData(), nullptr);
+    const QByteArray whole(found);
+    std::free(found);
+    return whole;
+}
+QByteArray canonical(const QString &path) { return canonical(QFile::encodeName(path)); }
+
 struct Inputs {
     std::mutex mutex;
     int records = 0; ///< alive
-    std::set<QString> paths; ///< canonical
-    std::set<QString> folders; ///< canonical
-    std::multimap<FileIdentity, QString> files; ///< the file at each path when it was read
+    std::set<QByteArray> paths; ///< canonical
+    std::set<QByteArray> folders; ///< canonical
+    std::multimap<FileIdentity, QByteArray> files; ///< the file at each path when it was read
     bool hasStandardInput = false;
 };
 
@@ -78,22 +93,22 @@ bool isPathOfInput(const QString &path)
 {
     Inputs &all = inputs();
     const std::lock_guard lock(all.mutex);
-    return all.paths.contains(QFileInfo(path).canonicalFilePath());
+    return all.paths.contains(canonical(path));
 }
 
-bool isIn(const QString &folder, const QString &file)
+bool isIn(const QByteArray &folder, const QByteArray &file)
 {
-    return file.startsWith(folder.endsWith(u'/') ? folder : folder + u'/');
+    return file.startsWith(folder.endsWith('/') ? folder : folder + '/');
 }
 
 /// False for a file that does not exist.
 bool isInInputFolder(const QString &path)
 {
-    const QString canonical = QFileInfo(path).canonicalFilePath();
+    const QByteArray file = canonical(path);
     Inputs &all = inputs();
     const std::lock_guard lock(all.mutex);
     return std::ranges::any_of(all.folders,
-                               [&](const QString &folder) { return isIn(folder, canonical); });
+                               [&](const QByteArray &folder) { return isIn(folder, file); });
 }
 
 InputError wouldReplace(const QString &place)
@@ -143,24 +158,24 @@ std::optional<InputError> noteInput(const QString &path)
         return std::nullopt;
     Inputs &all = inputs();
     if (const std::lock_guard lock(all.mutex); all.records > 0) {
-        const QString canonical = QFileInfo(path).canonicalFilePath();
-        if (all.paths.insert(canonical).second)
-            all.files.emplace(*file, canonical);
+        const QByteArray whole = canonical(path);
+        if (all.paths.insert(whole).second)
+            all.files.emplace(*file, whole);
     }
     return refusalToRead(file);
 }
 
 std::optional<InputError> noteInputFolder(const QString &path)
 {
-    const QString canonical = QFileInfo(path).canonicalFilePath();
-    if (canonical.isEmpty())
+    const QByteArray folder = canonical(path);
+    if (folder.isEmpty())
         return std::nullopt;
     Inputs &all = inputs();
     if (const std::lock_guard lock(all.mutex); all.records > 0)
-        all.folders.insert(canonical);
-    const QFileInfo output(
-        QFile::symLinkTarget(QStringLiteral("/proc/self/fd/%1").arg(STDOUT_FILENO)));
-    return output.isFile() && output.size() > 0 && isIn(canonical, output.canonicalFilePath())
+        all.folders.insert(folder);
+    struct stat output = {};
+    return fstat(STDOUT_FILENO, &output) == 0 && S_ISREG(output.st_mode) && output.st_size > 0
+            && isIn(folder, canonical(QByteArray("/proc/self/fd/1")))
         ? std::optional(standardOutputWouldReplace())
         : std::nullopt;
 }

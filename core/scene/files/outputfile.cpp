@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/files/outputfile.h"
 
+#include "core/scene/files/filepath.h"
 #include "core/scene/files/inputrecord.h"
 
 #include <QDeadlineTimer>
@@ -55,12 +56,13 @@ std::optional<InputError> OutputFile::open()
             return refusal;
     }
     // A device or pipe cannot be replaced by a finished file.
-    const QFileInfo target(m_path);
+    const QString path = filePath(m_path);
+    const QFileInfo target(path);
     const bool isReplaced = !target.exists() || target.isFile() || target.isDir();
     if (isReplaced) {
-        m_file = std::make_unique<QSaveFile>(m_path);
+        m_file = std::make_unique<QSaveFile>(path);
     } else {
-        auto file = std::make_unique<QFile>(m_path);
+        auto file = std::make_unique<QFile>(path);
         std::error_code ignored;
         if (std::filesystem::is_fifo(QFile::encodeName(m_path).toStdString(), ignored)
             && !openPipe(*file))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/files/outputfolder.h"
 
+#include "core/scene/files/filepath.h"
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -33,7 +35,7 @@ bool isIn(const QString &path, const QString &folder)
 std::optional<InputError> refusalOfFolder(const QString &folder)
 {
     const QString expected = QStringLiteral("a folder");
-    const QFileInfo there(folder);
+    const QFileInfo there(filePath(folder));
     if (there.exists() && !there.isDir())
         return InputError{folder, QStringLiteral("is a file"), expected};
     if (!there.exists() && there.isSymbolicLink())
@@ -42,12 +44,12 @@ std::optional<InputError> refusalOfFolder(const QString &folder)
             QStringLiteral("is a link to %1, which is not there").arg(there.symLinkTarget()),
             expected};
     std::error_code error;
-    std::filesystem::create_directories(QFile::encodeName(QDir::cleanPath(folder)).toStdString(),
-                                        error);
+    std::filesystem::create_directories(
+        QFile::encodeName(QDir::cleanPath(filePath(folder))).toStdString(), error);
     if (error)
         return InputError{
             folder, QStringLiteral("cannot be made: ") + qt_error_string(error.value()), expected};
-    if (!QFileInfo(folder).isWritable())
+    if (!QFileInfo(filePath(folder)).isWritable())
         return InputError{folder, QStringLiteral("cannot be written to"),
                           QStringLiteral("a folder in which files can be made")};
     return std::nullopt;

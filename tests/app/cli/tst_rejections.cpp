@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/tracerows.h"
+#include "core/runs/explain/formulaexplanation.h"
+#include "core/runs/explain/pixelhistory.h"
 #include "core/runs/explain/rejectedprimitives.h"
 #include "core/runs/tracedscene.h"
 #include "core/scene/scenefile.h"
@@ -28,7 +31,22 @@ const char *const everything
       "{ 'bezier': [[0, 0], [1, 5], [7, 1]], 'color': '#cc7722' },\n"
       "{ 'polygon': [[1, 1], [6, 1], [6, 6]], 'color': '#cc7722' },\n"
       "{ 'polygon': [[1, 1], [6, 1], [3, 3], [6, 6], [1, 6]], 'color': '#cc7722' },\n"
-      "{ 'polygon': [[1, 1], [6, 6], [6, 1], [1, 6]], 'color': '#cc7722' }";
+      "{ 'polygon': [[1, 1], [6, 6], [6, 1], [1, 6]], 'color': '#cc7722' },\n"
+      // without area, or so small that they lie between the samples
+      "{ 'line': [[2, 2], [2, 2]], 'colors': ['#cc7722', '#ffffff'] },\n"
+      "{ 'line': [['5/4', '5/4'], ['11/8', '11/8']], 'colors': ['#cc7722', '#ffffff'] },\n"
+      "{ 'line': [['5/4', '3/2'], ['11/8', '3/2']], 'colors': ['#cc7722', '#ffffff'] },\n"
+      "{ 'line': [[20, 2], [30, 2]], 'colors': ['#cc7722', '#ffffff'] },\n"
+      "{ 'circle': { 'centre': ['9/2', '9/2'], 'radius': '1/8' }, 'color': '#cc7722',"
+      " 'fill': 'outline' },\n"
+      "{ 'circle': { 'centre': ['9/2', '9/2'], 'radius': '1/8' }, 'color': '#cc7722',"
+      " 'fill': 'filled' },\n"
+      "{ 'bezier': [[5, 5], [5, 5], [5, 5]], 'color': '#cc7722' },\n"
+      "{ 'bezier': [['5/4', '5/4'], ['21/16', '11/8'], ['11/8', '11/8']], 'color': '#cc7722' },\n"
+      "{ 'polygon': [['5/4', '5/4'], ['3/2', '5/4'], ['3/2', '3/2']], 'color': '#cc7722' },\n"
+      "{ 'polygon': [[1, 1], [6, 1], [3, 1]], 'color': '#cc7722' },\n"
+      "{ 'points': [[30, 2]], 'colors': ['#cc7722'] },\n"
+      "{ 'text': 'i', 'at': ['5/4', '5/4'], 'height': '1/4', 'color': '#cc7722' }";
 
 QByteArray sceneText() { return sceneOfPrimitives(json(everything)); }
 
@@ -62,13 +80,22 @@ private slots:
 
                 const auto recorded = rejectedPrimitives(*traced);
                 QCOMPARE(rejectedPrimitives(SceneRun(scene)), recorded);
+                // Nothing is hidden here: what is not told has written pixels, and only that.
+                QSet<std::size_t> written;
+                const ScanTrace &trace = *traced->trace;
+                for (std::size_t sample = 0; sample < trace.sampleCount(); ++sample) {
+                    if (trace.changes()[sample].isWritten())
+                        written.insert(trace.primitiveOf(trace.spanOf(sample)));
+                }
                 QSet<std::size_t> rejected;
                 for (const RejectedPrimitive &each : recorded)
                     rejected.insert(each.primitive);
-                const ScanTrace &trace = *traced->trace;
-                for (std::size_t sample = 0; sample < trace.sampleCount(); ++sample)
-                    QVERIFY(!trace.changes()[sample].isWritten()
-                            || !rejected.contains(trace.primitiveOf(trace.spanOf(sample))));
+                for (std::size_t i = 0; i < traced->primitives.size(); ++i) {
+                    QVERIFY2(written.contains(i) != rejected.contains(i),
+                             qPrintable(QString::number(i)));
+                    QCOMPARE(rejectionOf(*traced, i).has_value(), rejected.contains(i));
+                    QCOMPARE(setUpRow(*traced, i).rejection.has_value(), rejected.contains(i));
+                }
             }
         }
     }
@@ -151,6 +178,26 @@ private slots:
                      qPrintable(rejected[0].message()));
             QCOMPARE(rejectedPrimitives(*traceScene(scene)), rejected);
         }
+    }
+
+    /// By one function for the commands, the panels and the table.
+    void aStrokeBetweenTheSamplesHasAReason()
+    {
+        const QByteArray scene
+            = sceneOfPrimitives(json("{ 'line': [['5/4', '3/2'], ['11/8', '3/2']],"
+                                     " 'colors': ['#ff0000', '#00ff00'] }"));
+        Scene drawn = readScene(scene)->scene;
+        drawn.method = "stroke-coverage";
+        const auto traced = traceScene(drawn);
+        QCOMPARE(traced->trace->writtenCount(), std::size_t(0));
+
+        const QString told
+            = QStringLiteral("It reaches into the frame, but by the run's tests no sample of the "
+                             "frame belongs to it. Nothing is drawn.");
+        QVERIFY(rejectedPrimitives(SceneRun(drawn)).at(0).message().endsWith(told));
+        QVERIFY(explainStep(*traced, 0).sentence.endsWith(told));
+        QCOMPARE(pixelHistory(*traced, 6, 6).at(0).reason, told);
+        QVERIFY(pixelHistory(*traced, 1, 1).at(0).reason.startsWith(QStringLiteral("Refused")));
     }
 
     /// Behind another one it wrote nothing and covers samples.

@@ -43,6 +43,21 @@ private slots:
         QVERIFY2(told.contains(message), told.constData());
     }
 
+    /// QProcess encodes its arguments: only a shell can name such a file.
+    void aNameThatIsNotUtf8IsRefused()
+    {
+        QProcess process;
+        process.start(QStringLiteral("sh"),
+                      {QStringLiteral("-c"), QStringLiteral("\"$0\" \"$(printf 'a\\377.json')\""),
+                       QStringLiteral(PIXELPLUMB_WINDOW)});
+        QVERIFY(process.waitForFinished(120'000));
+        QCOMPARE(process.exitCode(), 2);
+        QCOMPARE(
+            process.readAllStandardError(),
+            QByteArray("pixelplumb: argument 1, “a\\xff.json”, is not UTF-8; expected names in "
+                       "UTF-8\n"));
+    }
+
     void helpIsNoError()
     {
         QProcess process;

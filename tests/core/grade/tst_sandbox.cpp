@@ -334,6 +334,68 @@ private slots:
         QVERIFY2(!output.contains("her own") && output.endsWith("hidden\n"), output.constData());
     }
 
+    /// A newer kernel may do by another number what is denied: setxattrat (463) holds memory.
+    void callsThatAreNotKnownAreDenied()
+    {
+        const QString script = QStringLiteral(
+            "import ctypes, errno\n"
+            "libc = ctypes.CDLL(None, use_errno=True)\n"
+            "def failure(call):\n"
+            "    libc.syscall(call, -1, 0, 0, 0, 0, 0)\n"
+            "    return ctypes.get_errno()\n"
+            "libc.syscall(463, -100, b'/tmp', 0, b'user.a', (ctypes.c_uint64 * 2)(), 16)\n"
+            "print(*[each for each in range(450, 1024) if failure(each) != errno.ENOSYS])\n");
+
+        QCOMPARE(runPython(script, Confinement::Sandbox).output, QByteArray("\n"));
+    }
+
+    /// Beside a program in a folder of many only it is seen: in the home folder, by its own path
+    /// and by that of a link, and where everybody may write.
+    void whatLiesBesideAProgramInASharedFolderIsNotSeen_data()
+    {
+        QTest::addColumn<bool>("isHome");
+        QTest::addColumn<QString>("home"); // in the test's folder
+        QTest::addColumn<int>("mode");
+        QTest::addColumn<QByteArray>("seen");
+        const QByteArray hidden = "hidden\n";
+        QTest::newRow("a folder of its own")
+            << false << QString() << 0755 << QByteArray("others'\n");
+        QTest::newRow("the home folder") << true << QStringLiteral("real") << 0755 << hidden;
+        QTest::newRow("a home folder by a link")
+            << true << QStringLiteral("link") << 0755 << hidden;
+        QTest::newRow("a home folder in one by a link")
+            << true << QStringLiteral("link/below") << 0755 << hidden;
+        QTest::newRow("where everybody may write") << false << QString() << 01777 << hidden;
+    }
+    void whatLiesBesideAProgramInASharedFolderIsNotSeen()
+    {
+        QFETCH(bool, isHome);
+        QFETCH(QString, home);
+        QFETCH(int, mode);
+        QFETCH(QByteArray, seen);
+        const auto folder = openFolderIn(QDir::tempPath());
+        const QByteArray real = QFile::encodeName(folder->filePath(QStringLiteral("real")));
+        const QString program = folder->filePath(QStringLiteral("real/draw"));
+        QVERIFY(
+            writeTo(program, "#!/bin/sh\ncat \"$(dirname \"$0\")/table\" 2>&- || echo hidden\n"));
+        QVERIFY(writeTo(folder->filePath(QStringLiteral("real/table")), "others'\n"));
+        chmod(QFile::encodeName(program).constData(), 0755);
+        chmod(real.constData(), mode_t(mode));
+        QVERIFY(
+            QFile::link(QString::fromLocal8Bit(real), folder->filePath(QStringLiteral("link"))));
+        QVERIFY(QDir(folder->path()).mkpath(QStringLiteral("real/below")));
+        const QByteArray before = qgetenv("HOME");
+        if (isHome)
+            qputenv("HOME", QFile::encodeName(folder->filePath(home)));
+
+        const auto byPath = studentProgramOf({program});
+        const auto byLink = studentProgramOf({folder->filePath(QStringLiteral("link/draw"))});
+        qputenv("HOME", before);
+
+        QCOMPARE(runProgram(*byPath, {}).output, seen);
+        QCOMPARE(runProgram(*byLink, {}).output, seen);
+    }
+
     void ourOwnProgramsAreHiddenFromIt()
     {
         const QStringList words{"sh", "-c", "\"$0\" --version >&2 && echo ran; exit 3", program()};

@@ -470,9 +470,9 @@ private slots:
         const PerEffect<EffectVerdict> verdicts = verdictsOf(primitives);
 
         QCOMPARE(verdicts[Effect::SmoothColour].reason,
-                 QStringLiteral("the primitive has vertex colours that differ"));
+                 QStringLiteral("the line has vertex colours that differ"));
         QCOMPARE(verdicts[Effect::Clipping].reason,
-                 QStringLiteral("the primitive has samples beyond the frame"));
+                 QStringLiteral("the line has samples beyond the frame"));
         QCOMPARE(int(verdicts[Effect::Depth].verdict), int(Verdict::NotCalledFor));
         QVERIFY(planOf(primitives).batches.empty());
     }
@@ -507,7 +507,7 @@ private slots:
         QCOMPARE(clipping.primitives, std::size_t(1));
         QCOMPARE(clipping.pixels, std::int64_t(32 * 24));
         QCOMPARE(clipping.reason,
-                 QStringLiteral("the primitive may go on beyond the frame, as far as bounding "
+                 QStringLiteral("the circle may go on beyond the frame, as far as bounding "
                                 "boxes tell"));
     }
 
@@ -520,10 +520,9 @@ private slots:
         const EffectVerdict verdict = verdictsOf(primitives)[Effect::SmoothColour];
 
         QCOMPARE(verdict.verdict, Verdict::NotCalledFor);
-        QCOMPARE(verdict.reason,
-                 QStringLiteral(
-                     "no triangle and no line goes from one vertex colour to another where it "
-                     "is drawn"));
+        QCOMPARE(
+            verdict.reason,
+            QStringLiteral("no point goes from one vertex colour to another where it is drawn"));
     }
 };
 

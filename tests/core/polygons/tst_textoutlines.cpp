@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <future>
 
 namespace tst_textoutlines {
 
@@ -49,6 +50,16 @@ private slots:
                 QCOMPARE(drawn(scene), truthOf(scene));
             }
         }
+    }
+
+    /// A long text's outlines take hundreds of megabytes.
+    void threadsThatAskAtOnceShareThem()
+    {
+        const Shape text = textOf(std::string(10'000, 'a').c_str(), {0, 0}, 2560);
+        const auto ask = [&text] { return sharedOutlinesOf(text); };
+        auto one = std::async(std::launch::async, ask);
+        auto other = std::async(std::launch::async, ask);
+        QCOMPARE(one.get(), other.get());
     }
 
     void aTextWithoutAMarkIsSaidToHaveNoOutline()
