@@ -2,7 +2,6 @@
 #include "core/plan/effectreason.h"
 
 #include "core/plan/requirements.h"
-#include "core/plan/sharededges.h"
 #include "core/space/vertexlight.h"
 
 #include <QStringList>
@@ -59,26 +58,9 @@ QString onlyOfTriangles(Effect effect)
     return {};
 }
 
-/// Limits a statement about all or none to what is drawn, where some primitives are not.
-QString amongDrawn(const NeedsTally &tally)
-{
-    return tally.isOfAll() ? QString() : QStringLiteral(" that is drawn in the frame");
-}
-
 QString has(std::size_t count, std::size_t all, const QString &noun)
 {
     return countedWords(count, all, noun, QStringLiteral("has"), QStringLiteral("have"));
-}
-
-/// Qualifies a statement about vertices: a triangle without area is drawn as a segment or a point.
-QString ofEnds(const NeedsTally &tally)
-{
-    QString said;
-    if (tally.drawnSegments > 0)
-        said += QStringLiteral("; for a triangle that is a segment, only the two ends count");
-    if (tally.drawnPoints > 0)
-        said += QStringLiteral("; for a triangle that is a point, only the first vertex counts");
-    return said;
 }
 
 QString smoothColourReason(const NeedsTally &tally, const Appearance &appearance,
@@ -231,51 +213,22 @@ QString lightReason(const NeedsTally &tally, const Appearance &appearance)
         : QStringLiteral("no triangle%1 has normals").arg(amongDrawn(tally));
 }
 
-/// Under the closed rule both triangles of a shared edge paint its samples, which shows where one
-/// of them is transparent.
-QString paintedTwiceWords(const Primitives &primitives, const NeedsTally &tally,
-                          const SampledFrame &where)
-{
-    std::vector<const Triangle *> others;
-    auto blended = tally.blended.begin(); // in drawing order
-    for (const Triangle &triangle : primitives.triangles) {
-        if (blended != tally.blended.end() && *blended == &triangle)
-            ++blended;
-        else
-            others.push_back(&triangle);
-    }
-    const SharedSamples shared = sharedSamplesOf(tally.blended, others, where);
-    if (shared.samples == 0)
-        return {};
-    return QStringLiteral("; the closed rule gives %1%2 on shared edges to both triangles, one of "
-                          "them %3(%4, %5)")
-        .arg(shared.isExact ? QString() : QStringLiteral("at most "))
-        .arg(shared.samples == 1 ? QStringLiteral("1 sample")
-                                 : QStringLiteral("%1 samples").arg(shared.samples))
-        .arg(where.antialiasing == Antialiasing::None ? QString() : QStringLiteral("in pixel "))
-        .arg(shared.first.x)
-        .arg(shared.first.y);
-}
-
-QString blendingReason(const Primitives &primitives, const NeedsTally &tally,
-                       const SampledFrame &where)
-{
-    const std::size_t blended = tally.of[Effect::Blending].primitives;
-    if (blended == 0)
-        return (tally.isOfAll() ? QStringLiteral("every alpha is 255: opaque")
-                                : QStringLiteral("every alpha of a triangle%1 is 255: opaque")
-                                      .arg(amongDrawn(tally)))
-            + ofEnds(tally);
-    const QString reason = QStringLiteral("%1 an alpha below 255, the lowest is %2")
-                               .arg(has(blended, tally.drawnTriangles, triangleWord()))
-                               .arg(tally.lowestAlpha)
-        + ofEnds(tally);
-    const bool sharesEdges = where.rule == FillRule::Closed
-        && where.antialiasing != Antialiasing::Area && tally.drawnTriangles > 1;
-    return sharesEdges ? reason + paintedTwiceWords(primitives, tally, where) : reason;
-}
-
 } // namespace
+
+QString amongDrawn(const NeedsTally &tally)
+{
+    return tally.isOfAll() ? QString() : QStringLiteral(" that is drawn in the frame");
+}
+
+QString ofEnds(const NeedsTally &tally)
+{
+    QString said;
+    if (tally.drawnSegments > 0)
+        said += QStringLiteral("; for a triangle that is a segment, only the two ends count");
+    if (tally.drawnPoints > 0)
+        said += QStringLiteral("; for a triangle that is a point, only the first vertex counts");
+    return said;
+}
 
 QString countedWords(std::size_t count, std::size_t all, const QString &noun,
                      const QString &singularVerb, const QString &pluralVerb)

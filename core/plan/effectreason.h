@@ -14,6 +14,10 @@ QString effectReason(Effect effect, const NeedsTally &tally, const Primitives &p
 /// Why antialiasing is called for or not.
 QString antialiasingReason(const Primitives &primitives, const NeedsTally &tally);
 
+/// Why blending is called for or not.
+QString blendingReason(const Primitives &primitives, const NeedsTally &tally,
+                       const SampledFrame &where);
+
 /// Why depth is called for or not, where the scene leaves the question to the plan.
 QString depthReason(const DepthAnswer &answer);
 
@@ -21,5 +25,11 @@ QString depthReason(const DepthAnswer &answer);
 /// "all 3 triangles have".
 QString countedWords(std::size_t count, std::size_t all, const QString &noun,
                      const QString &singularVerb, const QString &pluralVerb);
+
+/// Limits a statement about all or none to what is drawn, where some primitives are not.
+QString amongDrawn(const NeedsTally &tally);
+
+/// Qualifies a statement about vertices: a triangle without area is drawn as a segment or a point.
+QString ofEnds(const NeedsTally &tally);
 
 } // namespace pixelplumb

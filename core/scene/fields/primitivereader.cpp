@@ -85,12 +85,6 @@ bool PrimitiveReader::isHidden(const JsonNode &primitive)
     return !hidden.isMissing() && m_json.boolean(hidden);
 }
 
-bool PrimitiveReader::hasShapes() const
-{
-    return !m_scene.shapes.empty()
-        || (!m_scene.hidden.empty() && !m_scene.hidden.back().isTriangle());
-}
-
 PrimitiveKind PrimitiveReader::kindOf(const JsonNode &primitive)
 {
     for (const PrimitiveKind kind : allKinds) {
@@ -191,34 +185,32 @@ void PrimitiveReader::readRound(const JsonNode &primitive, Shape &shape)
 
 void PrimitiveReader::readBezier(const JsonNode &primitive, Shape &shape)
 {
-    const QString key = keyOf(shape.kind);
-    expectKeys(primitive, {key, colourKey, fillKey});
-    const JsonNode node = primitive[key];
-    const bool isPath = node.isObject();
-    if (!isPath) {
-        appendPositions(node, {3, 4}, shape);
-    } else {
-        m_json.expectObject(node, {"path"});
-        appendParts(node["path"], QStringLiteral("no piece"), {3, 4}, shape);
-    }
-    shape.fill = fill(primitive[fillKey], shape.kind);
-    if (isPath && shape.fill == ShapeFill::Outline)
+    readContours(primitive, QStringLiteral("path"), QStringLiteral("no piece"), {3, 4}, shape);
+    const JsonNode node = primitive[keyOf(shape.kind)];
+    if (node.isObject() && shape.fill == ShapeFill::Outline)
         m_json.fail(node, QStringLiteral("a path that is not filled"),
                     QStringLiteral("\"fill\": \"even-odd\" or \"non-zero\"; without it, one "
                                    "curve of three or four points"));
-    readColourOfAll(primitive, shape);
 }
 
 void PrimitiveReader::readPolygon(const JsonNode &primitive, Shape &shape)
+{
+    readContours(primitive, QStringLiteral("contours"), QStringLiteral("no contour"),
+                 {3, PointCount::any}, shape);
+}
+
+/// Points, or arrays of them under a key.
+void PrimitiveReader::readContours(const JsonNode &primitive, const QString &partsKey,
+                                   const QString &none, PointCount count, Shape &shape)
 {
     const QString key = keyOf(shape.kind);
     expectKeys(primitive, {key, colourKey, fillKey});
     const JsonNode node = primitive[key];
     if (!node.isObject()) {
-        appendPositions(node, {3, PointCount::any}, shape);
+        appendPositions(node, count, shape);
     } else {
-        m_json.expectObject(node, {"contours"});
-        appendParts(node["contours"], QStringLiteral("no contour"), {3, PointCount::any}, shape);
+        m_json.expectObject(node, {partsKey});
+        appendParts(node[partsKey], none, count, shape);
     }
     shape.fill = fill(primitive[fillKey], shape.kind);
     readColourOfAll(primitive, shape);

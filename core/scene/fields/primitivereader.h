@@ -36,13 +36,19 @@ private:
     /// Fails on keys other than these and those that every primitive of the frame may have.
     void expectKeys(const JsonNode &primitive, const QStringList &keys);
     bool isHidden(const JsonNode &primitive);
-    bool hasShapes() const; ///< also hidden ones
+    bool hasShapes() const
+    {
+        return !m_scene.shapes.empty()
+            || (!m_scene.hidden.empty() && !m_scene.hidden.back().isTriangle());
+    }
     void readSolid(const JsonNode &primitive, SolidKind kind);
     void readTriangle(const JsonNode &primitive);
     void readPoints(const JsonNode &primitive, PointCount count, Shape &shape);
     void readRound(const JsonNode &primitive, Shape &shape);
     void readBezier(const JsonNode &primitive, Shape &shape);
     void readPolygon(const JsonNode &primitive, Shape &shape);
+    void readContours(const JsonNode &primitive, const QString &partsKey, const QString &none,
+                      PointCount count, Shape &shape);
     void readText(const JsonNode &primitive, Shape &shape);
 
     /// Adds `more` vertices or characters to the count of the scene's shapes; an error above the
