@@ -42,10 +42,23 @@ QVariant colourData(std::span<const Vertex> vertices, int role)
         return swatch(first, QGuiApplication::palette());
     if (role != Qt::DisplayRole && role != Qt::EditRole)
         return {};
-    return isOne ? colourText(first) : PrimitiveListModel::tr("several");
+    if (isOne)
+        return colourText(first);
+    return role == Qt::EditRole ? QString() : PrimitiveListModel::tr("several");
 }
 
 } // namespace
+
+Result<Colour> opaqueColour(const QString &text)
+{
+    const Result<BlendedColour> read = parseColour(text.trimmed());
+    if (read && read->alpha == 255)
+        return read->colour;
+    return InputError{{},
+                      read ? PrimitiveListModel::tr("“%1” has an opacity").arg(text)
+                           : read.error().found,
+                      PrimitiveListModel::tr("#rrggbb in hexadecimal digits")};
+}
 
 PrimitiveListModel::PrimitiveListModel(SceneDocument *document, QObject *parent)
     : QAbstractItemModel(parent)
@@ -164,6 +177,8 @@ Qt::ItemFlags PrimitiveListModel::flags(const QModelIndex &index) const
         return {};
     const bool isCoordinate = index.column() == X || index.column() == Y;
     const Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+    if (index.column() == ColourText && refAt(index))
+        return flags | Qt::ItemIsEditable;
     if (!isPrimitive(index))
         return isCoordinate ? flags | Qt::ItemIsEditable : flags;
     return index.column() == Name ? flags | Qt::ItemIsUserCheckable : flags;
@@ -256,6 +271,12 @@ bool PrimitiveListModel::setData(const QModelIndex &index, const QVariant &value
     }
     if (role != Qt::EditRole || !flags(index).testFlag(Qt::ItemIsEditable))
         return false;
+    if (index.column() == ColourText) {
+        const Result<Colour> colour = opaqueColour(value.toString());
+        if (colour)
+            setColour(index, *colour);
+        return colour.isOk();
+    }
     const Result<SnappedNumber> number = parseCoordinate(value.toString());
     const VertexRef ref = *refAt(index);
     const std::optional<Vertex> vertex = m_document->vertexAt(ref);
@@ -271,6 +292,15 @@ bool PrimitiveListModel::setData(const QModelIndex &index, const QVariant &value
         emit m_document->notice(SnapReport{place, value.toString(), *number}.message());
     }
     return true;
+}
+
+void PrimitiveListModel::setColour(const QModelIndex &index, const Colour &colour)
+{
+    const VertexRef ref = *refAt(index);
+    if (isPrimitive(index))
+        m_document->setPrimitiveColour(ref.primitive, colour);
+    else
+        m_document->setVertexColour(ref, colour);
 }
 
 QVariant PrimitiveListModel::headerData(int section, Qt::Orientation orientation, int role) const

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/scene/text/result.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QAbstractItemModel>
 
 namespace pixelplumb {
 
+/// Reads "#rrggbb": a colour without an opacity of its own.
+Result<Colour> opaqueColour(const QString &text);
+
 /// The document's triangles and shapes in drawing order, each with a check box to show or hide it,
-/// and below each its vertices in file order with their editable coordinates and their colours.
+/// and below each its vertices in file order with their coordinates and colours, all editable.
 /// Hidden primitives keep their places, but have no numbers and no vertices. Solids come between
 /// triangles and shapes; a solid's triangles do not count among the document's.
 class PrimitiveListModel : public QAbstractItemModel {
@@ -37,8 +41,8 @@ public:
     int columnCount(const QModelIndex &parent = {}) const override;
     Qt::ItemFlags flags(const QModelIndex &index) const override;
     QVariant data(const QModelIndex &index, int role) const override;
-    /// Sets a coordinate from text: "26", "26.5" or "53/2"; or whether a primitive is checked and
-    /// shown.
+    /// Sets a coordinate from text: "26", "26.5" or "53/2"; a colour, of all vertices in the row of
+    /// a primitive: "#a06f30"; or whether a primitive is checked and shown.
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
@@ -54,6 +58,7 @@ private:
     void followScene();
     std::vector<Row> rowsOfScene() const;
     QVariant solidData(int column, int role, std::size_t index) const;
+    void setColour(const QModelIndex &index, const Colour &colour);
     QVariant hiddenData(int column, int role, const HiddenPrimitive &hidden) const;
 
     SceneDocument *m_document;
