@@ -159,6 +159,7 @@ void ComparePane::offerSettings(const ScanSettings &wanted)
 void ComparePane::show(const std::shared_ptr<const Contest> &contest, std::size_t run)
 {
     m_cursor.reset(); // it refers to the previous contest
+    m_pace.reset();
     m_contest = contest;
     m_run = run;
     const ContenderRun &shown = contest->runs[run];
@@ -170,7 +171,6 @@ void ComparePane::show(const std::shared_ptr<const Contest> &contest, std::size_
         m_cursor = std::make_unique<TraceCursor>(*shown.traced->trace, contest->scene.frame);
     m_figures.clear();
     m_details.clear();
-    tellResult();
     followPlayhead();
 }
 
@@ -194,10 +194,11 @@ void ComparePane::tellResult()
         return;
     const bool isTold = !m_playhead->isAheadHidden();
     const ContenderRun &run = m_contest->runs[m_run];
+    const ContenderTally tally = isTold ? tallyNow() : ContenderTally();
     const QString whole
-        = isTold ? resultText(run) + m_figures : tr("Predict hides what lies ahead.");
+        = isTold ? resultText(run, tally) + m_figures : tr("Predict hides what lies ahead.");
     const bool isShort = isTold && isNarrow();
-    m_result->setText(isShort ? resultInSigns(run) : whole);
+    m_result->setText(isShort ? shortResultText(run, tally) : whole);
     QStringList beside;
     if (isShort)
         beside += whole;
@@ -206,9 +207,20 @@ void ComparePane::tellResult()
     m_result->setToolTip(beside.join(u'\n'));
 }
 
+/// The counts up to the pane's position; of what is not stepped, those of the finished picture.
+ContenderTally ComparePane::tallyNow()
+{
+    if (!m_cursor)
+        return m_contest->runs[m_run].tally;
+    if (!m_pace)
+        m_pace.emplace(*m_contest, m_run);
+    return m_pace->at(m_cursor->position());
+}
+
 void ComparePane::clear(const QString &message)
 {
     m_cursor.reset();
+    m_pace.reset();
     m_contest.reset();
     m_view->currentSpan.reset();
     m_view->outlines.clear();
@@ -238,12 +250,15 @@ void ComparePane::followPlayhead()
         return;
     m_view->currentSpan.reset();
     const ContenderRun &run = m_contest->runs[m_run];
-    if (!m_cursor)
+    if (!m_cursor) {
+        tellResult();
         return showPicture(onBackground(run.picture, m_contest->scene.frame));
+    }
     const ScanTrace &trace = *run.traced->trace;
     const std::size_t position
         = TraceNavigation(trace).positionLike(*m_playhead->traced()->trace, m_playhead->position());
     m_cursor->seek(position);
+    tellResult();
     if (position > 0) {
         const TraceStep step = trace.stepAt(position - 1);
         if (step.kind != StepKind::SetUp && goesTheSameWay())

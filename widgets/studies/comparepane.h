@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/compare/contest.h"
+#include "core/compare/contenderpace.h"
 #include "core/trace/tracecursor.h"
 
 #include <QWidget>
@@ -52,6 +52,7 @@ private:
     QComboBox *addBox(const QString &name, const QString &label);
     void offerSettings(const ScanSettings &wanted);
     void tellResult();
+    ContenderTally tallyNow();
     bool isNarrow() const;
     void followPlayhead();
     bool goesTheSameWay() const; ///< as the playhead's run, or nothing is hidden
@@ -72,6 +73,7 @@ private:
     std::shared_ptr<const Contest> m_contest;
     std::size_t m_run = 0;
     std::unique_ptr<TraceCursor> m_cursor;
+    std::optional<ContenderPace> m_pace; ///< of the recorded run, once its counts are asked for
 };
 
 } // namespace pixelplumb

@@ -64,9 +64,9 @@ void ComparePanel::addControls(QBoxLayout *layout)
     auto *progress
         = new JobBar(m_job, QStringLiteral("compare"), tr("Progress of the comparison"), 64, this);
     connect(&m_job, &Job::started, progress, &QWidget::hide); // for a moment it would flicker
-    auto *row
-        = withParts(new QHBoxLayout,
-                    {new QLabel(tr("Agreement"), this), Room(), m_fewer, m_more, fit, progress}, 4);
+    auto *row = withParts(
+        new QHBoxLayout,
+        {new QLabel(tr("Finished pictures"), this), Room(), m_fewer, m_more, fit, progress}, 4);
     layout->addLayout(row);
     connect(m_more, &QToolButton::clicked, this, [this] {
         const Contender last = m_panes.back()->contender();

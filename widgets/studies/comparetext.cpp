@@ -12,9 +12,9 @@ namespace pixelplumb {
 
 namespace {
 
-QString countOf(const ContenderRun &run, Difference kind)
+QString countOf(const ContenderTally &tally, Difference kind)
 {
-    return QString::number(run.tally.againstTruth[std::size_t(kind)]);
+    return QString::number(tally.againstTruth[std::size_t(kind)]);
 }
 
 } // namespace
@@ -35,7 +35,7 @@ QString agreementLegend(const AgreementMap &agreement, const QPalette &palette, 
     return legend.join(QStringLiteral(" &nbsp; "));
 }
 
-QString resultText(const ContenderRun &run)
+QString resultText(const ContenderRun &run, const ContenderTally &tally)
 {
     const int written = int(run.tally.written);
     QString text;
@@ -44,10 +44,14 @@ QString resultText(const ContenderRun &run)
     else if (run.contender.isTruth())
         text = ComparePane::tr("%n pixels, shown finished", nullptr, written);
     else
-        text = ComparePane::tr("%n pixels: %1 missing, %2 extra, %3 in another colour", nullptr,
-                               written)
-                   .arg(countOf(run, Difference::Missing), countOf(run, Difference::Extra),
-                        countOf(run, Difference::Colour));
+        text = (tally == run.tally
+                    ? ComparePane::tr("%n pixels: %1 missing, %2 extra, %3 in another colour",
+                                      nullptr, written)
+                    : ComparePane::tr("%4 of %n pixels so far: %1 missing, %2 extra, %3 in another "
+                                      "colour",
+                                      nullptr, written))
+                   .arg(countOf(tally, Difference::Missing), countOf(tally, Difference::Extra),
+                        countOf(tally, Difference::Colour), QString::number(tally.written));
     if (run.tally.undrawn > 0)
         text += ComparePane::tr("; %1 undrawn, of other kinds").arg(run.tally.undrawn);
     const std::vector<Variant> variants = variantsIn(run.contender.settings.variants);
@@ -56,13 +60,15 @@ QString resultText(const ContenderRun &run)
     return text;
 }
 
-QString resultInSigns(const ContenderRun &run)
+QString shortResultText(const ContenderRun &run, const ContenderTally &tally)
 {
     if (run.tally.written == 0 || run.contender.isTruth())
-        return resultText(run);
-    return QStringLiteral("%1 px: %2 missing, %3 extra, %4 wrong colour")
-        .arg(QString::number(run.tally.written), countOf(run, Difference::Missing),
-             countOf(run, Difference::Extra), countOf(run, Difference::Colour));
+        return resultText(run, tally);
+    const QString pixels = QString::number(run.tally.written);
+    return ComparePane::tr("%1 px: %2 missing, %3 extra, %4 wrong colour")
+        .arg(tally == run.tally ? pixels : QStringLiteral("%1/%2").arg(tally.written).arg(pixels),
+             countOf(tally, Difference::Missing), countOf(tally, Difference::Extra),
+             countOf(tally, Difference::Colour));
 }
 
 QString carriedText(const Contest &contest)

@@ -17,10 +17,10 @@ namespace pixelplumb {
 QString agreementLegend(const AgreementMap &agreement, const QPalette &palette, Ahead ahead);
 
 /// How many pixels a contender writes, and how many differ from the truth: "984 pixels: 0 missing
-/// …".
-QString resultText(const ContenderRun &run);
-/// resultText() with the signs of such pixels, for little room: "984 px: 0 ? …".
-QString resultInSigns(const ContenderRun &run);
+/// …"; with the tally of an earlier position, up to there: "412 of 984 pixels so far: …".
+QString resultText(const ContenderRun &run, const ContenderTally &tally);
+/// resultText() for little room: "984 px: 0 missing …".
+QString shortResultText(const ContenderRun &run, const ContenderTally &tally);
 
 /// How far the contenders agree on what no picture shows, a line for each pair of contenders that
 /// carries it; empty where none does.

@@ -63,6 +63,30 @@ private slots:
                  m_panel->contest()->runs[1].traced->trace->stepCount());
     }
 
+    void theCountsAreThoseUpToTheStep()
+    {
+        open();
+        const auto told = [this] { return m_panel->panes()[0]->findChild<QLabel *>()->text(); };
+        const ContenderRun &run = m_panel->contest()->runs[0];
+        const ContenderPace pace(*m_panel->contest(), 0);
+        QVERIFY(pace.at(run.traced->trace->stepCount()) == run.tally);
+        QCOMPARE(pace.at(0).written, 0);
+        ContenderTally before;
+        for (std::size_t position = 0; position <= run.traced->trace->stepCount(); position += 50) {
+            const ContenderTally tally = pace.at(position);
+            QVERIFY(tally.written >= before.written);
+            QVERIFY(tally.againstTruth[1] >= before.againstTruth[1]);
+            before = tally;
+        }
+
+        m_playhead->seekToSpan(10);
+        QVERIFY2(told().contains(QStringLiteral("so far")) || told().contains(u'/'),
+                 qPrintable(told()));
+        m_playhead->seek(m_playhead->end());
+        QVERIFY2(!told().contains(QStringLiteral("so far")) && !told().contains(u'/'),
+                 qPrintable(told()));
+    }
+
     void zoomsAndMovesAllViewsTogether()
     {
         open();
