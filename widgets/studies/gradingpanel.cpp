@@ -139,8 +139,18 @@ void GradingPanel::gradeFolder()
     dialog.setPaths(m_paths.submissions, m_paths.assignment, m_paths.results);
     const bool isAccepted = dialog.exec() == QDialog::Accepted;
     m_paths = {dialog.submissions(), dialog.assignment(), dialog.results()};
-    if (isAccepted)
+    if (!isAccepted)
+        return;
+    if (kindOfFile(m_paths.assignment) == FileKind::Scene)
+        emit sceneMet(m_paths.assignment);
+    else
         m_book->grade(m_paths.submissions, m_paths.assignment, m_paths.results, dialog.leeway());
+}
+
+void GradingPanel::gradeBy(const QString &assignment)
+{
+    m_paths.assignment = assignment;
+    gradeFolder();
 }
 
 void GradingPanel::followJob()

@@ -38,11 +38,13 @@ public:
 public slots:
     void openResults(); ///< asks for the folder
     void gradeFolder(); ///< asks what
+    void gradeBy(const QString &assignment); ///< asks which folder
     void putDown(); ///< deselects: no picture is displayed
 
 signals:
     void openRequested(const pixelplumb::GradedPicture &picture);
     void closeRequested(); ///< no submission is current
+    void sceneMet(const QString &path); ///< was given as an assignment
     void neededHeightChanged();
 
 private:

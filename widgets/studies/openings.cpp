@@ -123,6 +123,7 @@ void SubmissionOpening::arrive()
         return;
     m_awaited.clear();
     m_playhead->seek(m_playhead->end());
+    emit arrived();
     const std::optional<QPoint> pixel = judgement->firstDifference();
     if (!pixel)
         return;

@@ -73,6 +73,7 @@ public slots:
     void close(); ///< removes what was opened, if still there
 
 signals:
+    void arrived(); ///< the picture is judged
     void pixelReached(const QPoint &pixel);
     void lost(); ///< it is not shown: the old scene was kept, or another picture replaced it
 

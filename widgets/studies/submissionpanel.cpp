@@ -11,7 +11,17 @@
 
 #include <QtWidgets>
 
+#include <algorithm>
+
 namespace pixelplumb {
+
+namespace {
+
+// Logical pixels.
+constexpr int besideWidth = 320; ///< of a picture beside another
+constexpr int leastPicture = 72; ///< its height
+
+} // namespace
 
 SubmissionPanel::SubmissionPanel(StudentPicture *student, Playhead *playhead, QWidget *parent)
     : QWidget(parent)
@@ -87,14 +97,11 @@ void SubmissionPanel::addPictures(QBoxLayout *layout)
 {
     m_pictures = new QWidget(m_content);
     auto *column = withParts(new QVBoxLayout(m_pictures), {}, 4, 0);
-    auto *pair = new QGridLayout;
-    pair->setSpacing(4);
-    pair->setRowStretch(1, 1);
-    column->addLayout(pair, 1);
-    const auto addPicture = [&](const QString &title, SubmissionView *view) {
-        const int place = pair->columnCount() - (pair->isEmpty() ? 1 : 0);
-        pair->addWidget(new QLabel(title, m_pictures), 0, place);
-        pair->addWidget(view, 1, place);
+    m_pair = withParts(new QBoxLayout(QBoxLayout::TopToBottom), {}, 4);
+    column->addLayout(m_pair, 1);
+    const auto addPicture = [this](const QString &title, SubmissionView *view) {
+        m_pair->addLayout(withParts(new QVBoxLayout, {new QLabel(title, m_pictures), {view, 1}}, 4),
+                          1);
     };
     m_found = new SubmissionView(SubmissionView::Side::Student, m_link, m_playhead, m_pictures);
     m_expected = new SubmissionView(SubmissionView::Side::Expected, m_link, m_playhead, m_pictures);
@@ -108,6 +115,27 @@ void SubmissionPanel::addPictures(QBoxLayout *layout)
     column->addWidget(m_pixel);
     layout->addWidget(m_pictures, 1);
     connect(m_next, &QToolButton::clicked, this, &SubmissionPanel::pickNext);
+}
+
+/// Makes the pictures as large as the panel's width lets them be: side by side only where each is
+/// wide, and as high as the frame's shape asks, so that one of them fits into the panel.
+void SubmissionPanel::fitPictures()
+{
+    const FrameSpec &frame = m_link->frame();
+    const int room = m_content->width() - 16; // between the margins
+    const bool isWide = room >= 2 * besideWidth;
+    m_pair->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    const int width = isWide ? room / 2 : room;
+    const int asked = int(std::int64_t(width) * frame.height / std::max(1, frame.width));
+    const int most = std::max(leastPicture, height() * 2 / 3);
+    for (SubmissionView *view : {m_found, m_expected})
+        view->setMinimumHeight(std::clamp(asked, leastPicture, most));
+}
+
+void SubmissionPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fitPictures();
 }
 
 void SubmissionPanel::lookAt(const QPoint &pixel) { m_link->lookAt(pixel); }
@@ -141,6 +169,7 @@ void SubmissionPanel::showJudgement()
         m_verdict->setText(verdictText(judgement->diff));
         m_counts->setText(countsText(*judgement, palette()));
         m_link->setFrame(judgement->frame);
+        fitPictures();
         m_next->setEnabled(judgement->firstDifference().has_value());
     } else if (!m_student->absence().isEmpty()) {
         m_verdict->setText(m_student->absence());

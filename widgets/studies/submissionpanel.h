@@ -38,6 +38,7 @@ signals:
 
 protected:
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void addHead(QBoxLayout *layout);
@@ -45,6 +46,7 @@ private:
     void addPictures(QBoxLayout *layout);
     void showJudgement();
     void showPixel();
+    void fitPictures();
     void pickNext();
 
     StudentPicture *m_student;
@@ -62,6 +64,7 @@ private:
     SubmissionView *m_expected = nullptr;
     QWidget *m_content = nullptr;
     QWidget *m_pictures = nullptr;
+    QBoxLayout *m_pair = nullptr; ///< the two pictures
     DiagnosisView *m_diagnosis = nullptr;
 };
 

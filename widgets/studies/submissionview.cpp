@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/submissionview.h"
 
-#include "core/frame/framebuffer.h"
+#include "core/grade/class/grader.h"
 #include "core/scene/text/colourtext.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/framepainter.h"
@@ -42,21 +42,6 @@ QString countText(const PictureDiff &diff, PixelVerdict verdict)
         break;
     }
     return SubmissionPanel::tr("%L1 the same").arg(count);
-}
-
-/// A picture as an image, line by line; pixels that a raster covers are black on white.
-QImage shownImage(const Picture &picture)
-{
-    QImage image(picture.width, picture.height, QImage::Format_RGB32);
-    for (int line = 0; line < picture.height; ++line) {
-        auto *const pixels = reinterpret_cast<QRgb *>(image.scanLine(line));
-        for (int x = 0; x < picture.width; ++x) {
-            const std::size_t place = picture.placeOf(x, line);
-            const QRgb raster = picture.covered[place] != 0 ? qRgb(0, 0, 0) : qRgb(255, 255, 255);
-            pixels[x] = picture.hasColours ? packed(picture.colours[place]) : raster;
-        }
-    }
-    return image;
 }
 
 } // namespace
@@ -153,7 +138,7 @@ void SubmissionView::setJudgement(const std::shared_ptr<const PictureJudgement> 
     m_judgement = judgement;
     if (!judgement)
         return setPicture({});
-    setPicture(shownImage(m_side == Side::Student ? judgement->found : judgement->expected));
+    setPicture(imageOf(m_side == Side::Student ? judgement->found : judgement->expected));
 }
 
 void SubmissionView::paintSigns(QPainter &painter, FramePainter &, const ViewMapping &mapping)
