@@ -7175,7 +7175,7 @@
     </message>
     <message>
         <source>Stude&amp;nt&apos;s picture</source>
-        <translation>Ein&amp;Eingereichtes Bildamp;gereichtes Bild</translation>
+        <translation>Eingereichtes &amp;Bild</translation>
     </message>
     <message>
         <source>student</source>

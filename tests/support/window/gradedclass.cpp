@@ -2,8 +2,8 @@
 #include "tests/support/window/gradedclass.h"
 
 #include "core/runs/tracedscene.h"
-#include "widgets/studies/gradebook.h"
-#include "widgets/studies/gradingpanel.h"
+#include "widgets/studies/grade/gradebook.h"
+#include "widgets/studies/grade/gradingpanel.h"
 
 #include <QAbstractItemView>
 #include <QCoreApplication>

@@ -3,7 +3,7 @@
 
 #include "core/grade/class/gradefile.h"
 #include "tests/support/window/openwindow.h"
-#include "widgets/studies/gradetable.h"
+#include "widgets/studies/grade/gradetable.h"
 
 #include <QImage>
 #include <QTemporaryDir>

@@ -6,7 +6,7 @@
 #include "tests/support/testprogram.h"
 #include "tests/support/window/openwindow.h"
 #include "widgets/files/scenefiles.h"
-#include "widgets/studies/gradedialog.h"
+#include "widgets/studies/grade/gradedialog.h"
 
 #include <QLineEdit>
 #include <QMessageBox>

@@ -12,7 +12,7 @@
 #include "widgets/lab/labtable.h"
 #include "widgets/lab/paretoplot.h"
 #include "widgets/model/playhead.h"
-#include "widgets/studies/comparepanel.h"
+#include "widgets/studies/compare/comparepanel.h"
 
 #include <QComboBox>
 #include <QLabel>

@@ -5,10 +5,10 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/canvas/overdrawoverlay.h"
 #include "widgets/model/playhead.h"
-#include "widgets/studies/comparelink.h"
-#include "widgets/studies/comparepane.h"
-#include "widgets/studies/comparepanel.h"
-#include "widgets/studies/compareview.h"
+#include "widgets/studies/compare/comparelink.h"
+#include "widgets/studies/compare/comparepane.h"
+#include "widgets/studies/compare/comparepanel.h"
+#include "widgets/studies/compare/compareview.h"
 #include "widgets/window/windowdocks.h"
 
 #include <QComboBox>

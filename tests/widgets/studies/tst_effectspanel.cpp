@@ -8,8 +8,8 @@
 #include "widgets/model/effectswitches.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
-#include "widgets/studies/effectspanel.h"
-#include "widgets/studies/effectstext.h"
+#include "widgets/studies/cost/effectspanel.h"
+#include "widgets/studies/cost/effectstext.h"
 
 #include <QComboBox>
 #include <QLabel>

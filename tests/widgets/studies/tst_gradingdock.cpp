@@ -10,10 +10,10 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/model/studentpicture.h"
-#include "widgets/studies/gradebook.h"
-#include "widgets/studies/gradedialog.h"
-#include "widgets/studies/gradetable.h"
-#include "widgets/studies/gradingpanel.h"
+#include "widgets/studies/grade/gradebook.h"
+#include "widgets/studies/grade/gradedialog.h"
+#include "widgets/studies/grade/gradetable.h"
+#include "widgets/studies/grade/gradingpanel.h"
 
 #include <QAbstractItemModelTester>
 #include <QAbstractItemView>

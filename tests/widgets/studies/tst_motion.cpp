@@ -11,8 +11,8 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
-#include "widgets/studies/motionpanel.h"
-#include "widgets/studies/motionview.h"
+#include "widgets/studies/accuracy/motionpanel.h"
+#include "widgets/studies/accuracy/motionview.h"
 
 #include <QFile>
 #include <QJsonDocument>

@@ -4,7 +4,7 @@
 #include "tests/support/testprogram.h"
 #include "tests/support/window/openwindow.h"
 #include "widgets/model/playhead.h"
-#include "widgets/studies/operationpanel.h"
+#include "widgets/studies/cost/operationpanel.h"
 
 #include <QLabel>
 #include <QSignalSpy>

@@ -13,8 +13,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/model/studentpicture.h"
-#include "widgets/studies/comparepanel.h"
-#include "widgets/studies/diagnosisview.h"
+#include "widgets/studies/compare/comparepanel.h"
+#include "widgets/studies/grade/diagnosisview.h"
 
 #include <QApplication>
 #include <QClipboard>
