@@ -146,7 +146,7 @@ constexpr PartExplanation explanations[] = {
     {"submissionDock",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
                        "How a student's picture, dropped on the window or pasted, differs from the "
-                       "expected one, by cause, with both pictures side by side; Name the bug "
+                       "expected one, by cause, with both pictures; Name the bug "
                        "looks for known defects that draw it.")},
     {"gradingDock",
      QT_TRANSLATE_NOOP(
