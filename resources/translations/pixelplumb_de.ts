@@ -3107,8 +3107,8 @@
         <translation>Umschalt allein halten</translation>
     </message>
     <message>
-        <source>See the truth, after %1 s</source>
-        <translation>Nach %1 s die Wahrheit sehen</translation>
+        <source>See the truth, or what a student should have drawn, after %1 s</source>
+        <translation>Nach %1 s die Wahrheit sehen, oder was hätte gezeichnet werden sollen</translation>
     </message>
     <message>
         <source>Esc</source>
@@ -3554,9 +3554,6 @@
         <source>Contenders</source>
         <translation>Kandidaten</translation>
     </message>
-</context>
-<context>
-    <name>pixelplumb::LabTableModel</name>
     <message>
         <source>wrong of a million</source>
         <translation>falsch von einer Million</translation>
@@ -7269,8 +7266,8 @@
         <translation>Das aktuelle Verfahren: was es tut, woher es kommt, und sein Pseudocode; die Zeilen, die der aktuelle Schritt ausführt, sind markiert.</translation>
     </message>
     <message>
-        <source>How a student&apos;s picture, dropped on the window or pasted, differs from the expected one, by cause, with both pictures side by side; Name the bug looks for known defects that draw it.</source>
-        <translation>Was an einem abgegebenen Bild, auf das Fenster gezogen oder eingefügt, anders ist, nach Ursachen, beide Bilder nebeneinander; Fehler benennen sucht bekannte Defekte, die es zeichnen.</translation>
+        <source>How a student&apos;s picture, dropped on the window or pasted, differs from the expected one, by cause, with both pictures; Name the bug looks for known defects that draw it.</source>
+        <translation>Was an einem abgegebenen Bild, auf das Fenster gezogen oder eingefügt, anders ist, nach Ursachen, mit beiden Bildern; Fehler benennen sucht bekannte Defekte, die es zeichnen.</translation>
     </message>
     <message>
         <source>The submissions of a graded folder, by cause, with what each student is told. J and K go to the next and the previous one, A accepts its grade, C comments on it.</source>

@@ -15,7 +15,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTableWidget>
+#include <QTableView>
 #include <QTest>
 #include <QUndoStack>
 
@@ -55,7 +55,8 @@ struct Bench {
 
     QString cell(Effect effect, int column) const
     {
-        return named<QTableWidget>(panel, "effectsTable")->item(int(effect), column)->text();
+        const auto *model = named<QTableView>(panel, "effectsTable")->model();
+        return model->index(int(effect), column).data().toString();
     }
     QString summary() const { return named<QLabel>(panel, "effectsSummary")->text(); }
 

@@ -32,7 +32,7 @@ MotionPanel::MotionPanel(SceneDocument *document, QWidget *parent)
     , m_play(named(new QToolButton(this), "motionPlay", tr("Play the motion")))
     , m_position(named(new QLabel(this), "motionPosition", tr("Current frame")))
     , m_view(new MotionView(this))
-    , m_table(named(new QTableWidget(this), "motionTable", tr("Pixels frame by frame")))
+    , m_table(named(new QTableView(this), "motionTable", tr("Pixels frame by frame")))
 {
     m_summary = readingLabel("motionSummary", tr("What flickers"), this);
     makeTable();
@@ -91,19 +91,23 @@ QBoxLayout *MotionPanel::playRow()
 
 void MotionPanel::makeTable()
 {
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setFrameShape(QFrame::NoFrame);
-    m_table->setFont(tabularFont(font()));
-    m_table->setColumnCount(4);
-    m_table->setHorizontalHeaderLabels(
-        {tr("pixels"), tr("in truth"), tr("came or went"), tr("in truth")});
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    const auto column = [](const QString &title, std::int64_t MotionFrame::*count) {
+        return RowsColumn<MotionFrame>{
+            title, {}, [count](const MotionFrame &frame) { return QString::number(frame.*count); }};
+    };
+    m_rows = new RowsModel<MotionFrame>({column(tr("pixels"), &MotionFrame::drawn),
+                                         column(tr("in truth"), &MotionFrame::truth),
+                                         column(tr("came or went"), &MotionFrame::toggled),
+                                         column(tr("in truth"), &MotionFrame::truthToggled)},
+                                        this);
+    m_table->setModel(m_rows);
+    readByRows(m_table);
     m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
-    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    connect(m_table, &QTableWidget::currentCellChanged, m_slider,
-            [this](int row) { m_slider->setValue(std::max(row, 0)); });
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, m_slider,
+            [this](const QModelIndex &current) {
+                if (current.isValid())
+                    m_slider->setValue(current.row());
+            });
 }
 
 /// Fits the table to its columns; the picture gets the remaining width.
@@ -111,7 +115,7 @@ void MotionPanel::showAllColumns()
 {
     int width = m_table->verticalHeader()->sizeHint().width()
         + m_table->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-    for (int column = 0; column < m_table->columnCount(); ++column)
+    for (int column = 0; column < m_rows->columnCount(); ++column)
         width += std::max(m_table->horizontalHeader()->sectionSizeHint(column),
                           static_cast<QAbstractItemView *>(m_table)->sizeHintForColumn(column));
     m_table->setFixedWidth(width + 4); // px: the styles' margin around a scroll bar
@@ -171,10 +175,7 @@ bool MotionPanel::beginStudy()
 {
     const auto scene = m_document->snapshot();
     m_objection = scene->motion ? objectionTo(*scene) : QString();
-    {
-        const QSignalBlocker blocker(m_table); // the current frame stays
-        m_table->setRowCount(0);
-    }
+    m_rows->setRows({}); // the current frame stays
     showFrame();
     tellStudy();
     if (!scene->motion || !m_objection.isEmpty())
@@ -187,22 +188,9 @@ bool MotionPanel::beginStudy()
 void MotionPanel::take(std::optional<MotionStudy> study)
 {
     m_study = std::move(study);
-    const QSignalBlocker blocker(m_table);
-    const std::size_t rows = m_study ? m_study->frames.size() : 0;
-    m_table->setRowCount(int(rows));
-    for (std::size_t row = 0; row < rows; ++row) {
-        const MotionFrame &frame = m_study->frames[row];
-        m_table->setVerticalHeaderItem(int(row), new QTableWidgetItem(QString::number(row)));
-        int column = 0;
-        for (const std::int64_t number :
-             {frame.drawn, frame.truth, frame.toggled, frame.truthToggled}) {
-            auto *item = new QTableWidgetItem(QString::number(number));
-            item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-            m_table->setItem(int(row), column++, item);
-        }
-    }
+    m_rows->setRows(m_study ? m_study->frames : std::vector<MotionFrame>());
     showAllColumns();
-    m_table->setCurrentCell(m_slider->value(), 0);
+    m_table->setCurrentIndex(m_rows->index(m_slider->value(), 0));
     tellStudy();
 }
 
@@ -239,8 +227,7 @@ void MotionPanel::showFrame()
     m_drawing.start(
         [scene, frame](const ProgressListener &) { return motionPicture(*scene, frame); },
         [this](const MotionPicture &picture) { m_view->setPicture(picture); });
-    const QSignalBlocker blocker(m_table);
-    m_table->setCurrentCell(frame, 0);
+    m_table->setCurrentIndex(m_rows->index(frame, 0));
 }
 
 } // namespace pixelplumb

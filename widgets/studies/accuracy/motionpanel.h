@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/compare/motionstudy.h"
+#include "widgets/look/rowsmodel.h"
 #include "widgets/studies/accuracy/motionview.h"
 #include "widgets/studies/studypanel.h"
 
@@ -13,7 +14,6 @@ class QLineEdit;
 class QPushButton;
 class QSlider;
 class QSpinBox;
-class QTableWidget;
 class QToolButton;
 
 namespace pixelplumb {
@@ -62,7 +62,8 @@ private:
     QToolButton *m_play;
     QLabel *m_position;
     MotionView *m_view;
-    QTableWidget *m_table;
+    QTableView *m_table;
+    RowsModel<MotionFrame> *m_rows;
     std::optional<MotionStudy> m_study;
     QString m_objection; ///< why the method cannot draw the scene that was counted last
     Job m_drawing;

@@ -120,8 +120,6 @@ struct CaseVerdict {
     Q_DECLARE_TR_FUNCTIONS(pixelplumb::HardCasePicture)
 };
 
-constexpr int columnsInAll = int(allArithmetics.size()) + 1;
-
 /// The verdicts of one method and arithmetic over its rules, as one cell.
 struct Cell {
     int passed = 0;
@@ -240,17 +238,51 @@ QPixmap sideBySide(const HardCasePicture &picture, const QSize &size, const QPal
     return pixmap;
 }
 
+/// A method with its cells, by arithmetic.
+struct HardCasesVerdicts::Row {
+    const Method *method = nullptr;
+    std::map<Arithmetic, Cell> cells = {};
+
+    Cell cell(Arithmetic arithmetic) const
+    {
+        const auto found = cells.find(arithmetic);
+        return found == cells.end() ? Cell() : found->second;
+    }
+};
+
 HardCasesVerdicts::HardCasesVerdicts(QWidget *parent)
-    : QTableWidget(0, columnsInAll, parent)
+    : QTableView(parent)
 {
     named(this, "hardCaseVerdicts", tr("How each method handles this case"));
-    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    std::vector<RowsColumn<Row>> columns
+        = {{tr("method"),
+            {},
+            [](const Row &row) { return methodTitle(*row.method); },
+            Qt::AlignLeft,
+            [](const Row &row, int role) {
+                return role == Qt::ToolTipRole ? QVariant(methodSummary(*row.method)) : QVariant();
+            }}};
+    for (const Arithmetic arithmetic : allArithmetics)
+        columns.push_back(
+            {QString::fromUtf8(nameOf(arithmetic)),
+             {},
+             [arithmetic](const Row &row) {
+                 return row.method->supports(arithmetic) ? row.cell(arithmetic).text() : QString();
+             },
+             Qt::AlignHCenter,
+             [this, arithmetic](const Row &row, int role) {
+                 if (role == Qt::ToolTipRole && !row.method->supports(arithmetic))
+                     return QVariant(tr("the method does not compute in it"));
+                 if (role == Qt::ToolTipRole)
+                     return QVariant(row.cell(arithmetic).toolTip());
+                 return role == Qt::ForegroundRole && row.cell(arithmetic).fellShort > 0
+                     ? QVariant(signColour(Sign::Extra, palette()))
+                     : QVariant();
+             }});
+    m_rows = new RowsModel<Row>(std::move(columns), this);
+    setModel(m_rows);
     setSelectionMode(QAbstractItemView::NoSelection);
     verticalHeader()->hide();
-    QStringList head = {tr("method")};
-    for (const Arithmetic arithmetic : allArithmetics)
-        head.append(QString::fromUtf8(nameOf(arithmetic)));
-    setHorizontalHeaderLabels(head);
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     setMinimumHeight(160);
@@ -258,32 +290,14 @@ HardCasesVerdicts::HardCasesVerdicts(QWidget *parent)
 
 void HardCasesVerdicts::show(const std::vector<ContenderVerdict> &verdicts)
 {
-    std::map<QString, std::map<Arithmetic, Cell>> cells;
-    std::vector<const Method *> rows;
+    std::vector<Row> rows;
     for (const ContenderVerdict &verdict : verdicts) {
         const Method *method = verdict.contender.method;
-        if (rows.empty() || rows.back() != method)
-            rows.push_back(method);
-        cells[method->id][verdict.contender.settings.arithmetic].add(verdict);
+        if (rows.empty() || rows.back().method != method)
+            rows.push_back({method});
+        rows.back().cells[verdict.contender.settings.arithmetic].add(verdict);
     }
-    setRowCount(int(rows.size()));
-    for (int row = 0; row < int(rows.size()); ++row) {
-        const Method &method = *rows[std::size_t(row)];
-        auto *title = new QTableWidgetItem(methodTitle(method));
-        title->setToolTip(methodSummary(method));
-        setItem(row, 0, title);
-        for (int column = 1; column < columnsInAll; ++column) {
-            const Arithmetic arithmetic = allArithmetics[std::size_t(column - 1)];
-            const bool exists = method.supports(arithmetic);
-            const Cell cell = cells[method.id][arithmetic];
-            auto *item = new QTableWidgetItem(exists ? cell.text() : QString());
-            item->setTextAlignment(Qt::AlignCenter);
-            item->setToolTip(exists ? cell.toolTip() : tr("the method does not compute in it"));
-            if (cell.fellShort > 0)
-                item->setForeground(signColour(Sign::Extra, palette()));
-            setItem(row, column, item);
-        }
-    }
+    m_rows->setRows(std::move(rows));
 }
 
 } // namespace pixelplumb

@@ -5,11 +5,11 @@
 #include "core/compare/casegallery.h"
 #include "core/runs/contender.h"
 #include "core/runs/differencemap.h"
+#include "widgets/look/rowsmodel.h"
 
 #include <QImage>
 #include <QLineF>
 #include <QPalette>
-#include <QTableWidget>
 
 namespace pixelplumb {
 
@@ -41,7 +41,7 @@ QPixmap sideBySide(const HardCasePicture &picture, const QSize &size, const QPal
 
 /// How every method does on a hard case: a row per method, a column per arithmetic, over all fill
 /// rules for which the case has facts.
-class HardCasesVerdicts : public QTableWidget {
+class HardCasesVerdicts : public QTableView {
     Q_OBJECT
 
 public:
@@ -49,6 +49,10 @@ public:
 
     /// `verdicts`: in the order of the table of methods.
     void show(const std::vector<ContenderVerdict> &verdicts);
+
+private:
+    struct Row;
+    RowsModel<Row> *m_rows;
 };
 
 } // namespace pixelplumb

@@ -6,7 +6,6 @@
 #include "core/scan/choicenames.h"
 #include "core/scene/appearancenames.h"
 #include "widgets/look/corewords.h"
-#include "widgets/look/numberlayout.h"
 #include "widgets/look/parts.h"
 #include "widgets/model/effectswitches.h"
 #include "widgets/model/job.h"
@@ -30,10 +29,7 @@ enum EffectColumn {
     EffectOperations,
     EffectRatio,
     EffectReason,
-    EffectColumnCount
 };
-
-int tableRowOf(Effect effect) { return int(effect); }
 
 QString objectNameOf(Effect effect)
 {
@@ -46,7 +42,7 @@ EffectsPanel::EffectsPanel(SceneDocument *document, EffectSwitches *switches, QW
     : StudyPanel("effectsPanel", tr("Effects"), parent)
     , m_document(document)
     , m_switches(switches)
-    , m_table(new QTableWidget(this))
+    , m_table(new QTableView(this))
     , m_measureJob(nullptr, measuringPool())
 {
     m_summary = readingLabel("effectsSummary", tr("What is forced, and what that changes"), this);
@@ -61,56 +57,84 @@ EffectsPanel::EffectsPanel(SceneDocument *document, EffectSwitches *switches, QW
 void EffectsPanel::makeTable()
 {
     named(m_table, "effectsTable", tr("Effects"));
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setFrameShape(QFrame::NoFrame);
-    m_table->setFont(tabularFont(font()));
-    m_table->setRowCount(int(allEffects.size()));
-    m_table->setColumnCount(EffectColumnCount);
-    m_table->setHorizontalHeaderLabels(
-        {tr("effect"), tr("verdict"), tr("switch"), tr("primitives"), tr("pixels at most"),
-         tr("ns a pixel"), tr("operations a pixel"), tr("times as long"), tr("reason")});
-    m_table->horizontalHeaderItem(EffectPerPixel)
-        ->setToolTip(
-            tr("How much longer drawing takes with it than without it, for each pixel written"));
-    m_table->horizontalHeaderItem(EffectOperations)
-        ->setToolTip(tr("With it on, for each pixel written: depths read and written, divisions by "
-                        "1/w, texels read, normals made unit length, blends, samples"));
-    m_table->horizontalHeaderItem(EffectRatio)
-        ->setToolTip(tr("Time with ÷ time without; interquartile range"));
+    m_rows = new RowsModel<Effect>(columns(), this);
+    m_rows->setRows({allEffects.begin(), allEffects.end()});
+    m_table->setModel(m_rows);
+    readByRows(m_table);
     m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(EffectReason, QHeaderView::Stretch);
     // All of the reason, next to the verdict.
     m_table->horizontalHeader()->moveSection(EffectReason, EffectSwitch);
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    for (const Effect effect : allEffects) {
-        const int row = tableRowOf(effect);
-        for (int column = 0; column < EffectColumnCount; ++column) {
-            auto *item = new QTableWidgetItem;
-            if (column >= EffectPrimitives && column <= EffectRatio)
-                item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-            m_table->setItem(row, column, item);
-        }
-        m_table->item(row, EffectName)->setText(coreWord(nameOf(effect)));
-        addSwitch(row, effect);
+    for (int row = 0; row < m_rows->rowCount(); ++row) {
+        if (const Effect effect = m_rows->rows()[std::size_t(row)]; effect != Effect::Clipping)
+            addSwitch(row, effect);
     }
+}
+
+/// In the order of EffectColumn.
+std::vector<RowsColumn<Effect>> EffectsPanel::columns() const
+{
+    const auto told = [this](auto text) {
+        return [this, text](Effect effect) {
+            return m_plan ? text(m_plan->verdicts[effect]) : QString();
+        };
+    };
+    const auto timed = [this](auto text) {
+        return [this, text](Effect effect) {
+            const auto cost = m_timing ? m_timing->costs[effect] : std::nullopt;
+            return cost ? text(*m_timing, *cost) : QString();
+        };
+    };
+    return {
+        {tr("effect"), {}, [](Effect effect) { return coreWord(nameOf(effect)); }, Qt::AlignLeft},
+        {tr("verdict"),
+         {},
+         told([](const EffectVerdict &verdict) { return verdictText(verdict.verdict); }),
+         Qt::AlignLeft},
+        {tr("switch"),
+         {},
+         [](Effect effect) { return effect == Effect::Clipping ? tr("none") : QString(); },
+         Qt::AlignLeft,
+         [](Effect, int role) {
+             return role == Qt::ToolTipRole
+                 ? QVariant(tr("The frame's border bounds every loop, at no cost; what lies before "
+                               "the near plane has no place in the frame"))
+                 : QVariant();
+         }},
+        {tr("primitives"), {}, told([](const EffectVerdict &verdict) {
+             return QString::number(verdict.primitives);
+         })},
+        {tr("pixels at most"), {}, told([](const EffectVerdict &verdict) {
+             return QString::number(verdict.pixels);
+         })},
+        {tr("ns a pixel"),
+         tr("How much longer drawing takes with it than without it, for each pixel written"),
+         timed([](const EffectTiming &timing, const EffectCost &cost) {
+             return QString::number(timing.perPixel(cost), 'f', 2);
+         })},
+        {tr("operations a pixel"),
+         tr("With it on, for each pixel written: depths read and written, divisions by "
+            "1/w, texels read, normals made unit length, blends, samples"),
+         timed([](const EffectTiming &timing, const EffectCost &cost) {
+             const std::optional<double> each = timing.operationsPerPixel(cost);
+             return each ? QString::number(*each, 'f', 2) : QString();
+         })},
+        {tr("times as long"), tr("Time with ÷ time without; interquartile range"),
+         timed([](const EffectTiming &, const EffectCost &cost) { return ratioText(cost.ratio); })},
+        {tr("reason"),
+         {},
+         told([](const EffectVerdict &verdict) { return verdict.reason; }),
+         Qt::AlignLeft}};
 }
 
 void EffectsPanel::addSwitch(int row, Effect effect)
 {
-    if (effect == Effect::Clipping) {
-        m_table->item(row, EffectSwitch)->setText(tr("none"));
-        m_table->item(row, EffectSwitch)
-            ->setToolTip(
-                tr("The frame's border bounds every loop, at no cost; what lies before the "
-                   "near plane has no place in the frame"));
-        return;
-    }
     auto *box = new QComboBox(m_table);
     box->setObjectName(objectNameOf(effect));
     box->setAccessibleName(tr("Switch of %1").arg(coreWord(nameOf(effect))));
     box->addItems({tr("as called for"), tr("on"), tr("off")}); // in the order of Forcing
-    m_table->setCellWidget(row, EffectSwitch, box);
+    m_table->setIndexWidget(m_rows->index(row, EffectSwitch), box);
     m_boxes[effect] = box;
     connect(box, &QComboBox::activated, this,
             [this, effect](int index) { m_switches->force(effect, Forcing(index)); });
@@ -166,23 +190,8 @@ void EffectsPanel::take(const std::optional<Finding> &finding)
                                        finding->changes ? finding->changes->total() : 0));
         m_switches->setChanges(finding->changes);
     }
-    showPlan();
+    m_rows->refresh();
     emit planned();
-}
-
-void EffectsPanel::showPlan()
-{
-    for (const Effect effect : allEffects) {
-        const auto show = [&](EffectColumn column, const QString &text) {
-            m_table->item(tableRowOf(effect), column)->setText(text);
-        };
-        const EffectVerdict verdict = m_plan ? m_plan->verdicts[effect] : EffectVerdict{};
-        show(EffectJudgement, m_plan ? verdictText(verdict.verdict) : QString());
-        show(EffectPrimitives, m_plan ? QString::number(verdict.primitives) : QString());
-        show(EffectPixels, m_plan ? QString::number(verdict.pixels) : QString());
-        show(EffectReason, verdict.reason);
-        m_table->item(tableRowOf(effect), EffectReason)->setToolTip(verdict.reason);
-    }
 }
 
 void EffectsPanel::showTiming()
@@ -190,18 +199,7 @@ void EffectsPanel::showTiming()
     // While empty they would take the reasons' room.
     for (const EffectColumn column : {EffectPerPixel, EffectOperations, EffectRatio})
         m_table->setColumnHidden(column, !m_timing);
-    for (const Effect effect : allEffects) {
-        const std::optional<EffectCost> cost
-            = m_timing ? m_timing->costs[effect] : std::optional<EffectCost>();
-        m_table->item(tableRowOf(effect), EffectPerPixel)
-            ->setText(cost ? QString::number(m_timing->perPixel(*cost), 'f', 2) : QString());
-        const std::optional<double> operations
-            = cost ? m_timing->operationsPerPixel(*cost) : std::nullopt;
-        m_table->item(tableRowOf(effect), EffectOperations)
-            ->setText(operations ? QString::number(*operations, 'f', 2) : QString());
-        m_table->item(tableRowOf(effect), EffectRatio)
-            ->setText(cost ? ratioText(cost->ratio) : QString());
-    }
+    m_rows->refresh();
 }
 
 void EffectsPanel::showSwitches()

@@ -3,6 +3,7 @@
 
 #include "core/measure/effecttiming.h"
 #include "core/shade/effectplan.h"
+#include "widgets/look/rowsmodel.h"
 #include "widgets/studies/studypanel.h"
 
 #include <memory>
@@ -11,7 +12,6 @@
 class QBoxLayout;
 class QComboBox;
 class QPushButton;
-class QTableWidget;
 
 namespace pixelplumb {
 
@@ -54,12 +54,12 @@ private:
     QBoxLayout *controls();
     void addSamples(QBoxLayout *row);
     void makeTable();
+    std::vector<RowsColumn<Effect>> columns() const;
     void addSwitch(int row, Effect effect);
     std::shared_ptr<const Scene> drawnScene() const;
     void forget();
     bool beginStudy() override;
     void take(const std::optional<Finding> &finding);
-    void showPlan();
     void showTiming();
     void showSwitches();
 
@@ -67,7 +67,8 @@ private:
     EffectSwitches *m_switches;
     QComboBox *m_samples = nullptr;
     QPushButton *m_measure = nullptr;
-    QTableWidget *m_table;
+    QTableView *m_table;
+    RowsModel<Effect> *m_rows = nullptr;
     PerEffect<QComboBox *> m_boxes = {};
     std::optional<EffectPlan> m_plan;
     std::optional<EffectTiming> m_timing;

@@ -2,11 +2,9 @@
 #include "widgets/studies/cost/operationpanel.h"
 
 #include "core/frame/framebuffer.h"
-#include "core/lab/counting/operationtable.h"
 #include "core/runs/tracedscene.h"
 #include "core/scan/choicenames.h"
 #include "widgets/look/corewords.h"
-#include "widgets/look/numberlayout.h"
 #include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 
@@ -14,35 +12,29 @@
 
 namespace pixelplumb {
 
-namespace {
-
-QTableWidgetItem *figureItem(const QString &text)
-{
-    auto *item = new QTableWidgetItem(text);
-    item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    return item;
-}
-
-} // namespace
-
 OperationPanel::OperationPanel(Playhead *playhead, QWidget *parent)
     : StudyPanel("operations", tr("Operations"), parent)
     , m_playhead(playhead)
-    , m_table(new QTableWidget(this))
 {
     m_summary = readingLabel("operationSummary", tr("What was counted"), this);
-    named(m_table, "operationTable", tr("Operations by kind"),
+    const auto each = [](std::size_t stage) {
+        return [stage](const OperationTableRow &row) { return operationText(row.each[stage]); };
+    };
+    m_rows = new RowsModel<OperationTableRow>(
+        {{tr("a set-up"), {}, each(0)},
+         {tr("a span"), {}, each(1)},
+         {tr("a sample"), {}, each(2)},
+         {tr("all"), {}, [](const OperationTableRow &row) { return QString::number(row.all); }}},
+        this, [](const OperationTableRow &row) { return coreWord(row.name); });
+    auto *table = new QTableView(this);
+    table->setModel(m_rows);
+    named(table, "operationTable", tr("Operations by kind"),
           tr("What the method's numbers do, counted while they draw this scene: on "
              "the average of a set-up, a span and a sample, and all together. Whole "
              "pixel coordinates and the clamp to a byte are not counted."));
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setFrameShape(QFrame::NoFrame);
-    m_table->setColumnCount(4);
-    m_table->setHorizontalHeaderLabels({tr("a set-up"), tr("a span"), tr("a sample"), tr("all")});
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_table->setFont(tabularFont(font()));
-    withParts(new QVBoxLayout(this), {m_summary, {m_table, 1}}, 8, 8);
+    readByRows(table);
+    table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    withParts(new QVBoxLayout(this), {m_summary, {table, 1}}, 8, 8);
     connect(playhead, &Playhead::tracedChanged, this, &OperationPanel::forget);
     forget();
 }
@@ -98,16 +90,7 @@ void OperationPanel::take(std::optional<OperationCounts> counts)
 
 void OperationPanel::fillTable()
 {
-    const std::vector<OperationTableRow> rows
-        = m_counts ? operationTable(*m_counts) : std::vector<OperationTableRow>();
-    m_table->setRowCount(int(rows.size()));
-    for (int row = 0; row < int(rows.size()); ++row) {
-        const OperationTableRow &shown = rows[std::size_t(row)];
-        m_table->setVerticalHeaderItem(row, new QTableWidgetItem(coreWord(shown.name)));
-        for (int stage = 0; stage < int(shown.each.size()); ++stage)
-            m_table->setItem(row, stage, figureItem(operationText(shown.each[std::size_t(stage)])));
-        m_table->setItem(row, 3, figureItem(QString::number(shown.all)));
-    }
+    m_rows->setRows(m_counts ? operationTable(*m_counts) : std::vector<OperationTableRow>());
 }
 
 } // namespace pixelplumb

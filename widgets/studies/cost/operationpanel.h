@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/lab/counting/operationcounts.h"
+#include "core/lab/counting/operationtable.h"
+#include "widgets/look/rowsmodel.h"
 #include "widgets/studies/studypanel.h"
-
-class QTableWidget;
 
 namespace pixelplumb {
 
@@ -34,7 +33,7 @@ private:
     void fillTable();
 
     Playhead *m_playhead;
-    QTableWidget *m_table;
+    RowsModel<OperationTableRow> *m_rows;
     std::optional<OperationCounts> m_counts;
 };
 
