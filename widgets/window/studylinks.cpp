@@ -28,6 +28,8 @@
 #include <QMessageBox>
 
 #include <functional>
+#include <memory>
+#include <utility>
 
 namespace pixelplumb {
 
@@ -48,7 +50,10 @@ DefectStepper *connectDiagnosis(const WindowParts &parts, WindowDocks &docks, Ma
 {
     auto *stepper = new DefectStepper(parts.document, parts.student, window);
     QObject::connect(stepper, &DefectStepper::opened, window,
-                     [window](std::size_t position) { window->setOpeningPlace(position); });
+                     [window, options = parts.options](std::size_t position) {
+                         options->setStudentShown(false);
+                         window->setOpeningPlace(position);
+                     });
     docks.whenBuilt<SubmissionPanel>([&docks, stepper](SubmissionPanel *panel) {
         DiagnosisView *diagnosis = panel->diagnosis();
         QObject::connect(diagnosis, &DiagnosisView::openRequested, stepper, &DefectStepper::open);
@@ -150,9 +155,14 @@ void connectSubmission(const WindowParts &parts, WindowDocks &docks, MainWindow 
         parts.options->setStudentShown(true);
         docks.raise<SubmissionPanel>();
     });
-    // Who steps wants to see the run.
+    // Who steps wants to see the run; another run is no step.
     QObject::connect(parts.playhead, &Playhead::positionChanged, parts.options,
-                     [options = parts.options] { options->setStudentShown(false); });
+                     [parts, stepped = std::weak_ptr<const TracedScene>()]() mutable {
+                         const auto traced = parts.playhead->sharedTraced();
+                         const auto before = std::exchange(stepped, traced).lock();
+                         if (traced && traced == before)
+                             parts.options->setStudentShown(false);
+                     });
     docks.whenBuilt<SubmissionPanel>([pictures = parts.pictures](SubmissionPanel *panel) {
         QObject::connect(panel, &SubmissionPanel::openRequested, pictures,
                          &StudentPictureFiles::open);

@@ -230,6 +230,11 @@ private slots:
         QTest::keyRelease(parts.canvas, Qt::Key_Shift);
         QCOMPARE(shown(extra), qRgb(255, 255, 0));
 
+        ScanSettings rounded = parts.document->scene().settings;
+        rounded.arithmetic = Arithmetic::Float32;
+        parts.document->setSettings(rounded); // another run
+        QTRY_COMPARE(parts.playhead->traced()->scene.settings, rounded);
+        QVERIFY(action(*window, "showStudent")->isChecked());
         action(*window, "nextColumn")->trigger(); // who steps sees the run
         QVERIFY(!action(*window, "showStudent")->isChecked());
         QTest::keyClick(parts.canvas, Qt::Key_S);
