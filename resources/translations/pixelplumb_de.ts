@@ -2636,9 +2636,6 @@
         <source>Submissions</source>
         <translation>Abgaben</translation>
     </message>
-</context>
-<context>
-    <name>pixelplumb::GradeTableModel</name>
     <message>
         <source>accepted</source>
         <translation>angenommen</translation>

@@ -81,7 +81,7 @@ QAbstractItemView *table(const MainWindow &window)
     return named<QAbstractItemView>(window, "gradingTable");
 }
 
-QString cell(const MainWindow &window, int row, GradeTableModel::Column column)
+QString cell(const MainWindow &window, int row, int column)
 {
     return table(window)->model()->index(row, column).data().toString();
 }

@@ -5,16 +5,17 @@
 #include "widgets/look/parts.h"
 #include "widgets/studies/grade/gradebook.h"
 
-#include <QHeaderView>
 #include <QKeyEvent>
 
 #include <algorithm>
+#include <numeric>
 
 namespace pixelplumb {
 
 namespace {
 
 constexpr QChar tick(0x2713);
+constexpr int clusterRole = Qt::UserRole + 1; ///< index of the cluster, in the first column
 
 // Logical pixels.
 constexpr int leastForComments = 120; ///< below this, comments are not worth a column
@@ -22,103 +23,70 @@ constexpr int leastForVerdicts = 400; ///< table width below which verdicts are 
 
 } // namespace
 
-GradeTableModel::GradeTableModel(const Gradebook *book, QObject *parent)
-    : QAbstractTableModel(parent)
-    , m_book(book)
+GradeRows *gradeRows(const Gradebook *book, QObject *parent)
 {
-    connect(book, &Gradebook::opened, this, [this] {
-        beginResetModel();
-        endResetModel();
-    });
-    connect(book, &Gradebook::reviewed, this, [this] {
-        if (rowCount() > 0)
-            emit dataChanged(index(0, State), index(rowCount() - 1, Comment));
-    });
-}
-
-int GradeTableModel::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : int(m_book->report().submissions.size());
-}
-
-int GradeTableModel::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : int(ColumnCount);
-}
-
-QVariant GradeTableModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation == Qt::Horizontal && role == Qt::ToolTipRole && section == State)
-        return tr("accepted");
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case Name:
-        return tr("name");
-    case Points:
-        return tr("points");
-    case Verdict:
-        return tr("verdict");
-    case Cause:
-        return tr("defects");
-    case State:
-        return QString(tick);
-    default:
-        return tr("comment");
-    }
-}
-
-QString GradeTableModel::textOf(std::size_t row, int column) const
-{
-    const GradedSubmission &submission = m_book->report().submissions[row];
-    switch (column) {
-    case Name:
-        return submission.name;
-    case Points:
-        return QStringLiteral("%L1 / %L2")
-            .arg(submission.points())
-            .arg(m_book->report().assignment.points());
-    case Verdict:
-        return coreWord(verdictText(submission));
-    case Cause:
-        return m_book->clusters()[m_book->clusterOf(row)].title;
-    case State:
-        return submission.review.isAccepted ? tr("accepted") : tr("open");
-    default:
-        return submission.review.comment.simplified();
-    }
-}
-
-QVariant GradeTableModel::data(const QModelIndex &index, int role) const
-{
-    if (!index.isValid())
-        return {};
-    const auto row = std::size_t(index.row());
-    const bool isPoints = index.column() == Points;
-    switch (role) {
-    case Qt::DisplayRole:
-        if (index.column() == State)
-            return m_book->report().submissions[row].review.isAccepted ? QString(tick) : QString();
-        return textOf(row, index.column());
-    case Qt::ToolTipRole:
-    case Qt::AccessibleTextRole:
-        return textOf(row, index.column());
-    case Qt::TextAlignmentRole:
-        return isPoints ? QVariant(int(Qt::AlignRight | Qt::AlignVCenter)) : QVariant();
-    case SortRole:
-        return isPoints ? QVariant(m_book->report().submissions[row].points())
-                        : QVariant(textOf(row, index.column()));
-    case ClusterRole:
-        return int(m_book->clusterOf(row));
-    default:
-        return {};
-    }
+    using Column = RowsColumn<std::size_t>;
+    const auto at = [book](std::size_t row) -> const GradedSubmission & {
+        return book->report().submissions[row];
+    };
+    auto *model = new GradeRows(
+        {Column(
+             GradeTable::tr("name"), {}, [at](std::size_t row) { return at(row).name; },
+             Qt::AlignLeft,
+             [book](std::size_t row, int role) {
+                 return role == clusterRole ? QVariant(int(book->clusterOf(row))) : QVariant();
+             }),
+         Column(
+             GradeTable::tr("points"), {},
+             [book, at](std::size_t row) {
+                 return QStringLiteral("%L1 / %L2")
+                     .arg(at(row).points())
+                     .arg(book->report().assignment.points());
+             },
+             Qt::AlignRight,
+             [at](std::size_t row, int role) {
+                 return role == GradeRows::SortRole ? QVariant(at(row).points()) : QVariant();
+             }),
+         Column(
+             GradeTable::tr("verdict"), {},
+             [at](std::size_t row) { return coreWord(verdictText(at(row))); }, Qt::AlignLeft),
+         Column(
+             GradeTable::tr("defects"), {},
+             [book](std::size_t row) { return book->clusters()[book->clusterOf(row)].title; },
+             Qt::AlignLeft),
+         Column(
+             QString(tick), GradeTable::tr("accepted"),
+             [at](std::size_t row) {
+                 return at(row).review.isAccepted ? QString(tick) : QString();
+             },
+             Qt::AlignLeft,
+             [at](std::size_t row, int role) {
+                 const bool isWord = role == Qt::ToolTipRole || role == Qt::AccessibleTextRole
+                     || role == GradeRows::SortRole;
+                 if (!isWord)
+                     return QVariant();
+                 return QVariant(at(row).review.isAccepted ? GradeTable::tr("accepted")
+                                                           : GradeTable::tr("open"));
+             }),
+         Column(
+             GradeTable::tr("comment"), {},
+             [at](std::size_t row) { return at(row).review.comment.simplified(); }, Qt::AlignLeft)},
+        parent);
+    const auto take = [book, model] {
+        std::vector<std::size_t> rows(book->report().submissions.size());
+        std::iota(rows.begin(), rows.end(), std::size_t(0));
+        model->setRows(std::move(rows));
+    };
+    QObject::connect(book, &Gradebook::opened, model, take);
+    QObject::connect(book, &Gradebook::reviewed, model, [model] { model->refresh(); });
+    take();
+    return model;
 }
 
 GradeFilter::GradeFilter(QObject *parent)
     : QSortFilterProxyModel(parent)
 {
-    setSortRole(GradeTableModel::SortRole);
+    setSortRole(GradeRows::SortRole);
     setSortCaseSensitivity(Qt::CaseInsensitive);
 }
 
@@ -138,11 +106,15 @@ bool GradeFilter::filterAcceptsRow(int row, const QModelIndex &parent) const
 {
     const QAbstractItemModel *model = sourceModel();
     const QModelIndex first = model->index(row, 0, parent);
-    if (m_cluster != allClusters && first.data(GradeTableModel::ClusterRole).toInt() != m_cluster)
+    if (m_cluster != allClusters && first.data(clusterRole).toInt() != m_cluster)
         return false;
     QString text;
-    for (int column = 0; column < model->columnCount(parent); ++column)
-        text += first.siblingAtColumn(column).data(Qt::ToolTipRole).toString() + u'\n';
+    for (int column = 0; column < model->columnCount(parent); ++column) {
+        const QModelIndex cell = first.siblingAtColumn(column);
+        text += cell.data(column == GradeColumn::State ? Qt::ToolTipRole : Qt::DisplayRole)
+                    .toString()
+            + u'\n';
+    }
     return std::ranges::all_of(
         m_words, [&text](const QString &word) { return text.contains(word, Qt::CaseInsensitive); });
 }
@@ -154,9 +126,8 @@ GradeTable::GradeTable(QAbstractItemModel *model, QWidget *parent)
     setModel(model);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setSelectionMode(QAbstractItemView::SingleSelection);
-    setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSortingEnabled(true);
-    sortByColumn(GradeTableModel::Name, Qt::AscendingOrder);
+    sortByColumn(GradeColumn::Name, Qt::AscendingOrder);
     setWordWrap(false);
     verticalHeader()->hide();
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
@@ -192,24 +163,23 @@ void GradeTable::fitColumns()
         return header->sectionSize(column);
     };
     const int width = viewport()->width();
-    int rest = width - contentWidth(GradeTableModel::Points) - contentWidth(GradeTableModel::State);
-    const int verdicts = width < leastForVerdicts
-        ? header->sectionSizeHint(GradeTableModel::Verdict)
-        : contentWidth(GradeTableModel::Verdict);
-    header->resizeSection(GradeTableModel::Verdict, verdicts);
+    int rest = width - contentWidth(GradeColumn::Points) - contentWidth(GradeColumn::State);
+    const int verdicts = width < leastForVerdicts ? header->sectionSizeHint(GradeColumn::Verdict)
+                                                  : contentWidth(GradeColumn::Verdict);
+    header->resizeSection(GradeColumn::Verdict, verdicts);
     rest -= verdicts;
-    const int causes = contentWidth(GradeTableModel::Cause);
-    const int names = std::min(
-        {contentWidth(GradeTableModel::Name),
-         std::max({rest - causes, rest / 3, header->sectionSizeHint(GradeTableModel::Name)}),
-         rest - header->sectionSizeHint(GradeTableModel::Cause)});
+    const int causes = contentWidth(GradeColumn::Cause);
+    const int names
+        = std::min({contentWidth(GradeColumn::Name),
+                    std::max({rest - causes, rest / 3, header->sectionSizeHint(GradeColumn::Name)}),
+                    rest - header->sectionSizeHint(GradeColumn::Cause)});
     rest -= names;
-    header->resizeSection(GradeTableModel::Name, names);
+    header->resizeSection(GradeColumn::Name, names);
     const bool hasComments = rest - causes >= leastForComments;
-    setColumnHidden(GradeTableModel::Comment, !hasComments);
-    header->resizeSection(GradeTableModel::Cause, hasComments ? causes : rest);
+    setColumnHidden(GradeColumn::Comment, !hasComments);
+    header->resizeSection(GradeColumn::Cause, hasComments ? causes : rest);
     if (hasComments)
-        header->resizeSection(GradeTableModel::Comment, rest - causes);
+        header->resizeSection(GradeColumn::Comment, rest - causes);
 }
 
 void GradeTable::resizeEvent(QResizeEvent *event)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QAbstractTableModel>
+#include "widgets/look/rowsmodel.h"
+
 #include <QSortFilterProxyModel>
-#include <QTableView>
 
 #include <optional>
 
@@ -11,31 +11,15 @@ namespace pixelplumb {
 
 class Gradebook;
 
-/// A row per submission, in the report's order.
-class GradeTableModel : public QAbstractTableModel {
-    Q_OBJECT
-
-public:
-    /// State shows only a tick, so that the table fits beside the comment; its tool tip and
-    /// accessible text have the word.
-    enum Column { Name, Points, Verdict, Cause, State, Comment, ColumnCount };
-    enum Role {
-        SortRole = Qt::UserRole, ///< numbers by value
-        ClusterRole, ///< index of its cluster
-    };
-
-    explicit GradeTableModel(const Gradebook *book, QObject *parent = nullptr);
-
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-    QVariant data(const QModelIndex &index, int role) const override;
-
-private:
-    QString textOf(std::size_t row, int column) const;
-
-    const Gradebook *m_book;
+/// The columns of gradeRows(). State shows only a tick, so that the table fits beside the comment;
+/// its tool tip and accessible text have the word.
+struct GradeColumn {
+    enum { Name, Points, Verdict, Cause, State, Comment };
 };
+
+/// A row per submission, by its index in the report.
+using GradeRows = RowsModel<std::size_t>;
+GradeRows *gradeRows(const Gradebook *book, QObject *parent);
 
 /// Filters the submissions of a cluster by words: each word must occur somewhere in the row.
 class GradeFilter : public QSortFilterProxyModel {
@@ -63,7 +47,7 @@ class GradeTable : public QTableView {
     Q_OBJECT
 
 public:
-    /// `model`: with GradeTableModel's columns.
+    /// `model`: with the columns of gradeRows().
     explicit GradeTable(QAbstractItemModel *model, QWidget *parent = nullptr);
 
     std::optional<int> chosenRow() const;

@@ -19,7 +19,7 @@ namespace pixelplumb {
 GradingPanel::GradingPanel(QWidget *parent)
     : QWidget(parent)
     , m_book(new Gradebook(this))
-    , m_model(new GradeTableModel(m_book, this))
+    , m_model(gradeRows(m_book, this))
     , m_filter(new GradeFilter(this))
 {
     setObjectName(QStringLiteral("grading"));

@@ -20,7 +20,6 @@ class Gradebook;
 class GradeFilter;
 class GradeReviewPane;
 class GradeTable;
-class GradeTableModel;
 
 /// The assistant's bench: the submissions of a graded folder as a table, by cause, with what each
 /// student is told; reviewed by keys. A selected submission opens beside what was expected: the
@@ -61,7 +60,7 @@ private:
     std::optional<std::size_t> chosen() const; ///< the submission's index in the report
 
     Gradebook *m_book;
-    GradeTableModel *m_model;
+    QAbstractItemModel *m_model;
     GradeFilter *m_filter;
     GradeReviewPane *m_review = nullptr;
     QToolButton *m_report = nullptr;
