@@ -8,6 +8,7 @@
 
 #include <optional>
 
+class QAbstractItemModel;
 class QBoxLayout;
 class QComboBox;
 class QLineEdit;
