@@ -1205,6 +1205,14 @@
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
+    <message>
+        <source>“%1” has an opacity</source>
+        <translation>„%1“ hat eine Deckkraft</translation>
+    </message>
+    <message>
+        <source>#rrggbb in hexadecimal digits</source>
+        <translation>#rrggbb in hexadezimalen Ziffern</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::ColumnTable</name>
@@ -5486,14 +5494,6 @@
     <message>
         <source>vertex %1, %2</source>
         <translation>Eckpunkt %1, %2</translation>
-    </message>
-    <message>
-        <source>“%1” has an opacity</source>
-        <translation>„%1“ hat eine Deckkraft</translation>
-    </message>
-    <message>
-        <source>#rrggbb in hexadecimal digits</source>
-        <translation>#rrggbb in hexadezimalen Ziffern</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 #include "widgets/inspect/delegates.h"
 
 #include "core/scene/text/coordinatetext.h"
+#include "widgets/look/colourbutton.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 #include "widgets/model/pixelhistorymodel.h"

@@ -22,8 +22,7 @@ namespace {
 
 /// The internal id of a primitive's row; a vertex's is its primitive's row + 1, so that 0 is free.
 constexpr quintptr ofPrimitive = 0;
-/// In place of a primitive's number.
-constexpr int ofSolid = std::numeric_limits<int>::min();
+constexpr int ofSolid = std::numeric_limits<int>::min(); ///< in place of a primitive's number
 
 int rowOf(const QModelIndex &vertex) { return int(vertex.internalId()) - 1; }
 
@@ -33,7 +32,6 @@ bool haveOneColour(std::span<const Vertex> vertices)
         vertices, [&](const Vertex &vertex) { return vertex.colour == vertices[0].colour; });
 }
 
-/// The colour of the vertices, or the word for several colours.
 QVariant colourData(std::span<const Vertex> vertices, int role)
 {
     const Colour &first = vertices.front().colour;
@@ -48,17 +46,6 @@ QVariant colourData(std::span<const Vertex> vertices, int role)
 }
 
 } // namespace
-
-Result<Colour> opaqueColour(const QString &text)
-{
-    const Result<BlendedColour> read = parseColour(text.trimmed());
-    if (read && read->alpha == 255)
-        return read->colour;
-    return InputError{{},
-                      read ? PrimitiveListModel::tr("“%1” has an opacity").arg(text)
-                           : read.error().found,
-                      PrimitiveListModel::tr("#rrggbb in hexadecimal digits")};
-}
 
 PrimitiveListModel::PrimitiveListModel(SceneDocument *document, QObject *parent)
     : QAbstractItemModel(parent)
@@ -273,8 +260,10 @@ bool PrimitiveListModel::setData(const QModelIndex &index, const QVariant &value
         return false;
     if (index.column() == ColourText) {
         const Result<Colour> colour = opaqueColour(value.toString());
-        if (colour)
-            setColour(index, *colour);
+        if (colour && isPrimitive(index))
+            m_document->setPrimitiveColour(refAt(index)->primitive, *colour);
+        else if (colour)
+            m_document->setVertexColour(*refAt(index), *colour);
         return colour.isOk();
     }
     const Result<SnappedNumber> number = parseCoordinate(value.toString());
@@ -292,15 +281,6 @@ bool PrimitiveListModel::setData(const QModelIndex &index, const QVariant &value
         emit m_document->notice(SnapReport{place, value.toString(), *number}.message());
     }
     return true;
-}
-
-void PrimitiveListModel::setColour(const QModelIndex &index, const Colour &colour)
-{
-    const VertexRef ref = *refAt(index);
-    if (isPrimitive(index))
-        m_document->setPrimitiveColour(ref.primitive, colour);
-    else
-        m_document->setVertexColour(ref, colour);
 }
 
 QVariant PrimitiveListModel::headerData(int section, Qt::Orientation orientation, int role) const

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/scene/text/result.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QAbstractItemModel>
 
 namespace pixelplumb {
-
-/// Reads "#rrggbb": a colour without an opacity of its own.
-Result<Colour> opaqueColour(const QString &text);
 
 /// The document's triangles and shapes in drawing order, each with a check box to show or hide it,
 /// and below each its vertices in file order with their coordinates and colours, all editable.
@@ -58,7 +54,6 @@ private:
     void followScene();
     std::vector<Row> rowsOfScene() const;
     QVariant solidData(int column, int role, std::size_t index) const;
-    void setColour(const QModelIndex &index, const Colour &colour);
     QVariant hiddenData(int column, int role, const HiddenPrimitive &hidden) const;
 
     SceneDocument *m_document;

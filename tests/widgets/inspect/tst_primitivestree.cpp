@@ -7,6 +7,7 @@
 #include "tests/support/window/openwindow.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/inspect/primitivespanel.h"
+#include "widgets/look/colourbutton.h"
 #include "widgets/model/primitivelistmodel.h"
 
 #include <QApplication>

@@ -238,11 +238,9 @@ QPixmap sideBySide(const HardCasePicture &picture, const QSize &size, const QPal
     return pixmap;
 }
 
-/// A method with its cells, by arithmetic.
 struct HardCasesVerdicts::Row {
     const Method *method = nullptr;
     std::map<Arithmetic, Cell> cells = {};
-
     Cell cell(Arithmetic arithmetic) const
     {
         const auto found = cells.find(arithmetic);
@@ -271,16 +269,15 @@ HardCasesVerdicts::HardCasesVerdicts(QWidget *parent)
              },
              Qt::AlignHCenter,
              [this, arithmetic](const Row &row, int role) {
-                 if (role == Qt::ToolTipRole && !row.method->supports(arithmetic))
-                     return QVariant(tr("the method does not compute in it"));
                  if (role == Qt::ToolTipRole)
-                     return QVariant(row.cell(arithmetic).toolTip());
+                     return QVariant(row.method->supports(arithmetic)
+                                         ? row.cell(arithmetic).toolTip()
+                                         : tr("the method does not compute in it"));
                  return role == Qt::ForegroundRole && row.cell(arithmetic).fellShort > 0
                      ? QVariant(signColour(Sign::Extra, palette()))
                      : QVariant();
              }});
-    m_rows = new RowsModel<Row>(std::move(columns), this);
-    setModel(m_rows);
+    setModel(m_rows = new RowsModel<Row>(std::move(columns), this));
     setSelectionMode(QAbstractItemView::NoSelection);
     verticalHeader()->hide();
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
