@@ -18,6 +18,8 @@ struct ContenderTally {
     /// Pixels where primitives that the method cannot draw change the truth.
     std::int64_t undrawn = 0;
     std::vector<std::int64_t> differsFrom; ///< pixels, by contender
+
+    friend bool operator==(const ContenderTally &, const ContenderTally &) = default;
 };
 
 /// A contender with its finished picture and, where it was recorded, its run.

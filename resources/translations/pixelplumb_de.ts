@@ -1151,6 +1151,14 @@
         <source>move image</source>
         <translation>Bild des Dreiecks verschieben</translation>
     </message>
+    <message>
+        <source>Expected of the student</source>
+        <translation>So erwartet</translation>
+    </message>
+    <message>
+        <source>The student&apos;s picture (S); hold Shift for the expected one</source>
+        <translation>Das eingereichte Bild (S); Umschalt halten für das erwartete</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::CanvasMenu</name>
@@ -1192,6 +1200,14 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>“%1” has an opacity</source>
+        <translation>„%1“ hat eine Deckkraft</translation>
+    </message>
+    <message>
+        <source>#rrggbb in hexadecimal digits</source>
+        <translation>#rrggbb in hexadezimalen Ziffern</translation>
     </message>
 </context>
 <context>
@@ -1431,6 +1447,17 @@
         <source>Predict hides what lies ahead.</source>
         <translation>„Vorhersagen“ verbirgt, was noch kommt.</translation>
     </message>
+    <message numerus="yes">
+        <source>%4 of %n pixels so far: %1 missing, %2 extra, %3 in another colour</source>
+        <translation>
+            <numerusform>%4 von %n Pixel bisher: %1 fehlen, %2 zu viel, %3 in anderer Farbe</numerusform>
+            <numerusform>%4 von %n Pixeln bisher: %1 fehlen, %2 zu viel, %3 in anderer Farbe</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 px: %2 missing, %3 extra, %4 wrong colour</source>
+        <translation>%1 px: %2 fehlen, %3 zu viel, %4 andere Farbe</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::ComparePanel</name>
@@ -1453,10 +1480,6 @@
     <message>
         <source>Show the whole frame in every pane</source>
         <translation>In jeder Ansicht die ganze Bildfläche zeigen</translation>
-    </message>
-    <message>
-        <source>Agreement</source>
-        <translation>Übereinstimmung</translation>
     </message>
     <message>
         <source>The comparison was cancelled. Change a pane or the scene to start it again.</source>
@@ -1521,6 +1544,10 @@
     <message>
         <source>Progress of the comparison</source>
         <translation>Fortschritt des Vergleichs</translation>
+    </message>
+    <message>
+        <source>Finished pictures</source>
+        <translation>Fertige Bilder</translation>
     </message>
 </context>
 <context>
@@ -2613,9 +2640,6 @@
         <source>Submissions</source>
         <translation>Abgaben</translation>
     </message>
-</context>
-<context>
-    <name>pixelplumb::GradeTableModel</name>
     <message>
         <source>accepted</source>
         <translation>angenommen</translation>
@@ -2957,6 +2981,18 @@
         <source>&lt;h3&gt;Pixelplumb %1&lt;/h3&gt;&lt;p&gt;See, step through, measure and grade triangle scan conversion.&lt;/p&gt;&lt;p&gt;Qt %2, %3, %4&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0-or-later. It uses no network and sends nothing.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Pixelplumb %1&lt;/h3&gt;&lt;p&gt;Die Rasterung von Dreiecken sehen, Schritt für Schritt durchgehen, messen und bewerten.&lt;/p&gt;&lt;p&gt;Qt %2, %3, %4&lt;/p&gt;&lt;p&gt;Lizenz: GPL-3.0-or-later. Es benutzt kein Netz und sendet nichts.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Bereiche</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::JobBar</name>
@@ -3072,8 +3108,8 @@
         <translation>Umschalt allein halten</translation>
     </message>
     <message>
-        <source>See the truth, after %1 s</source>
-        <translation>Nach %1 s die Wahrheit sehen</translation>
+        <source>See the truth, or what a student should have drawn, after %1 s</source>
+        <translation>Nach %1 s die Wahrheit sehen, oder was hätte gezeichnet werden sollen</translation>
     </message>
     <message>
         <source>Esc</source>
@@ -3519,9 +3555,6 @@
         <source>Contenders</source>
         <translation>Kandidaten</translation>
     </message>
-</context>
-<context>
-    <name>pixelplumb::LabTableModel</name>
     <message>
         <source>wrong of a million</source>
         <translation>falsch von einer Million</translation>
@@ -3900,6 +3933,81 @@
     <message>
         <source>V: inspect; a click picks a pixel</source>
         <translation>V: Prüfen; ein Klick wählt ein Pixel</translation>
+    </message>
+    <message>
+        <source>“%1” is an assignment, not a scene.</source>
+        <translation>„%1“ ist eine Aufgabe, keine Szene.</translation>
+    </message>
+    <message>
+        <source>A folder of submissions is graded by it.</source>
+        <translation>Nach ihr wird ein Ordner von Abgaben bewertet.</translation>
+    </message>
+    <message>
+        <source>&amp;Grade a folder…</source>
+        <translation>&amp;Ordner bewerten …</translation>
+    </message>
+    <message>
+        <source>“%1” is a scene, not an assignment.</source>
+        <translation>„%1“ ist eine Szene, keine Aufgabe.</translation>
+    </message>
+    <message>
+        <source>An assignment names the scenes that submissions draw, and what each is worth.</source>
+        <translation>Eine Aufgabe nennt die Szenen, die Abgaben zeichnen, und was jede zählt.</translation>
+    </message>
+    <message>
+        <source>&amp;Open the scene</source>
+        <translation>Szene ö&amp;ffnen</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::Manual</name>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
+    </message>
+    <message>
+        <source>manual.md</source>
+        <translation>manual_de.md</translation>
+    </message>
+    <message>
+        <source>Terms</source>
+        <translation>Begriffe (englisch)</translation>
+    </message>
+    <message>
+        <source>Scene files</source>
+        <translation>Szenendateien (englisch)</translation>
+    </message>
+    <message>
+        <source>Assignments</source>
+        <translation>Aufgaben (englisch)</translation>
+    </message>
+    <message>
+        <source>Students&apos; programs</source>
+        <translation>Programme von Studierenden (englisch)</translation>
+    </message>
+    <message>
+        <source>Misprints of the course texts</source>
+        <translation>Druckfehler der Kurstexte (englisch)</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>Quellen (englisch)</translation>
+    </message>
+    <message>
+        <source>Proofs</source>
+        <translation>Beweise (englisch)</translation>
     </message>
 </context>
 <context>
@@ -4997,6 +5105,10 @@
         <source>vertex %1</source>
         <translation>Eckpunkt %1</translation>
     </message>
+    <message>
+        <source>%1; expected: %2</source>
+        <translation>%1; erwartet: %2</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::PrecisionPanel</name>
@@ -5233,6 +5345,10 @@
     <message>
         <source>Nothing is drawn yet: what you draw is asked for.</source>
         <translation>Noch ist nichts gezeichnet: gefragt wird nach dem, was hier gezeichnet wird.</translation>
+    </message>
+    <message>
+        <source>It is the same along the whole primitive: earlier rows of the table show it, and the answer does not count.</source>
+        <translation>Die Zahl ist entlang des ganzen Primitivs dieselbe: Frühere Zeilen der Tabelle zeigen sie, und die Antwort zählt nicht.</translation>
     </message>
 </context>
 <context>
@@ -7047,6 +7163,18 @@
         <source>Nothing to show: the scene has no solid, so the near plane clips nothing.</source>
         <translation>Nichts zu zeigen: Die Szene hat keinen Körper, also schneidet die nahe Ebene nichts ab.</translation>
     </message>
+    <message>
+        <source>Stude&amp;nt&apos;s picture</source>
+        <translation>Eingereichtes &amp;Bild</translation>
+    </message>
+    <message>
+        <source>student</source>
+        <translation>Abgabe</translation>
+    </message>
+    <message>
+        <source>The student&apos;s picture instead of the frame; while Shift is held, the expected one (S)</source>
+        <translation>Das eingereichte Bild statt der Bildfläche; solange Umschalt gehalten wird, das erwartete (S)</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::WhatsThis</name>
@@ -7131,12 +7259,8 @@
         <translation>Das aktuelle Verfahren: was es tut, woher es kommt, und sein Pseudocode; die Zeilen, die der aktuelle Schritt ausführt, sind markiert.</translation>
     </message>
     <message>
-        <source>The scene&apos;s primitives in drawing order. The box before a name shows or hides the primitive, coordinates are typed in place, and the buttons below, which a right click shows as a menu, move, recolour and delete it.</source>
-        <translation>Die Primitive der Szene in Zeichenreihenfolge. Das Kästchen vor einem Namen blendet das Primitiv ein oder aus, Koordinaten werden an Ort und Stelle getippt, und die Knöpfe darunter, die ein Rechtsklick als Menü zeigt, verschieben, färben und löschen es.</translation>
-    </message>
-    <message>
-        <source>How a student&apos;s picture, dropped on the window or pasted, differs from the expected one, by cause, with both pictures side by side; Name the bug looks for known defects that draw it.</source>
-        <translation>Was an einem abgegebenen Bild, auf das Fenster gezogen oder eingefügt, anders ist, nach Ursachen, beide Bilder nebeneinander; Fehler benennen sucht bekannte Defekte, die es zeichnen.</translation>
+        <source>How a student&apos;s picture, dropped on the window or pasted, differs from the expected one, by cause, with both pictures; Name the bug looks for known defects that draw it.</source>
+        <translation>Was an einem abgegebenen Bild, auf das Fenster gezogen oder eingefügt, anders ist, nach Ursachen, mit beiden Bildern; Fehler benennen sucht bekannte Defekte, die es zeichnen.</translation>
     </message>
     <message>
         <source>The submissions of a graded folder, by cause, with what each student is told. J and K go to the next and the previous one, A accepts its grade, C comments on it.</source>
@@ -7163,10 +7287,6 @@
         <translation>Wie die Szene gezeichnet wird: das Verfahren, seine Arithmetik, seine Füllregel, seine Rundung und seine gedruckten Varianten mit ihren Fehlern.</translation>
     </message>
     <message>
-        <source>All keys, other keys for the actions, and what the parts of the window are.</source>
-        <translation>Alle Tasten, andere Tasten für die Aktionen, und was die Teile des Fensters sind.</translation>
-    </message>
-    <message>
         <source>Timeline of the steps, lined up with the picture, with marks at vertices, ties and clamps and at the first wrong pixel. A drag goes to another step. Arrows go by the unit of playing, with Ctrl from mark to mark, PageUp and PageDown by columns or rows, Home and End to the ends.</source>
         <translation>Der Lauf auf einer Linie, mit Marken, wo Eckpunkte, Grenzfälle und Begrenzungen sind und wo das erste Pixel falsch ist; Spalten stehen in jeder Vergrößerung unter denen der Zeichenfläche. Ziehen geht zu einem anderen Schritt. Pfeile gehen in der Einheit des Abspielens, mit Strg von Marke zu Marke, Bild auf und Bild ab um Spalten oder Zeilen, Pos1 und Ende an die Enden.</translation>
     </message>
@@ -7181,6 +7301,14 @@
     <message>
         <source>What is drawn over the frame, how large, in which colours, and which workspace and panels are shown.</source>
         <translation>Was über die Bildfläche gezeichnet wird, wie groß, in welchen Farben, und welcher Arbeitsbereich mit welchen Bereichen gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>The scene&apos;s primitives in drawing order. The box before a name shows or hides the primitive, coordinates and colours are typed in place, and the buttons below, which a right click shows as a menu, move, recolour and delete it.</source>
+        <translation>Die Primitive der Szene in Zeichenreihenfolge. Das Kästchen vor einem Namen blendet das Primitiv ein oder aus, Koordinaten und Farben werden an Ort und Stelle getippt, und die Knöpfe darunter, die ein Rechtsklick als Menü zeigt, verschieben, färben und löschen es.</translation>
+    </message>
+    <message>
+        <source>The manual, all keys, and what the parts of the window are.</source>
+        <translation>Das Handbuch, alle Tasten, und was die Teile des Fensters sind.</translation>
     </message>
 </context>
 <context>

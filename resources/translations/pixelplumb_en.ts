@@ -48,6 +48,13 @@
             <numerusform>%n pixels: %1 missing, %2 extra, %3 in another colour</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%4 of %n pixels so far: %1 missing, %2 extra, %3 in another colour</source>
+        <translation>
+            <numerusform>%4 of %n pixel so far: %1 missing, %2 extra, %3 in another colour</numerusform>
+            <numerusform>%4 of %n pixels so far: %1 missing, %2 extra, %3 in another colour</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::DiagnosisView</name>

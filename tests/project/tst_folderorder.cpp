@@ -71,7 +71,7 @@ const QList<Library> &libraries()
           {"stepping"},
           {"window"}},
          {"core"},
-         {}},
+         {{"studies", {"", "compare", "cases", "accuracy", "cost", "grade"}}}},
     };
     return all;
 }

@@ -216,10 +216,10 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
     m_layers.paintMarks(painter, scene.layers, surface);
     if (scene.span)
         frame.drawEdgeTicks(*scene.span);
-    drawNames(frame, scene);
     drawPending(frame, scene);
     for (const CanvasScene::Note &note : scene.notes)
         frame.drawNote(note.text, note.anchor, note.side);
+    drawNames(frame, scene); // after the notes, which they avoid
     if (!said.isEmpty())
         frame.drawCornerNote(said.join(u'\n'), LayerPainter::figurePlaces(scene.layers, surface));
     // Last, so that they avoid everything that has a name of its own.

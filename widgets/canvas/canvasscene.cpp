@@ -34,6 +34,7 @@ public:
         , m_previewer(sources.previewer)
         , m_effects(sources.effects)
         , m_judgement(markedJudgement(sources))
+        , m_judged(judgedFrame(sources, hand))
         , m_view(view)
         , m_hand(hand)
         , m_isTruth(isTruthVisible(sources, hand))
@@ -46,7 +47,9 @@ public:
         const ScenePicture *preview = shownPreview();
         const TracedScene *traced = tracedOfFrame(m_document, m_playhead);
         m_scene.position = m_playhead.position();
-        if (m_isTruth && preview && preview->exactTwin())
+        if (m_judged)
+            m_scene.frame = m_judged;
+        else if (m_isTruth && preview && preview->exactTwin())
             m_scene.frame = preview->exactTwin();
         else if (m_isTruth)
             m_scene.frame = traced ? &traced->truth : nullptr;
@@ -57,7 +60,7 @@ public:
         if (m_options.isGridShown())
             m_scene.grid = CanvasScene::Grid::Shown;
         m_scene.notation = m_options.notation();
-        if (!m_options.areDifferencesShown() || m_isTruth)
+        if (!m_options.areDifferencesShown() || m_isTruth || (m_judged && m_hand.isPeeking))
             return;
         if (m_judgement && m_judgement->frame == m_view.mapping().frame()) {
             // Missing or extra pixels ahead of the current step would reveal the answer.
@@ -178,6 +181,10 @@ private:
         const bool isAhead = m_previewer && m_previewer->isAheadOfTrace();
         if (traced && !isAhead && traced->scene.method != m_document.scene().method)
             return tr("Still the picture of %1").arg(methodTitle(*traced->method));
+        if (m_judged)
+            return m_hand.isPeeking
+                ? tr("Expected of the student")
+                : tr("The student's picture (S); hold Shift for the expected one");
         if (m_isTruth)
             return tr("Truth: the exact picture");
         if (m_playhead.isAheadHidden() && (m_options.isTruthShown() || m_hand.isPeeking))
@@ -202,7 +209,7 @@ private:
         QStringList notes;
         if (const QString frame = frameText(m_document); m_document.currentFrame() > 0)
             notes += frame.left(1).toUpper() + frame.sliced(1);
-        if (m_scene.marked && m_judgement)
+        if (m_scene.marked && m_judgement && !m_judged)
             notes += tr("Marked: the student's picture");
         if (shownPreview() && !m_isTruth && !m_previewer->isAheadOfTrace())
             notes += tr("Finished picture; the first %L1 steps are recorded").arg(m_playhead.end());
@@ -219,6 +226,7 @@ private:
     const ScenePreviewer *m_previewer;
     const EffectSwitches *m_effects;
     std::shared_ptr<const PictureJudgement> m_judgement;
+    const FrameBuffer *m_judged;
     const CanvasView &m_view;
     const CanvasHand &m_hand;
     bool m_isTruth;
@@ -240,8 +248,20 @@ QString coordinateNote(const LatticePoint &point)
              displayText(Quantity::rational(point.y, unitsPerPixel)));
 }
 
+const FrameBuffer *judgedFrame(const CanvasSources &sources, const CanvasHand &hand)
+{
+    const bool isShown = sources.options->isStudentShown() && !sources.options->isTruthShown()
+        && !sources.playhead->isAheadHidden() && markedJudgement(sources);
+    if (!isShown)
+        return nullptr;
+    const JudgedFrames &frames = sources.student->frames();
+    return hand.isPeeking ? &frames.expected() : &frames.found();
+}
+
 bool isTruthVisible(const CanvasSources &sources, const CanvasHand &hand)
 {
+    if (judgedFrame(sources, hand))
+        return false;
     return (sources.options->isTruthShown() || hand.isPeeking)
         && !sources.playhead->isAheadHidden();
 }

@@ -35,7 +35,7 @@ struct CanvasHand {
     std::optional<LatticePoint> candidate;
     bool isPressed = false; ///< a mouse button is doing something
     bool isMoving = false; ///< a vertex
-    bool isPeeking = false; ///< at the truth
+    bool isPeeking = false; ///< at the truth, or at what is expected of a student
     bool isDrawing = true; ///< a left click places vertices
     /// Where the pointer is, if visible and with no button held; and the text beside it.
     std::optional<QPointF> pointer;
@@ -113,6 +113,10 @@ std::shared_ptr<const PictureJudgement> markedJudgement(const CanvasSources &sou
 
 /// "(27 1/2, 19)"
 QString coordinateNote(const LatticePoint &point);
+
+/// The student's picture or, while peeking, the one expected of the student, where one of them is
+/// shown instead of the frame; null otherwise.
+const FrameBuffer *judgedFrame(const CanvasSources &sources, const CanvasHand &hand);
 
 /// Whether the truth is shown instead of the frame.
 bool isTruthVisible(const CanvasSources &sources, const CanvasHand &hand);

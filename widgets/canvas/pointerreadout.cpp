@@ -112,14 +112,18 @@ QString unpaintedText(const QPoint &pixel, const TracedScene &traced)
     return side.arg(distanceText(nearest->edge.distance), edge, triangle);
 }
 
-/// "student: #000000, missing"; empty where the student's pixel is the same.
-QString studentText(const QPoint &pixel, const CanvasSources &sources)
+/// "student: #000000, missing", or, where that is the pixel shown, "missing; expected: #a06f30";
+/// empty where the student's pixel is the same.
+QString studentText(const QPoint &pixel, const CanvasSources &sources, const CanvasHand &hand)
 {
     const auto judgement = markedJudgement(sources);
     const auto place = judgement ? judgement->placeOf(pixel) : std::nullopt;
     if (!place || judgement->diff.verdicts[*place] == Difference::None)
         return {};
     const QString verdict = coreWord(nameOf(judgement->diff.verdicts[*place]));
+    if (judgedFrame(sources, hand) && !hand.isPeeking)
+        return PointerReadout::tr("%1; expected: %2")
+            .arg(verdict, colourText(judgement->expected.colours[*place]));
     return PointerReadout::tr("student: %1")
         .arg(judgement->found.hasColours
                  ? colourText(judgement->found.colours[*place]) + QStringLiteral(", ") + verdict
@@ -188,11 +192,12 @@ QString PointerReadout::text(const QPoint &pixel, const CanvasSources &sources,
     if (!traced || isPreview || isBeyond)
         return (lines << place).join(u'\n');
     const bool isTruth = isTruthVisible(sources, hand);
-    const FrameBuffer &shown = isTruth ? traced->truth : *playhead.frame();
+    const FrameBuffer *judged = judgedFrame(sources, hand);
+    const FrameBuffer &shown = judged ? *judged : isTruth ? traced->truth : *playhead.frame();
     lines += place + u' ' + colourText(unpacked(*shown.view().at(pixel.x(), pixel.y())));
-    if (const QString text = studentText(pixel, sources); !text.isEmpty())
+    if (const QString text = studentText(pixel, sources, hand); !text.isEmpty())
         lines += text;
-    if (!isTruth && !playhead.isAheadHidden()) // the side of an edge is asked for there
+    if (!isTruth && !judged && !playhead.isAheadHidden()) // the side of an edge is asked for there
         lines += owner(pixel, playhead);
     return lines.join(u'\n');
 }

@@ -65,7 +65,8 @@ QString mouseRows()
         + row(KeySheet::tr("Right or double click on the ruler"),
               KeySheet::tr("Breakpoint on the column"))
         + row(KeySheet::tr("Hold Shift alone"),
-              KeySheet::tr("See the truth, after %1 s").arg(double(peekDelay.count()) / 1000))
+              KeySheet::tr("See the truth, or what a student should have drawn, after %1 s")
+                  .arg(double(peekDelay.count()) / 1000))
         + row(KeySheet::tr("Esc"), KeySheet::tr("Give up the drag, or the vertices that wait"));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/files/scenefiles.h"
 
+#include "core/grade/class/assignment.h"
 #include "core/scene/fields/referredfiles.h"
 #include "core/scene/files/inputrecord.h"
 #include "core/scene/scenefile.h"
@@ -167,6 +168,10 @@ void SceneFiles::takeLoaded(const QString &path, Result<SceneReading> &reading)
 
 void SceneFiles::complainOf(const QString &path, const QString &message)
 {
+    if (kindOfFile(path) == FileKind::Assignment) {
+        emit assignmentMet(path);
+        return;
+    }
     emit complaint(message.contains(path)
                        ? tr("Not opened: %1").arg(message)
                        : tr("%1 was not opened: %2").arg(shownName(path), message));

@@ -87,6 +87,8 @@ signals:
     void begun(); ///< after loaded(): the scene is empty and drawing begins
     void loadingFailed(); ///< after a complaint or a cancel: the document is unchanged
     void complaint(const QString &text);
+    /// Not opened, because the file is no scene but an assignment, which grading takes.
+    void assignmentMet(const QString &path);
     void notice(const QString &text);
 
 private:

@@ -2,9 +2,11 @@
 #include "widgets/inspect/delegates.h"
 
 #include "core/scene/text/coordinatetext.h"
+#include "widgets/look/colourbutton.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 #include "widgets/model/pixelhistorymodel.h"
+#include "widgets/model/primitivelistmodel.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QtWidgets>
@@ -13,28 +15,31 @@ namespace pixelplumb {
 
 namespace {
 
-/// Accepts input that is no coordinate yet, since it may become one; on Enter the error is
+/// Accepts input that cannot be read yet, since it may become readable; on Enter the error is
 /// reported.
-class CoordinateValidator final : public QValidator {
+template <class Parse>
+class CellValidator final : public QValidator {
 public:
-    CoordinateValidator(SceneDocument *document, QObject *parent)
+    CellValidator(const Parse &parse, SceneDocument *document, QObject *parent)
         : QValidator(parent)
+        , m_parse(parse)
         , m_document(document)
     {
     }
 
     State validate(QString &text, int &) const override
     {
-        return parseCoordinate(text) ? Acceptable : Intermediate;
+        return m_parse(text) ? Acceptable : Intermediate;
     }
 
     void fixup(QString &text) const override
     {
-        if (const auto number = parseCoordinate(text); !number)
-            emit m_document->refused(number.error().message());
+        if (const auto read = m_parse(text); !read)
+            emit m_document->refused(read.error().message());
     }
 
 private:
+    Parse m_parse;
     SceneDocument *m_document;
 };
 
@@ -103,18 +108,24 @@ void drawAttempt(LinePainter &line, const QModelIndex &index)
 
 } // namespace
 
-CoordinateDelegate::CoordinateDelegate(SceneDocument *document, QObject *parent)
+VertexDelegate::VertexDelegate(SceneDocument *document, QObject *parent)
     : QStyledItemDelegate(parent)
     , m_document(document)
 {
 }
 
-QWidget *CoordinateDelegate::createEditor(QWidget *parent, const QStyleOptionViewItem &,
-                                          const QModelIndex &index) const
+QWidget *VertexDelegate::createEditor(QWidget *parent, const QStyleOptionViewItem &,
+                                      const QModelIndex &index) const
 {
-    auto *field = named(new QLineEdit(parent), "coordinateField",
+    const bool isColour = index.column() == PrimitiveListModel::ColourText;
+    auto *field = named(new QLineEdit(parent), isColour ? "colourField" : "coordinateField",
                         index.model()->headerData(index.column(), Qt::Horizontal).toString());
-    field->setValidator(new CoordinateValidator(m_document, field));
+    if (isColour)
+        field->setValidator(new CellValidator(
+            [](const QString &text) { return opaqueColour(text); }, m_document, field));
+    else
+        field->setValidator(new CellValidator(
+            [](const QString &text) { return parseCoordinate(text); }, m_document, field));
     field->setFrame(false);
     return field;
 }

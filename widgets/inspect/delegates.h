@@ -7,13 +7,13 @@ namespace pixelplumb {
 
 class SceneDocument;
 
-/// The field in which a coordinate of a list is typed (objectName "coordinateField"). Invalid input
-/// is refused; the document tells why (SceneDocument::refused).
-class CoordinateDelegate : public QStyledItemDelegate {
+/// The field in which a coordinate or a colour of a list is typed (objectNames "coordinateField"
+/// and "colourField"). Invalid input is refused; the document tells why (SceneDocument::refused).
+class VertexDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
 public:
-    CoordinateDelegate(SceneDocument *document, QObject *parent);
+    VertexDelegate(SceneDocument *document, QObject *parent);
 
     QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &option,
                           const QModelIndex &index) const override;

@@ -154,6 +154,8 @@ bool PredictPanel::hasBeenSeen() const
 {
     const TracedScene *traced = m_playhead->traced();
     const std::size_t step = place().step;
+    if (prediction() && prediction()->isRepeated)
+        return true;
     if (!traced || m_seen.empty() || step >= traced->trace->stepCount())
         return false;
     return prediction() ? traced->trace->stepAt(step).span < m_seen.back().spans

@@ -208,7 +208,10 @@ void PredictPanel::ask()
                                 : tr("Nothing lies ahead: step back, or run to the start."));
     }
     m_answer->setPlaceholderText(example);
-    if (!example.isEmpty() && hasBeenSeen())
+    if (const Prediction *asked = prediction(); asked && asked->isRepeated)
+        m_verdict->setText(tr("It is the same along the whole primitive: earlier rows of the table "
+                              "show it, and the answer does not count."));
+    else if (!example.isEmpty() && hasBeenSeen())
         m_verdict->setText(tr("It has been seen: the step was done already, and the answer does "
                               "not count."));
     if (!example.isEmpty() && m_left == place())

@@ -32,7 +32,7 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     setObjectName(QStringLiteral("primitives"));
     named(m_tree, "primitivesTree", tr("Primitives in drawing order"));
     m_tree->setModel(m_model);
-    m_tree->setItemDelegate(new CoordinateDelegate(document, m_tree));
+    m_tree->setItemDelegate(new VertexDelegate(document, m_tree));
     m_tree->setUniformRowHeights(true);
     m_tree->setAllColumnsShowFocus(false);
     fitColumns();

@@ -51,11 +51,12 @@ PrimitivesTree::PrimitivesTree(QWidget *parent)
 /// False where the current row has no numbers to edit.
 bool PrimitivesTree::editCurrent()
 {
-    const QModelIndex x = currentIndex().siblingAtColumn(PrimitiveListModel::X);
-    if (!x.flags().testFlag(Qt::ItemIsEditable))
-        return false;
-    if (!currentIndex().flags().testFlag(Qt::ItemIsEditable))
+    if (!currentIndex().flags().testFlag(Qt::ItemIsEditable)) {
+        const QModelIndex x = currentIndex().siblingAtColumn(PrimitiveListModel::X);
+        if (!x.flags().testFlag(Qt::ItemIsEditable))
+            return false;
         setCurrentIndex(x);
+    }
     edit(currentIndex());
     return true;
 }

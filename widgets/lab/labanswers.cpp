@@ -14,8 +14,7 @@ namespace pixelplumb {
 
 namespace {
 
-enum AnswerColumn { BudgetColumn, ContenderColumn, GroundColumn, TimeColumn, ReasonColumn };
-
+constexpr int reasonColumn = 4; ///< of the answers, the last one
 constexpr int leastReason = 320; ///< width of its column, logical pixels
 
 QString groundText(const BudgetAnswer &answer)
@@ -49,75 +48,63 @@ QString middleHalfText(const Spread &spread)
 } // namespace
 
 LabAnswers::LabAnswers(QWidget *parent)
-    : QTableWidget(0, ReasonColumn + 1, parent)
+    : QTableView(parent)
 {
     named(this, "labAnswers", tr("The cheapest contender for each budget"));
-    setHorizontalHeaderLabels(
-        {tr("budget"), tr("cheapest contender"), tr("known by"), tr("ns a pixel"), tr("reason")});
-    for (int column = 0; column <= ReasonColumn; ++column)
-        horizontalHeaderItem(column)->setTextAlignment(
-            (column == TimeColumn ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-    horizontalHeaderItem(BudgetColumn)->setToolTip(tr("What is asked for"));
-    horizontalHeaderItem(ContenderColumn)
-        ->setToolTip(tr("Who gives it for the least time on this family of triangles"));
-    horizontalHeaderItem(GroundColumn)
-        ->setToolTip(tr("Whether it is proved, or was only never seen otherwise in this study. A "
-                        "SIMD kernel is tested to write what the proved plain one does"));
-    horizontalHeaderItem(TimeColumn)->setToolTip(tr("The median of all rounds"));
-    setEditTriggers(QAbstractItemView::NoEditTriggers);
-    setSelectionBehavior(QAbstractItemView::SelectRows);
-    setSelectionMode(QAbstractItemView::SingleSelection);
-    setFrameShape(QFrame::NoFrame);
-    setTabKeyNavigation(false);
+    m_model = new RowsModel<Row>(
+        {{tr("budget"), tr("What is asked for"),
+          [](const Row &row) { return coreWord(textOf(row.answer.budget)); }, Qt::AlignLeft},
+         {tr("cheapest contender"),
+          tr("Who gives it for the least time on this family of triangles"),
+          [](const Row &row) { return row.contender; }, Qt::AlignLeft},
+         {tr("known by"),
+          tr("Whether it is proved, or was only never seen otherwise in this study. A "
+             "SIMD kernel is tested to write what the proved plain one does"),
+          [](const Row &row) { return groundText(row.answer); }, Qt::AlignLeft},
+         {tr("ns a pixel"), tr("The median of all rounds"),
+          [](const Row &row) {
+              const double time = row.answer.nanosecondsPerPixel;
+              return time > 0 ? figureText(time) : QString();
+          }},
+         {tr("reason"), {}, [](const Row &row) { return row.answer.reason; }, Qt::AlignLeft}},
+        this);
+    setModel(m_model);
+    readByRows(this);
     setWordWrap(true);
     verticalHeader()->hide();
     verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    horizontalHeader()->setHighlightSections(false);
-    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    horizontalHeader()->setSectionResizeMode(ReasonColumn, QHeaderView::Stretch);
-    setFont(tabularFont(font()));
-    connect(this, &QTableWidget::itemSelectionChanged, this, [this] {
-        if (currentRow() >= 0)
-            emit contenderSelected(item(currentRow(), BudgetColumn)->data(Qt::UserRole).toString());
-    });
+    horizontalHeader()->setSectionResizeMode(reasonColumn, QHeaderView::Stretch);
+    connect(selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex &current) {
+                if (current.isValid())
+                    emit contenderSelected(
+                        m_model->rows()[std::size_t(current.row())].answer.contender);
+            });
 }
 
 /// The reasons take the remaining width; if that is too little, the table scrolls.
 void LabAnswers::resizeEvent(QResizeEvent *event)
 {
-    QTableWidget::resizeEvent(event);
+    QTableView::resizeEvent(event);
     int others = 0;
-    for (int column = 0; column < ReasonColumn; ++column)
+    for (int column = 0; column < reasonColumn; ++column)
         others += columnWidth(column);
     const bool isRoom = viewport()->width() - others >= leastReason;
-    horizontalHeader()->setSectionResizeMode(ReasonColumn,
+    horizontalHeader()->setSectionResizeMode(reasonColumn,
                                              isRoom ? QHeaderView::Stretch : QHeaderView::Fixed);
     if (!isRoom)
-        setColumnWidth(ReasonColumn, leastReason);
+        setColumnWidth(reasonColumn, leastReason);
 }
 
 void LabAnswers::show(const Study &study, const QString &family)
 {
-    const QSignalBlocker blocker(this);
-    setRowCount(int(allBudgets.size()));
-    for (int row = 0; row < rowCount(); ++row) {
-        const BudgetAnswer answer = cheapestFor(allBudgets[std::size_t(row)], study, family);
+    std::vector<Row> rows;
+    for (const Budget budget : allBudgets) {
+        const BudgetAnswer answer = cheapestFor(budget, study, family);
         const StudyContender *contender = study.contender(answer.contender);
-        const auto put = [this, row](int column, const QString &text) {
-            auto *cell = new QTableWidgetItem(text);
-            cell->setTextAlignment((column == TimeColumn ? Qt::AlignRight : Qt::AlignLeft)
-                                   | Qt::AlignVCenter);
-            cell->setToolTip(text);
-            setItem(row, column, cell);
-        };
-        put(BudgetColumn, coreWord(textOf(answer.budget)));
-        put(ContenderColumn, contender ? contender->label : answer.contender);
-        put(GroundColumn, groundText(answer));
-        put(TimeColumn,
-            answer.nanosecondsPerPixel > 0 ? figureText(answer.nanosecondsPerPixel) : QString());
-        put(ReasonColumn, answer.reason);
-        item(row, BudgetColumn)->setData(Qt::UserRole, answer.contender);
+        rows.push_back({answer, contender ? contender->label : answer.contender});
     }
+    m_model->setRows(std::move(rows));
 }
 
 LabEffects::LabEffects(QWidget *parent)

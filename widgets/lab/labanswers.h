@@ -3,15 +3,15 @@
 
 #include "core/lab/study/budget.h"
 #include "core/lab/study/study.h"
+#include "widgets/look/rowsmodel.h"
 
-#include <QTableWidget>
 #include <QTreeWidget>
 
 namespace pixelplumb {
 
 /// The budgets, a row each: the cheapest contender that meets each on a family, and whether it does
 /// so by proof or by measurement (objectName "labAnswers").
-class LabAnswers : public QTableWidget {
+class LabAnswers : public QTableView {
     Q_OBJECT
 
 public:
@@ -24,6 +24,13 @@ protected:
 
 signals:
     void contenderSelected(const QString &contender);
+
+private:
+    struct Row {
+        BudgetAnswer answer;
+        QString contender; ///< its label
+    };
+    RowsModel<Row> *m_model;
 };
 
 /// What effects cost and correct, a group per scene (objectName "labEffects").

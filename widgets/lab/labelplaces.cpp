@@ -3,7 +3,7 @@
 
 #include "widgets/lab/labtext.h"
 #include "widgets/lab/paretoplot.h"
-#include "widgets/studies/precisionplot.h"
+#include "widgets/studies/accuracy/precisionplot.h"
 
 #include <qcustomplot.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/lab/labmarks.h"
 
-#include "widgets/studies/precisionplot.h"
+#include "widgets/studies/accuracy/precisionplot.h"
 
 #include <array>
 

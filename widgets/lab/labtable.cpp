@@ -68,47 +68,45 @@ struct FigureColumn {
 };
 
 constexpr FigureColumn figureColumns[] = {
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "wrong of a million"),
-     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "wrong of a million"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTable",
                        "wrong pixels of a million: those that differ from the truth"),
      wrongPerMillion, Shown::AsFigure},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "ns a pixel"),
-     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "the median of all rounds"), perPixel,
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "ns a pixel"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTable", "the median of all rounds"), perPixel,
      Shown::AsFigure},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "times assignment's"),
-     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "times assignment's"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTable",
                        "how many times what the assignment's method takes, the "
                        "column scan in float32"),
      timesReference, Shown::AsFigure},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "times straight loop"),
-     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "times straight loop"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTable",
                        "how many times what the shortest loop takes that is written out "
                        "by hand for the same pixels; up to 1.3 is fair"),
      timesStraight, Shown::AsFigure},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "spread, %"),
-     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
-                       "the middle half of all rounds, of their median"),
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "spread, %"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTable", "the middle half of all rounds, of their median"),
      spreadShare, Shown::AsFigure},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "missing ?"),
-     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "samples inside that are not painted"),
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "missing ?"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTable", "samples inside that are not painted"),
      countOf<&AccuracyFigures::missing>, Shown::AsCount},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "extra !"),
-     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "samples outside that are painted"),
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "extra !"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTable", "samples outside that are painted"),
      countOf<&AccuracyFigures::extra>, Shown::AsCount},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "ties ="),
-     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "ties ="),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTable",
                        "samples exactly on the boundary that are missing or extra"),
      ties, Shown::AsCount},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "colours c"),
-     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "pixels that are there in another colour"),
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "colours c"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTable", "pixels that are there in another colour"),
      countOf<&AccuracyFigures::wrongBytes>, Shown::AsCount},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "levels off"),
-     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "the largest error of a byte"),
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "levels off"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTable", "the largest error of a byte"),
      countOf<&AccuracyFigures::largestByteError>, Shown::AsCount},
 };
 
-constexpr int firstFigure = 1; ///< after the contender
-constexpr int outcomeColumn = firstFigure + int(std::size(figureColumns));
+constexpr int costColumn = 2; ///< ns a pixel, after the contender
 
 QString labelOfContender(const Study &study, const QString &id)
 {
@@ -116,102 +114,58 @@ QString labelOfContender(const Study &study, const QString &id)
     return contender ? contender->label : id;
 }
 
+std::vector<RowsColumn<LabTableRow>> columns()
+{
+    std::vector<RowsColumn<LabTableRow>> all;
+    all.push_back(
+        {LabTable::tr("method, arithmetic, kernel"),
+         {},
+         [](const LabTableRow &of) { return labelOfContender(*of.study, of.row->contender); },
+         Qt::AlignLeft});
+    for (const FigureColumn &column : figureColumns)
+        all.push_back({LabTable::tr(column.title), LabTable::tr(column.meaning),
+                       [&column](const LabTableRow &of) {
+                           const Figure figure = column.read(*of.study, *of.row);
+                           if (!figure)
+                               return QString();
+                           return column.shown == Shown::AsCount ? QString::number(*figure, 'f', 0)
+                                                                 : figureText(*figure);
+                       },
+                       Qt::AlignRight,
+                       [&column](const LabTableRow &of, int role) {
+                           const Figure figure = column.read(*of.study, *of.row);
+                           const double last = std::numeric_limits<double>::infinity();
+                           return role == RowsModel<LabTableRow>::SortRole
+                               ? QVariant(figure.value_or(last))
+                               : QVariant();
+                       }});
+    all.push_back({LabTable::tr("remark"),
+                   {},
+                   [](const LabTableRow &of) { return outcomeText(*of.row); },
+                   Qt::AlignLeft});
+    return all;
+}
+
 } // namespace
-
-void LabTableModel::show(const std::shared_ptr<const Study> &results, const QString &family)
-{
-    beginResetModel();
-    m_results = results;
-    m_rows.clear();
-    if (results) {
-        for (const LabRow &row : results->rows) {
-            if (row.family == family)
-                m_rows.push_back(&row);
-        }
-    }
-    endResetModel();
-}
-
-int LabTableModel::rowOf(const QString &contender) const
-{
-    const auto row = std::ranges::find(m_rows, contender, &LabRow::contender);
-    return row == m_rows.end() ? -1 : int(row - m_rows.begin());
-}
-
-int LabTableModel::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : int(m_rows.size());
-}
-
-int LabTableModel::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : outcomeColumn + 1;
-}
-
-QVariant LabTableModel::data(const QModelIndex &index, int role) const
-{
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
-        return {};
-    const LabRow &row = rowAt(index.row());
-    const int column = index.column();
-    if (role == ContenderRole)
-        return row.contender;
-    if (column == 0 || column == outcomeColumn) {
-        if (role == Qt::DisplayRole || role == Qt::ToolTipRole || role == SortRole)
-            return column == 0 ? labelOfContender(*m_results, row.contender) : outcomeText(row);
-        return {};
-    }
-    if (role == Qt::TextAlignmentRole)
-        return int(Qt::AlignRight | Qt::AlignVCenter);
-    const FigureColumn &shown = figureColumns[column - firstFigure];
-    const Figure figure = shown.read(*m_results, row);
-    if (role == SortRole)
-        return figure.value_or(std::numeric_limits<double>::infinity());
-    if (role == Qt::DisplayRole && figure)
-        return shown.shown == Shown::AsCount ? QString::number(*figure, 'f', 0)
-                                             : figureText(*figure);
-    return {};
-}
-
-QVariant LabTableModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || section < 0 || section > outcomeColumn)
-        return {};
-    const bool isFigure = section >= firstFigure && section < outcomeColumn;
-    if (role == Qt::TextAlignmentRole)
-        return int((isFigure ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-    if (role == Qt::ToolTipRole && isFigure)
-        return tr(figureColumns[section - firstFigure].meaning);
-    if (role != Qt::DisplayRole)
-        return {};
-    if (isFigure)
-        return tr(figureColumns[section - firstFigure].title);
-    return section == 0 ? tr("method, arithmetic, kernel") : tr("remark");
-}
 
 LabTable::LabTable(QWidget *parent)
     : QTableView(parent)
-    , m_model(new LabTableModel(this))
+    , m_model(new RowsModel<LabTableRow>(columns(), this))
     , m_sorted(new QSortFilterProxyModel(this))
 {
     named(this, "labTable", tr("Contenders"));
     m_sorted->setSourceModel(m_model);
-    m_sorted->setSortRole(LabTableModel::SortRole);
+    m_sorted->setSortRole(RowsModel<LabTableRow>::SortRole);
     setModel(m_sorted);
     setSortingEnabled(true);
-    sortByColumn(LabTableModel::costColumn, Qt::AscendingOrder);
-    setSelectionBehavior(QAbstractItemView::SelectRows);
-    setSelectionMode(QAbstractItemView::SingleSelection);
-    setFrameShape(QFrame::NoFrame);
+    sortByColumn(costColumn, Qt::AscendingOrder);
+    readByRows(this);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
     setAlternatingRowColors(true);
-    setTabKeyNavigation(false);
     verticalHeader()->hide();
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
-    horizontalHeader()->setHighlightSections(false);
-    setFont(tabularFont(font()));
-    connect(this, &QTableView::activated, this, [this](const QModelIndex &index) {
-        emit contenderActivated(index.data(LabTableModel::ContenderRole).toString());
-    });
+    connect(this, &QTableView::activated, this,
+            [this](const QModelIndex &index) { emit contenderActivated(contenderAt(index)); });
 }
 
 void LabTable::show(const std::shared_ptr<const Study> &results, const QString &family)
@@ -219,7 +173,12 @@ void LabTable::show(const std::shared_ptr<const Study> &results, const QString &
     const QString kept = selected();
     {
         const QScopedValueRollback filling(m_isFilling, true);
-        m_model->show(results, family);
+        std::vector<LabTableRow> rows;
+        for (std::size_t i = 0; results && i < results->rows.size(); ++i) {
+            if (results->rows[i].family == family)
+                rows.push_back({results, &results->rows[i]});
+        }
+        m_model->setRows(std::move(rows));
     }
     resizeColumnsToContents();
     select(kept);
@@ -227,24 +186,26 @@ void LabTable::show(const std::shared_ptr<const Study> &results, const QString &
 
 void LabTable::select(const QString &contender)
 {
-    const int row = m_model->rowOf(contender);
+    const std::vector<LabTableRow> &rows = m_model->rows();
+    const auto found = std::ranges::find_if(
+        rows, [&contender](const LabTableRow &each) { return each.row->contender == contender; });
     const QScopedValueRollback filling(m_isFilling, true);
-    if (row < 0)
-        setCurrentIndex({});
-    else
-        setCurrentIndex(m_sorted->mapFromSource(m_model->index(row, 0)));
+    setCurrentIndex(m_sorted->mapFromSource(m_model->index(int(found - rows.begin()), 0)));
 }
 
-QString LabTable::selected() const
+QString LabTable::selected() const { return contenderAt(currentIndex()); }
+
+QString LabTable::contenderAt(const QModelIndex &index) const
 {
-    return currentIndex().data(LabTableModel::ContenderRole).toString();
+    const int row = m_sorted->mapToSource(index).row();
+    return row < 0 ? QString() : m_model->rows()[std::size_t(row)].row->contender;
 }
 
 void LabTable::currentChanged(const QModelIndex &current, const QModelIndex &previous)
 {
     QTableView::currentChanged(current, previous);
     if (!m_isFilling && current.isValid() && current.row() != previous.row())
-        emit contenderSelected(current.data(LabTableModel::ContenderRole).toString());
+        emit contenderSelected(contenderAt(current));
 }
 
 } // namespace pixelplumb

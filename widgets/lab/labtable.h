@@ -2,9 +2,7 @@
 #pragma once
 
 #include "widgets/lab/labrun.h"
-
-#include <QAbstractTableModel>
-#include <QTableView>
+#include "widgets/look/rowsmodel.h"
 
 #include <memory>
 
@@ -12,35 +10,14 @@ class QSortFilterProxyModel;
 
 namespace pixelplumb {
 
-/// The contenders of a study on one family, a row each. The columns are a table in the source file;
-/// what was not measured is empty and sorts last.
-class LabTableModel : public QAbstractTableModel {
-    Q_OBJECT
-
-public:
-    /// A number to sort by; the text in text columns.
-    static constexpr int SortRole = Qt::UserRole;
-    static constexpr int costColumn = 2; ///< ns a pixel
-    static constexpr int ContenderRole = Qt::UserRole + 1; ///< id
-
-    using QAbstractTableModel::QAbstractTableModel;
-
-    void show(const std::shared_ptr<const Study> &results, const QString &family);
-    /// −1 where the contender is not in the table.
-    int rowOf(const QString &contender) const;
-    const LabRow &rowAt(int row) const { return *m_rows[std::size_t(row)]; }
-
-    int rowCount(const QModelIndex &parent = {}) const final;
-    int columnCount(const QModelIndex &parent = {}) const final;
-    QVariant data(const QModelIndex &index, int role) const final;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const final;
-
-private:
-    std::shared_ptr<const Study> m_results;
-    std::vector<const LabRow *> m_rows; ///< of the family
+/// A contender of a study on one family.
+struct LabTableRow {
+    std::shared_ptr<const Study> study;
+    const LabRow *row = nullptr; ///< of the study
 };
 
-/// The contenders of a study on one family, sorted by any column (objectName "labTable").
+/// The contenders of a study on one family, a row each, sorted by any column (objectName
+/// "labTable"). What was not measured is empty and sorts last.
 class LabTable : public QTableView {
     Q_OBJECT
 
@@ -59,7 +36,10 @@ protected:
     void currentChanged(const QModelIndex &current, const QModelIndex &previous) override;
 
 private:
-    LabTableModel *m_model;
+    /// id; empty where the index is none of a row
+    QString contenderAt(const QModelIndex &index) const;
+
+    RowsModel<LabTableRow> *m_model;
     QSortFilterProxyModel *m_sorted;
     bool m_isFilling = false;
 };

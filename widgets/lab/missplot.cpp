@@ -2,7 +2,7 @@
 #include "widgets/lab/missplot.h"
 
 #include "widgets/look/signs.h"
-#include "widgets/studies/precisionscale.h"
+#include "widgets/studies/accuracy/precisionscale.h"
 
 #include <qcustomplot.h>
 

@@ -4,7 +4,7 @@
 #include "widgets/lab/labtext.h"
 #include "widgets/lab/paretoplot.h"
 #include "widgets/look/signs.h"
-#include "widgets/studies/precisionplot.h"
+#include "widgets/studies/accuracy/precisionplot.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "core/scan/choicenames.h"
 #include "widgets/lab/labtext.h"
-#include "widgets/studies/precisionscale.h"
+#include "widgets/studies/accuracy/precisionscale.h"
 
 #include <QtWidgets>
 #include <qcustomplot.h>

@@ -54,6 +54,16 @@ std::optional<Colour> askForColour(const Colour &colour, const QString &title, Q
     return unpacked(chosen.rgb());
 }
 
+Result<Colour> opaqueColour(const QString &text)
+{
+    const Result<BlendedColour> read = parseColour(text.trimmed());
+    if (read && read->alpha == 255)
+        return read->colour;
+    return InputError{{},
+                      read ? ColourButton::tr("“%1” has an opacity").arg(text) : read.error().found,
+                      ColourButton::tr("#rrggbb in hexadecimal digits")};
+}
+
 QIcon swatch(const Colour &colour, const QPalette &palette)
 {
     constexpr int side = 16;

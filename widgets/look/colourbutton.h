@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/colour.h"
+#include "core/scene/text/result.h"
 
 #include <QToolButton>
 
@@ -36,6 +37,8 @@ private:
 
 /// Asks a person for a colour; none when the dialog was closed without one.
 std::optional<Colour> askForColour(const Colour &colour, const QString &title, QWidget *parent);
+/// Reads "#rrggbb": a colour without an opacity of its own.
+Result<Colour> opaqueColour(const QString &text);
 /// A square of the colour, framed so that it shows on any background.
 QIcon swatch(const Colour &colour, const QPalette &palette);
 

@@ -27,6 +27,7 @@ class DisplayOptions : public QObject {
     Q_PROPERTY(bool clippingShown READ isClippingShown WRITE setClippingShown NOTIFY changed)
     Q_PROPERTY(bool hexadecimal READ isHexadecimal WRITE setHexadecimal NOTIFY changed)
     Q_PROPERTY(bool truthShown READ isTruthShown WRITE setTruthShown NOTIFY changed)
+    Q_PROPERTY(bool studentShown READ isStudentShown WRITE setStudentShown NOTIFY changed)
     Q_PROPERTY(QStringList layers READ layers WRITE setLayers NOTIFY changed)
 
 public:
@@ -43,6 +44,8 @@ public:
     }
     /// Whether the oracle's finished picture is shown instead of the frame at the position.
     bool isTruthShown() const { return m_truth; }
+    /// Whether the student's picture is shown instead of the frame at the position.
+    bool isStudentShown() const { return m_student; }
     /// The ids of the layers that lie over the frame.
     const QStringList &layers() const { return m_layers; }
     /// The image to which the affine-map layer takes a triangle; none: that of its first map.
@@ -61,6 +64,7 @@ public slots:
     void setClippingShown(bool shown) { change(m_clipping, shown); }
     void setHexadecimal(bool hexadecimal) { change(m_hexadecimal, hexadecimal); }
     void setTruthShown(bool shown) { change(m_truth, shown); }
+    void setStudentShown(bool shown) { change(m_student, shown); }
     void setLayers(const QStringList &ids)
     {
         if (m_layers == ids)
@@ -93,6 +97,7 @@ private:
     bool m_clipping = false;
     bool m_hexadecimal = false;
     bool m_truth = false;
+    bool m_student = false;
     QStringList m_layers;
     std::optional<AffineImage> m_affineImage;
 };

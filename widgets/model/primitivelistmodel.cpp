@@ -22,8 +22,7 @@ namespace {
 
 /// The internal id of a primitive's row; a vertex's is its primitive's row + 1, so that 0 is free.
 constexpr quintptr ofPrimitive = 0;
-/// In place of a primitive's number.
-constexpr int ofSolid = std::numeric_limits<int>::min();
+constexpr int ofSolid = std::numeric_limits<int>::min(); ///< in place of a primitive's number
 
 int rowOf(const QModelIndex &vertex) { return int(vertex.internalId()) - 1; }
 
@@ -33,7 +32,6 @@ bool haveOneColour(std::span<const Vertex> vertices)
         vertices, [&](const Vertex &vertex) { return vertex.colour == vertices[0].colour; });
 }
 
-/// The colour of the vertices, or the word for several colours.
 QVariant colourData(std::span<const Vertex> vertices, int role)
 {
     const Colour &first = vertices.front().colour;
@@ -42,7 +40,9 @@ QVariant colourData(std::span<const Vertex> vertices, int role)
         return swatch(first, QGuiApplication::palette());
     if (role != Qt::DisplayRole && role != Qt::EditRole)
         return {};
-    return isOne ? colourText(first) : PrimitiveListModel::tr("several");
+    if (isOne)
+        return colourText(first);
+    return role == Qt::EditRole ? QString() : PrimitiveListModel::tr("several");
 }
 
 } // namespace
@@ -164,6 +164,8 @@ Qt::ItemFlags PrimitiveListModel::flags(const QModelIndex &index) const
         return {};
     const bool isCoordinate = index.column() == X || index.column() == Y;
     const Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+    if (index.column() == ColourText && refAt(index))
+        return flags | Qt::ItemIsEditable;
     if (!isPrimitive(index))
         return isCoordinate ? flags | Qt::ItemIsEditable : flags;
     return index.column() == Name ? flags | Qt::ItemIsUserCheckable : flags;
@@ -256,6 +258,14 @@ bool PrimitiveListModel::setData(const QModelIndex &index, const QVariant &value
     }
     if (role != Qt::EditRole || !flags(index).testFlag(Qt::ItemIsEditable))
         return false;
+    if (index.column() == ColourText) {
+        const Result<Colour> colour = opaqueColour(value.toString());
+        if (colour && isPrimitive(index))
+            m_document->setPrimitiveColour(refAt(index)->primitive, *colour);
+        else if (colour)
+            m_document->setVertexColour(*refAt(index), *colour);
+        return colour.isOk();
+    }
     const Result<SnappedNumber> number = parseCoordinate(value.toString());
     const VertexRef ref = *refAt(index);
     const std::optional<Vertex> vertex = m_document->vertexAt(ref);

@@ -8,7 +8,7 @@
 namespace pixelplumb {
 
 /// The document's triangles and shapes in drawing order, each with a check box to show or hide it,
-/// and below each its vertices in file order with their editable coordinates and their colours.
+/// and below each its vertices in file order with their coordinates and colours, all editable.
 /// Hidden primitives keep their places, but have no numbers and no vertices. Solids come between
 /// triangles and shapes; a solid's triangles do not count among the document's.
 class PrimitiveListModel : public QAbstractItemModel {
@@ -37,8 +37,8 @@ public:
     int columnCount(const QModelIndex &parent = {}) const override;
     Qt::ItemFlags flags(const QModelIndex &index) const override;
     QVariant data(const QModelIndex &index, int role) const override;
-    /// Sets a coordinate from text: "26", "26.5" or "53/2"; or whether a primitive is checked and
-    /// shown.
+    /// Sets a coordinate from text: "26", "26.5" or "53/2"; a colour, of all vertices in the row of
+    /// a primitive: "#a06f30"; or whether a primitive is checked and shown.
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 

@@ -47,6 +47,7 @@ SceneDocument::SceneDocument(QObject *parent)
         if (clean)
             markSaved();
     });
+    markSaved();
 }
 
 SceneDocument::~SceneDocument()
@@ -165,6 +166,7 @@ void SceneDocument::reset(Scene scene)
     if (const Method *method = methodNamed(QString::fromStdString(scene.method)))
         scene.settings = method->adapted(asked);
     m_scene = std::move(scene);
+    m_snapshot.reset();
     m_pending.clear();
     m_chosenColour.reset();
     m_selected.reset();

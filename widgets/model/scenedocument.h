@@ -43,9 +43,9 @@ public:
     const std::vector<Vertex> &pendingVertices() const { return m_pending; }
     QUndoStack *undoStack() { return &m_undoStack; }
     /// Whether closing would lose something: the primitives, settings or pending vertices differ
-    /// from the saved ones. Vertices that were discarded or undone do not count, nor does another
+    /// from the saved ones. What was changed and changed back does not count, nor does another
     /// method, which only shows the same scene in another way.
-    bool isModified() const { return m_state != m_savedState || m_pending != m_savedPending; }
+    bool isModified() const;
 
     Snap snap() const { return m_snap; }
     /// What placed vertices become: the kind that the scene's method draws.
@@ -174,6 +174,7 @@ private:
     void exchange(const ScenePiece &before, const ScenePiece &after, int state);
     void tellRenumbering(const ScenePiece &before, const ScenePiece &after);
     void tellModified();
+    bool hasSavedScene() const;
     bool accepts(const LatticePoint &position);
     void followMotion();
     void tellSceneChanged();
@@ -189,6 +190,7 @@ private:
     int m_state = 0;
     int m_lastState = 0;
     int m_savedState = 0;
+    std::shared_ptr<const Scene> m_savedScene; ///< null: none counts as saved
     std::vector<Vertex> m_savedPending;
     bool m_toldModified = false;
     Snap m_snap = Snap::Pixel;

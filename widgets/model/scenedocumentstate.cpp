@@ -83,6 +83,7 @@ void SceneDocument::markSaved()
 {
     m_undoStack.setClean();
     m_savedState = m_state;
+    m_savedScene = snapshot();
     m_savedPending = m_pending;
     tellModified();
 }
@@ -91,14 +92,35 @@ void SceneDocument::markUnsaved()
 {
     m_undoStack.resetClean();
     m_savedState = noState;
+    m_savedScene.reset();
     tellModified();
+}
+
+bool SceneDocument::isModified() const
+{
+    return m_pending != m_savedPending || (m_state != m_savedState && !hasSavedScene());
+}
+
+/// Whether the scene is the saved one, perhaps by another method and the settings it supports.
+bool SceneDocument::hasSavedScene() const
+{
+    if (!m_savedScene)
+        return false;
+    const Scene &saved = *m_savedScene;
+    ScenePiece before = pixelplumb::pieceAtEnd(saved);
+    before.scene.method = m_scene.method;
+    if (const Method *method = methodNamed(QString::fromStdString(m_scene.method)))
+        before.scene.settings = method->adapted(saved.settings);
+    return before == pixelplumb::pieceAtEnd(m_scene) && saved.triangles == m_scene.triangles
+        && saved.attributes == m_scene.attributes && saved.solids == m_scene.solids
+        && saved.shapes == m_scene.shapes;
 }
 
 void SceneDocument::tellModified()
 {
     if (isModified() == m_toldModified)
         return;
-    m_toldModified = isModified();
+    m_toldModified = !m_toldModified;
     emit modifiedChanged(m_toldModified);
 }
 

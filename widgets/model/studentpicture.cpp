@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/model/studentpicture.h"
 
+#include "core/grade/class/grader.h"
 #include "core/grade/class/resultsfolder.h"
 #include "core/grade/diagnose/undecidable.h"
 #include "core/methods/method.h"
@@ -9,6 +10,7 @@
 #include "widgets/look/typesetting.h"
 #include "widgets/model/scenetracer.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace pixelplumb {
@@ -101,6 +103,30 @@ std::optional<QPoint> PictureJudgement::differenceAfter(const std::optional<QPoi
     const std::optional<std::size_t> place = pixel ? placeOf(*pixel) : std::nullopt;
     const auto next = place ? firstFrom(*place + 1, *this, differs) : std::nullopt;
     return next ? next : firstFrom(0, *this, differs);
+}
+
+JudgedFrames::JudgedFrames(std::shared_ptr<const PictureJudgement> judgement)
+    : m_judgement(std::move(judgement))
+    , m_found(m_judgement->frame)
+    , m_expected(m_judgement->frame)
+{
+    const auto fill = [](const FrameBuffer &frame, const QImage &image) {
+        for (int line = 0; line < image.height(); ++line) {
+            const auto *const pixels = reinterpret_cast<const QRgb *>(image.constScanLine(line));
+            std::copy_n(
+                pixels, image.width(),
+                frame.view().at(frame.spec().firstColumn, rowOfPictureLine(frame.spec(), line)));
+        }
+    };
+    fill(m_found, imageOf(m_judgement->found));
+    fill(m_expected, imageOf(m_judgement->expected));
+}
+
+const JudgedFrames &StudentPicture::frames() const
+{
+    if (!m_frames || m_frames->judgement() != m_judgement)
+        m_frames.emplace(m_judgement);
+    return *m_frames;
 }
 
 StudentPicture::StudentPicture(QObject *parent)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/frame/framebuffer.h"
 #include "core/grade/pictures/picturediff.h"
 #include "core/grade/rounding/margin.h"
 #include "widgets/model/job.h"
@@ -31,6 +32,21 @@ struct PictureJudgement {
     std::optional<QPoint> differenceAfter(const std::optional<QPoint> &pixel) const;
 };
 
+/// The two pictures of a judgement as frames.
+class JudgedFrames {
+public:
+    explicit JudgedFrames(std::shared_ptr<const PictureJudgement> judgement);
+
+    const std::shared_ptr<const PictureJudgement> &judgement() const { return m_judgement; }
+    const FrameBuffer &found() const { return m_found; }
+    const FrameBuffer &expected() const { return m_expected; }
+
+private:
+    std::shared_ptr<const PictureJudgement> m_judgement;
+    FrameBuffer m_found;
+    FrameBuffer m_expected;
+};
+
 /// The picture that a student's program drew of the current scene, judged anew whenever the scene
 /// changes: in a worker thread where that may take more than a moment. A judging in progress is
 /// finished and shown, so that a long drag is seen moving.
@@ -49,6 +65,8 @@ public:
     /// Null where there is no picture, none of the scene's size, or the first judging is still
     /// running.
     const std::shared_ptr<const PictureJudgement> &judgement() const { return m_judgement; }
+    /// The pictures of the judgement, which must be there.
+    const JudgedFrames &frames() const;
     /// What it may have otherwise than the expected picture.
     const Margin &margin() const { return m_margin; }
     void setMargin(const Margin &margin);
@@ -98,6 +116,7 @@ private:
     enum class Next { Nothing, Judging };
     Next m_next = Next::Nothing; ///< after the current judging
     std::shared_ptr<const PictureJudgement> m_judgement;
+    mutable std::optional<JudgedFrames> m_frames; ///< of m_judgement, or of an earlier one
     Job m_reading;
     Job m_judging;
 };

@@ -4,7 +4,7 @@
 #include "core/runs/tracedscene.h"
 #include "core/scene/scenefile.h"
 #include "widgets/look/parts.h"
-#include "widgets/studies/hardcasespicture.h"
+#include "widgets/studies/cases/hardcasespicture.h"
 
 #include <QtWidgets>
 

@@ -152,8 +152,10 @@ void FirstArrangement::arrangePixelPanels()
 {
     const Sharing chosen = sharing();
     const bool isSpread = chosen == Sharing::Spread;
+    // The numbers of the assignment need the whole width of a small window.
     m_window->setCorner(Qt::BottomRightCorner,
-                        isSpread ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea);
+                        chosen == Sharing::Paired ? Qt::RightDockWidgetArea
+                                                  : Qt::BottomDockWidgetArea);
     if (isSpread)
         m_window->splitDockWidget(m_usual.columns, m_usual.pixelHistory, Qt::Horizontal);
     if (chosen == Sharing::Tabbed)
@@ -201,8 +203,9 @@ void FirstArrangement::resizeStep()
     const int height = m_window->height();
     const int right = std::min(std::max(width * 37 / 100, m_usual.formulaWidth), width * 45 / 100);
     m_window->resizeDocks({m_usual.formula}, {right}, Qt::Horizontal);
+    const int most = sharing() == Sharing::Tabbed ? 28 : 36; // percent; it takes from the formulas
     const int columns
-        = std::clamp(m_usual.columns->sizeHint().height(), height * 22 / 100, height * 36 / 100);
+        = std::clamp(m_usual.columns->sizeHint().height(), height * 22 / 100, height * most / 100);
     m_window->resizeDocks({m_usual.columns}, {columns}, Qt::Vertical);
     if (sharing() == Sharing::Spread)
         m_window->resizeDocks({m_usual.columns, m_usual.pixelHistory}, {width - right, right},

@@ -5,6 +5,7 @@
 #include "widgets/canvas/imagehandles.h"
 #include "widgets/dialogs/gotodialog.h"
 #include "widgets/dialogs/keysheet.h"
+#include "widgets/dialogs/manual.h"
 #include "widgets/files/recentfiles.h"
 #include "widgets/files/sceneexports.h"
 #include "widgets/files/scenefiles.h"
@@ -197,9 +198,9 @@ HelpMenu::HelpMenu(QMenuBar *bar)
     , m_bar(bar)
 {
     setObjectName(QStringLiteral("helpMenu"));
-    QAction *keys
-        = addMenuAction(this, "showKeys", tr("&Keys and mouse"), {}, [this] { showKeys(); });
-    keys->setShortcuts({QKeySequence(Qt::Key_Question), QKeySequence(Qt::Key_F1)});
+    addMenuAction(this, "showManual", tr("&Manual"), Qt::Key_F1, [this] { showManual(); });
+    addMenuAction(this, "showKeys", tr("&Keys and mouse"), Qt::Key_Question,
+                  [this] { showKeys(); });
     QAction *whatsThis
         = addMenuAction(this, "whatsThis", tr("&What's This?"), Qt::SHIFT | Qt::Key_F1,
                         [this] { enterWhatsThis(m_bar->window()); });
@@ -222,6 +223,15 @@ void HelpMenu::showKeys()
     auto *sheet = new KeySheet(menus(), m_bar->window());
     sheet->setAttribute(Qt::WA_DeleteOnClose);
     sheet->show();
+}
+
+void HelpMenu::showManual()
+{
+    const QList<ManualPage> ofTheWindow = {{tr("Panels"), {}, panelsHtml(m_bar->window())},
+                                           {tr("Keys and mouse"), {}, keySheetHtml(menus())}};
+    auto *manual = new Manual(manualPages(ofTheWindow), m_bar->window());
+    manual->setAttribute(Qt::WA_DeleteOnClose);
+    manual->show();
 }
 
 void HelpMenu::showAbout()

@@ -45,7 +45,7 @@ public:
     StepMenu(const WindowParts &parts, QWidget *window);
 };
 
-/// The key sheet, made from the menu bar's menus, What's This, and the About box.
+/// The manual; the key sheet, made from the menu bar's menus; What's This; the About box.
 class HelpMenu : public QMenu {
     Q_OBJECT
 
@@ -56,6 +56,7 @@ public:
     QList<QMenu *> menus() const;
 
 private:
+    void showManual();
     void showKeys();
     void showAbout();
 

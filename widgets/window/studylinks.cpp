@@ -8,20 +8,28 @@
 #include "widgets/lab/accuracylab.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/messagebar.h"
+#include "widgets/look/parts.h"
+#include "widgets/look/typesetting.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/model/studentpicture.h"
-#include "widgets/studies/comparepanel.h"
-#include "widgets/studies/gradebook.h"
-#include "widgets/studies/gradingpanel.h"
-#include "widgets/studies/hardcasespanel.h"
-#include "widgets/studies/openings.h"
-#include "widgets/studies/precisionpanel.h"
-#include "widgets/studies/submissionpanel.h"
+#include "widgets/studies/accuracy/precisionpanel.h"
+#include "widgets/studies/cases/hardcasespanel.h"
+#include "widgets/studies/compare/comparepanel.h"
+#include "widgets/studies/grade/gradebook.h"
+#include "widgets/studies/grade/gradingpanel.h"
+#include "widgets/studies/grade/openings.h"
+#include "widgets/studies/grade/submissionpanel.h"
 #include "widgets/window/examplesdialog.h"
 #include "widgets/window/mainwindow.h"
 #include "widgets/window/windowdocks.h"
 #include "widgets/window/workspaces.h"
+
+#include <QMessageBox>
+
+#include <functional>
+#include <memory>
+#include <utility>
 
 namespace pixelplumb {
 
@@ -42,7 +50,10 @@ DefectStepper *connectDiagnosis(const WindowParts &parts, WindowDocks &docks, Ma
 {
     auto *stepper = new DefectStepper(parts.document, parts.student, window);
     QObject::connect(stepper, &DefectStepper::opened, window,
-                     [window](std::size_t position) { window->setOpeningPlace(position); });
+                     [window, options = parts.options](std::size_t position) {
+                         options->setStudentShown(false);
+                         window->setOpeningPlace(position);
+                     });
     docks.whenBuilt<SubmissionPanel>([&docks, stepper](SubmissionPanel *panel) {
         DiagnosisView *diagnosis = panel->diagnosis();
         QObject::connect(diagnosis, &DiagnosisView::openRequested, stepper, &DefectStepper::open);
@@ -59,6 +70,52 @@ DefectStepper *connectDiagnosis(const WindowParts &parts, WindowDocks &docks, Ma
             });
     });
     return stepper;
+}
+
+/// Says that a file is not what was asked for, and offers what it is for.
+void offer(const char *name, const QString &text, const QString &question, const QString &answer,
+           QWidget *window, const std::function<void()> &accepted)
+{
+    auto *box = named(new QMessageBox(QMessageBox::Question, {}, text, QMessageBox::Cancel, window),
+                      name);
+    box->setTextFormat(Qt::PlainText); // a name may look like HTML
+    box->setInformativeText(question);
+    box->setDefaultButton(box->addButton(answer, QMessageBox::AcceptRole));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    QObject::connect(box, &QMessageBox::finished, window, [box, accepted] {
+        if (box->buttonRole(box->clickedButton()) == QMessageBox::AcceptRole)
+            accepted();
+    });
+    box->open();
+}
+
+/// Connects what is opened as a scene and is an assignment, and the other way round.
+void connectMixedUpFiles(const WindowParts &parts, WindowDocks &docks, MainWindow *window)
+{
+    // Queued: the window may not be shown yet, or another dialog is still closing.
+    QObject::connect(
+        parts.files, &SceneFiles::assignmentMet, window,
+        [&docks, window](const QString &path) {
+            offer("assignmentMet",
+                  MainWindow::tr("“%1” is an assignment, not a scene.").arg(shownName(path)),
+                  MainWindow::tr("A folder of submissions is graded by it."),
+                  MainWindow::tr("&Grade a folder…"), window,
+                  [&docks, path] { docks.raise<GradingPanel>()->gradeBy(path); });
+        },
+        Qt::QueuedConnection);
+    docks.whenBuilt<GradingPanel>([parts, window](GradingPanel *grading) {
+        QObject::connect(
+            grading, &GradingPanel::sceneMet, window,
+            [parts, window](const QString &path) {
+                offer("sceneMet",
+                      MainWindow::tr("“%1” is a scene, not an assignment.").arg(shownName(path)),
+                      MainWindow::tr("An assignment names the scenes that submissions draw, and "
+                                     "what each is worth."),
+                      MainWindow::tr("&Open the scene"), window,
+                      [parts, path] { parts.files->openFile(path); });
+            },
+            Qt::QueuedConnection);
+    });
 }
 
 /// Connects grading: a graded picture opens in Submission, at its first difference.
@@ -84,6 +141,8 @@ void connectGrading(const WindowParts &parts, WindowDocks &docks, DefectStepper 
                          &SubmissionPanel::lookAt);
     });
     QObject::connect(opening, &SubmissionOpening::pixelReached, window, raise);
+    QObject::connect(opening, &SubmissionOpening::arrived, parts.options,
+                     [options = parts.options] { options->setStudentShown(true); });
 }
 
 /// Connects a student's picture: its marks and its verdict are shown at once.
@@ -93,8 +152,17 @@ void connectSubmission(const WindowParts &parts, WindowDocks &docks, MainWindow 
     QObject::connect(parts.student, &StudentPicture::taken, window, [&docks, parts] {
         parts.options->setDifferencesShown(true);
         parts.options->setTruthShown(false);
+        parts.options->setStudentShown(true);
         docks.raise<SubmissionPanel>();
     });
+    // Who steps wants to see the run; another run is no step.
+    QObject::connect(parts.playhead, &Playhead::positionChanged, parts.options,
+                     [parts, stepped = std::weak_ptr<const TracedScene>()]() mutable {
+                         const auto traced = parts.playhead->sharedTraced();
+                         const auto before = std::exchange(stepped, traced).lock();
+                         if (traced && traced == before)
+                             parts.options->setStudentShown(false);
+                     });
     docks.whenBuilt<SubmissionPanel>([pictures = parts.pictures](SubmissionPanel *panel) {
         QObject::connect(panel, &SubmissionPanel::openRequested, pictures,
                          &StudentPictureFiles::open);
@@ -150,6 +218,7 @@ void connectLab(const WindowParts &parts, WindowDocks &docks, DifferenceOpening 
 void connectStudies(const WindowParts &parts, WindowDocks &docks, MainWindow *window)
 {
     connectSubmission(parts, docks, window);
+    connectMixedUpFiles(parts, docks, window);
     auto *opening = new DifferenceOpening(parts.files, parts.playhead, window);
     docks.whenBuilt<HardCasesPanel>([&docks, opening](HardCasesPanel *cases) {
         QObject::connect(cases, &HardCasesPanel::openRequested, opening, &DifferenceOpening::open);

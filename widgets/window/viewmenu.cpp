@@ -8,6 +8,7 @@
 #include "widgets/look/menuaction.h"
 #include "widgets/look/paletteswitch.h"
 #include "widgets/model/scenedocument.h"
+#include "widgets/model/studentpicture.h"
 #include "widgets/window/windowdocks.h"
 #include "widgets/window/workspaces.h"
 
@@ -76,6 +77,15 @@ void ViewMenu::addOptions(const WindowParts &parts)
                                  "picture: ? missing, ! extra, c colour (D)"),
                               Qt::Key_D, &DisplayOptions::areDifferencesShown,
                               &DisplayOptions::setDifferencesShown);
+    QAction *student = addOption(
+        "showStudent", tr("Stude&nt's picture"), tr("student"),
+        tr("The student's picture instead of the frame; while Shift is held, the expected one (S)"),
+        Qt::Key_S, &DisplayOptions::isStudentShown, &DisplayOptions::setStudentShown);
+    const auto offer = [student, picture = parts.student] {
+        student->setEnabled(picture->judgement() != nullptr);
+    };
+    connect(parts.student, &StudentPicture::judged, student, offer);
+    offer();
     const QString clippingTip = tr("The current triangle's face as clipped by the near plane, and "
                                    "the triangles that it is drawn as (N)");
     QAction *clipping

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/window/whatsthis.h"
 
+#include "widgets/look/menuaction.h"
+#include "widgets/window/panels.h"
+#include "widgets/window/workspaces.h"
+
 #include <QtWidgets>
 
 #include <algorithm>
@@ -136,12 +140,13 @@ constexpr PartExplanation explanations[] = {
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",
          "The scene's primitives in drawing order. The box before a name shows or hides the "
-         "primitive, coordinates are typed in place, and the buttons below, which a right click "
+         "primitive, coordinates and colours are typed in place, and the buttons below, which a "
+         "right click "
          "shows as a menu, move, recolour and delete it.")},
     {"submissionDock",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
                        "How a student's picture, dropped on the window or pasted, differs from the "
-                       "expected one, by cause, with both pictures side by side; Name the bug "
+                       "expected one, by cause, with both pictures; Name the bug "
                        "looks for known defects that draw it.")},
     {"gradingDock",
      QT_TRANSLATE_NOOP(
@@ -173,8 +178,7 @@ constexpr PartExplanation explanations[] = {
                        "rounding, and its printed variants with their faults.")},
     {"helpMenu",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
-                       "All keys, other keys for the actions, and what the parts of the window "
-                       "are.")},
+                       "The manual, all keys, and what the parts of the window are.")},
 };
 
 /// A part's explanation; empty where the table has none.
@@ -209,6 +213,22 @@ void explainParts(QWidget *window)
         const QString text = explanationOf(part->objectName());
         part->setWhatsThis(text.isEmpty() ? part->toolTip() : text);
     }
+}
+
+QString panelsHtml(const QWidget *window)
+{
+    QString html;
+    for (const Panel &panel : panels()) {
+        const auto *dock = window->findChild<QDockWidget *>(QLatin1String(panel.dock));
+        const auto *toggle
+            = window->findChild<QAction *>(QLatin1String(panel.dock) + QStringLiteral("Toggle"));
+        html += QStringLiteral("<h3>%1 &nbsp;<small>%2 · %3</small></h3><p>%4</p>")
+                    .arg(dock->windowTitle().toHtmlEscaped(),
+                         withoutMnemonic(titleOf(panel.workspace)),
+                         toggle->shortcut().toString(QKeySequence::NativeText),
+                         explanationOf(QLatin1String(panel.dock)).toHtmlEscaped());
+    }
+    return html;
 }
 
 void enterWhatsThis(QWidget *window)

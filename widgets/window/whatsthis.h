@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
+
 class QWidget;
 
 namespace pixelplumb {
@@ -9,6 +11,9 @@ namespace pixelplumb {
 /// the part's object name; a part without a sentence gets its current tool tip. Menus explain
 /// entries that have neither.
 void explainParts(QWidget *window);
+
+/// A page of the manual: each panel with its workspace, its key and its explanation.
+QString panelsHtml(const QWidget *window);
 
 /// Enters What's This mode: the next click explains what it hits instead of acting.
 void enterWhatsThis(QWidget *window);

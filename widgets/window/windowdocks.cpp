@@ -7,13 +7,14 @@
 #include "widgets/inspect/pixelhistorypanel.h"
 #include "widgets/inspect/predictpanel.h"
 #include "widgets/lab/accuracylab.h"
-#include "widgets/studies/gradingpanel.h"
-#include "widgets/studies/motionpanel.h"
+#include "widgets/studies/accuracy/motionpanel.h"
+#include "widgets/studies/grade/gradingpanel.h"
 #include "widgets/window/firstarrangement.h"
 #include "widgets/window/paneldock.h"
 #include "widgets/window/workspaces.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QMainWindow>
 
 #include <utility>
@@ -25,14 +26,15 @@ namespace {
 /// The longest usual line of a formula with its value, logical pixels.
 constexpr int formulaWidth = 440;
 
-/// Gives the focus to a panel's focus proxy, to the panel itself, or to its first part that Tab
-/// would reach.
-void giveFocus(QWidget *panel)
+/// Gives the focus to a panel's focus proxy, to the panel itself, to its first part that Tab would
+/// reach, or else to its dock.
+void giveFocus(QDockWidget *dock)
 {
+    QWidget *panel = dock->widget();
     const auto takes = [](const QWidget *part, Qt::FocusPolicy policy) {
         return (part->focusPolicy() & policy) == policy && part->isEnabled() && part->isVisible();
     };
-    if (panel->focusProxy() || panel->focusPolicy() != Qt::NoFocus) {
+    if (panel->isEnabled() && (panel->focusProxy() || panel->focusPolicy() != Qt::NoFocus)) {
         panel->setFocus(Qt::ShortcutFocusReason);
         return;
     }
@@ -43,6 +45,13 @@ void giveFocus(QWidget *panel)
         part->setFocus(Qt::ShortcutFocusReason);
         return;
     }
+    dock->setFocus(Qt::ShortcutFocusReason);
+}
+
+bool hasFocus(const QDockWidget &dock)
+{
+    const QWidget *focus = QApplication::focusWidget();
+    return focus && (focus == &dock || dock.isAncestorOf(focus));
 }
 
 } // namespace
@@ -96,7 +105,8 @@ void WindowDocks::add(const Panel &panel, const WindowParts &parts)
 }
 
 /// Adds an action that shows a dock or brings it to the front; Qt's own would hide a dock that is a
-/// tab behind another.
+/// tab behind another. Its key gives a dock in front the focus first, and closes it where it has it
+/// already.
 void WindowDocks::addToggle(QDockWidget *dock)
 {
     auto *toggle = new QAction(dock->windowTitle(), dock);
@@ -106,13 +116,17 @@ void WindowDocks::addToggle(QDockWidget *dock)
     toggle->installEventFilter(this);
     connect(toggle, &QAction::triggered, this, [this, dock, toggle] {
         const bool isByKey = std::exchange(m_keyed, nullptr) == toggle;
-        if (isInFront(*dock))
+        const bool hadFocus = hasFocus(*dock);
+        if (isInFront(*dock) && (hadFocus || !isByKey)) {
             dock->close();
-        else
+            if (hadFocus)
+                m_window->centralWidget()->setFocus();
+        } else if (!isInFront(*dock)) {
             raise(dock);
+        }
         toggle->setChecked(isInFront(*dock));
         if (isByKey && toggle->isChecked())
-            giveFocus(dock->widget());
+            giveFocus(dock);
     });
     connect(dock, &QDockWidget::visibilityChanged, toggle, &QAction::setChecked);
     connect(dock, &QDockWidget::windowTitleChanged, toggle, &QAction::setText);

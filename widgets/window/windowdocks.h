@@ -21,7 +21,7 @@ public:
 
     QList<QDockWidget *> all() const { return m_docks; }
     /// One action per dock, in their order: brings the dock to the front, or hides it if it is
-    /// there already.
+    /// there already; by key, only if it has the focus as well.
     QList<QAction *> toggles() const { return m_toggles; }
     /// The dock of the panel with this class.
     template <class Widget>

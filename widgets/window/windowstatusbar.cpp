@@ -14,7 +14,7 @@
 #include "widgets/model/scenetracer.h"
 #include "widgets/model/steptext.h"
 #include "widgets/model/studentpicture.h"
-#include "widgets/studies/submissionview.h"
+#include "widgets/studies/grade/submissionview.h"
 
 #include <QtWidgets>
 

@@ -111,6 +111,10 @@ inline constexpr int assignmentFormat = 1;
 Result<Assignment> readAssignment(const QByteArray &text, const QString &folder = {});
 Result<Assignment> readAssignmentFile(const QString &path);
 
+/// What a JSON file says that it is, whether or not the rest of it can be read.
+enum class FileKind { Scene, Assignment, Other };
+FileKind kindOfFile(const QString &path);
+
 /// Writes it whole, with its scenes: equal assignments give equal bytes.
 QByteArray writeAssignment(const Assignment &assignment);
 

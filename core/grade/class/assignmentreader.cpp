@@ -19,6 +19,7 @@ namespace pixelplumb {
 namespace {
 
 const QString formatKey = QStringLiteral("pixelplumbAssignment");
+const QString sceneKey = QStringLiteral("pixelplumb");
 
 /// Reads the parts of an assignment from JSON; errors stay with the JsonReader.
 class AssignmentReader {
@@ -65,6 +66,9 @@ private:
         const JsonNode format = root[formatKey];
         if (root.isObject() && !format.isMissing())
             m_json.integer(format, 1, assignmentFormat);
+        else if (const JsonNode other = root[sceneKey]; !other.isMissing())
+            m_json.fail(other, QStringLiteral("this is a scene"),
+                        QStringLiteral("an assignment, by which submissions are graded"));
         else
             m_json.fail(
                 format, QStringLiteral("no format number: this is no assignment"),
@@ -233,6 +237,19 @@ Result<Assignment> readAssignment(const QByteArray &text, const QString &folder)
     if (json.hasFailed())
         return json.error();
     return assignment;
+}
+
+FileKind kindOfFile(const QString &path)
+{
+    const Result<QByteArray> text = readRegularFile(path);
+    if (!text)
+        return FileKind::Other;
+    const JsonReader json(*text);
+    if (json.hasFailed() || !json.root().isObject())
+        return FileKind::Other;
+    if (!json.root()[formatKey].isMissing())
+        return FileKind::Assignment;
+    return json.root()[sceneKey].isMissing() ? FileKind::Other : FileKind::Scene;
 }
 
 Result<Assignment> readAssignmentFile(const QString &path)

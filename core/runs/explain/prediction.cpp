@@ -44,16 +44,57 @@ bool isTakenOver(const QString &symbols)
         && symbols == assignedIn(symbols) + QStringLiteral(" ← ") + computed;
 }
 
-/// What need not be asked: a count of spans, which the question itself names, and what has not
-/// changed since an earlier span, from which it could be copied.
-bool isGiven(const std::vector<NumberDescription> &numbers, const std::vector<bool> &constant,
-             const QString &title)
+/// A count of spans, which the question itself names.
+bool isPlace(const std::vector<NumberDescription> &numbers, const QString &title)
+{
+    return std::ranges::any_of(numbers, [&title](const NumberDescription &number) {
+        return number.title == title && number.group == NumberGroup::Position;
+    });
+}
+
+/// Whether it has not changed since an earlier span, from which it could be copied.
+bool isRepeated(const std::vector<NumberDescription> &numbers, const std::vector<bool> &constant,
+                const QString &title)
 {
     for (std::size_t i = 0; i < std::min(numbers.size(), constant.size()); ++i) {
-        if (numbers[i].title == title && (numbers[i].group == NumberGroup::Position || constant[i]))
+        if (constant[i] && numbers[i].title == title)
             return true;
     }
     return false;
+}
+
+/// The count of the span's pixels, which is told without a formula: it follows from the bounds
+/// before it, and from the frame where that cuts the span off.
+void addPixelCount(std::vector<Prediction> &predictions,
+                   const std::vector<NumberDescription> &numbers, const ScanTrace &trace,
+                   std::size_t span)
+{
+    const auto count = std::ranges::find(numbers, QStringLiteral("pixels"), &NumberDescription::id);
+    const auto isBound = [](const Prediction &each) { return isRounding(each.rule); };
+    const auto first = std::ranges::find_if(predictions, isBound);
+    const auto last
+        = first == predictions.end() ? first : std::find_if(first + 1, predictions.end(), isBound);
+    if (count == numbers.end() || last == predictions.end())
+        return;
+    const auto cellOf = [&](std::size_t of) {
+        return trace.span(of).cells[std::size_t(count - numbers.begin())];
+    };
+    Prediction asked = *last;
+    asked.title = count->title;
+    asked.words = QStringLiteral("the number of pixels, %1").arg(count->title);
+    asked.value = cellOf(span);
+    asked.exact = {};
+    asked.earlier = trace.beginsPart(span) ? Quantity() : cellOf(span - 1);
+    asked.rule = QStringLiteral("%1 = %2 − %3 + 1").arg(count->title, last->title, first->title);
+    asked.reason
+        = QStringLiteral("%1 = %2 − %3 + 1").arg(asked.rule, term(last->value), term(first->value));
+    const double whole = last->value.toDouble() - first->value.toDouble() + 1;
+    if (asked.value.toDouble() != whole) {
+        asked.rule = QStringLiteral("%1 = those of %2 … %3 that are in the frame")
+                         .arg(count->title, first->title, last->title);
+        asked.reason = asked.rule;
+    }
+    predictions.insert(last + 1, asked);
 }
 
 const FormulaLine *lineOf(const Explanation &explanation, const FormulaLine &like)
@@ -155,13 +196,16 @@ std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t 
     const std::vector<bool> constant = constantNumbersBefore(traced, span);
     std::vector<Prediction> predictions;
     for (const FormulaLine &line : next.lines) {
-        if (isGiven(numbers, constant, titleOf(line.symbols)) || isTakenOver(line.symbols))
-            continue; // the question itself, or an earlier step, reveals it
+        const QString title = titleOf(line.symbols);
+        if (isPlace(numbers, title) || isTakenOver(line.symbols))
+            continue; // the question itself, or the step before, reveals it
         const FormulaLine *earlier = before ? lineOf(*before, line) : nullptr;
-        predictions.push_back({next.heading, titleOf(line.symbols), askedFor(line.symbols),
-                               line.used, earlier ? earlier->used : Quantity(), line.symbols,
-                               reasonOf(line), line.exact, index});
+        predictions.push_back({next.heading, title, askedFor(line.symbols), line.used,
+                               earlier ? earlier->used : Quantity(), line.symbols, reasonOf(line),
+                               line.exact, index, isRepeated(numbers, constant, title)});
     }
+    addPixelCount(predictions, numbers, trace, span);
+    std::ranges::stable_partition(predictions, [](const auto &each) { return !each.isRepeated; });
     return predictions;
 }
 

@@ -24,6 +24,8 @@ struct Prediction {
     /// Its value without rounding; none if there is nothing to compare.
     Quantity exact = {};
     std::size_t step = 0; ///< of the trace, which computes it
+    /// Whether an earlier span of the primitive shows it: ΔR, which never changes along a triangle.
+    bool isRepeated = false;
 };
 
 /// Whether a formula rounds: "first row = ⌈y_B⌉".
@@ -34,9 +36,9 @@ bool isRounding(const QString &rule);
 bool asksForWhole(const Prediction &prediction);
 
 /// The numbers that the next span after a position (0 … stepCount()) computes by formulas, as that
-/// step's explanation has them. It leaves out what counts the spans and what is copied from the
-/// previous span under another name; what never changes along the primitive (ΔR of a triangle) is
-/// asked only in the first span that has it. Empty if no span follows.
+/// step's explanation has them, and how many pixels it has. It leaves out what counts the spans and
+/// what is copied from the previous span under another name. What an earlier span shows already
+/// comes last. Empty if no span follows.
 std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t position);
 
 enum class Guess {

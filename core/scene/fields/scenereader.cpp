@@ -66,6 +66,12 @@ private:
     void readFormat(const JsonNode &root)
     {
         const JsonNode format = root["pixelplumb"];
+        if (const JsonNode other = root["pixelplumbAssignment"]; !other.isMissing()) {
+            m_json.fail(other,
+                        QStringLiteral("this is an assignment, by which submissions are graded"),
+                        QStringLiteral("a scene"));
+            return;
+        }
         if (!root.isObject() || format.isMissing()) {
             m_json.fail(format, QStringLiteral("no format number: this is no Pixelplumb scene"),
                         QStringLiteral("\"pixelplumb\": %1").arg(sceneFormat));

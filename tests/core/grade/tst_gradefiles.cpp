@@ -85,7 +85,7 @@ private slots:
         const auto row = [](const char *name, const QByteArray &text, const char *told) {
             QTest::newRow(name) << text << QString::fromUtf8(told);
         };
-        row("no assignment", R"({ "pixelplumb": 1 })", "this is no assignment");
+        row("no assignment", R"({ "name": "" })", "this is no assignment");
         row("newer", R"({ "pixelplumbAssignment": 2 })",
             "pixelplumbAssignment: 2; expected the integer 1");
         row("unknown key", assignmentWith(R"("grade": 1, )"), "grade: unknown key “grade”");
@@ -99,6 +99,7 @@ private slots:
             "program.megabytes: 15; expected an integer from 16 to 1048576");
         row("unknown credit", assignmentWith(R"("credit": "half", )"),
             "credit: “half”; expected one of whole, share");
+        row("a scene", R"({ "pixelplumb": 1 })", "this is a scene; expected an assignment");
         row("no scenes", R"({ "pixelplumbAssignment": 1, "name": "", "scenes": [] })",
             "scenes: an array of 0; expected one scene at least");
         row("a scene's name with a folder",

@@ -2,8 +2,8 @@
 #include "tests/support/window/gradedclass.h"
 
 #include "core/runs/tracedscene.h"
-#include "widgets/studies/gradebook.h"
-#include "widgets/studies/gradingpanel.h"
+#include "widgets/studies/grade/gradebook.h"
+#include "widgets/studies/grade/gradingpanel.h"
 
 #include <QAbstractItemView>
 #include <QCoreApplication>
@@ -81,7 +81,7 @@ QAbstractItemView *table(const MainWindow &window)
     return named<QAbstractItemView>(window, "gradingTable");
 }
 
-QString cell(const MainWindow &window, int row, GradeTableModel::Column column)
+QString cell(const MainWindow &window, int row, int column)
 {
     return table(window)->model()->index(row, column).data().toString();
 }

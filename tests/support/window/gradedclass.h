@@ -3,7 +3,7 @@
 
 #include "core/grade/class/gradefile.h"
 #include "tests/support/window/openwindow.h"
-#include "widgets/studies/gradetable.h"
+#include "widgets/studies/grade/gradetable.h"
 
 #include <QImage>
 #include <QTemporaryDir>
@@ -51,7 +51,7 @@ std::unique_ptr<MainWindow> windowWithGrades(const Classroom &classroom);
 
 Gradebook &book(const MainWindow &window);
 QAbstractItemView *table(const MainWindow &window);
-QString cell(const MainWindow &window, int row, GradeTableModel::Column column);
+QString cell(const MainWindow &window, int row, int column);
 /// Presses a key in the grades table.
 void press(const MainWindow &window, Qt::Key key);
 

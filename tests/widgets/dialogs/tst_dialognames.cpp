@@ -68,6 +68,7 @@ QMap<QString, Way> ways()
         {"gradingOpenDialog",
          [](MainWindow &window) { named<QAbstractButton>(window, "gradingOpen")->click(); }},
         {"keySheet", byAction("showKeys")},
+        {"manual", byAction("showManual")},
         {"about", byAction("showAbout")},
         {"unsavedChanges",
          [](MainWindow &window) {

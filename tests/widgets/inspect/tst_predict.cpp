@@ -215,6 +215,38 @@ private slots:
         QCOMPARE(all.front().title, QStringLiteral("y_B"));
     }
 
+    void everyNumberOfTheAssignmentCanBeChosen()
+    {
+        openPanel();
+        const auto *choice = named<QComboBox>(*m_window, "predictChoice");
+        for (const char *title : {"y_B", "y_T", "⌈y_B⌉", "⌊y_T⌋", "px", "ΔR", "ΔG", "ΔB", "first R",
+                                  "first G", "first B"})
+            QVERIFY2(choice->findText(QString::fromUtf8(title)) >= 0, title);
+    }
+
+    /// ΔR stands in the rows above: it can be practised, and does not count.
+    void whatNeverChangesIsPractice()
+    {
+        openPanel();
+        auto *choice = named<QComboBox>(*m_window, "predictChoice");
+        choice->setCurrentIndex(choice->findText(QStringLiteral("ΔR")));
+        QVERIFY(label("predictVerdict").contains(QStringLiteral("does not count")));
+        answer(QStringLiteral("1000"));
+        QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Not")));
+        QCOMPARE(label("predictScore"), QString());
+    }
+
+    void theCountOfPixelsFollowsFromTheBounds()
+    {
+        const auto all = predictionsAfter(*m_playhead->traced(), m_playhead->position());
+        const auto asked = std::ranges::find(all, QStringLiteral("px"), &Prediction::title);
+        QVERIFY(asked != all.end());
+        QCOMPARE(asked->rule, QStringLiteral("px = ⌊y_T⌋ − ⌈y_B⌉ + 1"));
+        QVERIFY(asked->reason.startsWith(asked->rule + QStringLiteral(" = ")));
+        QCOMPARE(judge(*asked, toText(asked->value)), Guess::Right);
+        QVERIFY(asksForWhole(*asked));
+    }
+
     void theAnswerIsCheckedAndItsReasonTold()
     {
         openPanel();

@@ -7,6 +7,7 @@
 #include "tests/support/window/openwindow.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/inspect/primitivespanel.h"
+#include "widgets/look/colourbutton.h"
 #include "widgets/model/primitivelistmodel.h"
 
 #include <QApplication>
@@ -15,6 +16,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPaintEvent>
+#include <QSignalSpy>
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
@@ -150,6 +152,28 @@ private slots:
         QTRY_COMPARE(document().vertexAt({0, 1})->position,
                      (LatticePoint{50 * unitsPerPixel, 21 * unitsPerPixel / 2}));
         QTRY_COMPARE(document().vertexAt({0, 2})->position.x, Lattice(30 * unitsPerPixel));
+    }
+
+    void aColourIsTypedInItsCell()
+    {
+        m_tree->setFocus();
+        m_tree->setCurrentIndex(cellOf(1, PrimitiveListModel::ColourText));
+        const Colour before = document().vertexAt({0, 1})->colour;
+        QTest::keyClick(m_tree, Qt::Key_F2);
+        auto *cell = named<QLineEdit>(*m_tree, "colourField");
+        QSignalSpy refused(&document(), &SceneDocument::refused);
+        cell->setText(QStringLiteral("#ffb0"));
+        QTest::keyClick(cell, Qt::Key_Return);
+        QCOMPARE(refused.size(), 1);
+        QVERIFY(refused[0][0].toString().contains(QStringLiteral("#rrggbb")));
+        QCOMPARE(document().vertexAt({0, 1})->colour, before);
+
+        cell->setText(QStringLiteral("#ffb000"));
+        QTest::keyClick(cell, Qt::Key_Return);
+        QTRY_COMPARE(document().vertexAt({0, 1})->colour, (Colour{{255, 176, 0}}));
+        document().undoStack()->undo();
+        QCOMPARE(document().vertexAt({0, 1})->colour, before);
+        QVERIFY(!opaqueColour(QStringLiteral("#ffb00080")));
     }
 
     void aDoubleClickOnAColourAsksForAnother()

@@ -12,9 +12,9 @@
 #include "widgets/lab/paretoplot.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
-#include "widgets/studies/comparepane.h"
-#include "widgets/studies/comparepanel.h"
-#include "widgets/studies/compareview.h"
+#include "widgets/studies/compare/comparepane.h"
+#include "widgets/studies/compare/comparepanel.h"
+#include "widgets/studies/compare/compareview.h"
 
 #include <QLabel>
 #include <QTemporaryDir>

@@ -44,6 +44,7 @@ private slots:
     void tellsWhenItBecomesModified();
     void waitingVerticesThatGoLeaveItClean();
     void aDragThatComesBackLeavesItClean();
+    void settingsThatAreChangedBackLeaveItClean();
     void discardedVerticesAreNotOnTheUndoStack();
     void whatWasDoneSinceOutlivesDiscardedVertices();
 };
@@ -253,6 +254,33 @@ void TestUndo::aDragThatComesBackLeavesItClean()
     document.moveVertex({0, 0}, latticePixel(0, 0), drag);
 
     QVERIFY(!document.isModified());
+}
+
+void TestUndo::settingsThatAreChangedBackLeaveItClean()
+{
+    SceneDocument document;
+    Scene scene;
+    scene.triangles = {triangle(0)};
+    document.reset(scene);
+    ScanSettings rounded = scene.settings;
+    rounded.arithmetic = Arithmetic::Float32;
+
+    document.setSettings(rounded);
+    QVERIFY(document.isModified());
+    document.setSettings(scene.settings);
+    QVERIFY(!document.isModified());
+
+    document.setSettings(rounded);
+    document.setMethod("row-walk"); // only another view
+    QVERIFY(document.isModified());
+    document.setSettings(scene.settings);
+    QVERIFY(!document.isModified());
+    document.moveVertex({0, 0}, latticePixel(3, 3), document.newDrag());
+    QVERIFY(document.isModified());
+    document.moveVertex({0, 0}, scene.triangles[0].vertices[0].position, document.newDrag());
+    QVERIFY(!document.isModified());
+    document.markUnsaved();
+    QVERIFY(document.isModified());
 }
 
 void TestUndo::discardedVerticesAreNotOnTheUndoStack()

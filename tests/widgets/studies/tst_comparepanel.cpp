@@ -5,10 +5,10 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/canvas/overdrawoverlay.h"
 #include "widgets/model/playhead.h"
-#include "widgets/studies/comparelink.h"
-#include "widgets/studies/comparepane.h"
-#include "widgets/studies/comparepanel.h"
-#include "widgets/studies/compareview.h"
+#include "widgets/studies/compare/comparelink.h"
+#include "widgets/studies/compare/comparepane.h"
+#include "widgets/studies/compare/comparepanel.h"
+#include "widgets/studies/compare/compareview.h"
 #include "widgets/window/windowdocks.h"
 
 #include <QComboBox>
@@ -61,6 +61,31 @@ private slots:
         m_playhead->seek(m_playhead->end());
         QCOMPARE(*m_panel->panes()[1]->position(),
                  m_panel->contest()->runs[1].traced->trace->stepCount());
+    }
+
+    void theCountsAreThoseUpToTheStep()
+    {
+        open();
+        const auto told = [this] { return m_panel->panes()[0]->findChild<QLabel *>()->text(); };
+        const ContenderRun &run = m_panel->contest()->runs[0];
+        const ContenderPace pace(*m_panel->contest(), 0);
+        QVERIFY(pace.at(run.traced->trace->stepCount()) == run.tally);
+        QCOMPARE(pace.at(0).written, 0);
+        ContenderTally before;
+        for (std::size_t position = 0; position <= run.traced->trace->stepCount(); position += 50) {
+            const ContenderTally tally = pace.at(position);
+            QVERIFY(tally.written >= before.written);
+            QVERIFY(tally.againstTruth.count(Difference::Missing)
+                    >= before.againstTruth.count(Difference::Missing));
+            before = tally;
+        }
+
+        m_playhead->seekToSpan(10);
+        QVERIFY2(told().contains(QStringLiteral("so far")) || told().contains(u'/'),
+                 qPrintable(told()));
+        m_playhead->seek(m_playhead->end());
+        QVERIFY2(!told().contains(QStringLiteral("so far")) && !told().contains(u'/'),
+                 qPrintable(told()));
     }
 
     void zoomsAndMovesAllViewsTogether()

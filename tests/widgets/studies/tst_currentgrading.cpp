@@ -3,7 +3,7 @@
 #include "tests/support/testprogram.h"
 #include "tests/support/window/gradedclass.h"
 #include "widgets/model/studentpicture.h"
-#include "widgets/studies/gradebook.h"
+#include "widgets/studies/grade/gradebook.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>

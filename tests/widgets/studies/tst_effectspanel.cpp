@@ -8,14 +8,14 @@
 #include "widgets/model/effectswitches.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
-#include "widgets/studies/effectspanel.h"
-#include "widgets/studies/effectstext.h"
+#include "widgets/studies/cost/effectspanel.h"
+#include "widgets/studies/cost/effectstext.h"
 
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTableWidget>
+#include <QTableView>
 #include <QTest>
 #include <QUndoStack>
 
@@ -55,7 +55,8 @@ struct Bench {
 
     QString cell(Effect effect, int column) const
     {
-        return named<QTableWidget>(panel, "effectsTable")->item(int(effect), column)->text();
+        const auto *model = named<QTableView>(panel, "effectsTable")->model();
+        return model->index(int(effect), column).data().toString();
     }
     QString summary() const { return named<QLabel>(panel, "effectsSummary")->text(); }
 

@@ -10,10 +10,10 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/model/studentpicture.h"
-#include "widgets/studies/gradebook.h"
-#include "widgets/studies/gradedialog.h"
-#include "widgets/studies/gradetable.h"
-#include "widgets/studies/gradingpanel.h"
+#include "widgets/studies/grade/gradebook.h"
+#include "widgets/studies/grade/gradedialog.h"
+#include "widgets/studies/grade/gradetable.h"
+#include "widgets/studies/grade/gradingpanel.h"
 
 #include <QAbstractItemModelTester>
 #include <QAbstractItemView>
@@ -80,13 +80,13 @@ private slots:
 
         QVERIFY(book(*window).job().isRunning());
         QTRY_COMPARE_WITH_TIMEOUT(table(*window)->model()->rowCount(), 3, longestWait);
-        QCOMPARE(cell(*window, 0, GradeTableModel::Name), "ada");
-        QCOMPARE(cell(*window, 0, GradeTableModel::Verdict), "right");
-        QCOMPARE(cell(*window, 1, GradeTableModel::Name), "bob");
-        QCOMPARE(cell(*window, 1, GradeTableModel::Verdict), "wrong");
-        QVERIFY2(cell(*window, 1, GradeTableModel::Cause).contains("rounding-truncate"),
-                 qPrintable(cell(*window, 1, GradeTableModel::Cause)));
-        QCOMPARE(cell(*window, 1, GradeTableModel::Points), "3 / 5");
+        QCOMPARE(cell(*window, 0, GradeColumn::Name), "ada");
+        QCOMPARE(cell(*window, 0, GradeColumn::Verdict), "right");
+        QCOMPARE(cell(*window, 1, GradeColumn::Name), "bob");
+        QCOMPARE(cell(*window, 1, GradeColumn::Verdict), "wrong");
+        QVERIFY2(cell(*window, 1, GradeColumn::Cause).contains("rounding-truncate"),
+                 qPrintable(cell(*window, 1, GradeColumn::Cause)));
+        QCOMPARE(cell(*window, 1, GradeColumn::Points), "3 / 5");
         QVERIFY(QFile::exists(classroom.results() + "/results.json"));
         QCOMPARE(book(*window).report().assignment.margin.leeway, Leeway::Edges);
     }
@@ -253,7 +253,7 @@ private slots:
                              >= view->horizontalHeader()->sectionSizeHint(column),
                          qPrintable(QString::number(column)));
         }
-        QVERIFY(view->columnWidth(GradeTableModel::Verdict) > 0);
+        QVERIFY(view->columnWidth(GradeColumn::Verdict) > 0);
         QVERIFY(seen("gradingComment").height() >= 3 * line);
         QCOMPARE(seen("gradingComment"), named<QWidget>(*window, "gradingComment")->rect());
         QVERIFY(seen("submissionPicture").height() >= 6 * line);
@@ -278,15 +278,15 @@ private slots:
         press(*window, Qt::Key_Down);
         press(*window, Qt::Key_A);
 
-        QCOMPARE(cell(*window, 0, GradeTableModel::State), "✓");
+        QCOMPARE(cell(*window, 0, GradeColumn::State), "✓");
         const auto *model = table(*window)->model();
-        QCOMPARE(model->index(0, GradeTableModel::State).data(Qt::AccessibleTextRole), "accepted");
+        QCOMPARE(model->index(0, GradeColumn::State).data(Qt::AccessibleTextRole), "accepted");
         named<QLineEdit>(*window, "gradingFilter")->setText("accepted");
         QCOMPARE(model->rowCount(), 1);
         named<QLineEdit>(*window, "gradingFilter")->clear();
         QTRY_VERIFY_WITH_TIMEOUT(keptReview(classroom, 0).isAccepted, longestWait);
         press(*window, Qt::Key_A);
-        QCOMPARE(cell(*window, 0, GradeTableModel::State), QString());
+        QCOMPARE(cell(*window, 0, GradeColumn::State), QString());
     }
 
     void aCommentIsKeptWhenTheRowIsLeft()
@@ -303,7 +303,7 @@ private slots:
         press(*window, Qt::Key_J);
 
         QCOMPARE(comment->toPlainText(), QString());
-        QCOMPARE(cell(*window, 0, GradeTableModel::Comment), "well done");
+        QCOMPARE(cell(*window, 0, GradeColumn::Comment), "well done");
         QTRY_COMPARE_WITH_TIMEOUT(keptReview(classroom, 0).comment, "well done", longestWait);
     }
 
@@ -320,10 +320,10 @@ private slots:
             points->setFocus();
             QTest::keyClicks(points, "4.5");
             QTest::keyClick(points, Qt::Key_Return);
-            QCOMPARE(cell(*window, 1, GradeTableModel::Points), "3 / 5");
+            QCOMPARE(cell(*window, 1, GradeColumn::Points), "3 / 5");
             QTest::keyClicks(reason, "explained by mail");
             QTest::keyClick(reason, Qt::Key_Return);
-            QCOMPARE(cell(*window, 1, GradeTableModel::Points), "4.5 / 5");
+            QCOMPARE(cell(*window, 1, GradeColumn::Points), "4.5 / 5");
             press(*window, Qt::Key_K);
             QCOMPARE(points->text(), QString());
         }
@@ -343,7 +343,7 @@ private slots:
                                 classroom.results());
             comment->setPlainText("second");
             QTRY_VERIFY_WITH_TIMEOUT(!book(*window).job().isRunning(), longestWait);
-            QTRY_COMPARE_WITH_TIMEOUT(cell(*window, 0, GradeTableModel::Comment), "second",
+            QTRY_COMPARE_WITH_TIMEOUT(cell(*window, 0, GradeColumn::Comment), "second",
                                       longestWait);
             press(*window, Qt::Key_J);
             comment->setPlainText("third");
@@ -448,7 +448,7 @@ private slots:
         const Classroom classroom;
         bringResults(classroom);
         Gradebook gradebook;
-        GradeTableModel model(&gradebook);
+        GradeRows &model = *gradeRows(&gradebook, &gradebook);
         const QAbstractItemModelTester tester(&model);
         GradeFilter filter;
         filter.setSourceModel(&model);

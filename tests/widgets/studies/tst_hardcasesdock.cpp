@@ -8,10 +8,10 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
-#include "widgets/studies/comparepanel.h"
-#include "widgets/studies/hardcasesdetails.h"
-#include "widgets/studies/hardcasespanel.h"
-#include "widgets/studies/precisionpanel.h"
+#include "widgets/studies/accuracy/precisionpanel.h"
+#include "widgets/studies/cases/hardcasesdetails.h"
+#include "widgets/studies/cases/hardcasespanel.h"
+#include "widgets/studies/compare/comparepanel.h"
 
 #include <QLabel>
 #include <QPushButton>

@@ -11,8 +11,8 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
-#include "widgets/studies/motionpanel.h"
-#include "widgets/studies/motionview.h"
+#include "widgets/studies/accuracy/motionpanel.h"
+#include "widgets/studies/accuracy/motionview.h"
 
 #include <QFile>
 #include <QJsonDocument>
@@ -22,7 +22,7 @@
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSlider>
-#include <QTableWidget>
+#include <QTableView>
 #include <QTest>
 #include <QToolButton>
 
@@ -180,9 +180,10 @@ private slots:
         auto *panel = named<MotionPanel>(*window, "motion");
         QTRY_VERIFY(panel->study().has_value());
         const MotionStudy study = *studyMotion(movingScene());
-        const auto *table = named<QTableWidget>(*window, "motionTable");
-        QCOMPARE(table->rowCount(), int(study.frames.size()));
-        QCOMPARE(table->item(5, 2)->text(), QString::number(study.frames[5].toggled));
+        const auto *table = named<QTableView>(*window, "motionTable");
+        QCOMPARE(table->model()->rowCount(), int(study.frames.size()));
+        QCOMPARE(table->model()->index(5, 2).data().toString(),
+                 QString::number(study.frames[5].toggled));
         auto *slider = named<QSlider>(*window, "motionSlider");
         for (const int frame : {5, 9}) {
             slider->setValue(frame);
@@ -230,10 +231,10 @@ private slots:
                  latticePixel(20, 3));
         QTest::keyClick(&canvas, Qt::Key_Escape);
 
-        auto *table = named<QTableWidget>(*window, "motionTable");
-        QTRY_COMPARE(table->rowCount(), 25);
+        auto *table = named<QTableView>(*window, "motionTable");
+        QTRY_COMPARE(table->model()->rowCount(), 25);
         QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
-                          table->visualItemRect(table->item(11, 1)).center());
+                          table->visualRect(table->model()->index(11, 1)).center());
         QTRY_VERIFY(isAt(11));
         QCOMPARE(slider->value(), 11);
         QTest::mouseClick(named<QToolButton>(*window, "motionPlay"), Qt::LeftButton);
@@ -318,8 +319,8 @@ private slots:
         const auto window = openedWindow(movingScene());
         window->resize(1366, 768);
         action(*window, "motionDockToggle")->trigger();
-        auto *table = named<QTableWidget>(*window, "motionTable");
-        QTRY_COMPARE(table->rowCount(), 25);
+        auto *table = named<QTableView>(*window, "motionTable");
+        QTRY_COMPARE(table->model()->rowCount(), 25);
         QTRY_VERIFY(table->columnViewportPosition(3) + table->columnWidth(3)
                     <= table->viewport()->width());
         QVERIFY(!table->horizontalScrollBar()->isVisible());
@@ -338,10 +339,10 @@ private slots:
 
         QTest::mouseClick(named<QPushButton>(*window, "motionSet"), Qt::LeftButton);
 
-        auto *table = named<QTableWidget>(*window, "motionTable");
+        auto *table = named<QTableView>(*window, "motionTable");
         QVERIFY(table->isVisible());
         QTRY_VERIFY(panel->height() > still);
-        for (int column = 0; column < table->columnCount(); ++column)
+        for (int column = 0; column < table->model()->columnCount(); ++column)
             QVERIFY(table->columnWidth(column)
                     >= table->horizontalHeader()->sectionSizeHint(column));
     }

@@ -4,11 +4,11 @@
 #include "tests/support/testprogram.h"
 #include "tests/support/window/openwindow.h"
 #include "widgets/model/playhead.h"
-#include "widgets/studies/operationpanel.h"
+#include "widgets/studies/cost/operationpanel.h"
 
 #include <QLabel>
 #include <QSignalSpy>
-#include <QTableWidget>
+#include <QTableView>
 #include <QTest>
 
 namespace tst_operationsdock {
@@ -53,13 +53,14 @@ private slots:
         Playhead playhead;
         OperationPanel panel(&playhead);
         panel.show();
-        auto *table = named<QTableWidget>(panel, "operationTable");
+        const auto *table = named<QTableView>(panel, "operationTable")->model();
         QSignalSpy spy(&panel, &OperationPanel::counted);
         playhead.setTraced(traceScene(sceneIn(Arithmetic::Float32)));
         QVERIFY(spy.wait(longest));
-        QCOMPARE(table->verticalHeaderItem(0)->text(), QStringLiteral("divisions"));
-        QCOMPARE(table->item(0, 0)->text(), QStringLiteral("12")); // 3 slopes, 9 colour rates
-        QCOMPARE(table->item(0, 2)->text(), QStringLiteral("0"));
+        QCOMPARE(table->headerData(0, Qt::Vertical).toString(), QStringLiteral("divisions"));
+        QCOMPARE(table->index(0, 0).data().toString(),
+                 QStringLiteral("12")); // 3 slopes, 9 colour rates
+        QCOMPARE(table->index(0, 2).data().toString(), QStringLiteral("0"));
         QVERIFY(panel.counts()->of(WorkStage::Pixel, Operation::FloatAddition) > 0);
 
         playhead.setTraced(traceScene(sceneIn(Arithmetic::Exact)));
@@ -84,7 +85,7 @@ private slots:
         QVERIFY(named<QLabel>(panel, "operationSummary")
                     ->text()
                     .startsWith(QStringLiteral("Not counted: ")));
-        QCOMPARE(named<QTableWidget>(panel, "operationTable")->rowCount(), 0);
+        QCOMPARE(named<QTableView>(panel, "operationTable")->model()->rowCount(), 0);
     }
 };
 

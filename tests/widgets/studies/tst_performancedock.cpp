@@ -5,7 +5,7 @@
 #include "tests/support/testprogram.h"
 #include "tests/support/window/openwindow.h"
 #include "widgets/model/playhead.h"
-#include "widgets/studies/performancepanel.h"
+#include "widgets/studies/cost/performancepanel.h"
 
 #include <QLabel>
 #include <QPushButton>

@@ -5,8 +5,8 @@
 #include "tests/support/window/openwindow.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/model/playhead.h"
-#include "widgets/studies/precisionpanel.h"
-#include "widgets/studies/precisionplot.h"
+#include "widgets/studies/accuracy/precisionpanel.h"
+#include "widgets/studies/accuracy/precisionplot.h"
 
 #include <QLabel>
 #include <QTest>

@@ -8,11 +8,11 @@
 #include "widgets/look/displayoptions.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
-#include "widgets/studies/comparepane.h"
-#include "widgets/studies/comparepanel.h"
-#include "widgets/studies/compareview.h"
-#include "widgets/studies/precisionpanel.h"
-#include "widgets/studies/precisionplot.h"
+#include "widgets/studies/accuracy/precisionpanel.h"
+#include "widgets/studies/accuracy/precisionplot.h"
+#include "widgets/studies/compare/comparepane.h"
+#include "widgets/studies/compare/comparepanel.h"
+#include "widgets/studies/compare/compareview.h"
 
 #include <QClipboard>
 #include <QLabel>

@@ -13,8 +13,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/model/studentpicture.h"
-#include "widgets/studies/comparepanel.h"
-#include "widgets/studies/diagnosisview.h"
+#include "widgets/studies/compare/comparepanel.h"
+#include "widgets/studies/grade/diagnosisview.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -198,6 +198,61 @@ private slots:
         grabbed(*window, "student");
         QVERIFY(isMarked(*window, missing, Sign::Missing));
         QVERIFY(isMarked(*window, extra, Sign::Extra));
+    }
+
+    void theCanvasShowsThePictureAndForAWhileTheExpectedOne()
+    {
+        const auto window = openedWindow();
+        const auto &parts = window->parts();
+        QVERIFY(!action(*window, "showStudent")->isEnabled());
+        QApplication::clipboard()->setImage(wrongPicture(parts.document->scene()));
+        action(*window, "pasteStudentPicture")->trigger();
+        QTRY_VERIFY(judgement(*window));
+        QVERIFY(action(*window, "showStudent")->isChecked());
+        const auto &frames = parts.student->frames();
+        const auto colourIn = [](const FrameBuffer &frame, const QPoint &pixel) {
+            return *frame.view().at(pixel.x(), pixel.y());
+        };
+        QCOMPARE(colourIn(frames.found(), extra), qRgb(255, 255, 0));
+        QVERIFY(colourIn(frames.expected(), missing) != colourIn(frames.found(), missing));
+        parts.options->setDifferencesShown(false);
+        parts.canvas->fitToView();
+        const auto shown = [&parts](const QPoint &pixel) {
+            const QImage seen = parts.canvas->grab().toImage();
+            return seen.pixel(parts.canvas->mapping().cellOf(pixel).center().toPoint());
+        };
+        QCOMPARE(shown(extra), qRgb(255, 255, 0));
+
+        parts.canvas->setFocus();
+        QTest::keyPress(parts.canvas, Qt::Key_Shift);
+        QTRY_COMPARE(shown(extra), packed(parts.document->scene().frame.background));
+        QVERIFY(!parts.canvas->isTruthVisible());
+        QTest::keyRelease(parts.canvas, Qt::Key_Shift);
+        QCOMPARE(shown(extra), qRgb(255, 255, 0));
+
+        ScanSettings rounded = parts.document->scene().settings;
+        rounded.arithmetic = Arithmetic::Float32;
+        parts.document->setSettings(rounded); // another run
+        QTRY_COMPARE(parts.playhead->traced()->scene.settings, rounded);
+        QVERIFY(action(*window, "showStudent")->isChecked());
+        action(*window, "nextColumn")->trigger(); // who steps sees the run
+        QVERIFY(!action(*window, "showStudent")->isChecked());
+        QTest::keyClick(parts.canvas, Qt::Key_S);
+        QCOMPARE(shown(extra), qRgb(255, 255, 0));
+    }
+
+    void thePicturesGrowWithThePanel()
+    {
+        const auto window = openedWindow();
+        QApplication::clipboard()->setImage(wrongPicture(window->parts().document->scene()));
+        action(*window, "pasteStudentPicture")->trigger();
+        QTRY_VERIFY(judgement(*window));
+        settle();
+        const auto *panel = named<QWidget>(*window, "submission");
+        const auto *picture = named<QWidget>(*window, "submissionPicture");
+        QVERIFY2(picture->width() > panel->width() * 3 / 4,
+                 qPrintable(QString::number(picture->width())));
+        QVERIFY(picture->height() >= picture->width() / 2);
     }
 
     void everyFormatIsTaken_data()

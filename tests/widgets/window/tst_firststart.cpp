@@ -42,6 +42,16 @@ private slots:
             QVERIFY2(shownTitles().contains(QString::fromUtf8(title)), title);
     }
 
+    void aSmallScreenShowsThemAllInFewerRows()
+    {
+        m_window = windowOf(QSize(1016, 600)); // of 1024 × 640
+        QTRY_COMPARE(table().horizontalScrollBar()->maximum(), 0);
+        QTRY_VERIFY(table().viewport()->height()
+                    >= 4 * table().verticalHeader()->defaultSectionSize());
+        QVERIFY(shownTitles().contains(QStringLiteral("first B")));
+        QTRY_VERIFY(2 * m_window->parts().canvas->width() >= m_window->width() - 16);
+    }
+
     void theLevelsAtTheEdgesAreOneClickAway()
     {
         QVERIFY(!shownTitles().contains(QStringLiteral("R_B")));

@@ -69,6 +69,23 @@ private slots:
         QCOMPARE(options.isGridShown(), !shown);
     }
 
+    void aPanelsKeyClosesItOnlyWhereItHasTheFocus()
+    {
+        const auto window = openedWindow();
+        const auto *dock = named<QDockWidget>(*window, "columnsDock");
+        const QKeySequence key = named<QAction>(*window, "columnsDockToggle")->shortcut();
+        QVERIFY(dock->isVisible());
+        window->parts().canvas->setFocus();
+
+        QTest::keySequence(window.get(), key);
+        QVERIFY(dock->isVisible());
+        QVERIFY(dock->isAncestorOf(QApplication::focusWidget()));
+
+        QTest::keySequence(window.get(), key);
+        QVERIFY(dock->isHidden());
+        QVERIFY(window->parts().canvas->hasFocus());
+    }
+
     void spacePlaysFromEverywhereButWhereItMeansSomethingElse()
     {
         const auto window = openedWindow();

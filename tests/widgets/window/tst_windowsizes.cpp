@@ -10,9 +10,9 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/primitivelistmodel.h"
 #include "widgets/stepping/scrubber.h"
-#include "widgets/studies/comparepane.h"
-#include "widgets/studies/comparepanel.h"
-#include "widgets/studies/compareview.h"
+#include "widgets/studies/compare/comparepane.h"
+#include "widgets/studies/compare/comparepanel.h"
+#include "widgets/studies/compare/compareview.h"
 
 #include <QApplication>
 #include <QComboBox>

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/testprogram.h"
+#include "tests/support/window/openwindow.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/dialogs/manual.h"
+#include "widgets/window/panels.h"
+
+#include <QListWidget>
+#include <QTest>
+#include <QTextBrowser>
+
+namespace tst_manual {
+
+using namespace pixelplumb;
+
+/// The manual is part of the program: each page has its text, and links lead from page to page.
+class TestManual : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        m_settings.clear();
+        m_window = openedWindow();
+        QTest::keyClick(m_window->parts().canvas, Qt::Key_F1);
+        m_pages = named<QListWidget>(*m_window, "manualPages");
+        m_text = named<QTextBrowser>(*m_window, "manualText");
+    }
+    void cleanup() { m_window.reset(); }
+
+    void everyPageHasItsText()
+    {
+        QVERIFY(m_pages->count() > 6);
+        for (int page = 0; page < m_pages->count(); ++page) {
+            m_pages->setCurrentRow(page);
+            QVERIFY2(m_text->toPlainText().size() > 500, qPrintable(m_pages->item(page)->text()));
+        }
+    }
+
+    void theFirstPageIsOfTheAssignmentAndEveryPanelIsExplained()
+    {
+        QVERIFY(m_text->toPlainText().contains(QStringLiteral("⌈y_B⌉")));
+        m_pages->setCurrentRow(1);
+        for (const Panel &panel : panels()) {
+            const auto *toggle = action(
+                *m_window, qPrintable(QLatin1String(panel.dock) + QStringLiteral("Toggle")));
+            QVERIFY2(m_text->toPlainText().contains(toggle->shortcut().toString()), panel.dock);
+        }
+    }
+
+    void aLinkGoesToItsPage()
+    {
+        emit m_text->anchorClicked(QUrl(QStringLiteral("scene-file.md")));
+        QCOMPARE(m_pages->currentItem()->text(), QStringLiteral("Scene files"));
+        const QString before = m_text->toPlainText();
+        emit m_text->anchorClicked(QUrl(QStringLiteral("https://example.org/")));
+        QCOMPARE(m_text->toPlainText(), before);
+    }
+
+private:
+    IsolatedSettings m_settings;
+    std::unique_ptr<MainWindow> m_window;
+    QListWidget *m_pages = nullptr;
+    QTextBrowser *m_text = nullptr;
+};
+
+PIXELPLUMB_TEST(TestManual)
+
+} // namespace tst_manual
+
+#include "tst_manual.moc"

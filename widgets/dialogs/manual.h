@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+#include <QList>
+#include <QString>
+
+class QListWidget;
+class QTextBrowser;
+class QUrl;
+
+namespace pixelplumb {
+
+/// A page of the manual: a document of the program's own, or a text made from the window.
+struct ManualPage {
+    QString title;
+    QString document; ///< in the resources, such as "glossary.md"; empty: the text counts
+    QString html;
+};
+
+/// The manual, read without a network: a list of its pages beside the chosen one.
+class Manual : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit Manual(const QList<ManualPage> &pages, QWidget *parent = nullptr);
+
+private:
+    void showPage(int page);
+    void follow(const QUrl &link);
+
+    QList<ManualPage> m_pages;
+    QListWidget *m_list;
+    QTextBrowser *m_text;
+};
+
+/// The pages that are documents; `first`: those that come after the first one.
+QList<ManualPage> manualPages(const QList<ManualPage> &first);
+
+} // namespace pixelplumb

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/compare/comparelink.h"
+
+#include "widgets/model/job.h"
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr double fitMargin = 4; ///< logical pixels around a fitted frame
+constexpr int lookZoom = 12; ///< device pixels a frame pixel
+
+} // namespace
+
+void CompareLink::setFrame(const FrameSpec &frame)
+{
+    if (frame == m_frame)
+        return;
+    m_frame = frame;
+    m_place = Place::Fitted;
+    emit changed();
+}
+
+ViewMapping CompareLink::mappingFor(const QSizeF &size, double devicePixelRatio,
+                                    const QPointF &fraction) const
+{
+    const QRectF view(QPointF(), size);
+    const ViewMapping fitted
+        = ViewMapping::fitted(m_frame, view.adjusted(fitMargin, fitMargin, -fitMargin, -fitMargin),
+                              devicePixelRatio, fraction);
+    const bool hasRoom = fitted.zoom().number() >= m_zoom.number();
+    if (m_place == Place::Fitted || (m_place == Place::LookedAt && hasRoom))
+        return fitted;
+    const ViewMapping mapping(m_frame, m_zoom, {}, devicePixelRatio, fraction);
+    const QPointF centre = mapping.positionOf(m_centre.x(), m_centre.y());
+    return mapping.movedBy(mapping.deviceAt(view.center()) - mapping.deviceAt(centre));
+}
+
+void CompareLink::fit()
+{
+    m_place = Place::Fitted;
+    emit changed();
+}
+
+void CompareLink::zoomIn(const ViewMapping &from, const QRectF &view, const QPointF &anchor)
+{
+    take(from.zoomedAt(anchor, from.zoom().nextLarger()), view);
+}
+
+void CompareLink::zoomOut(const ViewMapping &from, const QRectF &view, const QPointF &anchor)
+{
+    const ViewMapping whole
+        = ViewMapping::fitted(m_frame, view, from.devicePixelRatio(), from.fraction());
+    if (from.zoom().number() <= whole.zoom().number())
+        return fit();
+    take(from.zoomedAt(anchor, from.zoom().nextSmaller()).keptInside(view), view);
+}
+
+void CompareLink::moveBy(const ViewMapping &from, const QRectF &view, const QPoint &devicePixels)
+{
+    take(from.movedBy(devicePixels).keptInside(view), view);
+}
+
+void CompareLink::lookAt(const QPoint &pixel)
+{
+    m_place = Place::LookedAt;
+    m_zoom = ViewZoom::fromNumber(std::max(lookZoom, m_zoom.number()));
+    m_centre = pixel;
+    emit changed();
+}
+
+void CompareLink::take(const ViewMapping &mapping, const QRectF &view)
+{
+    const LatticePoint centre = mapping.latticeAt(view.center());
+    m_place = Place::Free;
+    m_zoom = mapping.zoom();
+    m_centre = QPointF(double(centre.x), double(centre.y)) / unitsPerPixel;
+    emit changed();
+}
+
+ContestTiming::ContestTiming(QObject *parent)
+    : QObject(parent)
+    , m_job(nullptr, measuringPool())
+{
+}
+
+void ContestTiming::measure(const std::shared_ptr<const Contest> &contest)
+{
+    std::vector<std::shared_ptr<const Scene>> scenes; ///< null for the truth
+    for (const ContenderRun &run : contest->runs)
+        scenes.push_back(run.contender.isTruth() ? nullptr
+                                                 : std::make_shared<const Scene>(
+                                                     sceneFor(contest->scene, run.contender)));
+    using Costs = std::vector<std::optional<SceneCost>>;
+    m_job.start(
+        [scenes](const ProgressListener &listener) {
+            Costs costs;
+            for (const auto &scene : scenes)
+                costs.push_back(scene ? costOf(scene, listener) : std::nullopt);
+            return costs;
+        },
+        [this](const Costs &costs) {
+            for (std::size_t run = 0; run < costs.size(); ++run) {
+                if (costs[run])
+                    emit measured(run, *costs[run]);
+            }
+        });
+}
+
+} // namespace pixelplumb

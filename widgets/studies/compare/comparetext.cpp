@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/compare/comparetext.h"
+
+#include "core/scan/choicenames.h"
+#include "core/scene/text/colourtext.h"
+#include "widgets/look/corewords.h"
+#include "widgets/studies/compare/comparepane.h"
+#include "widgets/studies/compare/comparepanel.h"
+#include "widgets/studies/compare/compareview.h"
+
+namespace pixelplumb {
+
+namespace {
+
+QString countOf(const ContenderTally &tally, Difference kind)
+{
+    return QString::number(tally.againstTruth.count(kind));
+}
+
+} // namespace
+
+QString agreementLegend(const AgreementMap &agreement, const QPalette &palette, Ahead ahead)
+{
+    QStringList legend;
+    for (int agreeing = agreement.contenderCount(); agreeing > 0; --agreeing) {
+        QString meaning = ahead == Ahead::Hidden
+            ? ComparePanel::tr("%1 agree").arg(agreeing)
+            : ComparePanel::tr("%1 agree: %2").arg(agreeing).arg(agreement.countAgreeing(agreeing));
+        meaning.replace(u' ', QStringLiteral("&nbsp;")); // lines break only between the colours
+        legend.append(
+            QStringLiteral("<span style=\"background:%1\">&nbsp;&nbsp;&nbsp;</span>&nbsp;%2")
+                .arg(agreementColour(agreeing, agreement.contenderCount(), palette).name(),
+                     meaning));
+    }
+    return legend.join(QStringLiteral(" &nbsp; "));
+}
+
+QString resultText(const ContenderRun &run, const ContenderTally &tally)
+{
+    const int written = int(run.tally.written);
+    QString text;
+    if (written == 0 && !run.contender.isTruth())
+        text = ComparePane::tr("Draws nothing of this scene.");
+    else if (run.contender.isTruth())
+        text = ComparePane::tr("%n pixels, shown finished", nullptr, written);
+    else
+        text = (tally == run.tally
+                    ? ComparePane::tr("%n pixels: %1 missing, %2 extra, %3 in another colour",
+                                      nullptr, written)
+                    : ComparePane::tr("%4 of %n pixels so far: %1 missing, %2 extra, %3 in another "
+                                      "colour",
+                                      nullptr, written))
+                   .arg(countOf(tally, Difference::Missing), countOf(tally, Difference::Extra),
+                        countOf(tally, Difference::Colour), QString::number(tally.written));
+    if (run.tally.undrawn > 0)
+        text += ComparePane::tr("; %1 undrawn, of other kinds").arg(run.tally.undrawn);
+    const std::vector<Variant> variants = variantsIn(run.contender.settings.variants);
+    if (!variants.empty())
+        text += ComparePane::tr("; with %1").arg(namesOf(variants).join(u' '));
+    return text;
+}
+
+QString shortResultText(const ContenderRun &run, const ContenderTally &tally)
+{
+    if (run.tally.written == 0 || run.contender.isTruth())
+        return resultText(run, tally);
+    const QString pixels = QString::number(run.tally.written);
+    return ComparePane::tr("%1 px: %2 missing, %3 extra, %4 wrong colour")
+        .arg(tally == run.tally ? pixels : QStringLiteral("%1/%2").arg(tally.written).arg(pixels),
+             countOf(tally, Difference::Missing), countOf(tally, Difference::Extra),
+             countOf(tally, Difference::Colour));
+}
+
+QString carriedText(const Contest &contest)
+{
+    QStringList lines;
+    const CarriedAgreement *previous = nullptr;
+    for (const CarriedAgreement &agreement : contest.carried) {
+        const bool isSamePair = previous && previous->first == agreement.first
+            && previous->second == agreement.second;
+        if (isSamePair)
+            lines.back() += QStringLiteral("; ") + textOf(agreement);
+        else
+            lines.append(ComparePanel::tr("%1 and %2, apart from colour: %3")
+                             .arg(agreement.first + 1)
+                             .arg(agreement.second + 1)
+                             .arg(textOf(agreement)));
+        previous = &agreement;
+    }
+    return lines.join(u'\n');
+}
+
+QString pixelText(const Contest &contest, const std::optional<QPoint> &picked, Ahead ahead)
+{
+    if (contest.agreement.differing() == 0 && ahead == Ahead::Shown)
+        return ComparePanel::tr("All agree on every pixel.");
+    if (!picked || !contest.runs.front().picture.view().contains(picked->x(), picked->y()))
+        return ComparePanel::tr(
+                   "Pixels that differ: %1. Click one in the agreement map to see why.")
+            .arg(contest.agreement.differing());
+    const PixelComparison pixel = comparePixel(contest, picked->x(), picked->y());
+    const int all = contest.agreement.contenderCount();
+    if (pixel.agreeing == all && ahead == Ahead::Hidden)
+        return ComparePanel::tr("Pixel (%1, %2): all agree.").arg(picked->x()).arg(picked->y());
+    if (pixel.agreeing == all)
+        return ComparePanel::tr(
+                   "Pixel (%1, %2): all agree. Pixels that differ: %3; click one in the agreement "
+                   "map to see why.")
+            .arg(picked->x())
+            .arg(picked->y())
+            .arg(contest.agreement.differing());
+    QStringList lines = {ComparePanel::tr("Pixel (%1, %2): %3 of %4 agree. %5: %6")
+                             .arg(picked->x())
+                             .arg(picked->y())
+                             .arg(pixel.agreeing)
+                             .arg(all)
+                             .arg(coreWord(nameOf(pixel.reason)), textOf(pixel.reason))};
+    QStringList right;
+    for (std::size_t i = 0; i < pixel.opinions.size(); ++i) {
+        const PixelOpinion &opinion = pixel.opinions[i];
+        const QString value
+            = opinion.written ? colourText(opinion.colour) : ComparePanel::tr("not drawn");
+        const QString text = ComparePanel::tr("%1: %2").arg(i + 1).arg(value);
+        if (opinion.words.isEmpty())
+            right.append(text);
+        else
+            lines.append(text + QStringLiteral(", ") + opinion.words);
+    }
+    if (!right.isEmpty())
+        lines.append(right.join(QStringLiteral(";  ")));
+    return lines.join(u'\n');
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/compare/contest.h"
+#include "core/runs/ahead.h"
+
+#include <QPalette>
+#include <QPoint>
+#include <QString>
+
+#include <optional>
+
+namespace pixelplumb {
+
+/// What the colours of the agreement map mean, with the number of pixels of each, unless some
+/// pixels are ahead and hidden.
+QString agreementLegend(const AgreementMap &agreement, const QPalette &palette, Ahead ahead);
+
+/// How many pixels a contender writes, and how many differ from the truth: "984 pixels: 0 missing
+/// …"; with the tally of an earlier position, up to there: "412 of 984 pixels so far: …".
+QString resultText(const ContenderRun &run, const ContenderTally &tally);
+/// resultText() for little room: "984 px: 0 missing …".
+QString shortResultText(const ContenderRun &run, const ContenderTally &tally);
+
+/// How far the contenders agree on what no picture shows, a line for each pair of contenders that
+/// carries it; empty where none does.
+QString carriedText(const Contest &contest);
+
+/// How many contenders agree on a pixel, and why the others do not; without a pixel, how many
+/// pixels differ. While what is ahead is hidden, only for a decided pixel.
+QString pixelText(const Contest &contest, const std::optional<QPoint> &picked, Ahead ahead);
+
+} // namespace pixelplumb
