@@ -46,8 +46,9 @@ ContenderTally ContenderPace::at(std::size_t position) const
 {
     ContenderTally tally = m_end;
     tally.written = countUpTo(m_written, position);
-    for (std::size_t kind = 1; kind < m_differences.size(); ++kind)
-        tally.againstTruth[kind] = countUpTo(m_differences[kind], position);
+    tally.againstTruth = {};
+    for (const Difference kind : allDifferences)
+        tally.againstTruth.add(kind, countUpTo(m_differences[std::size_t(kind)], position));
     return tally;
 }
 

@@ -18,7 +18,7 @@ private:
     ContenderTally m_end;
     std::vector<std::size_t> m_written; ///< the positions from which pixels are written, ascending
     /// The positions from which differences are decided, ascending, by Difference.
-    std::array<std::vector<std::size_t>, 4> m_differences;
+    std::array<std::vector<std::size_t>, allDifferences.size()> m_differences;
 };
 
 } // namespace pixelplumb

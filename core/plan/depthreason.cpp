@@ -30,8 +30,8 @@ QString depthReason(const DepthAnswer &answer)
             "where triangles overlap or touch, the later one is nearer or as near");
     case Ground::NoSample:
         return answer.antialiasing == Antialiasing::Area
-            ? QStringLiteral("at the centre of every pixel that two triangles share, the later one "
-                             "is nearer or as near")
+            ? QStringLiteral("at the centre of every pixel in which two triangles are both drawn, "
+                             "the later one is nearer or as near")
             : QStringLiteral("at every sample that two triangles cover, the later one is nearer "
                              "or as near");
     case Ground::Witness:

@@ -118,11 +118,14 @@ private:
     void addDetails(const Triangle &triangle, const TriangleAttributes &attributes,
                     const TriangleNeeds &needs)
     {
+        const auto isSeen
+            = [this](Effect effect) { return m_appearance.forced[effect] != Forcing::Off; };
         if (needs.effects.perspective) {
             m_tally.carried.carriesColour |= needs.carriesColour;
             m_tally.carried.carriesAlpha |= needs.carriesAlpha;
-            m_tally.carried.carriesTexture |= needs.carriesTexture;
-            m_tally.carried.carriesLight |= needs.carriesLight;
+            // Where they run, both are divided even if the vertices agree in them.
+            m_tally.carried.carriesTexture |= needs.effects.texture && isSeen(Effect::Texture);
+            m_tally.carried.carriesLight |= needs.effects.light && isSeen(Effect::Light);
         }
         m_tally.dividingNothing += needs.wDiffers && !needs.effects.perspective ? 1 : 0;
         if (needs.effects.texture)

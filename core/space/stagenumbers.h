@@ -24,8 +24,7 @@ public:
                 {name, used, {}, std::numeric_limits<double>::quiet_NaN(), formula});
             return;
         }
-        constexpr int digits = 20;
-        m_numbers.push_back({name, used, QString::fromStdString(exact->str(digits)),
+        m_numbers.push_back({name, used, unrounded(*exact),
                              (ExactReal(used) - *exact).convert_to<double>(), formula});
     }
     void add(const QString &name, double used, const ExactReal &exact, const QString &formula = {})
@@ -49,6 +48,20 @@ public:
     }
 
 private:
+    /// 20 digits, or more until the last is no 0; fewer only for a number that ends there.
+    static QString unrounded(const ExactReal &exact)
+    {
+        constexpr int fewest = 20, most = 40;
+        std::string text;
+        for (int digits = fewest; digits <= most; ++digits) {
+            text = exact.str(digits);
+            const bool ends = abs(ExactReal(text) - exact) <= abs(exact) * ExactReal("1e-38");
+            if (ends || text.size() > exact.str(digits - 1).size())
+                break;
+        }
+        return QString::fromStdString(text);
+    }
+
     std::vector<StageNumber> &m_numbers;
 };
 

@@ -83,6 +83,8 @@ Method lineDdaMethod()
     method.id = QStringLiteral("line-dda");
     method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Line: DDA"));
     method.source = QStringLiteral("Rasterization slides, “DDA Line-Drawing Algorithm”");
+    const QString rates = QStringLiteral(
+        "m ← Δv/Δu if Δu > 0, else 0; ΔR ← (R₁ − R₀)/Δu if Δu > 0, else 0; ΔG and ΔB likewise");
     method.pseudocode = {
         {0,
          QStringLiteral(
@@ -90,15 +92,14 @@ Method lineDdaMethod()
              "y, here and where a pixel is written; the ends in the order of u"),
          {Moment::SetUp}},
         {0,
-         QStringLiteral("if Δu > 0: m ← Δv/Δu; ΔR, ΔG and ΔB likewise"),
+         rates,
          {Moment::SetUp},
          {},
          {{VariantSet().with(Variant::DivisorPlusOne),
            QStringLiteral("m ← Δv/(Δu + 1); ΔR, ΔG and ΔB likewise")},
           {VariantSet().with(Variant::DivisorMinusOne),
            QStringLiteral("m ← Δv/(Δu − 1); ΔR, ΔG and ΔB likewise")},
-          {VariantSet().with(Variant::DivisorPlusOne).with(Variant::DivisorMinusOne),
-           QStringLiteral("if Δu > 0: m ← Δv/Δu; ΔR, ΔG and ΔB likewise")}}},
+          {VariantSet().with(Variant::DivisorPlusOne).with(Variant::DivisorMinusOne), rates}}},
         {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
         {0, QStringLiteral("for each u from ⌈u₀⌉ to ⌊u₁⌋:"), {Moment::Begin, Moment::Span}},
         {1,

@@ -87,7 +87,9 @@ void appendLinear(Table &table, const ShadedScope &scope, const ScopedChannel &c
     }
     const QString toolTip = !scope.isPlanned ? QStringLiteral("%1 at the sample.").arg(name)
         : scope.effects.perspective && followsPerspective(which)
-        ? QStringLiteral("%1/w at the sample: linear in the frame.").arg(shadedName(which))
+        ? QStringLiteral("%1/w at the sample, linear in the frame; %1 itself where it is the same "
+                         "at all vertices.")
+              .arg(shadedName(which))
         : which == Channel::Reciprocal ? QStringLiteral("1/w at the sample: linear in the frame.")
                                        : atSampleText(which) + u'.';
     NumberDescription number

@@ -97,6 +97,8 @@ private:
                 {SetUp});
         } else if (m_form.inside != InsideTest::Cramer) {
             add(0, QStringLiteral("f_a, f_b, f_c ← f_bc at a, f_ca at b, f_ab at c"), {SetUp});
+            if (m_form.evaluation == Evaluation::Increments)
+                addIncrements();
         }
         addTies();
         if (m_form.visited == VisitedSamples::Frame) {
@@ -113,6 +115,24 @@ private:
         }
         addOfSegment(0, QStringLiteral("sort the vertices by x: P_l, P_m, P_r"), {SetUp});
         add(0, QStringLiteral("if no sample is to be drawn: done"), {Rejected});
+    }
+
+    /// What a step along x and one along y add to weights and levels.
+    void addIncrements()
+    {
+        for (const auto &[axis, coefficient] :
+             {std::pair(QStringLiteral("x"), u'a'), std::pair(QStringLiteral("y"), u'b')}) {
+            addOfArea(0,
+                      QStringLiteral("Δα_%1 ← %2_bc/f_a; Δβ_%1 and Δγ_%1 likewise")
+                          .arg(axis)
+                          .arg(coefficient),
+                      {SetUp});
+            addOfArea(0,
+                      QStringLiteral("ΔR_%1 ← Δα_%1·R_a + Δβ_%1·R_b + Δγ_%1·R_c; ΔG_%1 and ΔB_%1 "
+                                     "likewise")
+                          .arg(axis),
+                      {SetUp});
+        }
     }
 
     /// Says which edges give the triangle a sample exactly on them.

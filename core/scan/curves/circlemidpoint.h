@@ -210,7 +210,11 @@ void scanCircleByMidpoint(const Shape &shape, VariantSet variants, FrameView fra
     for (int number = 0; number < (setUp.isCircle() ? 1 : 2); ++number) {
         const MidpointArcOf<Integer> arc = setUp.arc<Integer>(number);
         for (const StepRange &range : midpointStepsIn(setUp, arc, number, frame)) {
-            MidpointStepOf<Integer> step = midpointStepAt(arc, number, range.first);
+            // A later step than the arc's first shows the decision that led to it.
+            const std::int64_t before = std::max<std::int64_t>(0, range.first - 1);
+            MidpointStepOf<Integer> step = midpointStepAt(arc, number, before);
+            if (before < range.first)
+                advance(arc, step);
             while (step.x < range.end) {
                 [[maybe_unused]] const WorkScope work(observer, WorkStage::Span);
                 observer.spanEntered(step);

@@ -348,6 +348,19 @@ private slots:
     }
 
     /// From (1/4, 3/4) to (6 1/2, 3 3/8): y(1) = 3/4 + 3/4·21/50 = 1 13/200.
+    /// 4·p₁ = 4·(5/4 − 7) + 4·3 = −11.
+    void anArcThatTheFrameCutsShowsTheDecisionBeforeIt()
+    {
+        const Shape circle = circleAt(0, 0, 7);
+        const auto cut = traceScene(sceneOf(circle, "circle-midpoint", frameOf(6, 6, 2, 2)));
+        const auto whole = traceScene(sceneOf(circle, "circle-midpoint", frameOf(20, 20, -9, -9)));
+        QCOMPARE(inSpan(*cut, 0, "p_k"), Quantity::rational(-11, 4));
+        for (const char *title : {"p_k", "Δp", "p_k₊₁"})
+            QCOMPARE(inSpan(*cut, 0, title), inSpan(*whole, 2, title));
+        QVERIFY(!pixelHistory(*cut, 2, 7)[0].reason.contains(QStringLiteral("without a decision")));
+        QVERIFY(inSpan(*whole, 0, "p_k").isNone());
+    }
+
     void theFirstPixelOfALineBetweenPixelsTellsWhatIsRounded()
     {
         const Shape line = lineAtUnits({64, 192}, {1664, 864});
