@@ -188,7 +188,7 @@ std::optional<InputError> refusalOfResults(const ResultsFolder &folder)
             return refusal;
     }
     const QStringList names = resultFiles() + ResultsFolder::folders();
-    // A run that begins at the same time writes the list of submissions before all others.
+    // A run that begins at the same time writes the list of submissions before all other files.
     const auto found = std::ranges::find_if(names, [&](const QString &name) {
         const bool isFolder = ResultsFolder::folders().contains(name);
         return isFolder ? !folder.filesIn(name).isEmpty() : folder.has(name);

@@ -93,9 +93,9 @@ Result<ResultsLock> beginResults(const ResultsFolder &results, const QByteArray 
                               QStringLiteral("is of another run, which is still grading"),
                               QStringLiteral("its end, or another folder for this assignment")};
     }
-    if (auto error = results.write(submissionListFile, submissionList))
-        return *error;
     if (auto error = results.makeFolders())
+        return *error;
+    if (auto error = results.write(submissionListFile, submissionList))
         return *error;
     if (!isAssigned()) {
         if (auto error = results.write(assignmentFile, assignment))

@@ -60,7 +60,8 @@ void denySharedMemory(FilterRules &rules)
 {
     for (const char *call : {"memfd_create", "memfd_secret", "io_uring_setup"})
         rules.deny(seccomp_syscall_resolve_name(call), ENOSYS);
-    for (const char *call : {"shmget", "msgget", "semget", "mq_open"})
+    // A page that vmsplice() has given to a pipe keeps the huge page of which it is a part.
+    for (const char *call : {"shmget", "msgget", "semget", "mq_open", "vmsplice"})
         rules.deny(seccomp_syscall_resolve_name(call), EPERM);
     // A file in memory holds megabytes of attributes, which its file system does not count.
     for (const char *call : {"setxattr", "lsetxattr", "fsetxattr"})

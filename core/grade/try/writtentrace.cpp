@@ -2,6 +2,7 @@
 #include "core/grade/try/writtentrace.h"
 
 #include "core/grade/showntext.h"
+#include "core/number/wideinteger.h"
 
 #include <QList>
 
@@ -29,17 +30,28 @@ QByteArray withoutSign(const QByteArray &text)
     return text.startsWith('-') || text.startsWith('+') ? text.sliced(1) : text;
 }
 
-/// "290/7"
+BigInteger integerOf(QByteArray digits)
+{
+    while (digits.size() > 1 && digits.startsWith('0')) // Boost takes it for octal
+        digits.remove(0, 1);
+    return BigInteger(digits.constData());
+}
+
+/// "290/7"; to the last bit of a double where its parts are too long.
 std::optional<Quantity> fractionOf(const QByteArray &text)
 {
     const qsizetype slash = text.indexOf('/');
     const QByteArray above = text.left(slash);
     const QByteArray below = text.mid(slash + 1);
     if (slash < 0 || !isDigits(withoutSign(above)) || !isDigits(below)
-        || above.size() > mostExactDigits || below.size() > mostExactDigits
-        || below.toLongLong() == 0)
+        || below.count('0') == below.size())
         return std::nullopt;
-    return Quantity::rational(above.toLongLong(), below.toLongLong());
+    const BigRational magnitude(integerOf(withoutSign(above)), integerOf(below));
+    const BigRational value = above.startsWith('-') ? BigRational(-magnitude) : magnitude;
+    const BigInteger most = BigInteger(1) << 62;
+    if (abs(numerator(value)) < most && denominator(value) < most)
+        return Quantity::rational(Int128(numerator(value)), Int128(denominator(value)));
+    return Quantity::of(value.convert_to<double>());
 }
 
 /// "41.5", "-7", "4.15e1", "nan"

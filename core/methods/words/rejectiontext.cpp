@@ -38,7 +38,8 @@ QString rejectionText(const Rejection &rejection)
     case PrimitiveRejection::NotRepresentable:
         return QStringLiteral(
             "A coordinate does not fit this arithmetic: fixed16.16, and the products of exact runs "
-            "with variants, have room up to ±2¹⁵ px. Nothing is drawn.");
+            "with variants, have room up to ±2¹⁵ px, outlines of texts up to ±2³⁰ px. Nothing is "
+            "drawn.");
     case PrimitiveRejection::VerticalLine:
         return QStringLiteral("The line is vertical: y = m·x + b has no m. Nothing is drawn.");
     case PrimitiveRejection::LineOfNoLength:

@@ -73,6 +73,7 @@ qint64 bytesToRead(const QString &path)
     for (const JsonNode &primitive : json.root()["primitives"].elements())
         names.insert(primitive["mesh"].toString());
     names.remove(QString());
+    names.removeIf([](const QString &name) { return name.contains(QChar(0)); });
     for (const QString &name : names)
         bytes += QFileInfo(file.absoluteDir().absoluteFilePath(filePath(name))).size();
     return bytes;

@@ -11,6 +11,7 @@
 
 #include <QFileInfo>
 
+#include <cmath>
 #include <functional>
 
 namespace pixelplumb {
@@ -177,9 +178,12 @@ private:
 
 QString SnapReport::message() const
 {
+    // Smaller ones are kept as the smallest double.
+    const bool isTiny = std::abs(snapped.displacement.toDouble()) < 1e-300;
     return QStringLiteral("%1: %2 is %3 %4, displaced by %5%6")
         .arg(place, written, QLatin1String(format->use), numberText(snapped.units, *format),
-             toText(snapped.displacement), QLatin1String(format->unit));
+             isTiny ? QStringLiteral("less than 1e-300") : toText(snapped.displacement),
+             QLatin1String(format->unit));
 }
 
 Result<SceneReading> readScene(const QByteArray &text, const ProgressListener &listener,

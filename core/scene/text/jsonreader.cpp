@@ -59,7 +59,11 @@ QString JsonReader::string(const JsonNode &node)
 {
     if (!node.isString())
         fail(node, describe(node), QStringLiteral("a string"));
-    return node.toString();
+    const QString text = node.toString();
+    if (text.contains(QChar(0))) // a file's name would end there
+        fail(node, QStringLiteral("a string with the character U+0000"),
+             QStringLiteral("one without it"));
+    return text;
 }
 
 bool JsonReader::boolean(const JsonNode &node)

@@ -297,6 +297,25 @@ private slots:
         QVERIFY(differenceOf({"pixel 64 0 1 2 3"}).endsWith(QStringLiteral(" is missing")));
     }
 
+    /// Exact products of Python's fractions have many digits; these are 2 and 2 + 10⁻²⁰.
+    void fractionsMayBeLongerThan64Bits()
+    {
+        const QByteArray text
+            = "column 3 4000000000000000000/2000000000000000000 -0/00001\n"
+              "column 4 -5070602400912917605986812821504/1267650600228229401496703205376 "
+              "200000000000000000001/100000000000000000000\n";
+
+        const auto written = parseWrittenTrace(text, m_scene.frame);
+
+        QVERIFY2(written.isOk(), written.isOk() ? "" : qPrintable(written.error().found));
+        const auto first = written->numbersOf(written->lines[0]);
+        const auto second = written->numbersOf(written->lines[1]);
+        QCOMPARE(first[0].value, Quantity::integer(2));
+        QCOMPARE(first[1].value, Quantity::integer(0));
+        QCOMPARE(second[0].value, Quantity::integer(-4));
+        QCOMPARE(second[1].value.toDouble(), 2.0);
+    }
+
     void aLineIsKeptInFewBytes()
     {
         static_assert(sizeof(WrittenLine) <= 32);

@@ -93,6 +93,10 @@ private slots:
         row("blending", frameOf("{ \"width\": 1, \"height\": 1, \"background\": \"#f0203080\" }"),
             "line 1, column 70, frame.background: “#f0203080” is not opaque, and only triangles "
             "are blended; expected alpha ff, or #rrggbb without alpha");
+        row("name that ends early",
+            sceneWith(R"("materials": { "a": { "texture": "f.png\u0000" } }, "primitives": [])"),
+            "line 4, column 36, materials.a.texture: a string with the character U+0000; expected "
+            "one without it");
         row("rule that the method does not keep",
             sceneWith(
                 R"("fillRule": "off-screen-point", "method": "column-scan", "primitives": [])"),

@@ -77,6 +77,15 @@ private slots:
                            "1/640 px"));
     }
 
+    void aDisplacementBelowAllDoublesIsNotToldAsTheSmallest()
+    {
+        const Result<SceneReading> reading = readScene(sceneOfTriangleAt("1e-400"));
+
+        QCOMPARE(reading->snaps.front().message(),
+                 QStringLiteral("primitives[0].triangle[0][0]: 1e-400 is drawn at 0, displaced by "
+                                "less than 1e-300 px"));
+    }
+
     void opensEveryTeachingScene_data()
     {
         QTest::addColumn<QString>("path");
