@@ -46,9 +46,8 @@ ContenderTally ContenderPace::at(std::size_t position) const
 {
     ContenderTally tally = m_end;
     tally.written = countUpTo(m_written, position);
-    tally.againstTruth = {};
-    for (const Difference kind : allDifferences)
-        tally.againstTruth.add(kind, countUpTo(m_differences[std::size_t(kind)], position));
+    for (std::size_t kind = 1; kind < m_differences.size(); ++kind)
+        tally.againstTruth.pixels[kind] = countUpTo(m_differences[kind], position);
     return tally;
 }
 

@@ -22,6 +22,19 @@ QString ofArc(QString formula, const MidpointStep &step)
         .replace(u'#', isFlat ? QStringLiteral("r_y") : QStringLiteral("r_x"));
 }
 
+/// Of a step whose predecessor is not shown, from its own place.
+void specifyMidpoint(NumberDescription &description, const MidpointStep &step)
+{
+    if (!step.isEntry || !step.hasDecision)
+        return;
+    const QString row = step.down == 0 ? QStringLiteral("(y_k − ½)²")
+        : step.down == 1               ? QStringLiteral("(y_k + ½)²")
+                                       : QStringLiteral("(y_k + %1 + ½)²").arg(step.down - 1);
+    description.formula = step.isScaled()
+        ? QStringLiteral("p_k = x_k² + ") + row + QStringLiteral(" − r_x²")
+        : ofArc(QStringLiteral("p_k = #²·x_k² + %²·") + row + QStringLiteral(" − %²·#²"), step);
+}
+
 void specifyNextMidpoint(NumberDescription &description, const MidpointStep &step)
 {
     if (step.hasDecision)
@@ -42,10 +55,13 @@ void specifyMidpointIncrement(NumberDescription &description, const MidpointStep
     const QString along
         = step.isScaled() ? QStringLiteral("2·x_k + 1") : QStringLiteral("#²·(2·x_k + 1)");
     const QString scale = step.isScaled() ? QString() : QStringLiteral("%²·");
-    const QString across = step.down == 0 ? QString()
+    QString across = step.down == 0 ? QString()
         : step.down == 1
         ? QStringLiteral(" − 2·") + scale + QStringLiteral("y_k")
         : QStringLiteral(" − ") + scale + QStringLiteral("(y_k′·(y_k′ − 1) − y_k·(y_k − 1))");
+    if (step.isEntry && step.down > 1)
+        across = QStringLiteral(" − ") + scale
+            + QStringLiteral("%1·(2·y_k + %2)").arg(step.down).arg(step.down - 1);
     description.formula = ofArc(QStringLiteral("Δp = ") + along + across, step);
 }
 
@@ -108,7 +124,8 @@ const NumberTable<MidpointStep> &circleMidpointNumbers()
         {decision,
          [](const MidpointStep &step) {
              return step.hasDecision ? decisionIn(step, step.decision) : Quantity();
-         }},
+         },
+         specifyMidpoint},
         {curveNumber("x_k", QStringLiteral("x_k"), "px",
                      QStringLiteral("From the centre along the arc."), {}, Group::Position),
          [](const MidpointStep &step) { return Quantity::integer(step.x); }},

@@ -77,6 +77,7 @@ struct MidpointStepOf {
     std::int64_t x = 0; ///< x_k from the centre along the arc, px
     std::int64_t y = 0; ///< y_k from the centre across the arc, px
     bool hasDecision = false; ///< a decision led here: not at an arc's first step
+    bool isEntry = false; ///< the frame does not show the step before
     std::int64_t down = 0; ///< rows that the decision moved inwards
     Integer decision = 0; ///< p_k−1 in units of decisionUnit
     Integer nextDecision = 0; ///< p_k
@@ -126,6 +127,7 @@ template <class Integer>
 void advance(const MidpointArcOf<Integer> &arc, MidpointStepOf<Integer> &step)
 {
     step.hasDecision = true;
+    step.isEntry = false;
     step.decision = step.nextDecision;
     ++step.x;
     const std::int64_t before = step.y;
@@ -215,6 +217,7 @@ void scanCircleByMidpoint(const Shape &shape, VariantSet variants, FrameView fra
             MidpointStepOf<Integer> step = midpointStepAt(arc, number, before);
             if (before < range.first)
                 advance(arc, step);
+            step.isEntry = true;
             while (step.x < range.end) {
                 [[maybe_unused]] const WorkScope work(observer, WorkStage::Span);
                 observer.spanEntered(step);

@@ -113,8 +113,8 @@ private slots:
                 p.appearance.antialiasing = Antialiasing::Area;
             },
             Effect::Depth, no, 0,
-            "at the centre of every pixel that two triangles share, the later one is nearer or as "
-            "near");
+            "at the centre of every pixel in which two triangles are both drawn, the later one is "
+            "nearer or as near");
         add(
             "one triangle", [](Primitives &p) { p.triangles.pop_back(); }, Effect::Depth, no, 0,
             "no two triangles are drawn in the frame");

@@ -95,7 +95,7 @@ private slots:
             "are blended; expected alpha ff, or #rrggbb without alpha");
         row("name that ends early",
             sceneWith(R"("materials": { "a": { "texture": "f.png\u0000" } }, "primitives": [])"),
-            "line 4, column 36, materials.a.texture: a string with the character U+0000; expected "
+            "line 4, column 34, materials.a.texture: a string with the character U+0000; expected "
             "one without it");
         row("rule that the method does not keep",
             sceneWith(
