@@ -205,7 +205,8 @@ std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t 
                                line.exact, index, isRepeated(numbers, constant, title)});
     }
     addPixelCount(predictions, numbers, trace, span);
-    std::ranges::stable_partition(predictions, [](const auto &each) { return !each.isRepeated; });
+    std::stable_partition(predictions.begin(), predictions.end(),
+                          [](const auto &each) { return !each.isRepeated; });
     return predictions;
 }
 
