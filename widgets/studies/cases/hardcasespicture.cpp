@@ -268,13 +268,13 @@ HardCasesVerdicts::HardCasesVerdicts(QWidget *parent)
                  return row.method->supports(arithmetic) ? row.cell(arithmetic).text() : QString();
              },
              Qt::AlignHCenter,
-             [this, arithmetic](const Row &row, int role) {
+             [table = static_cast<QTableView *>(this), arithmetic](const Row &row, int role) {
                  if (role == Qt::ToolTipRole)
                      return QVariant(row.method->supports(arithmetic)
                                          ? row.cell(arithmetic).toolTip()
                                          : tr("the method does not compute in it"));
                  return role == Qt::ForegroundRole && row.cell(arithmetic).fellShort > 0
-                     ? QVariant(signColour(Sign::Extra, palette()))
+                     ? QVariant(signColour(Sign::Extra, table->palette()))
                      : QVariant();
              }});
     setModel(m_rows = new RowsModel<Row>(std::move(columns), this));

@@ -54,6 +54,9 @@ EffectsPanel::EffectsPanel(SceneDocument *document, EffectSwitches *switches, QW
     forget();
 }
 
+/// The table's columns read the panel.
+EffectsPanel::~EffectsPanel() { m_table->setModel(nullptr); }
+
 void EffectsPanel::makeTable()
 {
     named(m_table, "effectsTable", tr("Effects"));

@@ -26,6 +26,8 @@ class EffectsPanel : public StudyPanel {
 
 public:
     EffectsPanel(SceneDocument *document, EffectSwitches *switches, QWidget *parent = nullptr);
+    ~EffectsPanel() override;
+    Q_DISABLE_COPY_MOVE(EffectsPanel)
 
     /// The current scene's plan; none while it is being made.
     const std::optional<EffectPlan> &plan() const { return m_plan; }
