@@ -3,6 +3,10 @@
 
 #include "core/scan/tests/edgetestsetup.h"
 
+#include <QStringList>
+
+#include <array>
+
 namespace pixelplumb {
 
 namespace {
@@ -142,6 +146,27 @@ QString EdgeTestNames::levelFormula() const
     if (m_form.evaluation == Evaluation::Increments)
         return QStringLiteral("% ← %′ + Δ%_y");
     return QStringLiteral("% = α·%_a + β·%_b + γ·%_c");
+}
+
+QString EdgeTestNames::tieText(FillRule rule) const
+{
+    return rule == FillRule::OffScreenPoint ? QStringLiteral("{value}({letter})·{value}(r) > 0")
+                                            : QStringLiteral("tie{l} = 1");
+}
+
+QString EdgeTestNames::cramerText(FillRule rule) const
+{
+    if (rule == FillRule::Closed)
+        return QStringLiteral("if u ≥ 0 and v ≥ 0 and u + v ≤ 1:");
+    if (rule == FillRule::Open)
+        return QStringLiteral("if u > 0 and v > 0 and u + v < 1:");
+    constexpr std::array inside
+        = {u"u > 0, or u = 0", u"v > 0, or v = 0", u"u + v < 1, or u + v = 1"};
+    QStringList tests;
+    for (std::size_t line = 0; line < 3; ++line)
+        tests.append(QString::fromUtf16(inside[line]) + QStringLiteral(" and ")
+                     + filled(tieText(rule), line));
+    return QStringLiteral("if ") + tests.join(QStringLiteral("; ")) + u':';
 }
 
 } // namespace pixelplumb

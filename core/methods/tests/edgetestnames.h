@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/scan/scansettings.h"
 #include "core/scan/tests/edgetestform.h"
 
 #include <QString>
@@ -40,6 +41,10 @@ public:
     QString weightFormula(std::size_t line) const;
     /// % stands for the channel's letter.
     QString levelFormula() const;
+    /// What gives the triangle a sample exactly on a line; placeholders as in lineAt().
+    QString tieText(FillRule rule) const;
+    /// "if u ≥ 0 and v ≥ 0 and u + v ≤ 1:". Of u, v and w the third test is on the sum.
+    QString cramerText(FillRule rule) const;
 
 private:
     EdgeTestForm m_form;

@@ -147,7 +147,8 @@ private:
     {
         const QString tie = QStringLiteral("tie{l}");
         if (rule == FillRule::OffScreenPoint)
-            return alike(QStringLiteral("tie{l} ← 1 if %1, else 0").arg(tieText(rule)), tie);
+            return alike(QStringLiteral("tie{l} ← 1 if %1, else 0").arg(m_names.tieText(rule)),
+                         tie);
         return three(tie) + QStringLiteral(" ← ") + ownersText(rule);
     }
 
@@ -264,18 +265,11 @@ private:
             + QStringLiteral("; G and B likewise");
     }
 
-    /// What gives the triangle a sample exactly on a line.
-    QString tieText(FillRule rule) const
-    {
-        return rule == FillRule::OffScreenPoint ? QStringLiteral("{value}({letter})·{value}(r) > 0")
-                                                : QStringLiteral("tie{l} = 1");
-    }
-
     QString testText(FillRule rule) const
     {
         const bool decidesTies = rule != FillRule::Closed && rule != FillRule::Open;
         if (m_form.inside == InsideTest::Cramer)
-            return cramerText(rule);
+            return m_names.cramerText(rule);
         const bool isBounded = m_form.inside == InsideTest::UnitInterval;
         const QString name
             = m_form.inside == InsideTest::Signs ? QStringLiteral("E{l}") : QStringLiteral("{w}");
@@ -285,24 +279,8 @@ private:
             within = (takesZero ? QStringLiteral("0 ≤ ") : QStringLiteral("0 < ")) + name
                 + QStringLiteral(" ≤ 1");
         if (decidesTies)
-            within += QStringLiteral(", or %1 = 0 and %2").arg(name, tieText(rule));
+            within += QStringLiteral(", or %1 = 0 and %2").arg(name, m_names.tieText(rule));
         return QStringLiteral("if ") + alike(within, name) + u':';
-    }
-
-    /// u, v and w have no cycle: the third test is on the sum.
-    QString cramerText(FillRule rule) const
-    {
-        if (rule == FillRule::Closed)
-            return QStringLiteral("if u ≥ 0 and v ≥ 0 and u + v ≤ 1:");
-        if (rule == FillRule::Open)
-            return QStringLiteral("if u > 0 and v > 0 and u + v < 1:");
-        constexpr std::array inside
-            = {u"u > 0, or u = 0", u"v > 0, or v = 0", u"u + v < 1, or u + v = 1"};
-        QStringList tests;
-        for (std::size_t line = 0; line < 3; ++line)
-            tests.append(QString::fromUtf16(inside[line]) + QStringLiteral(" and ")
-                         + m_names.filled(tieText(rule), line));
-        return QStringLiteral("if ") + tests.join(QStringLiteral("; ")) + u':';
     }
 
     EdgeTestForm m_form;
