@@ -121,7 +121,7 @@ private:
     void addIncrements()
     {
         for (const auto &[axis, coefficient] :
-             {std::pair(QStringLiteral("x"), u'a'), std::pair(QStringLiteral("y"), u'b')}) {
+             {std::pair(QChar(u'x'), QChar(u'a')), std::pair(QChar(u'y'), QChar(u'b'))}) {
             addOfArea(0,
                       QStringLiteral("Δα_%1 ← %2_bc/f_a; Δβ_%1 and Δγ_%1 likewise")
                           .arg(axis)

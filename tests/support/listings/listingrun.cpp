@@ -37,7 +37,7 @@ void ListingRun::runSetUp(std::size_t end)
                 runLine(line);
             continue;
         }
-        if (text.startsWith(QStringLiteral("sort the vertices ")))
+        if (text.startsWith(QStringLiteral("sort the vertices ")) || text.startsWith(u'Δ'))
             m_state.run(text);
         const QString name = text.section(assigns, 0, 0);
         if (text.contains(QStringLiteral(", else ")) && !name.contains(u' ')

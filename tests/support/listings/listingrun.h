@@ -33,8 +33,8 @@ public:
     using Pixels = ListingState::Pixels;
     using Exchange = ListingState::Exchange;
     /// Given: names are the set-up's results, by the titles of its numbers; only choices of names
-    /// that have no value yet and sorting are run. Run: the whole set-up is run, from the numbers
-    /// of the primitive itself.
+    /// that have no value yet, changes (Δ) and sorting are run. Run: the whole set-up is run, from
+    /// the numbers of the primitive itself.
     enum class SetUp { Given, Run };
     /// The coordinates of a point or of an edge's two ends.
     using Item = std::vector<Number>;
