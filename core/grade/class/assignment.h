@@ -111,7 +111,8 @@ inline constexpr int assignmentFormat = 1;
 Result<Assignment> readAssignment(const QByteArray &text, const QString &folder = {});
 Result<Assignment> readAssignmentFile(const QString &path);
 
-/// What a JSON file says that it is, whether or not the rest of it can be read.
+/// What a JSON file says that it is, whether or not the rest of it can be read; Other for one that
+/// is too long to be read at once, beside the user's hand.
 enum class FileKind { Scene, Assignment, Other };
 FileKind kindOfFile(const QString &path);
 

@@ -241,7 +241,7 @@ Result<Assignment> readAssignment(const QByteArray &text, const QString &folder)
 
 FileKind kindOfFile(const QString &path)
 {
-    const Result<QByteArray> text = readRegularFile(path);
+    const Result<QByteArray> text = readRegularFile(path, shortText);
     if (!text)
         return FileKind::Other;
     const JsonReader json(*text);

@@ -73,12 +73,12 @@ void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
         table.push_back(
             {comparedNumber(
                  name + QString::number(digit), name + vertexDigits[digit], unitOf(which),
-                 which == Channel::Reciprocal
-                     ? QStringLiteral("%1 at P%2 divided by its w: what is linear in the frame.")
-                     : QStringLiteral("%1 at P%2, divided by its w unless it is the same at all "
-                                      "vertices: what is linear in the frame.")
-                           .arg(which == Channel::Reciprocal ? QStringLiteral("1") : given)
-                           .arg(vertexDigits[digit]),
+                 (which == Channel::Reciprocal
+                      ? QStringLiteral("%1 at P%2 divided by its w: what is linear in the frame.")
+                      : QStringLiteral("%1 at P%2, divided by its w unless it is the same at all "
+                                       "vertices: what is linear in the frame."))
+                     .arg(which == Channel::Reciprocal ? QStringLiteral("1") : given)
+                     .arg(vertexDigits[digit]),
                  QStringLiteral("%1 = %2/w%3")
                      .arg(name + vertexDigits[digit], above, vertexDigits[digit]),
                  Group::EdgeColours),

@@ -5,6 +5,7 @@
 #include "tests/support/formularange.h"
 #include "tests/support/testprogram.h"
 
+#include <QRegularExpression>
 #include <QSet>
 #include <QTest>
 
@@ -44,6 +45,17 @@ QSet<QString> formulasOf(const TracedScene &traced)
         }
     }
     return shown;
+}
+
+/// The tool tips that still hold a place for a value ("%1").
+QStringList unfilledTipsOf(const TraceNumbers &numbers)
+{
+    QStringList unfilled;
+    for (const auto *table : {&numbers.setUp, &numbers.span, &numbers.sample})
+        for (const NumberDescription &number : *table)
+            if (number.toolTip.contains(QRegularExpression(QStringLiteral("%\\d"))))
+                unfilled += number.toolTip;
+    return unfilled;
 }
 
 } // namespace
@@ -96,7 +108,9 @@ private slots:
         Scene scene = sceneOf(text);
         scene.method = method.toStdString();
         scene.settings.arithmetic = arithmetic;
-        const QSet<QString> shown = formulasOf(*traceScene(scene));
+        const auto traced = traceScene(scene);
+        const QSet<QString> shown = formulasOf(*traced);
+        QCOMPARE(unfilledTipsOf(traced->trace->numbers()), QStringList());
         QStringList expected = {QStringLiteral("i = ⌊8·u − ½⌋ − 8·⌊⌊8·u − ½⌋/8⌋"),
                                 QStringLiteral("j = min(max(⌊8·v⌋, 0), 7)"),
                                 QStringLiteral("j = ⌊8·v⌋ − 8·⌊⌊8·v⌋/8⌋"),
