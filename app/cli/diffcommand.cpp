@@ -14,25 +14,7 @@ namespace pixelplumb::cli {
 
 namespace {
 
-std::optional<QRgb> markOf(Difference verdict)
-{
-    switch (verdict) {
-    case Difference::None:
-        break;
-    case Difference::Missing:
-        return qRgb(213, 94, 0);
-    case Difference::Extra:
-        return qRgb(0, 114, 178);
-    case Difference::Colour:
-        return qRgb(204, 121, 167);
-    case Difference::Undecidable:
-        return qRgb(240, 228, 66);
-    }
-    return std::nullopt;
-}
-
-/// The expected picture, faint and grey, with the differing pixels marked (Okabe and Ito's
-/// colours): vermilion missing, blue extra, purple another colour, yellow undecidable.
+/// The expected picture, faint and grey, with the differing pixels marked.
 QImage markedPicture(const PictureDiff &diff, const Picture &expected)
 {
     QImage picture(diff.width, diff.height, QImage::Format_RGB32);

@@ -164,9 +164,9 @@ Difference differenceAt(const JudgedRun &run, std::int64_t x, std::int64_t y)
 {
     const bool written = run.drawn->isWritten(x, y);
     const bool covered = run.truth->isWritten(x, y);
-    if (written != covered)
-        return covered ? Difference::Missing : Difference::Extra;
-    return isSame(*run.drawn, *run.truth, x, y) ? Difference::None : Difference::Colour;
+    return written == covered && isSame(*run.drawn, *run.truth, x, y)
+        ? Difference::None
+        : differenceOf(written, covered);
 }
 
 Deviation deviationAt(const JudgedRun &run, std::int64_t x, std::int64_t y)

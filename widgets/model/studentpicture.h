@@ -23,7 +23,7 @@ struct PictureJudgement {
 
     /// The index of a frame's pixel in the pictures; none outside.
     std::optional<std::size_t> placeOf(const QPoint &pixel) const;
-    /// `Same` outside the frame.
+    /// `None` outside the frame.
     Difference verdictAt(const QPoint &pixel) const;
     /// The first wrong pixel, else the first undecidable one, in reading order.
     std::optional<QPoint> firstDifference() const;

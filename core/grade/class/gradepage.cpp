@@ -50,34 +50,14 @@ QString figure(const QImage &image, const QString &caption)
         .arg(html(caption), QString::fromLatin1(png.toBase64()));
 }
 
-// The colours of marked pictures (Okabe and Ito's), as in `diff`: missing vermilion, extra blue,
-// another colour purple, undecidable yellow.
-QRgb inkOf(Difference verdict)
-{
-    switch (verdict) {
-    case Difference::Missing:
-        return qRgb(0xd5, 0x5e, 0x00);
-    case Difference::Extra:
-        return qRgb(0x00, 0x72, 0xb2);
-    case Difference::Colour:
-        return qRgb(0xcc, 0x79, 0xa7);
-    case Difference::Undecidable:
-        return qRgb(0xf0, 0xe4, 0x42);
-    case Difference::None:
-        break;
-    }
-    return 0;
-}
-
 QImage imageOf(const PictureDiff &diff, const Picture &expected)
 {
     QImage image(diff.width, diff.height, QImage::Format_RGB32);
     for (int line = 0; line < diff.height; ++line) {
         for (int x = 0; x < diff.width; ++x) {
             const std::size_t place = expected.placeOf(x, line);
-            const Difference verdict = diff.verdicts[place];
             const QRgb covered = expected.covered[place] != 0 ? qRgb(96, 96, 96) : qRgb(32, 32, 32);
-            image.setPixel(x, line, verdict == Difference::None ? covered : inkOf(verdict));
+            image.setPixel(x, line, markOf(diff.verdicts[place]).value_or(covered));
         }
     }
     return image;

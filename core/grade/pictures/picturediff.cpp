@@ -120,6 +120,23 @@ std::vector<std::uint8_t> tiesOf(const Scene &scene)
     return ties;
 }
 
+std::optional<QRgb> markOf(Difference verdict)
+{
+    switch (verdict) {
+    case Difference::None:
+        break;
+    case Difference::Missing:
+        return qRgb(213, 94, 0);
+    case Difference::Extra:
+        return qRgb(0, 114, 178);
+    case Difference::Colour:
+        return qRgb(204, 121, 167);
+    case Difference::Undecidable:
+        return qRgb(240, 228, 66);
+    }
+    return std::nullopt;
+}
+
 QString rasterOf(const PictureDiff &diff, const Picture &expected)
 {
     QString raster;

@@ -4,9 +4,11 @@
 #include "core/frame/difference.h"
 #include "core/grade/pictures/picture.h"
 
+#include <QRgb>
 #include <QString>
 
 #include <limits>
+#include <optional>
 #include <span>
 
 namespace pixelplumb {
@@ -45,6 +47,10 @@ PictureDiff differenceOf(const Picture &expected, const Picture &found,
 /// A 1 for each pixel whose sample lies exactly on an edge of one of the scene's triangles, where
 /// the rules differ; line by line, the top line first.
 std::vector<std::uint8_t> tiesOf(const Scene &scene);
+
+/// The colours that mark differing pixels in pictures (Okabe and Ito's): vermilion missing, blue
+/// extra, purple another colour, yellow undecidable; none where nothing differs.
+std::optional<QRgb> markOf(Difference verdict);
 
 /// `#` covered in both, `?` missing, `!` extra, `c` another colour, `=` undecidable, `.` otherwise;
 /// every line ends with a line feed.
