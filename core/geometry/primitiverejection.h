@@ -13,7 +13,9 @@ enum class PrimitiveRejection {
     OutsideFrame, ///< no sample of the frame lies in its bounding box, or in the primitive itself
     BetweenSamples, ///< it reaches into the frame but covers no sample; reported for a run, never
                     ///< by a kernel
-    NotRepresentable, ///< a coordinate does not fit the arithmetic (fixed 16.16: |c| < 2^15 px)
+    NotRepresentable, ///< the arithmetic holds no coordinate from 2^15 px: fixed16.16, and
+                      ///< exact products with variants
+    OutlineTooLarge, ///< a text's outline reaches 2^30 px
     VerticalLine, ///< y = m·x + b has no m
     LineOfNoLength, ///< nor does a point
     StrokeOfNoLength, ///< a stroke along a point has no area

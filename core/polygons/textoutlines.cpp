@@ -122,7 +122,7 @@ TextOutlines outlinesOf(const Shape &text)
             break;
     }
     if (!pen.isWithinRange()) {
-        outlines.rejection = PrimitiveRejection::NotRepresentable;
+        outlines.rejection = PrimitiveRejection::OutlineTooLarge;
         outlines.polygon.vertices.clear();
         outlines.polygon.laterContours.clear();
     } else if (outlines.polygon.vertices.empty()) {

@@ -26,7 +26,7 @@ struct TextOutlines {
 /// the font's own units, unhinted, with each point snapped to the nearest lattice point, so that a
 /// text has the same outlines everywhere. Curves become chains of chords that deviate from them by
 /// at most 1/32 px.
-/// Rejected: FontMissing, NoOutline where no character leaves a mark, and NotRepresentable where a
+/// Rejected: FontMissing, NoOutline where no character leaves a mark, and OutlineTooLarge where a
 /// point lies beyond ±2^30 px.
 TextOutlines outlinesOf(const Shape &text);
 /// Like outlinesOf(), but cached until another text is requested: 100,000 characters take a second,

@@ -94,19 +94,36 @@ std::vector<NamedSetting> namedSettings(const ScanSettings &settings, const Open
     return named;
 }
 
-/// Whether some method draws the scene, effects included, once these settings are no longer named.
-bool isDrawnWithout(const std::vector<NamedSetting> &dropped, const Scene &scene, OpenSettings open)
+/// What is forced off takes no other method, but may have been all that the scene's method lacks.
+bool isDrawnByItsMethod(const Scene &scene, const OpenSettings &open)
 {
-    ScanSettings settings = scene.settings;
+    const Method &method = methodFor(scene, open);
+    const ScanSettings settings = settledFor(method, scene.settings, open);
+    if (!drawsFirst(method, scene) || !method.objection(settings).isEmpty())
+        return false;
+    if (!scene.hasTriangles())
+        return scene.isEmpty()
+            || method.objection(scene.shapes.front(), scene.appearance, settings).isEmpty();
+    const Run run(&method, primitivesOnSamples(scene), settings, windowOf(scene.frame));
+    return !run.plan || method.objection(*run.plan, settings).isEmpty();
+}
+
+/// Whether some method draws the scene, effects included, once these settings are no longer named.
+bool isDrawnWithout(const std::vector<NamedSetting> &dropped, Scene scene, OpenSettings open)
+{
     for (const NamedSetting &setting : dropped)
-        setting.drop(settings, open);
-    return std::ranges::any_of(methods(), [&](const Method &method) {
-        const ScanSettings settled = settledFor(method, settings, open);
+        setting.drop(scene.settings, open);
+    const auto drawsAll = [&](const Method &method) {
+        const ScanSettings settled = settledFor(method, scene.settings, open);
         // Effects are never run with variants.
         const bool shades = (settled.variants.isEmpty() || !mayRunMore(method, scene))
             && canEffects(method, scene, settled);
         return drawsFirst(method, scene) && method.objection(settled).isEmpty() && shades;
-    });
+    };
+    const auto isForcedOff
+        = [&](Effect effect) { return scene.appearance.forced[effect] == Forcing::Off; };
+    return std::ranges::any_of(methods(), drawsAll)
+        || (std::ranges::any_of(allEffects, isForcedOff) && isDrawnByItsMethod(scene, open));
 }
 
 /// Each smallest set of named settings without which some method draws the scene; pairs are tried

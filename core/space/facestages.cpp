@@ -158,26 +158,25 @@ private:
                 : QStringLiteral("%1, kept").arg(faceVertexName(corner.inside));
             StagePoint &point
                 = stage.points.emplace_back(StagePoint{clippedCornerName(i), note, {}});
-            const auto of = [&](QChar coordinate, std::size_t vertex) {
-                return clipName(coordinate, vertex);
+            const QString x = QStringLiteral("x_clip");
+            const QString y = QStringLiteral("y_clip");
+            const QString z = QStringLiteral("z_clip");
+            const auto kept = [&](const QString &name) { return clipName(name, corner.inside); };
+            const auto between = [&](const QString &name) {
+                return QStringLiteral("%1 + t·(%2 − %1)")
+                    .arg(kept(name), clipName(name, corner.outside));
             };
             if (corner.isCut())
                 StageNumberWriter(point.numbers)
                     .add(QStringLiteral("t"), corner.t, exact ? &exact->t : nullptr,
-                         QStringLiteral("%1/(%1 − %2)")
-                             .arg(of(u'z', corner.inside), of(u'z', corner.outside)));
-            const auto between = [&](QChar coordinate) {
-                return QStringLiteral("%1 + t·(%2 − %1)")
-                    .arg(of(coordinate, corner.inside), of(coordinate, corner.outside));
-            };
+                         QStringLiteral("%1/(%1 − %2)").arg(kept(z), clipName(z, corner.outside)));
             const bool isPerspective = m_scene.camera.projection == Projection::Perspective;
             writeClipPoint(
                 point, corner.vertex.clip, exact ? &exact->vertex.clip : nullptr,
                 corner.isCut()
-                    ? ClipFormulas{between(u'x'), between(u'y'), QStringLiteral("0"),
+                    ? ClipFormulas{between(x), between(y), QStringLiteral("0"),
                                    isPerspective ? QStringLiteral("near") : QStringLiteral("1")}
-                    : ClipFormulas{of(u'x', corner.inside), of(u'y', corner.inside),
-                                   of(u'z', corner.inside), of(u'w', corner.inside)});
+                    : ClipFormulas{kept(x), kept(y), kept(z), kept(QStringLiteral("w"))});
             writeCarried(point, corner, exact);
         }
     }

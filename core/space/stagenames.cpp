@@ -35,9 +35,9 @@ QString ofVertex(std::size_t vertex, const QString &number)
     return faceVertexName(vertex) + u'_' + number;
 }
 
-QString clipName(QChar coordinate, std::size_t vertex)
+QString clipName(const QString &number, std::size_t vertex)
 {
-    return coordinate + QStringLiteral("_") + faceVertexName(vertex);
+    return number + u'_' + faceVertexName(vertex);
 }
 
 } // namespace pixelplumb

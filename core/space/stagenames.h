@@ -23,8 +23,7 @@ bool isShared(const QString &point);
 /// "V₁_y", "V₁_base_R": a number of a vertex in space, as named in the formulas of other points.
 QString ofVertex(std::size_t vertex, const QString &number);
 
-/// "x_V₁", "R_V₁": a vertex's clip coordinate, level or texture coordinate, as named in the
-/// polygon's formulas.
-QString clipName(QChar coordinate, std::size_t vertex);
+/// "x_clip_V₁", "R_V₁": a number of a vertex before clipping, as named in the polygon's formulas.
+QString clipName(const QString &number, std::size_t vertex);
 
 } // namespace pixelplumb

@@ -71,12 +71,11 @@ void writeCarried(StagePoint &point, const ClippedCorner<double> &corner,
 {
     StageNumberWriter numbers(point.numbers);
     const auto add = [&](QChar name, double used, const ExactReal *exactly) {
-        const QString inside = clipName(name, corner.inside);
-        numbers.add(
-            QString(name), used, exactly,
-            corner.isCut()
-                ? QStringLiteral("%1 + t·(%2 − %1)").arg(inside, clipName(name, corner.outside))
-                : inside);
+        const QString inside = clipName(QString(name), corner.inside);
+        numbers.add(QString(name), used, exactly,
+                    corner.isCut() ? QStringLiteral("%1 + t·(%2 − %1)")
+                                         .arg(inside, clipName(QString(name), corner.outside))
+                                   : inside);
     };
     const ClipVertex<double> &vertex = corner.vertex;
     add(u'u', vertex.texture[0], exact ? &exact->vertex.texture[0] : nullptr);

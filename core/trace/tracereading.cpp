@@ -33,7 +33,8 @@ private:
 bool wasComputed(const std::optional<Rejection> &rejection)
 {
     return !(rejection == PrimitiveRejection::NotOfThisMethod
-             || rejection == PrimitiveRejection::NotRepresentable);
+             || rejection == PrimitiveRejection::NotRepresentable
+             || rejection == PrimitiveRejection::OutlineTooLarge);
 }
 
 } // namespace

@@ -36,10 +36,12 @@ QString rejectionText(const Rejection &rejection)
         return QStringLiteral("It reaches into the frame, but by the run's tests no sample of the "
                               "frame belongs to it. Nothing is drawn.");
     case PrimitiveRejection::NotRepresentable:
-        return QStringLiteral(
-            "A coordinate does not fit this arithmetic: fixed16.16, and the products of exact runs "
-            "with variants, have room up to ±2¹⁵ px, outlines of texts up to ±2³⁰ px. Nothing is "
-            "drawn.");
+        return QStringLiteral("A coordinate of it lies beyond ±2¹⁵ px, more than these settings "
+                              "hold: fixed16.16, or exact numbers with variants. Nothing is "
+                              "drawn.");
+    case PrimitiveRejection::OutlineTooLarge:
+        return QStringLiteral("The outline of the text reaches beyond ±2³⁰ px, more than a scene "
+                              "holds. Nothing is drawn.");
     case PrimitiveRejection::VerticalLine:
         return QStringLiteral("The line is vertical: y = m·x + b has no m. Nothing is drawn.");
     case PrimitiveRejection::LineOfNoLength:

@@ -171,18 +171,18 @@ private:
     void addVertex(PointNames &names, std::size_t vertex) const
     {
         const ClipVertex<double> &from = m_stages.face.polygon[vertex];
-        const auto add = [&](QChar name, double value) {
+        const auto add = [&](const QString &name, double value) {
             names.add(clipName(name, vertex), Quantity::of(value));
         };
-        add(u'x', from.clip.x);
-        add(u'y', from.clip.y);
-        add(u'z', from.clip.z);
-        add(u'w', from.clip.w);
-        add(u'u', from.texture[0]);
-        add(u'v', from.texture[1]);
+        add(QStringLiteral("x_clip"), from.clip.x);
+        add(QStringLiteral("y_clip"), from.clip.y);
+        add(QStringLiteral("z_clip"), from.clip.z);
+        add(QStringLiteral("w"), from.clip.w);
+        add(QStringLiteral("u"), from.texture[0]);
+        add(QStringLiteral("v"), from.texture[1]);
         for (std::size_t channel = 0; channel < 3; ++channel)
-            add(channelLetters[channel], from.levels[channel]);
-        add(u'α', from.levels[3]);
+            add(QString(channelLetters[channel]), from.levels[channel]);
+        add(QStringLiteral("α"), from.levels[3]);
     }
 
     const FaceStages &m_stages;

@@ -195,9 +195,9 @@ private slots:
                 .rejection;
         };
         QCOMPARE(rejectionOfText(textOf("WWW", {0, 0}, largestCoordinate)),
-                 PrimitiveRejection::NotRepresentable);
+                 PrimitiveRejection::OutlineTooLarge);
         QCOMPARE(rejectionOfText(textOf("W", {largestCoordinate, 0}, 256)),
-                 PrimitiveRejection::NotRepresentable);
+                 PrimitiveRejection::OutlineTooLarge);
         QCOMPARE(rejectionOfText(textOf("", {0, 0}, 256)), PrimitiveRejection::NoOutline);
     }
 };

@@ -138,7 +138,7 @@ private slots:
              {"x_view = right_x·(x − E_x) + right_y·(y − E_y) + right_z·(z − E_z)",
               "z_clip = scale_z·(−z_view − near)", "x_device = x_clip/w",
               "x = x_first + (x_device + 1)/2·width − ½", "x = ⌊256·x′ + ½⌋/256",
-              "t = z_V₁/(z_V₁ − z_V₂)", "base_R = ⌊c_R·diffuse_R/255 + ½⌋",
+              "t = z_clip_V₁/(z_clip_V₁ − z_clip_V₂)", "base_R = ⌊c_R·diffuse_R/255 + ½⌋",
               "area_x = (V₁_y − V₀_y)·(V₂_z − V₀_z) − (V₁_z − V₀_z)·(V₂_y − V₀_y)",
               "face_z = area_z/√(area_x² + area_y² + area_z²)", "x_N = face_x",
               "back_y = (E_y − target_y)/√((E_x − target_x)² + (E_y − target_y)² + (E_z − "

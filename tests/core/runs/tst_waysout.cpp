@@ -73,6 +73,26 @@ QString captured(const QString &text, const char *pattern)
     return match.hasMatch() ? match.captured(1) : QString();
 }
 
+/// The scene of a body with every effect forced off.
+Scene allForcedOff(const QString &body, FillRule rule, Arithmetic arithmetic)
+{
+    Scene scene = readScene(sceneText(body, {}))->scene;
+    scene.settings.fillRule = rule;
+    scene.settings.arithmetic = arithmetic;
+    for (const Effect effect : allEffects)
+        scene.appearance.forced[effect] = Forcing::Off;
+    return scene;
+}
+
+/// What the method that is chosen for the scene objects to.
+QString objectionOfItsMethod(Scene scene, const OpenSettings &open)
+{
+    const Method &method = methodFor(scene, open);
+    scene.method = method.id.toStdString();
+    scene.settings = settledFor(method, scene.settings, open);
+    return objectionTo(scene);
+}
+
 /// Does what the first way that an objection names says.
 void follow(const QString &objection, Scene &scene)
 {
@@ -163,6 +183,36 @@ private slots:
         }
         QVERIFY(refused > 100);
         QVERIFY(pairs > 10);
+    }
+
+    void ofWhatIsForcedOffNoMoreSettingsAreNamedThanAreInTheWay()
+    {
+        int refused = 0;
+        int single = 0;
+        for (const QString &body : bodies()) {
+            for (const FillRule rule : allFillRules) {
+                for (const Arithmetic arithmetic : allArithmetics) {
+                    const Scene scene = allForcedOff(body, rule, arithmetic);
+                    const OpenSettings none = {true, false, false};
+                    if (objectionOfItsMethod(scene, none).isEmpty())
+                        continue;
+                    const QString text = refusalOfAll(scene, none);
+                    for (const OpenSettings &open :
+                         {OpenSettings{true, true, false}, OpenSettings{true, false, true}}) {
+                        if (!objectionOfItsMethod(scene, open).isEmpty())
+                            continue;
+                        QVERIFY2(text.contains(open.fillRule ? u"without the fill rule"
+                                                             : u"without the arithmetic"),
+                                 qPrintable(text));
+                        QVERIFY2(!text.contains(u"without the fill rule and"), qPrintable(text));
+                        ++single;
+                    }
+                    ++refused;
+                }
+            }
+        }
+        QVERIFY(refused > 2);
+        QVERIFY(single > 2);
     }
 
     void whatAMethodObjectsToIsNamedAtOnce()
