@@ -184,6 +184,8 @@ ExitCode counterExample(const Command &command, const QStringList &arguments)
             sayLine(QStringLiteral("the first: ") + undrawnText(*search.firstUndrawn));
         for (const QString &each : confinement)
             sayLine(each);
+        if (line.asksForJson())
+            printJson(jsonOf(sides, search));
         return ExitCode::FallsShort;
     }
     line.asksForJson() ? printJson(jsonOf(sides, search))

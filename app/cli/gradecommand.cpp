@@ -72,12 +72,13 @@ std::vector<GivenPoints> givenPoints(const CommandLine &line)
                  QStringLiteral("NAME=POINTS, points from 0 to %1").arg(largestPoints, 0, 'f', 0)});
         given.push_back({word.left(equals), isTakenBack ? std::nullopt : std::optional(points)});
     }
-    const bool isReasonless
-        = std::ranges::any_of(given,
-                              [](const GivenPoints &each) { return each.points.has_value(); })
-        && line.value(reasonOption).trimmed().isEmpty();
-    if (isReasonless)
+    const bool hasPoints = std::ranges::any_of(
+        given, [](const GivenPoints &each) { return each.points.has_value(); });
+    if (hasPoints && line.value(reasonOption).trimmed().isEmpty())
         refuse(QStringLiteral("--reason is missing: why the points of --points are given"));
+    if (!hasPoints && line.isSet(reasonOption))
+        refuse({QStringLiteral("--reason"), QStringLiteral("no points are given"),
+                QStringLiteral("--points NAME=POINTS beside it")});
     return given;
 }
 

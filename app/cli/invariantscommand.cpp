@@ -55,7 +55,7 @@ QStringList invariantLines(const Findings &findings)
     return lines;
 }
 
-QJsonObject invariantsJson(const Findings &findings)
+QJsonObject invariantsJson(const InvariantReport &report, const Findings &findings)
 {
     QJsonArray array;
     for (const BrokenInvariant &each : findings.broken)
@@ -63,7 +63,12 @@ QJsonObject invariantsJson(const Findings &findings)
             {QStringLiteral("invariant"), nameOf(each.invariant)},
             {QStringLiteral("mayBeRounding"), findings.mayBeRounding(each.invariant)},
             {QStringLiteral("scene"), QJsonDocument::fromJson(writeScene(each.scene)).object()}});
-    return {{QStringLiteral("broken"), array}};
+    QJsonObject object{{QStringLiteral("checked"), qint64(report.checked)},
+                       {QStringLiteral("undrawn"), qint64(report.undrawn)},
+                       {QStringLiteral("broken"), array}};
+    if (report.firstUndrawn)
+        object.insert(QStringLiteral("firstUndrawn"), undrawnJson(*report.firstUndrawn));
+    return object;
 }
 
 } // namespace
@@ -95,7 +100,7 @@ ExitCode invariants(const Command &command, const QStringList &arguments)
                      QString::number(report.checked + report.undrawn),
                      undrawnText(*report.firstUndrawn)));
     const QStringList confinement = sides.hasProgram() ? confinementLines() : QStringList();
-    if (report.checked == 0) {
+    if (report.checked == 0 && !line.asksForJson()) {
         for (const QString &each : confinement)
             sayLine(each);
         return ExitCode::FallsShort;
@@ -105,7 +110,7 @@ ExitCode invariants(const Command &command, const QStringList &arguments)
         findings.brokenBeyondRounding
             = checkInvariants(allowingFor(margin, source), sides.conventions, seed, pairs).broken;
     if (line.asksForJson()) {
-        QJsonObject object = invariantsJson(findings);
+        QJsonObject object = invariantsJson(report, findings);
         if (sides.hasProgram())
             addConfinement(object);
         printJson(object);

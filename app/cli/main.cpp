@@ -162,6 +162,8 @@ int main(int argc, char *argv[])
             code = ExitCode::Usage;
         }
         return int(code);
+    } catch (const std::bad_alloc &) {
+        sayLine(QStringLiteral("pixelplumb-cli: this does not fit into memory"));
     } catch (const std::exception &exception) {
         sayLine(QStringLiteral("pixelplumb-cli: internal error: %1")
                     .arg(QString::fromLocal8Bit(exception.what())));

@@ -225,6 +225,27 @@ bool crossesByVertices(const Shape &shape, const FrameView &frame, Antialiasing 
         && std::ranges::any_of(shape.vertices, isBeyond);
 }
 
+/// Whether each point, each contour of a polygon or each piece of a curve has a box of its own that
+/// holds nothing of the frame.
+bool isOutsideInParts(const Shape &shape, const FrameView &frame, Antialiasing antialiasing)
+{
+    std::vector<std::size_t> ends = shape.laterContours;
+    if (shape.kind == PrimitiveKind::Point) {
+        for (std::size_t end = 1; end < shape.vertices.size(); ++end)
+            ends.push_back(end);
+    }
+    ends.push_back(shape.vertices.size());
+    Shape part;
+    part.kind = shape.kind;
+    std::size_t first = 0;
+    return std::ranges::all_of(ends, [&](std::size_t end) {
+        const auto vertices = std::span(shape.vertices).subspan(first, end - first);
+        part.vertices.assign(vertices.begin(), vertices.end());
+        first = end;
+        return crossingOfBox(boxAround(part, antialiasing), frame) == BorderCrossing::Outside;
+    });
+}
+
 /// Whether a line misses all pixels of the frame: at the frame's sample columns (rows where it is
 /// steep) it is more than half a pixel beyond its rows (columns).
 bool passesBy(const Shape &line, const FrameView &frame)
@@ -278,6 +299,8 @@ BorderCrossing borderCrossingOf(const Shape &shape, const SampledFrame &where)
                         frame);
     if (crossing != BorderCrossing::MayCross || shape.kind == PrimitiveKind::Text)
         return crossing;
+    if (isOutsideInParts(shape, frame, antialiasing))
+        return BorderCrossing::Outside;
     if (isLine && shape.vertices.size() == 2 && where.antialiasing == Antialiasing::None
         && passesBy(shape, frame))
         return BorderCrossing::Outside;

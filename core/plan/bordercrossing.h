@@ -10,7 +10,7 @@ enum class BorderCrossing : std::uint8_t {
     Within, ///< every sample, or every pixel that it partly covers, is in the frame
     Crosses,
     MayCross, ///< its bounding box does; where its outline runs was not checked
-    Outside, ///< its bounding box holds nothing of the frame
+    Outside, ///< its bounding box, or that of each of its parts, holds nothing of the frame
 };
 
 /// Whether the triangle has samples both inside and outside the frame: with 4 or 16 samples those,

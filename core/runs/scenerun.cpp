@@ -76,14 +76,21 @@ QString objectionTo(const SceneRun &run)
         return objection;
     if (!method.draws(PrimitiveKind::Triangle) || !scene.hasTriangles())
         return joinedObjections({objection, objectionToShapes(run)});
-    if (!run.plan)
+    // What stays in the way once its own objection is met, since another fill rule may call for
+    // more; methods named for that keep the settings.
+    std::optional<SceneRun> met;
+    if (!objection.isEmpty()) {
+        Scene other = scene;
+        other.settings = method.adapted(scene.settings);
+        met.emplace(other);
+    }
+    const std::optional<EffectPlan> &plan = met ? met->plan : run.plan;
+    if (!plan)
         return objection;
-    // What stays in the way once its own objection is met; methods named for that keep the
-    // settings.
     const bool areEffectsInTheWay
-        = !method.objection(*run.plan, method.adapted(scene.settings)).isEmpty();
+        = !method.objection(*plan, met ? met->settings : scene.settings).isEmpty();
     return joinedObjections(
-        {objection, areEffectsInTheWay ? method.objection(*run.plan, scene.settings) : QString()});
+        {objection, areEffectsInTheWay ? method.objection(*plan, scene.settings) : QString()});
 }
 
 QString objectionTo(const Scene &scene)

@@ -94,7 +94,7 @@ std::vector<NamedSetting> namedSettings(const ScanSettings &settings, const Open
     return named;
 }
 
-/// What is forced off takes no other method, but may have been all that the scene's method lacks.
+/// What may be called for is less once the plan is made or an effect is forced off.
 bool isDrawnByItsMethod(const Scene &scene, const OpenSettings &open)
 {
     const Method &method = methodFor(scene, open);
@@ -120,10 +120,7 @@ bool isDrawnWithout(const std::vector<NamedSetting> &dropped, Scene scene, OpenS
             && canEffects(method, scene, settled);
         return drawsFirst(method, scene) && method.objection(settled).isEmpty() && shades;
     };
-    const auto isForcedOff
-        = [&](Effect effect) { return scene.appearance.forced[effect] == Forcing::Off; };
-    return std::ranges::any_of(methods(), drawsAll)
-        || (std::ranges::any_of(allEffects, isForcedOff) && isDrawnByItsMethod(scene, open));
+    return std::ranges::any_of(methods(), drawsAll) || isDrawnByItsMethod(scene, open);
 }
 
 /// Each smallest set of named settings without which some method draws the scene; pairs are tried

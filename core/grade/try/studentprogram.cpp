@@ -101,6 +101,12 @@ Result<StudentProgram> studentProgramOf(const QStringList &words, ShownFiles sho
     for (QString &argument : student.arguments) {
         if (const QFileInfo named(filePath(argument)); named.exists()) {
             argument = wholePath(named);
+            // What a submission's link leads to may be anybody's: the assistant's own solution.
+            if (named.isSymLink()
+                && QFileInfo(named.canonicalFilePath()).path() != QFileInfo(argument).path())
+                return InputError{named.filePath(),
+                                  QStringLiteral("is a link that leads out of its folder"),
+                                  QStringLiteral("the file itself")};
             files += argument;
         }
     }

@@ -48,6 +48,12 @@ std::vector<ContourEdge> edgesOf(const Primitives &primitives, std::size_t index
                 {high, {low.x, high.y}},
                 {{low.x, high.y}, low}};
     }
+    case PrimitiveKind::Point: {
+        std::vector<ContourEdge> points;
+        for (const Vertex &vertex : shape.vertices)
+            points.push_back({vertex.position, vertex.position});
+        return points;
+    }
     case PrimitiveKind::Text:
         return sharedOutlinesOf(shape)->contours.edges;
     case PrimitiveKind::Bezier: {

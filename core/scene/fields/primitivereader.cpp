@@ -221,7 +221,7 @@ void PrimitiveReader::readText(const JsonNode &primitive, Shape &shape)
     const QString key = keyOf(shape.kind);
     expectKeys(primitive, {key, "at", "height", colourKey});
     const QString text = m_json.string(primitive[key]);
-    countVertices(primitive[key], text.size());
+    countVertices(primitive[key], text.size() * qsizetype(verticesOfCharacter));
     shape.text = text.toStdString();
     shape.vertices = {{m_numbers.position(primitive["at"]), {}}};
     shape.textHeight = m_numbers.length(primitive["height"], QStringLiteral("a height"));

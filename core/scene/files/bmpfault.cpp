@@ -3,6 +3,7 @@
 
 #include <QtEndian>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace pixelplumb {
@@ -17,7 +18,6 @@ enum Field {
     Height = 22,
     BitsOfAPixel = 28,
     Compression = 30,
-    PixelBytes = 34,
     HeadersEnd = 54,
 };
 
@@ -29,8 +29,8 @@ enum CoreField {
     CoreHeadersEnd = 26,
 };
 
-/// Whether the compression leaves the pixels at their full size.
-bool isUncompressed(qint32 compression) { return compression == 0 || compression == 3; }
+/// Whether the pixels stand at their full size: compression 0, or 3 with masks of the channels.
+bool isUncompressed(qint64 compression) { return compression == 0 || compression == 3; }
 
 qint64 fieldAt(const QByteArray &content, Field place)
 {
@@ -61,8 +61,6 @@ qint64 bytesOfPixels(const QByteArray &content)
         return bytesOfLine(shortFieldAt(content, CoreWidth),
                            shortFieldAt(content, CoreBitsOfAPixel))
             * shortFieldAt(content, CoreHeight);
-    if (!isUncompressed(qint32(fieldAt(content, Compression))))
-        return fieldAt(content, PixelBytes);
     return bytesOfLine(fieldAt(content, Width), shortFieldAt(content, BitsOfAPixel))
         * std::abs(fieldAt(content, Height));
 }
@@ -75,8 +73,13 @@ QString bmpFault(const QByteArray &content)
         return {};
     if (content.size() < HeadersEnd && !hasCoreHeader(content))
         return QStringLiteral("a BMP that ends early, in its header");
+    // Its runs may leave pixels out, of which the reader would show what the memory held before.
+    if (!hasCoreHeader(content) && !isUncompressed(fieldAt(content, Compression)))
+        return QStringLiteral("a compressed BMP, in which pixels may be left out; save it "
+                              "uncompressed");
     const qint64 needed = bytesOfPixels(content);
-    const qint64 missing = fieldAt(content, PixelsOffset) + needed - content.size();
+    const qint64 missing
+        = std::min(needed, fieldAt(content, PixelsOffset) + needed - content.size());
     if (missing <= 0)
         return {};
     return QStringLiteral("a BMP that ends early, %1 of %2 bytes of pixels are missing")

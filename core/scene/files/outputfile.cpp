@@ -93,11 +93,12 @@ InputError OutputFile::error(const QString &otherwise) const
 
 InputError writingError(const QString &place, const QFileDevice &device, const QString &otherwise)
 {
-    if (device.error() != QFileDevice::NoError)
-        return {place, QStringLiteral("cannot be written: ") + device.errorString(), {}};
     QString why = otherwise;
-    // When a disk takes only part of a write, Qt reports no error; writing one more byte reveals
-    // it.
+    if (device.error() != QFileDevice::NoError
+        && device.errorString() != QIODevice::tr("Unknown error"))
+        why = device.errorString();
+    // When a disk takes only part of a write, Qt reports no error or does not know it; writing one
+    // more byte reveals it.
     if (why.isEmpty() && device.handle() >= 0 && ::write(device.handle(), "", 1) < 0)
         why = qt_error_string(errno);
     return {place,

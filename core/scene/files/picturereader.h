@@ -21,7 +21,7 @@ public:
     QString fault() const { return m_png ? m_png->fault() : m_bmpFault; }
     QByteArray format() { return m_png ? "png" : m_reader.format(); } ///< empty: no picture
     /// In px, before decoding; not valid: unknown.
-    QSize size() { return m_png ? m_png->size() : m_reader.size(); }
+    QSize size();
     /// Null where it cannot be decoded.
     QImage read() { return m_png ? m_png->read() : m_reader.read(); }
     QString errorString() const { return m_png ? m_png->fault() : m_reader.errorString(); }

@@ -53,6 +53,12 @@ private:
     int m_line = 1;
 };
 
+bool isPnm(const QByteArray &content)
+{
+    return content.size() > 2 && content[0] == 'P' && content[1] >= '1' && content[1] <= '6'
+        && QByteArrayView(" \t\r\n#").contains(content[2]);
+}
+
 /// The header's content; levels run from 0 to the greatest.
 struct PnmHeader {
     char digit = '1'; ///< of P1 … P6
@@ -134,9 +140,7 @@ QString levelsFault(WordReader &reader, const PnmHeader &header)
 
 QString pnmFault(const QByteArray &content)
 {
-    const bool isPnm = content.size() > 2 && content[0] == 'P' && content[1] >= '1'
-        && content[1] <= '6' && QByteArrayView(" \t\r\n#").contains(content[2]);
-    if (!isPnm)
+    if (!isPnm(content))
         return {};
     WordReader reader(content);
     reader.next();
@@ -148,6 +152,27 @@ QString pnmFault(const QByteArray &content)
     // Exactly one space precedes the pixels.
     const qint64 found = std::max<qint64>(0, content.size() - reader.place() - 1);
     return missingText(header, found, header.bytes(), "bytes of pixels");
+}
+
+QByteArray withSpacedBits(const QByteArray &content)
+{
+    if (!isPnm(content) || content[1] != '1')
+        return content;
+    WordReader reader(content);
+    QByteArray spaced;
+    int word = 0;
+    while (const auto next = reader.next()) {
+        constexpr int headerWords = 3; // P1, width, height
+        if (word++ < headerWords) {
+            spaced += *next + '\n';
+            continue;
+        }
+        for (const char bit : *next) {
+            spaced += bit;
+            spaced += ' ';
+        }
+    }
+    return spaced;
 }
 
 } // namespace pixelplumb

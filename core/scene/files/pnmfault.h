@@ -12,4 +12,8 @@ namespace pixelplumb {
 /// text up to there.
 QString pnmFault(const QByteArray &content);
 
+/// A PBM in text (P1) with a space after each bit, as its decoder wants them; the format allows
+/// bits without. Any other content as it is.
+QByteArray withSpacedBits(const QByteArray &content);
+
 } // namespace pixelplumb

@@ -39,7 +39,10 @@ QString fewerTriangles() { return QStringLiteral("at most %1 triangles").arg(mos
 
 QString tooManyVertices(std::size_t count)
 {
-    return QStringLiteral("with it the scene's shapes have %1 vertices and characters").arg(count);
+    return QStringLiteral("with it the scene's shapes have %1 vertices, %2 for each character of a "
+                          "text")
+        .arg(count)
+        .arg(verticesOfCharacter);
 }
 
 QString fewerVertices() { return QStringLiteral("at most %1").arg(mostShapeVertices); }

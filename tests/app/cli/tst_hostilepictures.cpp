@@ -77,6 +77,14 @@ QByteArray pngOf(QImage::Format format)
     return png;
 }
 
+QByteArray bmp()
+{
+    QByteArray bmp;
+    QBuffer buffer(&bmp);
+    picture().convertToFormat(QImage::Format_RGB888).save(&buffer, "bmp");
+    return bmp;
+}
+
 /// What is written to standard error while it lives.
 class WrittenErrors {
 public:
@@ -167,6 +175,46 @@ private slots:
         }
         QVERIFY2(decoded > 50 && refused > 200,
                  qPrintable(QStringLiteral("%1, %2").arg(decoded).arg(refused)));
+    }
+
+    void aBmpWithItsLinesFromTheTopDownIsReadAsAnyOther()
+    {
+        const QByteArray upwards = bmp();
+        constexpr int header = 54, line = 72; // 23 pixels of 3 bytes, padded
+        QByteArray downwards = upwards.first(header);
+        qToLittleEndian<qint32>(-17, downwards.data() + 22);
+        for (int i = 16; i >= 0; --i)
+            downwards += upwards.sliced(header + i * line, line);
+        PictureReader reader(downwards);
+        QCOMPARE(reader.size(), QSize(23, 17));
+        QCOMPARE(parsePicture(downwards, {})->colours, parsePicture(upwards, {})->colours);
+    }
+
+    void aBmpThatMayLeavePixelsOutIsRefused()
+    {
+        QByteArray compressed = bmp();
+        compressed[30] = 1; // runs of 8 bits
+        QCOMPARE(parsePicture(compressed, QStringLiteral("p")).error().message(),
+                 QStringLiteral("p: no picture: a compressed BMP, in which pixels may be left out; "
+                                "save it uncompressed; expected a whole file"));
+        QByteArray offset = bmp().first(60);
+        qToLittleEndian<qint32>(1078, offset.data() + 10);
+        QVERIFY(parsePicture(offset, {})
+                    .error()
+                    .message()
+                    .contains(u"1224 of 1224 bytes of pixels are missing"));
+    }
+
+    void theBitsOfAPbmNeedNoSpacesBetweenThem()
+    {
+        const auto spaced = parsePicture("P1\n# b\n4 2\n0 1 1 0\n1 0 0 1\n", {});
+        QVERIFY(spaced);
+        for (const char *text :
+             {"P1\n4 2\n0110\n1001\n", "P1 4 2 01101001", "P1\n4 2\n0 11# c\n01001"}) {
+            const auto read = parsePicture(text, {});
+            QVERIFY2(read, text);
+            QCOMPARE(read->colours, spaced->colours);
+        }
     }
 
     void coloursAreThoseThatAreStored_data()

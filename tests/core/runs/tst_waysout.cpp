@@ -44,6 +44,12 @@ QStringList bodies()
                 .arg(triangle)
                 .replace(QStringLiteral("ff0000"), QStringLiteral("ff000080")),
             QStringLiteral("'antialiasing': 4, 'primitives': [{ %1 }]").arg(triangle),
+            // Depth may be called for, and is not.
+            QStringLiteral("'primitives': [{ %1, 'z': [2, 2, 2] }]").arg(triangle),
+            // A segment, which calls for its texture under the closed rule alone.
+            QStringLiteral("'materials': { 'm': { 'texture': 'checker' } }, 'primitives': [{ "
+                           "'triangle': [[1, 1], [3, 3], [5, 5]], 'colors': ['#ff0000', "
+                           "'#ff0000', '#ff0000'], 'material': 'm' }]"),
             QStringLiteral(
                 "'primitives': [{ 'line': [[1, 1], [9, 4]], 'colors': ['#ff0000', '#00ff00'] }]"),
             QStringLiteral("'antialiasing': 'area', 'primitives': [{ 'line': [[1, 1], [9, 4]], "
