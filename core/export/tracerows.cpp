@@ -90,15 +90,13 @@ QString unroundedText(const Quantity &exact)
 TraceTable<SetUpRow> setUpTable(const std::vector<NumberDescription> &numbers)
 {
     TraceTable<SetUpRow> table;
-    table.add({QStringLiteral("step"), Kind::Number},
-              [](const SetUpRow &row) { return stepNumber(row.step); });
-    table.add({QStringLiteral("primitive"), Kind::Number},
+    table.add({"step", Kind::Number}, [](const SetUpRow &row) { return stepNumber(row.step); });
+    table.add({"primitive", Kind::Number},
               [](const SetUpRow &row) { return integer(std::int64_t(row.record.primitive)); });
-    table.add({QStringLiteral("kind"), Kind::Text},
-              [](const SetUpRow &row) { return nameOf(row.kind); });
-    table.add({QStringLiteral("zero_area"), Kind::Boolean},
+    table.add({"kind", Kind::Text}, [](const SetUpRow &row) { return nameOf(row.kind); });
+    table.add({"zero_area", Kind::Boolean},
               [](const SetUpRow &row) { return row.record.zeroArea; });
-    table.add({QStringLiteral("rejection"), Kind::Text}, [](const SetUpRow &row) {
+    table.add({"rejection", Kind::Text}, [](const SetUpRow &row) {
         return row.rejection ? rejectionText(*row.rejection) : QString();
     });
     addDescribed(
@@ -125,9 +123,8 @@ SetUpRow setUpRow(const TracedScene &traced, std::size_t primitive)
 TraceTable<SpanRow> spanTable(const std::vector<NumberDescription> &numbers)
 {
     TraceTable<SpanRow> table;
-    table.add({QStringLiteral("step"), Kind::Number},
-              [](const SpanRow &row) { return stepNumber(row.step); });
-    table.add({QStringLiteral("primitive"), Kind::Number},
+    table.add({"step", Kind::Number}, [](const SpanRow &row) { return stepNumber(row.step); });
+    table.add({"primitive", Kind::Number},
               [](const SpanRow &row) { return integer(std::int64_t(row.record.primitive)); });
     addDescribed(
         table, numbers, [](const SpanRow &row) -> const auto & { return row.exact; });
@@ -143,23 +140,20 @@ SpanRow spanRow(const TracedScene &traced, std::size_t span)
 TraceTable<StageRow> stageTable()
 {
     TraceTable<StageRow> table;
-    table.add({QStringLiteral("step"), Kind::Number},
-              [](const StageRow &row) { return stepNumber(row.step); });
-    table.add({QStringLiteral("primitive"), Kind::Number},
+    table.add({"step", Kind::Number}, [](const StageRow &row) { return stepNumber(row.step); });
+    table.add({"primitive", Kind::Number},
               [](const StageRow &row) { return integer(std::int64_t(row.primitive)); });
-    table.add({QStringLiteral("stage"), Kind::Text}, [](const StageRow &row) { return row.stage; });
-    table.add({QStringLiteral("point"), Kind::Text}, [](const StageRow &row) { return row.point; });
+    table.add({"stage", Kind::Text}, [](const StageRow &row) { return row.stage; });
+    table.add({"point", Kind::Text}, [](const StageRow &row) { return row.point; });
     const auto used = [](const StageRow &row) { return row.number.used; };
-    table.add({QStringLiteral("used"), Kind::Number}, used);
-    table.add({exactName(QStringLiteral("used")), Kind::Text, QStringLiteral("used exact")},
+    table.add({"used", Kind::Number}, used);
+    table.add({exactName("used"), Kind::Text, "used exact"},
               [](const StageRow &row) { return unroundedText(row.number.exact); });
-    table.add({errorName(QStringLiteral("used")), Kind::Error, QStringLiteral("used error")},
+    table.add({errorName("used"), Kind::Error, "used error"},
               [used](const StageRow &row) { return errorCell(used(row), row.number.exact); });
-    table.add({QStringLiteral("formula"), Kind::Text},
-              [](const StageRow &row) { return row.number.symbols; });
-    table.add({QStringLiteral("numbers"), Kind::Text},
-              [](const StageRow &row) { return row.number.substituted; });
-    table.add({QStringLiteral("note"), Kind::Text}, [](const StageRow &row) { return row.note; });
+    table.add({"formula", Kind::Text}, [](const StageRow &row) { return row.number.symbols; });
+    table.add({"numbers", Kind::Text}, [](const StageRow &row) { return row.number.substituted; });
+    table.add({"note", Kind::Text}, [](const StageRow &row) { return row.note; });
     return table;
 }
 
@@ -178,14 +172,11 @@ TraceTable<SampleRow> sampleTable(const std::vector<NumberDescription> &numbers)
 {
     using Row = SampleRow;
     TraceTable<Row> table;
-    table.add({QStringLiteral("step"), Kind::Number},
-              [](const Row &row) { return stepNumber(row.step); });
-    table.add({QStringLiteral("primitive"), Kind::Number},
+    table.add({"step", Kind::Number}, [](const Row &row) { return stepNumber(row.step); });
+    table.add({"primitive", Kind::Number},
               [](const Row &row) { return integer(std::int64_t(row.primitive)); });
-    table.add({QStringLiteral("x"), Kind::Number},
-              [](const Row &row) { return integer(row.record.x); });
-    table.add({QStringLiteral("y"), Kind::Number},
-              [](const Row &row) { return integer(row.record.y); });
+    table.add({"x", Kind::Number}, [](const Row &row) { return integer(row.record.x); });
+    table.add({"y", Kind::Number}, [](const Row &row) { return integer(row.record.y); });
     for (std::size_t channel = 0; channel < channelLetters.size(); ++channel) {
         const QString name = QChar(channelLetters[channel]);
         addCompared<Row>(
@@ -199,14 +190,13 @@ TraceTable<SampleRow> sampleTable(const std::vector<NumberDescription> &numbers)
                                           : Quantity();
         });
     }
-    table.add({QStringLiteral("clamped"), Kind::Boolean},
-              [](const Row &row) { return row.record.clamped; });
-    table.add({QStringLiteral("before"), Kind::Text},
+    table.add({"clamped", Kind::Boolean}, [](const Row &row) { return row.record.clamped; });
+    table.add({"before", Kind::Text},
               [](const Row &row) { return colourText(unpacked(row.change.before)); });
-    table.add({QStringLiteral("after"), Kind::Text}, [](const Row &row) {
+    table.add({"after", Kind::Text}, [](const Row &row) {
         return colourText(unpacked(row.change.isWritten() ? row.change.after : row.change.before));
     });
-    table.add({QStringLiteral("fate"), Kind::Text}, [](const Row &row) {
+    table.add({"fate", Kind::Text}, [](const Row &row) {
         return row.change.isWritten() ? QStringLiteral("written") : QStringLiteral("refused");
     });
     addDescribed(

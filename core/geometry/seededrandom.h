@@ -32,6 +32,8 @@ public:
     }
 
     bool coin() { return between(0, 1) != 0; }
+    /// 0 <= value < 1, in steps of 2^-53.
+    double unit() { return double(m_engine() >> 11) * 0x1p-53; }
 
 private:
     std::mt19937_64 m_engine;

@@ -89,9 +89,9 @@ public:
             m_drawing.lines.push_back({m_imagePlaces[i], m_imagePlaces[next], LayerInk::Second,
                                        LayerDrawing::Stroke::Dashed});
             m_drawing.points.push_back({m_imagePlaces[i], LayerInk::Second});
-            m_drawing.labels.push_back({m_moment.weightedCornerName(i, QStringLiteral("′")) + u' '
-                                            + pointText(rationalPoint(m_images[i])),
-                                        m_imagePlaces[i], LayerInk::Second});
+            m_drawing.labels.push_back(
+                {m_moment.weightedCornerName(i, "′") + u' ' + pointText(rationalPoint(m_images[i])),
+                 m_imagePlaces[i], LayerInk::Second});
         }
     }
 
@@ -111,7 +111,7 @@ public:
             return;
         }
         const RationalPoint image = m_map.of(*m_point);
-        appendPoint(QStringLiteral("p"), *m_point, pointAreas(m_corners, *m_point));
+        appendPoint("p", *m_point, pointAreas(m_corners, *m_point));
         for (std::size_t i = 0; i < 3; ++i)
             appendSpoke(placeOf(m_onSamples[i]), *m_point);
         if (m_map.determinant() == 0) {
@@ -121,7 +121,7 @@ public:
                     .arg(pointText(image)));
             return;
         }
-        appendPoint(QStringLiteral("p′"), image, pointAreas(m_images, image));
+        appendPoint("p′", image, pointAreas(m_images, image));
         for (const QPointF &corner : m_imagePlaces)
             appendSpoke(corner, image);
         m_drawing.notes.append(areasChangeText(m_map));
@@ -200,16 +200,15 @@ void drawAffineMap(const LayerMoment &moment, LayerDrawing &drawing)
 
 Layer affineMapLayer()
 {
-    return {.id = QStringLiteral("affine-map"),
-            .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Affine map: weights stay")),
-            .toolTip = QStringLiteral(
-                "The triangle's image under an affine map, with the images of the lines between "
-                "cells, of every second, fourth … where they are many, and the weights of the "
-                "current sample before and after, each from its own triangle's areas: α, β, γ of "
-                "a, b, c, the vertices 0, 1, 2 of the scene. The image's corners can be dragged; "
-                "a double click on one brings the first map back."),
-            .source = QStringLiteral("Rasterization slides, “Barycentric Coordinates – "
-                                     "Invariance”"),
+    return {.id = "affine-map",
+            .title = QT_TRANSLATE_NOOP("core", "Affine map: weights stay"),
+            .toolTip
+            = "The triangle's image under an affine map, with the images of the lines between "
+              "cells, of every second, fourth … where they are many, and the weights of the "
+              "current sample before and after, each from its own triangle's areas: α, β, γ of a, "
+              "b, c, the vertices 0, 1, 2 of the scene. The image's corners can be dragged; a "
+              "double click on one brings the first map back.",
+            .source = "Rasterization slides, “Barycentric Coordinates – Invariance”",
             .kinds = {PrimitiveKind::Triangle},
             .draw = drawAffineMap};
 }

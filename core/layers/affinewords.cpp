@@ -74,7 +74,7 @@ QStringList rowsText(const AffineMap &map)
 {
     const ShownNumbers numbers(
         {map.xx, abs(map.xy), abs(map.shift.x), map.yx, abs(map.yy), abs(map.shift.y)}, compared);
-    const QString row = QStringLiteral("%1 %2 %3·x %4 %5·y %6 %7");
+    const QString row = "%1 %2 %3·x %4 %5·y %6 %7";
     return {row.arg(QStringLiteral("Affine map: x′"), numbers.equals(), numbers[0], signOf(map.xy),
                     numbers[1], signOf(map.shift.x), numbers[2]),
             row.arg(QStringLiteral("and y′"), numbers.equals(), numbers[3], signOf(map.yy),

@@ -67,10 +67,10 @@ public:
         appendPoint(m_moment.weightedCornerName(0) + QStringLiteral(" (1, 0, 0)"), 0, 0);
         appendPoint(m_moment.weightedCornerName(1) + QStringLiteral(" (0, 1, 0)"), 1, 0);
         appendPoint(m_moment.weightedCornerName(2) + QStringLiteral(" (0, 0, 1)"), 0, 1);
-        appendPoint(QStringLiteral("(½, ½, 0)"), 0.5, 0);
-        appendPoint(QStringLiteral("(½, 0, ½)"), 0, 0.5);
-        appendPoint(QStringLiteral("(0, ½, ½)"), 0.5, 0.5);
-        appendPoint(QStringLiteral("(⅓, ⅓, ⅓)"), 1.0 / 3, 1.0 / 3);
+        appendPoint("(½, ½, 0)", 0.5, 0);
+        appendPoint("(½, 0, ½)", 0, 0.5);
+        appendPoint("(0, ½, ½)", 0.5, 0.5);
+        appendPoint("(⅓, ⅓, ⅓)", 1.0 / 3, 1.0 / 3);
     }
 
 private:
@@ -101,9 +101,8 @@ private:
 void drawAxes(const LayerMoment &moment, LayerDrawing &drawing)
 {
     if (doubledArea(moment.triangle()) == 0)
-        return drawing.notes.append(
-            QStringLiteral("Barycentric axes: the triangle has no area, so that they fall into "
-                           "one"));
+        return drawing.notes.append(QStringLiteral(
+            "Barycentric axes: the triangle has no area, so that they fall into one"));
     AxesDrawer axes(moment, drawing);
     axes.appendLines();
     axes.appendSpecialPoints();
@@ -113,17 +112,16 @@ void drawAxes(const LayerMoment &moment, LayerDrawing &drawing)
 
 Layer barycentricAxesLayer()
 {
-    return {
-        .id = QStringLiteral("barycentric-axes"),
-        .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Barycentric axes and points")),
-        .toolTip = QStringLiteral(
-            "The oblique axes from a: β towards b, γ towards c, the lines of their whole values, "
-            "and (α, β, γ) of the vertices, the middles of the edges and the centroid; exact. "
-            "a, b, c are the vertices 0, 1, 2 of the scene, whatever the method sorts."),
-        .source = QStringLiteral("Triangles slides, “p = a + β(b − a) + γ(c − a)”; "
-                                 "Rasterization slides, “BC – Special Points”"),
-        .kinds = {PrimitiveKind::Triangle},
-        .draw = drawAxes};
+    return {.id = "barycentric-axes",
+            .title = QT_TRANSLATE_NOOP("core", "Barycentric axes and points"),
+            .toolTip
+            = "The oblique axes from a: β towards b, γ towards c, the lines of their whole values, "
+              "and (α, β, γ) of the vertices, the middles of the edges and the centroid; exact. a, "
+              "b, c are the vertices 0, 1, 2 of the scene, whatever the method sorts.",
+            .source = "Triangles slides, “p = a + β(b − a) + γ(c − a)”; Rasterization slides, “BC "
+                      "– Special Points”",
+            .kinds = {PrimitiveKind::Triangle},
+            .draw = drawAxes};
 }
 
 } // namespace pixelplumb

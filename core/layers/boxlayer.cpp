@@ -133,7 +133,7 @@ void drawBox(const LayerMoment &moment, LayerDrawing &drawing)
     const SampleBox frame = samplesOf(windowOf(moment.frame()));
     drawer.appendSamples(
         intersection(roundedSamplesIn(raw.first, raw.last, moment.frame().pixelCentre), frame),
-        QStringLiteral("(int)(bbox ± .5), clipped"), {LayerInk::Second, Stroke::Dotted});
+        "(int)(bbox ± .5), clipped", {LayerInk::Second, Stroke::Dotted});
     const std::optional<SampleBox> tested = testedBoxOf(moment);
     const SampleBox clipped = intersection(samplesIn(raw.first, raw.last), frame);
     drawer.appendSamples(tested.value_or(clipped),
@@ -145,20 +145,18 @@ void drawBox(const LayerMoment &moment, LayerDrawing &drawing)
 
 Layer boxLayer()
 {
-    return {
-        .id = QStringLiteral("box"),
-        .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Bounding box")),
-        .toolTip = QStringLiteral(
-            "The box around the vertices (dashed), clipped to the frame and rounded as the slides "
-            "print it for samples in the middle of pixels, from (int)(bbox + .5) to "
-            "(int)(bbox − .5) (dotted), and the pixels of the frame that the method tests (solid); "
-            "where it tests "
-            "no box, those that the box covers, exact."),
-        .source = QStringLiteral("Triangle Rasterization slides, “Edge equations "
-                                 "rasterization” and “Triangle rasterization implementation "
-                                 "guidelines”; Scan Conversion slides, “Using Edge Equations”"),
-        .kinds = {PrimitiveKind::Triangle, PrimitiveKind::Polygon},
-        .draw = drawBox};
+    return {.id = "box",
+            .title = QT_TRANSLATE_NOOP("core", "Bounding box"),
+            .toolTip
+            = "The box around the vertices (dashed), clipped to the frame and rounded as the "
+              "slides print it for samples in the middle of pixels, from (int)(bbox + .5) to "
+              "(int)(bbox − .5) (dotted), and the pixels of the frame that the method tests "
+              "(solid); where it tests no box, those that the box covers, exact.",
+            .source = "Triangle Rasterization slides, “Edge equations rasterization” and “Triangle "
+                      "rasterization implementation guidelines”; Scan Conversion slides, “Using "
+                      "Edge Equations”",
+            .kinds = {PrimitiveKind::Triangle, PrimitiveKind::Polygon},
+            .draw = drawBox};
 }
 
 } // namespace pixelplumb

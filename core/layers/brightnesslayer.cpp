@@ -126,12 +126,12 @@ QStringList thinLineMethods()
 
 Layer brightnessLayer()
 {
-    return {.id = QStringLiteral("brightness"),
-            .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Brightness by direction")),
-            .toolTip = QStringLiteral(
-                "Of a line, its pixels for each pixel of its length, from the first to the last: 1 "
-                "on the level, 1/√2 at 45°; beside it a line of even brightness, one pixel wide."),
-            .source = QStringLiteral("Rasterization slides, “Raster Conversion of Lines”"),
+    return {.id = "brightness",
+            .title = QT_TRANSLATE_NOOP("core", "Brightness by direction"),
+            .toolTip
+            = "Of a line, its pixels for each pixel of its length, from the first to the last: 1 "
+              "on the level, 1/√2 at 45°; beside it a line of even brightness, one pixel wide.",
+            .source = "Rasterization slides, “Raster Conversion of Lines”",
             .kinds = {PrimitiveKind::Line},
             .methods = thinLineMethods(),
             .draw = drawBrightness};

@@ -50,21 +50,20 @@ void drawLineDecision(const NamedNumbers &setUp, SpanAxis axis, const NamedNumbe
         return from == to ? across - stayer : to - from;
     };
     const auto measured = [&](const QString &name) { return named(name, step[name]); };
-    drawing.measures.push_back({stayer, onLine, measured(QStringLiteral("d_lower")),
-                                LayerInk::First, wayOf(stayer, onLine)});
-    drawing.measures.push_back({onLine, across, measured(QStringLiteral("d_upper")),
-                                LayerInk::Second, wayOf(onLine, across)});
+    drawing.measures.push_back(
+        {stayer, onLine, measured("d_lower"), LayerInk::First, wayOf(stayer, onLine)});
+    drawing.measures.push_back(
+        {onLine, across, measured("d_upper"), LayerInk::Second, wayOf(onLine, across)});
     drawing.points.push_back({stayer, LayerInk::First});
     drawing.points.push_back({across, LayerInk::Second});
     drawing.points.push_back({onLine, LayerInk::Hand});
-    drawing.labels.push_back({measured(QStringLiteral("p_k")), onLine, LayerInk::Hand});
+    drawing.labels.push_back({measured("p_k"), onLine, LayerInk::Hand});
     const QString side = sideOf(falls ? Neighbour::Greater : Neighbour::Lesser, axis, origin);
     if (side != QStringLiteral("lower"))
         drawing.notes.append(
             QStringLiteral(
-                "The letters are the slide's, whose line rises by less than 45°: “lower” "
-                "is the distance to the pixel that stays, here the %1 one, “upper” that "
-                "to the %2 one")
+                "The letters are the slide's, whose line rises by less than 45°: “lower” is the "
+                "distance to the pixel that stays, here the %1 one, “upper” that to the %2 one")
                 .arg(side, sideOf(falls ? Neighbour::Lesser : Neighbour::Greater, axis, origin)));
 }
 
@@ -88,8 +87,7 @@ void drawCircleDecision(const NamedNumbers &setUp, const NamedNumbers &before,
     drawing.points.push_back({at(x, stays - 1), LayerInk::Second});
     drawing.lines.push_back({at(x, stays), at(x, stays - 1), LayerInk::Mark});
     drawing.points.push_back({at(x, stays - 0.5), LayerInk::Third});
-    drawing.labels.push_back(
-        {named(QStringLiteral("F = p_k"), decision), at(x, stays - 0.5), LayerInk::Third});
+    drawing.labels.push_back({named("F = p_k", decision), at(x, stays - 0.5), LayerInk::Third});
 }
 
 void drawDecision(const LayerMoment &moment, LayerDrawing &drawing)
@@ -118,19 +116,18 @@ void drawDecision(const LayerMoment &moment, LayerDrawing &drawing)
 Layer decisionsLayer()
 {
     return {
-        .id = QStringLiteral("decisions"),
-        .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Decision of the step")),
-        .toolTip = QStringLiteral(
-            "Of a line or an edge by Bresenham, d_lower to the pixel that stays and d_upper to "
-            "the one across, at the current step, measured beside it; of a circle, the "
-            "two pixels that the step chose from, the midpoint between them and its F, by whose "
-            "sign it chose."),
-        .source = QStringLiteral("Rasterization slides, “Bresenham's Line Algorithm (1/4)”; "
-                                 "Scan Conversion slides, “Lines and Curves: Implicit”"),
+        .id = "decisions",
+        .title = QT_TRANSLATE_NOOP("core", "Decision of the step"),
+        .toolTip
+        = "Of a line or an edge by Bresenham, d_lower to the pixel that stays and d_upper to the "
+          "one across, at the current step, measured beside it; of a circle, the two pixels that "
+          "the step chose from, the midpoint between them and its F, by whose sign it chose.",
+        .source = "Rasterization slides, “Bresenham's Line Algorithm (1/4)”; Scan Conversion "
+                  "slides, “Lines and Curves: Implicit”",
         .kinds = {PrimitiveKind::Line, PrimitiveKind::Circle, PrimitiveKind::Ellipse,
                   PrimitiveKind::Polygon},
-        .methods = {QStringLiteral("line-bresenham"), QStringLiteral("line-bresenham-symmetric"),
-                    QStringLiteral("circle-midpoint"), QStringLiteral("polygon-outline")},
+        .methods
+        = {"line-bresenham", "line-bresenham-symmetric", "circle-midpoint", "polygon-outline"},
         .draw = drawDecision};
 }
 

@@ -140,19 +140,16 @@ void drawEdgeTable(const LayerMoment &moment, LayerDrawing &drawing)
 
 Layer edgeTableLayer()
 {
-    return {
-        .id = QStringLiteral("edge-table"),
-        .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Edge table")),
-        .toolTip = QStringLiteral(
-            "Each edge with the row in whose bucket it stands, the first that it crosses; of the "
-            "current row the active edges, their crossings x₀, x₁, … as the method computed "
-            "them, and the intervals between them that lie inside, with their parity p or winding "
-            "number w."),
-        .source = QStringLiteral("Scan Conversion slides, “Scan Conversion: A General Algorithm”"),
-        .kinds = {PrimitiveKind::Polygon, PrimitiveKind::Bezier, PrimitiveKind::Text},
-        .methods = {QStringLiteral("polygon-parity"), QStringLiteral("bezier-fill"),
-                    QStringLiteral("text-outlines")},
-        .draw = drawEdgeTable};
+    return {.id = "edge-table",
+            .title = QT_TRANSLATE_NOOP("core", "Edge table"),
+            .toolTip = "Each edge with the row in whose bucket it stands, the first that it "
+                       "crosses; of the current row the active edges, their crossings x₀, x₁, … as "
+                       "the method computed them, and the intervals between them that lie inside, "
+                       "with their parity p or winding number w.",
+            .source = "Scan Conversion slides, “Scan Conversion: A General Algorithm”",
+            .kinds = {PrimitiveKind::Polygon, PrimitiveKind::Bezier, PrimitiveKind::Text},
+            .methods = {"polygon-parity", "bezier-fill", "text-outlines"},
+            .draw = drawEdgeTable};
 }
 
 } // namespace pixelplumb

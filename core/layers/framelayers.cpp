@@ -42,10 +42,7 @@ void drawSamples(const LayerMoment &moment, LayerDrawing &drawing)
 }
 
 /// Whether the method computes addresses, which a question may ask for.
-bool computesAddresses(const ScanTrace &trace)
-{
-    return hasNumber(trace.numbers().span, QStringLiteral("addr"));
-}
+bool computesAddresses(const ScanTrace &trace) { return hasNumber(trace.numbers().span, "addr"); }
 
 /// The pixels that the run has visited.
 std::set<std::pair<std::int64_t, std::int64_t>> visitedPixels(const LayerMoment &moment)
@@ -82,21 +79,21 @@ void drawMemory(const LayerMoment &moment, LayerDrawing &drawing)
 
 Layer samplesLayer()
 {
-    return {.id = QStringLiteral("samples"),
-            .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Sampling points")),
-            .toolTip = QStringLiteral("Where each pixel is sampled, and with antialiasing the 4 or "
-                                      "16 samples around it."),
-            .source = QStringLiteral("Triangle Rasterization slides, “Rasterization of triangles”"),
+    return {.id = "samples",
+            .title = QT_TRANSLATE_NOOP("core", "Sampling points"),
+            .toolTip
+            = "Where each pixel is sampled, and with antialiasing the 4 or 16 samples around it.",
+            .source = "Triangle Rasterization slides, “Rasterization of triangles”",
             .draw = drawSamples};
 }
 
 Layer memoryLayer()
 {
-    return {.id = QStringLiteral("memory"),
-            .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Addresses in memory")),
-            .toolTip = QStringLiteral("The address of each pixel, y·width + x, counted in pixels "
-                                      "from the frame's first one; the same under every method."),
-            .source = QStringLiteral("Rasterization slides, “Point Plotting”"),
+    return {.id = "memory",
+            .title = QT_TRANSLATE_NOOP("core", "Addresses in memory"),
+            .toolTip = "The address of each pixel, y·width + x, counted in pixels from the frame's "
+                       "first one; the same under every method.",
+            .source = "Rasterization slides, “Point Plotting”",
             .draw = drawMemory};
 }
 

@@ -191,9 +191,8 @@ Layer halfPlaneLayer()
                                       "(tinted); of barycentric methods that of %3.")
                            .arg(edge)
                            .arg((edge + 1) % 3)
-                           .arg(QStringList({QStringLiteral("bc"), QStringLiteral("ca"),
-                                             QStringLiteral("ab")})[qsizetype(edge)]),
-            .source = QStringLiteral("Rasterization slides, “Edge Equations”"),
+                           .arg(QStringList({"bc", "ca", "ab"})[qsizetype(edge)]),
+            .source = "Rasterization slides, “Edge Equations”",
             .kinds = {PrimitiveKind::Triangle},
             .draw = [](const LayerMoment &moment, LayerDrawing &drawing) {
                 appendHalfPlanes(moment, edge, edge + 1, drawing);
@@ -204,15 +203,13 @@ Layer halfPlaneLayer()
 
 Layer halfPlanesLayer()
 {
-    return {.id = QStringLiteral("half-planes"),
-            .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Half-planes and normals")),
-            .toolTip = QStringLiteral(
-                "Where each edge function A·x + B·y + C is positive (tinted, the inside thrice) "
-                "and its normal ⟨A, B⟩: the numbers of the set-up; exact ones where the method "
-                "has none."),
-            .source = QStringLiteral(
-                "Triangle Rasterization slides, “Edge sidedness”; Rasterization slides, “Edge "
-                "Equations”; Scan Conversion slides, “Implicit Equation for a 2D line”"),
+    return {.id = "half-planes",
+            .title = QT_TRANSLATE_NOOP("core", "Half-planes and normals"),
+            .toolTip
+            = "Where each edge function A·x + B·y + C is positive (tinted, the inside thrice) and "
+              "its normal ⟨A, B⟩: the numbers of the set-up; exact ones where the method has none.",
+            .source = "Triangle Rasterization slides, “Edge sidedness”; Rasterization slides, "
+                      "“Edge Equations”; Scan Conversion slides, “Implicit Equation for a 2D line”",
             .kinds = {PrimitiveKind::Triangle},
             .draw = [](const LayerMoment &moment, LayerDrawing &drawing) {
                 appendHalfPlanes(moment, 0, 3, drawing);

@@ -76,17 +76,17 @@ void drawIsolines(const LayerMoment &moment, LayerDrawing &drawing)
 {
     if (doubledArea(moment.triangle()) == 0)
         return drawing.notes.append(
-            QStringLiteral("Contour lines of %1: the triangle has no area, so that its levels lie "
-                           "on no plane")
+            QStringLiteral(
+                "Contour lines of %1: the triangle has no area, so that its levels lie on no plane")
                 .arg(channelLetters[channel]));
     if (moment.hidesSteps())
         return drawing.notes.append(QStringLiteral("Contour lines of %1: levels are still ahead")
                                         .arg(channelLetters[channel]));
     const EffectPlan *plan = moment.view.traced->shading();
     if (plan && plan->runs(Effect::Perspective))
-        drawing.notes.append(QStringLiteral("Contour lines: of levels that change evenly over the "
-                                            "frame, while the picture takes perspective into "
-                                            "account"));
+        drawing.notes.append(
+            QStringLiteral("Contour lines: of levels that change evenly over the frame, while the "
+                           "picture takes perspective into account"));
     const std::array<PlaneCorner, 3> corners = planeOf(moment, channel);
     const std::size_t linesBefore = drawing.lines.size();
     for (int level = levelStep; level < 256; level += levelStep) {
@@ -110,35 +110,33 @@ template <std::size_t channel>
 Layer isolinesLayer(const QString &id, const QString &title)
 {
     const QChar letter = channelLetters[channel];
-    return {.id = id,
-            .title = title,
-            .toolTip
-            = QStringLiteral("Lines on which %1 is the same, every %2 levels: the plane %1 = a·x + "
-                             "b·y + c of the set-up, or where the method has none the exact one "
-                             "through the vertices' levels.")
-                  .arg(letter)
-                  .arg(levelStep),
-            .source = QStringLiteral("Scan Conversion slides, “2. Plane Equation”"),
-            .kinds = {PrimitiveKind::Triangle},
-            .draw = drawIsolines<channel>};
+    return {
+        .id = id,
+        .title = title,
+        .toolTip
+        = QStringLiteral(
+              "Lines on which %1 is the same, every %2 levels: the plane %1 = a·x + b·y + c of the "
+              "set-up, or where the method has none the exact one through the vertices' levels.")
+              .arg(letter)
+              .arg(levelStep),
+        .source = "Scan Conversion slides, “2. Plane Equation”",
+        .kinds = {PrimitiveKind::Triangle},
+        .draw = drawIsolines<channel>};
 }
 
 } // namespace
 
 Layer redIsolinesLayer()
 {
-    return isolinesLayer<0>(QStringLiteral("isolines-red"),
-                            QStringLiteral(QT_TRANSLATE_NOOP("core", "Contour lines of R")));
+    return isolinesLayer<0>("isolines-red", QT_TRANSLATE_NOOP("core", "Contour lines of R"));
 }
 Layer greenIsolinesLayer()
 {
-    return isolinesLayer<1>(QStringLiteral("isolines-green"),
-                            QStringLiteral(QT_TRANSLATE_NOOP("core", "Contour lines of G")));
+    return isolinesLayer<1>("isolines-green", QT_TRANSLATE_NOOP("core", "Contour lines of G"));
 }
 Layer blueIsolinesLayer()
 {
-    return isolinesLayer<2>(QStringLiteral("isolines-blue"),
-                            QStringLiteral(QT_TRANSLATE_NOOP("core", "Contour lines of B")));
+    return isolinesLayer<2>("isolines-blue", QT_TRANSLATE_NOOP("core", "Contour lines of B"));
 }
 
 } // namespace pixelplumb

@@ -11,9 +11,9 @@ namespace pixelplumb {
 
 namespace {
 
-const QString fanMethod = QStringLiteral("polygon-fan");
-const QString delaunayMethod = QStringLiteral("polygon-delaunay");
-const QString tessellationMethod = QStringLiteral("polygon-tessellation");
+const QString fanMethod = "polygon-fan";
+const QString delaunayMethod = "polygon-delaunay";
+const QString tessellationMethod = "polygon-tessellation";
 
 using Piece = std::array<LatticePoint, 3>;
 
@@ -92,14 +92,14 @@ void drawInnerEdges(const LayerMoment &moment, LayerDrawing &drawing)
 
 Layer innerEdgesLayer()
 {
-    return {.id = QStringLiteral("inner-edges"),
-            .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Triangles of a polygon")),
-            .toolTip = QStringLiteral(
-                "The inner edges of the fan or the triangulation that the method fills, its "
-                "triangles by number, the current one tinted, and of a Delaunay triangulation the "
-                "circles around them, which no vertex that they see lies in."),
-            .source = QStringLiteral("Rasterization slides, “Triangulation”; Scan Conversion "
-                                     "slides, “From Polygons to Triangles”"),
+    return {.id = "inner-edges",
+            .title = QT_TRANSLATE_NOOP("core", "Triangles of a polygon"),
+            .toolTip
+            = "The inner edges of the fan or the triangulation that the method fills, its "
+              "triangles by number, the current one tinted, and of a Delaunay triangulation the "
+              "circles around them, which no vertex that they see lies in.",
+            .source = "Rasterization slides, “Triangulation”; Scan Conversion slides, “From "
+                      "Polygons to Triangles”",
             .kinds = {PrimitiveKind::Polygon},
             .methods = {fanMethod, delaunayMethod, tessellationMethod},
             .draw = drawInnerEdges};

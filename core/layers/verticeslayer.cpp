@@ -59,13 +59,12 @@ void drawVertices(const LayerMoment &moment, LayerDrawing &drawing)
 
 Layer verticesLayer()
 {
-    return {.id = QStringLiteral("vertices"),
-            .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Vertices and edges")),
-            .toolTip = QStringLiteral("The vertices by the names that the method gives them, with "
-                                      "the scene's number where it "
-                                      "sorts them, their coordinates, and "
-                                      "the edges between them; of a curve its control polygon."),
-            .source = QStringLiteral("Assignment (Borst), “The Triangle Awakens”"),
+    return {.id = "vertices",
+            .title = QT_TRANSLATE_NOOP("core", "Vertices and edges"),
+            .toolTip = "The vertices by the names that the method gives them, with the scene's "
+                       "number where it sorts them, their coordinates, and the edges between them; "
+                       "of a curve its control polygon.",
+            .source = "Assignment (Borst), “The Triangle Awakens”",
             .kinds = {PrimitiveKind::Triangle, PrimitiveKind::Line, PrimitiveKind::Bezier,
                       PrimitiveKind::Polygon},
             .draw = drawVertices};

@@ -1,15 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/cellnumber.h"
+#include "core/layers/layermoment.h"
 #include "core/layers/layers.h"
-#include "core/layers/visitedsamples.h"
 #include "core/oracle/planeweights.h"
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 namespace pixelplumb {
 
 namespace {
+
+bool mayBeSeen(const SpanPlace &place, const SampleBox &seen)
+{
+    switch (place.axis) {
+    case SpanAxis::Column:
+        return place.coordinate >= seen.firstX && place.coordinate < seen.endX;
+    case SpanAxis::Row:
+        return place.coordinate >= seen.firstY && place.coordinate < seen.endY;
+    case SpanAxis::Free:
+        break;
+    }
+    return true;
+}
+/// Passes to a function the samples in view that the method has visited for the primitive, up to
+/// the current step, with the numbers that it used there.
+
+void visitSamples(const LayerMoment &moment, const std::function<void(const SampleRecord &)> &visit)
+{
+    const ScanTrace &trace = moment.trace();
+    const SampleBox seen = moment.seen();
+    const std::size_t done = trace.samplesDoneAt(moment.view.position);
+    const std::size_t end = trace.endSpanOf(moment.primitive);
+    for (std::size_t span = trace.firstSpanOf(moment.primitive); span < end; ++span) {
+        const std::size_t first = trace.firstSampleOf(span);
+        if (first >= done)
+            break;
+        if (!mayBeSeen(trace.placeOf(span), seen))
+            continue;
+        std::size_t left = done - first;
+        for (const SampleRecord &sample : trace.samples(span)) {
+            if (left-- == 0)
+                break;
+            if (sample.x >= seen.firstX && sample.x < seen.endX && sample.y >= seen.firstY
+                && sample.y < seen.endY)
+                visit(sample);
+        }
+    }
+}
 
 using NumberIds = std::array<QString, 3>;
 
@@ -17,9 +56,8 @@ using NumberIds = std::array<QString, 3>;
 const std::array<NumberIds, 3> &decisionIds()
 {
     static const std::array<NumberIds, 3> ids
-        = {NumberIds{QStringLiteral("alpha"), QStringLiteral("beta"), QStringLiteral("gamma")},
-           NumberIds{QStringLiteral("u"), QStringLiteral("v"), QStringLiteral("w")},
-           NumberIds{QStringLiteral("E_0"), QStringLiteral("E_1"), QStringLiteral("E_2")}};
+        = {NumberIds{"alpha", "beta", "gamma"}, NumberIds{"u", "v", "w"},
+           NumberIds{"E_0", "E_1", "E_2"}};
     return ids;
 }
 
@@ -53,7 +91,7 @@ void appendExactWeights(const LayerMoment &moment, LayerDrawing &drawing)
                 Quantity::of(part.convert_to<double>() / weights.whole.convert_to<double>()),
                 drawing);
     });
-    drawing.cellNames += {QStringLiteral("α"), QStringLiteral("β"), QStringLiteral("γ")};
+    drawing.cellNames += {"α", "β", "γ"};
     drawing.notes.append(QStringLiteral("α, β, γ belong to a, b, c, the vertices 0, 1, 2, and are "
                                         "exact, since “%1” computes none")
                              .arg(moment.view.traced->method->title));
@@ -81,7 +119,7 @@ void drawLevels(const LayerMoment &moment, LayerDrawing &drawing)
 {
     if (moment.view.cell < leastNumberCell)
         return drawing.notes.append(smallCellNote());
-    drawing.cellNames += {QStringLiteral("R"), QStringLiteral("G"), QStringLiteral("B")};
+    drawing.cellNames += {"R", "G", "B"};
     visitSamples(moment, [&](const SampleRecord &sample) {
         for (const Quantity &level : sample.colour)
             appendNumber(sample.x, sample.y, level, drawing);
@@ -92,25 +130,24 @@ void drawLevels(const LayerMoment &moment, LayerDrawing &drawing)
 
 Layer weightsLayer()
 {
-    return {.id = QStringLiteral("weights"),
-            .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Weights in the cells")),
-            .toolTip = QStringLiteral(
-                "What decides each sample that the method has visited: α β γ, u v w or E₀ E₁ E₂, "
-                "one below the other, as it computed them; exact α β γ where it has none. α β γ "
-                "belong to the vertices 0, 1, 2 of the scene, whatever the method sorts."),
-            .source = QStringLiteral("Rasterization slides, “BC – Inside Triangle Test”"),
+    return {.id = "weights",
+            .title = QT_TRANSLATE_NOOP("core", "Weights in the cells"),
+            .toolTip
+            = "What decides each sample that the method has visited: α β γ, u v w or E₀ E₁ E₂, one "
+              "below the other, as it computed them; exact α β γ where it has none. α β γ belong "
+              "to the vertices 0, 1, 2 of the scene, whatever the method sorts.",
+            .source = "Rasterization slides, “BC – Inside Triangle Test”",
             .kinds = {PrimitiveKind::Triangle},
             .draw = drawWeights};
 }
 
 Layer levelsLayer()
 {
-    return {.id = QStringLiteral("levels"),
-            .title = QStringLiteral(QT_TRANSLATE_NOOP("core", "R G B in the cells")),
-            .toolTip = QStringLiteral("The levels of each sample, one below the other, before they "
-                                      "are rounded to a byte, as the method computed them."),
-            .source
-            = QStringLiteral("Scan Conversion slides, “Interpolation During Scan Conversion”"),
+    return {.id = "levels",
+            .title = QT_TRANSLATE_NOOP("core", "R G B in the cells"),
+            .toolTip = "The levels of each sample, one below the other, before they are rounded to "
+                       "a byte, as the method computed them.",
+            .source = "Scan Conversion slides, “Interpolation During Scan Conversion”",
             .kinds = {PrimitiveKind::Triangle},
             .draw = drawLevels};
 }

@@ -21,16 +21,16 @@ QString EdgeWalkNames::filled(QString text) const
     const auto put = [&](const char *name, const QString &inColumn, const QString &inRow) {
         text.replace(QLatin1String(name), isRow() ? inRow : inColumn);
     };
-    put("{a}", QStringLiteral("y"), QStringLiteral("x"));
-    put("{c}", QStringLiteral("x"), QStringLiteral("y"));
-    put("{lo}", QStringLiteral("B"), QStringLiteral("L"));
-    put("{hi}", QStringLiteral("T"), QStringLiteral("R"));
-    put("{span}", QStringLiteral("column"), QStringLiteral("row"));
-    put("{across}", QStringLiteral("row"), QStringLiteral("column"));
-    put("{half}", QStringLiteral("half"), QStringLiteral("trapezoid"));
+    put("{a}", "y", "x");
+    put("{c}", "x", "y");
+    put("{lo}", "B", "L");
+    put("{hi}", "T", "R");
+    put("{span}", "column", "row");
+    put("{across}", "row", "column");
+    put("{half}", "half", "trapezoid");
     // y may point either way on the screen, x points to the right.
-    put("{lower}", QStringLiteral("smaller-y"), QStringLiteral("left"));
-    put("{upper}", QStringLiteral("larger-y"), QStringLiteral("right"));
+    put("{lower}", "smaller-y", "left");
+    put("{upper}", "larger-y", "right");
     return text;
 }
 
@@ -100,17 +100,15 @@ QString EdgeWalkNames::biased(QString rounding) const
 {
     if (m_form.walk == WalkForm::Accumulated)
         return rounding;
-    const QString bound = rounding.contains(filled(QStringLiteral("_{lo}")))
-        ? filled(QStringLiteral("β_{lo}"))
-        : filled(QStringLiteral("β_{hi}"));
+    const QString bound = rounding.contains(filled("_{lo}")) ? filled("β_{lo}") : filled("β_{hi}");
     return rounding.replace(u'⌉', QStringLiteral(" − %1⌉").arg(bound))
         .replace(u'⌋', QStringLiteral(" + %1⌋").arg(bound));
 }
 
 QString EdgeWalkNames::exchanged(const QString &title) const
 {
-    const QString lower = filled(QStringLiteral("{lo}"));
-    const QString upper = filled(QStringLiteral("{hi}"));
+    const QString lower = filled("{lo}");
+    const QString upper = filled("{hi}");
     return title.chopped(1) + (title.endsWith(lower) ? upper : lower);
 }
 

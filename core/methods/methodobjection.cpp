@@ -118,7 +118,7 @@ QStringList methodsThatKnow(Variant variant, const ScanSettings &settings)
 
 QString unknownVariantText(const Method &method, Variant variant, const ScanSettings &settings)
 {
-    const QString separator = QStringLiteral(", ");
+    const QString separator = ", ";
     const QString text
         = QStringLiteral("knows no variant %1; that one is for %2")
               .arg(quoted(nameOf(variant)), methodsThatKnow(variant, settings).join(separator));
@@ -180,7 +180,7 @@ QString Method::objection(const EffectPlan &plan, const ScanSettings &settings) 
         hindrances += QStringLiteral("with variants, which depart from its colours alone");
         ways += QStringLiteral("without them");
     }
-    const QString separator = QStringLiteral(", ");
+    const QString separator = ", ";
     if (!shadesIn(settings.arithmetic)) {
         hindrances += QStringLiteral("in %1").arg(quoted(nameOf(settings.arithmetic)));
         ways += QStringLiteral("in %1").arg(namesOf(shadingArithmetics).join(separator));

@@ -7,7 +7,7 @@ namespace {
 
 using enum Moment;
 
-const QString longEdge = QStringLiteral("₀₂"), shortEdge = QStringLiteral("_ij");
+const QString longEdge = "₀₂", shortEdge = "_ij";
 
 } // namespace
 
@@ -82,8 +82,8 @@ void WalkListing::addSlopes()
             + (carriesColours() ? QStringLiteral("; δR_ij, δG_ij and δB_ij likewise") : QString());
     };
     addVaried(0, text({}, {}), {SetUp},
-              {{minus, text(QStringLiteral(" − 1"), QStringLiteral(" − 1"))},
-               {plus, text(QStringLiteral(" + 1"), {})},
+              {{minus, text(" − 1", " − 1")},
+               {plus, text(" + 1", {})},
                {VariantSet{minus.bits | plus.bits}, text({}, {})}});
 }
 
@@ -91,15 +91,12 @@ QString WalkListing::slope(const QString &change, const QString &less) const
 {
     const QString width = isRow() ? QStringLiteral("y_i − y_j") : QStringLiteral("x_j − x_i");
     const QString exists = isRow() ? QStringLiteral("y_j < y_i") : QStringLiteral("x_i < x_j");
-    return QStringLiteral("for each edge L_ij of L₀₁, L₁₂, L₀₂: m_ij ← ({a}_j − {a}_i)/(%1) if "
-                          "%2, else 0")
+    return QStringLiteral(
+               "for each edge L_ij of L₀₁, L₁₂, L₀₂: m_ij ← ({a}_j − {a}_i)/(%1) if %2, else 0")
         .arg(width + change, exists + less);
 }
 
-void WalkListing::addRejection()
-{
-    add(0, QStringLiteral("if no sample is to be drawn: done"), {Rejected});
-}
+void WalkListing::addRejection() { add(0, "if no sample is to be drawn: done", {Rejected}); }
 
 /// "⌈x₀⌉ to ⌊x₂⌋": the spans that the rule takes. Rows go from the largest y down.
 QString WalkListing::spans(FillRule rule, FrameOrigin origin) const
@@ -153,18 +150,17 @@ void WalkListing::addBounds()
 {
     const QString chosen = isRow() ? QStringLiteral("L_ij ← L₀₁ if y > y₁, else L₁₂")
                                    : QStringLiteral("L_ij ← L₀₁ if x < x₁, else L₁₂");
-    const QString first = QStringLiteral("₀"), either = QStringLiteral("_i");
+    const QString first = "₀", either = "_i";
     if (isDirect()) {
         add(1, fromVertex(longEdge, first, way(first)), everySpan);
         add(1, chosen, everySpan, LineOf::Area);
         add(1, fromVertex(shortEdge, either, way(either)), everySpan, LineOf::Area);
         return;
     }
-    addBeginning(QStringLiteral("the first: "), longEdge, first, {Begin}, LineOf::EveryPrimitive);
+    addBeginning("the first: ", longEdge, first, {Begin}, LineOf::EveryPrimitive);
     add(1, added(longEdge), {TakeOver, Span});
     add(1, chosen, everySpan, LineOf::Area);
-    addBeginning(QStringLiteral("where it begins: "), shortEdge, either, {Begin, TakeOver},
-                 LineOf::Area);
+    addBeginning("where it begins: ", shortEdge, either, {Begin, TakeOver}, LineOf::Area);
     add(1, added(shortEdge), {Span}, LineOf::Area);
 }
 
@@ -200,19 +196,18 @@ QString WalkListing::orderedWithSlopes() const
 /// edges past each other.
 void WalkListing::addOrder()
 {
-    const QString compared = QStringLiteral("{a}_ij ≤ {a}₀₂");
-    const QString area
-        = QStringLiteral(" — A is twice the area, above 0 where L₀₂ has the larger {a}");
+    const QString compared = "{a}_ij ≤ {a}₀₂";
+    const QString area = " — A is twice the area, above 0 where L₀₂ has the larger {a}";
     add(1, ordered(compared), everySpan, LineOf::Area);
     for (const Variant variant :
          {Variant::NoEdgePreStep, Variant::DivisorMinusOne, Variant::DivisorPlusOne})
         m_code.back().varied.push_back(
             {VariantSet().with(variant),
-             ordered(QStringLiteral("{a}_ij < {a}₀₂, or {a}_ij = {a}₀₂ and A > 0")) + area});
+             ordered("{a}_ij < {a}₀₂, or {a}_ij = {a}₀₂ and A > 0") + area});
     addRules([&](FillRule rule, FrameOrigin) {
         if (isExact() && !isRow() && rule == FillRule::TopLeft)
             return orderedWithSlopes();
-        return isExact() ? ordered(compared) : ordered(QStringLiteral("A > 0")) + area;
+        return isExact() ? ordered(compared) : ordered("A > 0") + area;
     });
     add(1,
         QStringLiteral("{a}_{lo}, {a}_{hi} ← {a}₀, {a}₂ if {c}₀ = {c}₂, else {a}₀₂, {a}₀₂")
@@ -222,7 +217,7 @@ void WalkListing::addOrder()
         return;
     add(1, QStringLiteral("β_B, β_T ← β_ij, β₀₂ if %1, else β₀₂, β_ij").arg(compared), everySpan,
         LineOf::Area);
-    add(1, QStringLiteral("β_B, β_T ← β₀₂, β₀₂"), everySpan, LineOf::Segment);
+    add(1, "β_B, β_T ← β₀₂, β₀₂", everySpan, LineOf::Segment);
 }
 
 void WalkListing::addSamples()
@@ -241,8 +236,7 @@ QString WalkListing::samples(FillRule rule, FrameOrigin origin) const
 {
     if (rule == FillRule::TopLeft && !isRow())
         return QStringLiteral(
-                   "⌈y_B⌉ if m_B %1 0, else ⌊y_B⌋ + 1 to ⌊y_T⌋ if m_T %2 0, else ⌈y_T⌉ − "
-                   "1")
+                   "⌈y_B⌉ if m_B %1 0, else ⌊y_B⌋ + 1 to ⌊y_T⌋ if m_T %2 0, else ⌈y_T⌉ − 1")
             .arg(origin == FrameOrigin::TopLeft ? QChar(u'≤') : QChar(u'<'))
             .arg(origin == FrameOrigin::TopLeft ? QChar(u'>') : QChar(u'≥'));
     const Interval interval = columnIntervals(rule).rows;

@@ -55,22 +55,21 @@ private:
     {
         const bool hasNormals = std::ranges::none_of(
             m_used.vertices, [](const auto &vertex) { return vertex.normal.isZero(); });
-        ProjectionStage &stage
-            = begin(QStringLiteral("Vertex"),
-                    QStringLiteral("The face's vertices in the scene's space, their colours times "
-                                   "the material's")
-                        + (hasNormals ? QString()
-                                      : QStringLiteral(", N = Σ (V_i − V₀) × (V_i₊₁ − V₀) to "
-                                                       "length 1")));
+        ProjectionStage &stage = begin(
+            "Vertex",
+            QStringLiteral(
+                "The face's vertices in the scene's space, their colours times the material's")
+                + (hasNormals ? QString()
+                              : QStringLiteral(", N = Σ (V_i − V₀) × (V_i₊₁ − V₀) to length 1")));
         for (std::size_t i = 0; i < m_used.vertices.size(); ++i) {
             const SpaceVertex<double> &vertex = m_used.vertices[i];
             StagePoint &point = stage.points.emplace_back(StagePoint{faceVertexName(i), {}, {}});
             StageNumberWriter numbers(point.numbers);
             numbers.add(QString(), vertex.position, &m_exact.vertices[i].position);
-            numbers.add(QStringLiteral("_N"), m_used.polygon[i].normal, &m_exact.polygon[i].normal,
+            numbers.add("_N", m_used.polygon[i].normal, &m_exact.polygon[i].normal,
                         vertex.normal.isZero() ? Component(faceNormalName) : Component());
-            numbers.add(QStringLiteral("u"), vertex.texture[0], m_exact.vertices[i].texture[0]);
-            numbers.add(QStringLiteral("v"), vertex.texture[1], m_exact.vertices[i].texture[1]);
+            numbers.add("u", vertex.texture[0], m_exact.vertices[i].texture[0]);
+            numbers.add("v", vertex.texture[1], m_exact.vertices[i].texture[1]);
             writeTint(point, vertex.colour, m_material.diffuse);
         }
         if (!hasNormals || m_scene.appearance.shading == Shading::Flat)
@@ -102,8 +101,7 @@ private:
     void writeView()
     {
         ProjectionStage &stage
-            = begin(QStringLiteral("Camera"),
-                    QStringLiteral("x to the right, y up, the eye at 0, looking along −z"));
+            = begin("Camera", "x to the right, y up, the eye at 0, looking along −z");
         writeCameraPoint(stage.points.emplace_back(StagePoint{cameraPointName(), {}, {}}), m_scene);
         const auto along = [](const char *axis) {
             return QStringLiteral("%_x·(x − E_x) + %_y·(y − E_y) + %_z·(z − E_z)")
@@ -114,41 +112,38 @@ private:
             StageNumberWriter numbers(point.numbers);
             const auto &[usedX, usedY, usedZ] = m_used.views[i];
             const auto &[exactX, exactY, exactZ] = m_exact.views[i];
-            numbers.add(QStringLiteral("x_view"), usedX, exactX, along("right"));
-            numbers.add(QStringLiteral("y_view"), usedY, exactY, along("up"));
-            numbers.add(QStringLiteral("z_view"), usedZ, exactZ, along("back"));
+            numbers.add("x_view", usedX, exactX, along("right"));
+            numbers.add("y_view", usedY, exactY, along("up"));
+            numbers.add("z_view", usedZ, exactZ, along("back"));
         }
     }
 
     void writeClipCoordinates()
     {
         const bool isPerspective = m_scene.camera.projection == Projection::Perspective;
-        ProjectionStage &stage
-            = begin(QStringLiteral("Clip coordinates"),
-                    isPerspective
-                        ? QStringLiteral(
-                            "w = −z_view, z_clip = (w − near)·far/(far − near), "
-                            "y_clip = y_view·cot(fieldOfView/2), x_clip likewise by the aspect")
-                        : QStringLiteral("w = 1, z_clip = (−z_view − near)/(far − near), "
-                                         "y_clip = 2y_view/height, x_clip likewise by the aspect"));
+        ProjectionStage &stage = begin(
+            "Clip coordinates",
+            isPerspective
+                ? QStringLiteral("w = −z_view, z_clip = (w − near)·far/(far − near), y_clip = "
+                                 "y_view·cot(fieldOfView/2), x_clip likewise by the aspect")
+                : QStringLiteral("w = 1, z_clip = (−z_view − near)/(far − near), y_clip = "
+                                 "2y_view/height, x_clip likewise by the aspect"));
         for (std::size_t i = 0; i < m_used.polygon.size(); ++i) {
             const QString note = m_used.polygon[i].isInside()
                 ? QStringLiteral("at or beyond the near plane: z_clip ≥ 0")
                 : QStringLiteral("before the near plane: z_clip < 0");
             StagePoint &point = stage.points.emplace_back(StagePoint{faceVertexName(i), note, {}});
             writeClipPoint(point, m_used.polygon[i].clip, &m_exact.polygon[i].clip,
-                           {QStringLiteral("scale_x·x_view"), QStringLiteral("scale_y·y_view"),
-                            QStringLiteral("scale_z·(−z_view − near)"),
+                           {"scale_x·x_view", "scale_y·y_view", "scale_z·(−z_view − near)",
                             isPerspective ? QStringLiteral("−z_view") : QStringLiteral("1")});
         }
     }
 
     void writePolygon()
     {
-        ProjectionStage &stage
-            = begin(QStringLiteral("Clipped polygon"),
-                    QStringLiteral("An edge from inside a to outside b is cut at "
-                                   "t = z_a/(z_a − z_b): a + t·(b − a)"));
+        ProjectionStage &stage = begin(
+            "Clipped polygon",
+            "An edge from inside a to outside b is cut at t = z_a/(z_a − z_b): a + t·(b − a)");
         for (std::size_t i = 0; i < m_used.clipped.size(); ++i) {
             const ClippedCorner<double> &corner = m_used.clipped[i];
             const ClippedCorner<ExactReal> *exact = exactCornerOf(corner);
@@ -168,13 +163,13 @@ private:
             };
             if (corner.isCut())
                 StageNumberWriter(point.numbers)
-                    .add(QStringLiteral("t"), corner.t, exact ? &exact->t : nullptr,
+                    .add("t", corner.t, exact ? &exact->t : nullptr,
                          QStringLiteral("%1/(%1 − %2)").arg(kept(z), clipName(z, corner.outside)));
             const bool isPerspective = m_scene.camera.projection == Projection::Perspective;
             writeClipPoint(
                 point, corner.vertex.clip, exact ? &exact->vertex.clip : nullptr,
                 corner.isCut()
-                    ? ClipFormulas{between(x), between(y), QStringLiteral("0"),
+                    ? ClipFormulas{between(x), between(y), "0",
                                    isPerspective ? QStringLiteral("near") : QStringLiteral("1")}
                     : ClipFormulas{kept(x), kept(y), kept(z), kept(QStringLiteral("w"))});
             writeCarried(point, corner, exact);
@@ -186,49 +181,44 @@ private:
                                const ClipPoint<ExactReal> *exact, const ClipFormulas &formulas)
     {
         StageNumberWriter numbers(point.numbers);
-        numbers.add(QStringLiteral("x_clip"), used.x, exact ? &exact->x : nullptr, formulas[0]);
-        numbers.add(QStringLiteral("y_clip"), used.y, exact ? &exact->y : nullptr, formulas[1]);
-        numbers.add(QStringLiteral("z_clip"), used.z, exact ? &exact->z : nullptr, formulas[2]);
-        numbers.add(QStringLiteral("w"), used.w, exact ? &exact->w : nullptr, formulas[3]);
+        numbers.add("x_clip", used.x, exact ? &exact->x : nullptr, formulas[0]);
+        numbers.add("y_clip", used.y, exact ? &exact->y : nullptr, formulas[1]);
+        numbers.add("z_clip", used.z, exact ? &exact->z : nullptr, formulas[2]);
+        numbers.add("w", used.w, exact ? &exact->w : nullptr, formulas[3]);
     }
 
     void writeDivision()
     {
-        ProjectionStage &stage = begin(QStringLiteral("Division"),
-                                       QStringLiteral("x_clip/w, y_clip/w, z_clip/w: the frame's "
-                                                      "sides at ±1, z from 0 (near) to 1 (far)"));
+        ProjectionStage &stage = begin(
+            "Division",
+            "x_clip/w, y_clip/w, z_clip/w: the frame's sides at ±1, z from 0 (near) to 1 (far)");
         for (std::size_t i = 0; i < m_used.devices.size(); ++i) {
             StagePoint &point = stage.points.emplace_back(StagePoint{clippedCornerName(i), {}, {}});
             const auto at = exactPlaceOf(m_used.clipped[i]);
             const auto *exact = at ? &m_exact.devices[*at] : nullptr;
             StageNumberWriter numbers(point.numbers);
-            numbers.add(QStringLiteral("x_device"), m_used.devices[i].x,
-                        exact ? &exact->x : nullptr, QStringLiteral("x_clip/w"));
-            numbers.add(QStringLiteral("y_device"), m_used.devices[i].y,
-                        exact ? &exact->y : nullptr, QStringLiteral("y_clip/w"));
-            numbers.add(QStringLiteral("z_device"), m_used.devices[i].z,
-                        exact ? &exact->z : nullptr, QStringLiteral("z_clip/w"));
+            numbers.add("x_device", m_used.devices[i].x, exact ? &exact->x : nullptr, "x_clip/w");
+            numbers.add("y_device", m_used.devices[i].y, exact ? &exact->y : nullptr, "y_clip/w");
+            numbers.add("z_device", m_used.devices[i].z, exact ? &exact->z : nullptr, "z_clip/w");
         }
     }
 
     void writeFrame()
     {
         const bool isUpward = m_scene.frame.origin == FrameOrigin::BottomLeft;
-        ProjectionStage &stage = begin(
-            QStringLiteral("Frame"),
-            isUpward ? QStringLiteral("x = first column + (x_device + 1)/2·width − ½, y = first "
-                                      "row + (y_device + 1)/2·height − ½, px")
-                     : QStringLiteral("x = first column + (x_device + 1)/2·width − ½, y = first "
-                                      "row + (1 − y_device)/2·height − ½, px"));
+        ProjectionStage &stage
+            = begin("Frame",
+                    isUpward ? QStringLiteral("x = first column + (x_device + 1)/2·width − ½, y = "
+                                              "first row + (y_device + 1)/2·height − ½, px")
+                             : QStringLiteral("x = first column + (x_device + 1)/2·width − ½, y = "
+                                              "first row + (1 − y_device)/2·height − ½, px"));
         for (std::size_t i = 0; i < m_used.places.size(); ++i) {
             StagePoint &point = stage.points.emplace_back(StagePoint{clippedCornerName(i), {}, {}});
             const auto at = exactPlaceOf(m_used.clipped[i]);
             StageNumberWriter numbers(point.numbers);
-            numbers.add(QStringLiteral("x"), m_used.places[i][0],
-                        at ? &m_exact.places[*at][0] : nullptr,
-                        QStringLiteral("x_first + (x_device + 1)/2·width − ½"));
-            numbers.add(QStringLiteral("y"), m_used.places[i][1],
-                        at ? &m_exact.places[*at][1] : nullptr,
+            numbers.add("x", m_used.places[i][0], at ? &m_exact.places[*at][0] : nullptr,
+                        "x_first + (x_device + 1)/2·width − ½");
+            numbers.add("y", m_used.places[i][1], at ? &m_exact.places[*at][1] : nullptr,
                         isUpward ? QStringLiteral("y_first + (y_device + 1)/2·height − ½")
                                  : QStringLiteral("y_first + (1 − y_device)/2·height − ½"));
         }
@@ -241,7 +231,7 @@ private:
             ? QString()
             : QStringLiteral("; w is the view depth times 2^%1").arg(m_wExponent);
         ProjectionStage &stage = begin(
-            QStringLiteral("Lattice"),
+            "Lattice",
             QStringLiteral("x and y to the nearest 1/256 px, z, w, u and v to the nearest 2^−24")
                 + depthUnit);
         for (std::size_t i = 0; i < m_stages.corners.size(); ++i) {

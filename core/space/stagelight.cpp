@@ -62,9 +62,9 @@ void writeLights(StagePoint &point, const Appearance &appearance, const Material
         for (std::size_t channel = 0; channel < 3; ++channel)
             given(name + channelLetters[channel], levels.channels[channel]);
     };
-    vector(QStringLiteral("viewer_"), appearance.viewer);
-    colour(QStringLiteral("ambient_"), appearance.ambient);
-    colour(QStringLiteral("specular_"), material.specular);
+    vector("viewer_", appearance.viewer);
+    colour("ambient_", appearance.ambient);
+    colour("specular_", material.specular);
     for (std::size_t i = 0; i < appearance.lights.size(); ++i) {
         vector(sourceName(appearance.lights[i], i), appearance.lights[i].at);
         colour(QStringLiteral("light_%1").arg(i), appearance.lights[i].colour);
@@ -86,10 +86,9 @@ void writeLightAt(StagePoint &point, const Appearance &appearance, const Materia
         const auto usedVectors = lightVectors(appearance, light, used.point);
         const auto exactVectors = lightVectors(appearance, light, exact.point);
         if (i == 0) {
-            addUnit(numbers, QStringLiteral("_n"), usedVectors.normal, exactVectors.normal,
-                    normalName);
-            addUnit(numbers, QStringLiteral("_V"), usedVectors.toViewer, exactVectors.toViewer,
-                    wayTo(appearance.viewerKind, QStringLiteral("viewer_")));
+            addUnit(numbers, "_n", usedVectors.normal, exactVectors.normal, normalName);
+            addUnit(numbers, "_V", usedVectors.toViewer, exactVectors.toViewer,
+                    wayTo(appearance.viewerKind, "viewer_"));
         }
         const QString source = sourceName(light, i);
         addUnit(numbers, QStringLiteral("_L%1").arg(i), usedVectors.toLight, exactVectors.toLight,
@@ -119,8 +118,8 @@ void writeLightAt(StagePoint &point, const Appearance &appearance, const Materia
                     QStringLiteral("(%1·(ambient_%2 + %3) + specular_%2·(%4))/255")
                         .arg(base)
                         .arg(letter)
-                        .arg(sumOverLights(lights, letter, QStringLiteral("NL")),
-                             sumOverLights(lights, letter, QStringLiteral("highlight"))));
+                        .arg(sumOverLights(lights, letter, "NL"),
+                             sumOverLights(lights, letter, "highlight")));
         numbers.add(QStringLiteral("s_") + letter, levelByte(usedLevels[channel]),
                     ExactReal(levelByte(exactLevels[channel])),
                     QStringLiteral("min(255, ⌊%1 + ½⌋)").arg(level));
@@ -139,10 +138,9 @@ void writeTint(StagePoint &point, const Colour &given, const Colour &diffuse)
             numbers.add(name + letter, colour.channels[channel],
                         ExactReal(colour.channels[channel]), formula);
         };
-        add(QStringLiteral("c_"), given, {});
-        add(QStringLiteral("diffuse_"), diffuse, {});
-        add(QStringLiteral("base_"), base,
-            QStringLiteral("⌊c_%·diffuse_%/255 + ½⌋").replace(u'%', letter));
+        add("c_", given, {});
+        add("diffuse_", diffuse, {});
+        add("base_", base, QStringLiteral("⌊c_%·diffuse_%/255 + ½⌋").replace(u'%', letter));
     }
 }
 
@@ -150,11 +148,10 @@ ProjectionStage lightStageOf(const LitPart &part, const std::vector<LitColour<do
                              const std::vector<LitColour<ExactReal>> &exact)
 {
     const bool isFlat = part.appearance.shading == Shading::Flat;
-    ProjectionStage stage{
-        isFlat ? QStringLiteral("Light at the face's centre")
-               : QStringLiteral("Light at the vertices"),
-        QStringLiteral("c·(ambient + Σ light·max(0, N·L))/255 + Σ light·specular/255·(N·H)ˢ"),
-        {}};
+    ProjectionStage stage{isFlat ? QStringLiteral("Light at the face's centre")
+                                 : QStringLiteral("Light at the vertices"),
+                          "c·(ambient + Σ light·max(0, N·L))/255 + Σ light·specular/255·(N·H)ˢ",
+                          {}};
     writeLights(stage.points.emplace_back(StagePoint{lightsPointName(), {}, {}}), part.appearance,
                 part.material);
     const BaseFormula baseFormula = [&](const QString &base) {
@@ -169,8 +166,7 @@ ProjectionStage lightStageOf(const LitPart &part, const std::vector<LitColour<do
         if (isFlat) { // a vertex has them in the previous stage
             StageNumberWriter numbers(point.numbers);
             numbers.add(QString(), used[i].point.place, &exact[i].point.place, part.centrePlace);
-            numbers.add(QStringLiteral("_N"), used[i].point.normal, &exact[i].point.normal,
-                        part.centreNormal);
+            numbers.add("_N", used[i].point.normal, &exact[i].point.normal, part.centreNormal);
         }
         writeLightAt(point, part.appearance, part.material, used[i], exact[i], baseFormula);
     }
@@ -183,9 +179,8 @@ std::vector<ProjectionStage> lightStagesOf(const Triangle &given,
 {
     const Material &material = materialOf(appearance, attributes.material);
     ProjectionStage corners{
-        QStringLiteral("Vertex"),
-        QStringLiteral("The triangle's vertices, in px, their normals and their "
-                       "colours, times the material's"),
+        "Vertex",
+        "The triangle's vertices, in px, their normals and their colours, times the material's",
         {}};
     for (std::size_t i = 0; i < 3; ++i) {
         StagePoint &point = corners.points.emplace_back(StagePoint{faceVertexName(i), {}, {}});
@@ -195,9 +190,9 @@ std::vector<ProjectionStage> lightStagesOf(const Triangle &given,
         const auto normal = spaceVectorOf<ExactReal>(vertex.normal);
         const auto usedNormal = spaceVectorOf<double>(vertex.normal);
         numbers.add(QString(), spaceVectorOf<double>(vertex.place), &place);
-        numbers.add(QStringLiteral("_N"), usedNormal, &normal);
+        numbers.add("_N", usedNormal, &normal);
         if (appearance.shading == Shading::Flat)
-            addUnit(numbers, QStringLiteral("_n"), unit(usedNormal), unit(normal), normalName);
+            addUnit(numbers, "_n", unit(usedNormal), unit(normal), normalName);
         writeTint(point, given.vertices[i].colour, material.diffuse);
     }
     Triangle tintedTriangle = given;

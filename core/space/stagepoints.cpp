@@ -29,39 +29,39 @@ void writeCameraPoint(StagePoint &point, const SpaceScene &scene)
     };
     const auto given
         = [&](const QString &name, double value) { numbers.add(name, value, ExactReal(value)); };
-    place(QStringLiteral("E"), camera.eye);
-    place(QStringLiteral("target"), camera.target);
-    place(QStringLiteral("upward"), camera.up);
-    vector(QStringLiteral("back"), usedCamera.backward(), exactCamera.backward(),
+    place("E", camera.eye);
+    place("target", camera.target);
+    place("upward", camera.up);
+    vector("back", usedCamera.backward(), exactCamera.backward(),
            unitOf(usedCamera.backward(),
                   [](QChar axis) { return QStringLiteral("(E_%1 − target_%1)").arg(axis); }));
-    vector(QStringLiteral("right"), usedCamera.right(), exactCamera.right(),
+    vector("right", usedCamera.right(), exactCamera.right(),
            unitOf(usedCamera.right(), [&](QChar axis) {
                return u'(' + crossFormula(of("upward"), of("back"), axis) + u')';
            }));
-    vector(QStringLiteral("up"), usedCamera.up(), exactCamera.up(),
+    vector("up", usedCamera.up(), exactCamera.up(),
            [&](QChar axis) { return crossFormula(of("back"), of("right"), axis); });
-    given(QStringLiteral("near"), camera.near);
-    given(QStringLiteral("far"), camera.far);
-    given(QStringLiteral("x_first"), frame.firstColumn);
-    given(QStringLiteral("y_first"), frame.firstRow);
-    given(QStringLiteral("width"), frame.width);
-    given(QStringLiteral("height"), frame.height);
+    given("near", camera.near);
+    given("far", camera.far);
+    given("x_first", frame.firstColumn);
+    given("y_first", frame.firstRow);
+    given("width", frame.width);
+    given("height", frame.height);
     const bool isPerspective = camera.projection == Projection::Perspective;
     if (isPerspective) {
-        given(QStringLiteral("fieldOfView"), camera.fieldOfView);
-        numbers.add(QStringLiteral("φ"), camera.fieldOfView / 180 * acos(0.0),
+        given("fieldOfView", camera.fieldOfView);
+        numbers.add("φ", camera.fieldOfView / 180 * acos(0.0),
                     ExactReal(camera.fieldOfView) / 180 * acos(ExactReal(0)),
-                    QStringLiteral("fieldOfView/180·π/2"));
+                    "fieldOfView/180·π/2");
     } else {
-        given(QStringLiteral("view_height"), camera.height);
+        given("view_height", camera.height);
     }
     const auto used = usedCamera.scale();
     const auto exact = exactCamera.scale();
-    numbers.add(QStringLiteral("scale_y"), used.y, exact.y,
+    numbers.add("scale_y", used.y, exact.y,
                 isPerspective ? QStringLiteral("cos φ/sin φ") : QStringLiteral("2/view_height"));
-    numbers.add(QStringLiteral("scale_x"), used.x, exact.x, QStringLiteral("scale_y·height/width"));
-    numbers.add(QStringLiteral("scale_z"), used.z, exact.z,
+    numbers.add("scale_x", used.x, exact.x, "scale_y·height/width");
+    numbers.add("scale_z", used.z, exact.z,
                 isPerspective ? QStringLiteral("far/(far − near)")
                               : QStringLiteral("1/(far − near)"));
 }
@@ -95,32 +95,29 @@ void writeSnappedPoint(StagePoint &point, const SnappedCorner &corner,
         = exact ? ExactReal(ldexp(exact->vertex.clip.w, wExponent)) : ExactReal();
     StageNumberWriter numbers(point.numbers);
     const auto &[vertex, attributes, loss] = corner;
-    numbers.add(QStringLiteral("x"), pixels(vertex.position.x), exact ? &exact->place[0] : nullptr,
-                QStringLiteral("⌊256·x′ + ½⌋/256"));
-    numbers.add(QStringLiteral("y"), pixels(vertex.position.y), exact ? &exact->place[1] : nullptr,
-                QStringLiteral("⌊256·y′ + ½⌋/256"));
-    numbers.add(QStringLiteral("z"), value(attributes.z), exact ? &exact->z : nullptr,
-                QStringLiteral("⌊16777216·z_device + ½⌋/16777216"));
+    numbers.add("x", pixels(vertex.position.x), exact ? &exact->place[0] : nullptr,
+                "⌊256·x′ + ½⌋/256");
+    numbers.add("y", pixels(vertex.position.y), exact ? &exact->place[1] : nullptr,
+                "⌊256·y′ + ½⌋/256");
+    numbers.add("z", value(attributes.z), exact ? &exact->z : nullptr,
+                "⌊16777216·z_device + ½⌋/16777216");
     // 2^24 times the scale of w.
     const int power = attributeFractionBits + wExponent;
     const QString scaled = power < 0
         ? QStringLiteral("w′/%1").arg(std::ldexp(1.0, -power), 0, 'f', 0)
         : QStringLiteral("%1·w′").arg(std::ldexp(1.0, power), 0, 'f', 0);
-    numbers.add(QStringLiteral("w"), value(attributes.w), exact ? &exactW : nullptr,
+    numbers.add("w", value(attributes.w), exact ? &exactW : nullptr,
                 attributes.w > 1 ? QStringLiteral("⌊%1 + ½⌋/16777216").arg(scaled) : QString());
-    numbers.add(QStringLiteral("u"), value(attributes.texture[0]),
-                exact ? &exact->vertex.texture[0] : nullptr,
-                QStringLiteral("⌊16777216·u′ + ½⌋/16777216"));
-    numbers.add(QStringLiteral("v"), value(attributes.texture[1]),
-                exact ? &exact->vertex.texture[1] : nullptr,
-                QStringLiteral("⌊16777216·v′ + ½⌋/16777216"));
+    numbers.add("u", value(attributes.texture[0]), exact ? &exact->vertex.texture[0] : nullptr,
+                "⌊16777216·u′ + ½⌋/16777216");
+    numbers.add("v", value(attributes.texture[1]), exact ? &exact->vertex.texture[1] : nullptr,
+                "⌊16777216·v′ + ½⌋/16777216");
     for (std::size_t channel = 0; channel < 3; ++channel) {
         numbers.add(QString(channelLetters[channel]), vertex.colour.channels[channel],
                     exact ? &exact->vertex.levels[channel] : nullptr,
                     QStringLiteral("⌊%1′ + ½⌋").arg(channelLetters[channel]));
     }
-    numbers.add(QStringLiteral("α"), attributes.alpha, exact ? &exact->vertex.levels[3] : nullptr,
-                QStringLiteral("⌊α′ + ½⌋"));
+    numbers.add("α", attributes.alpha, exact ? &exact->vertex.levels[3] : nullptr, "⌊α′ + ½⌋");
 }
 
 } // namespace pixelplumb

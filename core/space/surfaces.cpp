@@ -99,42 +99,39 @@ struct FormWords {
 
 FormWords wordsOf(SurfaceKind kind)
 {
-    const QString steps = QStringLiteral("gives every point in turn, also where the line is steep");
-    const QString sides
-        = QStringLiteral("its sign tells the side on which a point lies; k·F is 0 there as well");
+    const QString steps = "gives every point in turn, also where the line is steep";
+    const QString sides = "its sign tells the side on which a point lies; k·F is 0 there as well";
     switch (kind) {
     case SurfaceKind::Line:
-        return {QStringLiteral("y = m·x + b, m = (y₁ − y₀)/(x₁ − x₀), b = y₀ − m·x₀"),
-                QStringLiteral("one y for each x; none for a vertical line"),
-                QStringLiteral("P(s) = P₀ + s·(P₁ − P₀)"),
+        return {"y = m·x + b, m = (y₁ − y₀)/(x₁ − x₀), b = y₀ − m·x₀",
+                "one y for each x; none for a vertical line",
+                "P(s) = P₀ + s·(P₁ − P₀)",
                 steps,
-                QStringLiteral("F(x, y) = (x − x₀)·(y₁ − y₀) − (y − y₀)·(x₁ − x₀) = 0"),
+                "F(x, y) = (x − x₀)·(y₁ − y₀) − (y − y₀)·(x₁ − x₀) = 0",
                 sides};
     case SurfaceKind::Circle:
-        return {
-            QStringLiteral("y = y_c ± √(r² − (x − x_c)²)"),
-            QStringLiteral("two branches; their slope is infinite at x_c ± r"),
-            QStringLiteral("P(s) = C + r·(cos 2πs, sin 2πs)"),
-            QStringLiteral("equal steps of s are equal steps along it; 5s names the same points"),
-            QStringLiteral("F(x, y) = (x − x_c)² + (y − y_c)² − r² = 0"),
-            QStringLiteral("below 0 inside, above 0 outside")};
+        return {"y = y_c ± √(r² − (x − x_c)²)",
+                "two branches; their slope is infinite at x_c ± r",
+                "P(s) = C + r·(cos 2πs, sin 2πs)",
+                "equal steps of s are equal steps along it; 5s names the same points",
+                "F(x, y) = (x − x_c)² + (y − y_c)² − r² = 0",
+                "below 0 inside, above 0 outside"};
     case SurfaceKind::Plane:
-        return {QStringLiteral("z = z₀ − (N_x·(x − x₀) + N_y·(y − y₀))/N_z, "
-                               "N = (P₁ − P₀) × (P₂ − P₀)"),
-                QStringLiteral("one z for each (x, y); none for a plane along z"),
-                QStringLiteral("P(s, t) = P₀ + s·(P₁ − P₀) + t·(P₂ − P₀)"),
-                QStringLiteral("with 0 ≤ s, t ≤ 1 the parallelogram that a scene draws"),
-                QStringLiteral("F(P) = N·(P − P₀) = 0"),
+        return {"z = z₀ − (N_x·(x − x₀) + N_y·(y − y₀))/N_z, N = (P₁ − P₀) × (P₂ − P₀)",
+                "one z for each (x, y); none for a plane along z",
+                "P(s, t) = P₀ + s·(P₁ − P₀) + t·(P₂ − P₀)",
+                "with 0 ≤ s, t ≤ 1 the parallelogram that a scene draws",
+                "F(P) = N·(P − P₀) = 0",
                 sides};
     case SurfaceKind::Sphere:
         break;
     }
-    return {QStringLiteral("z = z_c ± √(r² − (x − x_c)² − (y − y_c)²)"),
-            QStringLiteral("two branches; their slope is infinite around the rim"),
-            QStringLiteral("P(s, t) = C + r·(sin πt·sin 2πs, cos πt, sin πt·cos 2πs)"),
-            QStringLiteral("segments are equal steps of s and t; all s meet at the poles"),
-            QStringLiteral("F(P) = (P − C)·(P − C) − r² = 0"),
-            QStringLiteral("below 0 inside, above 0 outside")};
+    return {"z = z_c ± √(r² − (x − x_c)² − (y − y_c)²)",
+            "two branches; their slope is infinite around the rim",
+            "P(s, t) = C + r·(sin πt·sin 2πs, cos πt, sin πt·cos 2πs)",
+            "segments are equal steps of s and t; all s meet at the poles",
+            "F(P) = (P − C)·(P − C) − r² = 0",
+            "below 0 inside, above 0 outside"};
 }
 
 } // namespace
@@ -162,22 +159,20 @@ std::vector<SurfaceForm> formsOf(const Surface &surface, double s, double t)
     const SpaceVector<ExactReal> exactPoint = exact.point(s, t);
     const FormWords words = wordsOf(surface.kind);
     const bool isCurve = surface.kind == SurfaceKind::Line || surface.kind == SurfaceKind::Circle;
-    SurfaceForm explicitly{QStringLiteral("explicit"), words.explicitly, words.explicitNote, {}};
+    SurfaceForm explicitly{"explicit", words.explicitly, words.explicitNote, {}};
     if (used.isExplicit() && exact.isExplicit()) {
         StageNumberWriter(explicitly.numbers)
             .add(isCurve ? QStringLiteral("y") : QStringLiteral("z"), used.explicitly(usedPoint),
                  exact.explicitly(exactPoint));
     }
-    SurfaceForm parametric{
-        QStringLiteral("parametric"), words.parametric, words.parametricNote, {}};
+    SurfaceForm parametric{"parametric", words.parametric, words.parametricNote, {}};
     StageNumberWriter point(parametric.numbers);
-    point.add(QStringLiteral("x"), usedPoint.x, exactPoint.x);
-    point.add(QStringLiteral("y"), usedPoint.y, exactPoint.y);
+    point.add("x", usedPoint.x, exactPoint.x);
+    point.add("y", usedPoint.y, exactPoint.y);
     if (!isCurve)
-        point.add(QStringLiteral("z"), usedPoint.z, exactPoint.z);
-    SurfaceForm implicit{QStringLiteral("implicit"), words.implicit, words.implicitNote, {}};
-    StageNumberWriter(implicit.numbers)
-        .add(QStringLiteral("F"), used.implicit(usedPoint), ExactReal(0));
+        point.add("z", usedPoint.z, exactPoint.z);
+    SurfaceForm implicit{"implicit", words.implicit, words.implicitNote, {}};
+    StageNumberWriter(implicit.numbers).add("F", used.implicit(usedPoint), ExactReal(0));
     return {explicitly, parametric, implicit};
 }
 

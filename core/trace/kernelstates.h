@@ -2,14 +2,21 @@
 #pragma once
 
 #include "core/trace/listener.h"
+#include "core/trace/numberdescription.h"
 #include "core/trace/stepwords.h"
-#include "core/trace/tracenumbers.h"
 #include "core/trace/tracerecords.h"
 
 #include <optional>
 #include <vector>
 
 namespace pixelplumb {
+
+/// Descriptions of the cells in a trace's records. A run has the numbers that its plan calls for.
+struct TraceNumbers {
+    std::vector<NumberDescription> setUp; ///< describes SetUpRecord::cells
+    std::vector<NumberDescription> span; ///< describes SpanRecord::cells, the table's columns
+    std::vector<NumberDescription> sample; ///< describes SampleRecord::cells
+};
 
 /// One visit of a sample. Its state lives no longer than the call that tells of it.
 struct SampleVisit {

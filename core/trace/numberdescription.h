@@ -35,9 +35,9 @@ struct NumberDescription {
     /// In a header and in formulas: "y_B". It depends only on the run's settings, so that one
     /// header serves all rows of a table.
     QString title;
-    QString unit; ///< "px", "levels", "levels/row", or empty
+    QString unit = {}; ///< "px", "levels", "levels/row", or empty
     QString toolTip; ///< one sentence, unique within its table
-    QString formula; ///< "y_B ← y_B′ + m", or empty
+    QString formula = {}; ///< "y_B ← y_B′ + m", or empty
     /// For the first step: "y_B ← y₀"; empty where the formula always holds.
     QString startFormula = {};
     NumberGroup group = NumberGroup::Position;

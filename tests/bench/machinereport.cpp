@@ -2,7 +2,6 @@
 #include "machinereport.h"
 
 #include <QFile>
-#include <QJsonArray>
 
 #include <unistd.h>
 
@@ -42,20 +41,6 @@ QString markdown(const MachineConditions &machine)
     for (const QString &warning : warningsOf(machine))
         lines << QStringLiteral("- **%1**").arg(warning);
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
-}
-
-QJsonObject json(const MachineConditions &machine)
-{
-    return {{QStringLiteral("processor"), machine.processor},
-            {QStringLiteral("processors"), machine.processors},
-            {QStringLiteral("caches"), QJsonArray::fromStringList(machine.caches)},
-            {QStringLiteral("governor"), machine.governor},
-            {QStringLiteral("system"), machine.system},
-            {QStringLiteral("compiler"), machine.compiler},
-            {QStringLiteral("flags"), machine.flags},
-            {QStringLiteral("buildType"), machine.buildType},
-            {QStringLiteral("loadBefore"), machine.load},
-            {QStringLiteral("warnings"), QJsonArray::fromStringList(warningsOf(machine))}};
 }
 
 std::int64_t installedMemory()

@@ -3,7 +3,7 @@
 
 #include "core/measure/machine.h"
 
-#include <QJsonObject>
+#include <QString>
 
 #include <cstdint>
 
@@ -11,7 +11,6 @@ namespace pixelplumb::bench {
 
 /// List items, with warnings in bold.
 QString markdown(const MachineConditions &machine);
-QJsonObject json(const MachineConditions &machine);
 
 /// The machine's memory in bytes.
 std::int64_t installedMemory();

@@ -5,7 +5,6 @@
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
-#include <QFileInfo>
 #include <QRegularExpression>
 #include <QSaveFile>
 
@@ -22,7 +21,6 @@ enum ExitCode { Done = 0, WrongPicture = 1, Usage = 2 };
 struct Options {
     Extent extent = Extent::Full;
     QRegularExpression filter;
-    QString jsonFile;
     int rounds = 0;
     bool scaling = false;
     bool list = false;
@@ -65,9 +63,6 @@ Options parse(const QCoreApplication &application)
         QStringLiteral("Only what <expression> matches in WORKLOAD/CONTENDER, such as W4/sdl2. "
                        "The reference and memset always run."),
         QStringLiteral("expression"));
-    const QCommandLineOption jsonFile(QStringLiteral("json"),
-                                      QStringLiteral("Write all samples to <file>."),
-                                      QStringLiteral("file"));
     const QCommandLineOption rounds(QStringLiteral("rounds"),
                                     QStringLiteral("Samples of everyone (11; 3 when quick)."),
                                     QStringLiteral("count"));
@@ -81,14 +76,13 @@ Options parse(const QCoreApplication &application)
         QStringLiteral("The lab's study with the other renderers among its contenders, written to "
                        "<file>, which the lab opens; its --quick or --full."),
         QStringLiteral("file"));
-    parser.addOptions({quick, filter, jsonFile, rounds, scaling, list, labFile});
+    parser.addOptions({quick, filter, rounds, scaling, list, labFile});
     parser.addHelpOption();
     parser.process(application);
 
     Options options;
     options.extent = parser.isSet(quick) ? Extent::Quick : Extent::Full;
     options.filter.setPattern(parser.value(filter));
-    options.jsonFile = parser.value(jsonFile);
     options.rounds = options.extent == Extent::Quick ? 3 : 11;
     options.scaling = parser.isSet(scaling);
     options.list = parser.isSet(list);
@@ -103,11 +97,6 @@ Options parse(const QCoreApplication &application)
             refuse(QStringLiteral("--rounds %1: expected a whole number from 1")
                        .arg(parser.value(rounds)));
         }
-    }
-    if (!options.jsonFile.isEmpty()
-        && !QFileInfo(QFileInfo(options.jsonFile).absolutePath()).isWritable()) {
-        refuse(QStringLiteral("--json %1: its folder is missing or not to be written to")
-                   .arg(options.jsonFile));
     }
     if (!parser.positionalArguments().isEmpty())
         refuse(QStringLiteral("unexpected argument %1").arg(parser.positionalArguments().first()));
@@ -184,15 +173,10 @@ void write(const QByteArray &content, const QString &name)
         refuse(QStringLiteral("%1 cannot be written: %2").arg(name, file.errorString()));
 }
 
-/// Prints the Markdown, and writes the JSON if requested.
-void publish(const QString &text, const QByteArray &content, const Options &options)
+void print(const QString &text)
 {
     showProgress({});
     std::fputs(qUtf8Printable(text), stdout);
-    if (options.jsonFile.isEmpty())
-        return;
-    write(content, options.jsonFile);
-    std::fprintf(stderr, "The samples are in %s\n", qPrintable(options.jsonFile));
 }
 
 void list(const Lineup &lineup, const Options &options)
@@ -225,7 +209,7 @@ int measureScalings(const Lineup &lineup, const Options &options)
         series.push_back(
             measureScaling(point, contenders, lineup.referenceId, options.race(), showProgress));
     }
-    publish(markdown(machine, series), json(machine, series), options);
+    print(markdown(machine, series));
     return Done;
 }
 
@@ -246,7 +230,7 @@ int measureWorkloads(const Lineup &lineup, const Options &options)
         refuse(QStringLiteral("--filter %1 matches nothing; --list names what there is")
                    .arg(options.filter.pattern()));
     report.loadAtEnd = pixelplumb::loadNow();
-    publish(markdown(report), json(report), options);
+    print(markdown(report));
     return report.brokenPromises().isEmpty() ? Done : WrongPicture;
 }
 

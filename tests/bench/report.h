@@ -6,8 +6,6 @@
 #include "picturecheck.h"
 #include "race.h"
 
-#include <QByteArray>
-
 namespace pixelplumb::bench {
 
 /// One contender on one workload: its time and its picture.
@@ -31,7 +29,7 @@ struct WorkloadReport {
     const ReportRow *row(const QString &contenderId) const;
 };
 
-/// All results of a run; the printed and the written report are both made from it.
+/// All results of a run.
 struct Report {
     MachineConditions machine;
     double loadAtEnd = 0;
@@ -46,6 +44,5 @@ struct Report {
 };
 
 QString markdown(const Report &report);
-QByteArray json(const Report &report);
 
 } // namespace pixelplumb::bench

@@ -3,9 +3,6 @@
 
 #include "numbertext.h"
 
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QTextStream>
 
 namespace pixelplumb::bench {
@@ -105,36 +102,6 @@ QString markdown(const MachineConditions &machine, const std::vector<ScalingResu
         }
     }
     return text;
-}
-
-QByteArray json(const MachineConditions &machine, const std::vector<ScalingResult> &series)
-{
-    QJsonArray points;
-    for (const ScalingResult &scaling : series) {
-        QJsonArray results;
-        for (const Result &result : scaling.results) {
-            QJsonArray samples;
-            for (const double sample : result.nanosecondsPerTriangle)
-                samples.append(sample);
-            results.append(QJsonObject{{QStringLiteral("contender"), result.contender->info().id},
-                                       {QStringLiteral("trianglesDrawn"), qint64(result.triangles)},
-                                       {QStringLiteral("samples"), samples}});
-        }
-        QJsonObject object = {{QStringLiteral("width"), scaling.point.size.width},
-                              {QStringLiteral("height"), scaling.point.size.height},
-                              {QStringLiteral("triangles"), qint64(scaling.point.triangles)},
-                              {QStringLiteral("pixelsPerTriangle"), scaling.pixelsPerTriangle},
-                              {QStringLiteral("results"), results}};
-        if (scaling.workingBytes)
-            object[QStringLiteral("workingBytesPerTriangle")] = *scaling.workingBytes;
-        if (!scaling.skipped.isEmpty())
-            object[QStringLiteral("skipped")] = scaling.skipped;
-        points.append(object);
-    }
-    return QJsonDocument(QJsonObject{{QStringLiteral("pixelplumbScaling"), 1},
-                                     {QStringLiteral("machine"), json(machine)},
-                                     {QStringLiteral("points"), points}})
-        .toJson();
 }
 
 } // namespace pixelplumb::bench

@@ -35,6 +35,5 @@ ScalingResult measureScaling(const ScalingPoint &point, const std::vector<Conten
                              const std::function<void(const QString &)> &progress);
 
 QString markdown(const MachineConditions &machine, const std::vector<ScalingResult> &series);
-QByteArray json(const MachineConditions &machine, const std::vector<ScalingResult> &series);
 
 } // namespace pixelplumb::bench

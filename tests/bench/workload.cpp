@@ -1,42 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "workload.h"
 
+#include "core/geometry/seededrandom.h"
+
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace pixelplumb::bench {
 
 namespace {
 
-/// Seeded whole numbers. The standard's distributions differ between libraries; this does not.
-class Random {
+class Random : public SeededRandom {
 public:
-    explicit Random(std::uint64_t seed)
-        : m_engine(seed)
-    {
-    }
+    using SeededRandom::SeededRandom;
 
-    /// first … last, both inclusive.
-    int between(int first, int last)
-    {
-        const auto count = std::uint64_t(last - first) + 1;
-        return first + int(m_engine() % count);
-    }
-
-    /// 0 <= value < 1, in steps of 2^-53.
-    double unit() { return double(m_engine() >> 11) * 0x1p-53; }
-
-    Colour colour()
+    int between(int first, int last) { return int(SeededRandom::between(first, last)); }
+    Vertex vertex(int x, int y)
     {
         const auto level = [this] { return std::uint8_t(between(darkestLevel, brightestLevel)); };
-        return {{level(), level(), level()}};
+        return {latticePixel(x, y), {{level(), level(), level()}}};
     }
-
-    Vertex vertex(int x, int y) { return {latticePixel(x, y), colour()}; }
-
-private:
-    std::mt19937_64 m_engine;
 };
 
 std::int64_t doubledPixelArea(const PixelPoint &a, const PixelPoint &b)

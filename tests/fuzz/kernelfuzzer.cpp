@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/frame/framebuffer.h"
 #include "core/oracle/oracle.h"
+#include "core/scan/walks/columndrawing.h"
 #include "core/scene/text/coordinatetext.h"
-#include "tests/search/canvaspicture.h"
 
 #include <cstdlib>
 #include <cstring>
@@ -97,14 +98,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     const FrameSpec frame = someFrame(bytes, triangle);
     for (const FillRule rule : allFillRules) {
         for (const ByteRounding rounding : allByteRoundings) {
-            search::CanvasPicture truth(frame);
-            truth.drawTruly(triangle, rule, rounding);
+            const FrameBuffer truth(frame);
+            oracle::draw(triangle, rule, rounding, truth.view());
             if (rule == FillRule::TopLeft || rule == FillRule::OffScreenPoint)
                 continue;
             for (const Arithmetic arithmetic : allArithmetics) {
-                search::CanvasPicture drawn(frame);
-                drawn.drawByScan(triangle, {arithmetic, rule, rounding});
-                if (arithmetic == Arithmetic::Exact && drawn.pixels() != truth.pixels())
+                const FrameBuffer drawn(frame);
+                drawColumns({&triangle, 1}, {arithmetic, rule, rounding}, drawn.view());
+                if (arithmetic == Arithmetic::Exact && drawn.image() != truth.image())
                     std::abort();
             }
         }

@@ -13,7 +13,7 @@ namespace {
 
 using namespace pixelplumb;
 
-/// SplitMix64, as in tests/search/randomnumbers.h.
+/// SplitMix64, as in tests/support/randomnumbers.h.
 std::uint64_t nextRandom(std::uint64_t &state)
 {
     state += 0x9e3779b97f4a7c15U;

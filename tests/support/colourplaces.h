@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry/triangle.h"
-#include "tests/search/randomnumbers.h"
+#include "tests/support/randomnumbers.h"
 
 #include <QString>
 
@@ -134,7 +134,7 @@ inline bool laySample(ColourPlace &place, std::int64_t side)
 
 /// A random triangle and its hardest sample. The bounding box in units has an area W'·H' of at most
 /// 2^bits; the shapes range from flat to steep and from fat to slivers.
-inline ColourPlace drawColourPlace(search::RandomNumbers &random, int bits, std::int64_t scale)
+inline ColourPlace drawColourPlace(RandomNumbers &random, int bits, std::int64_t scale)
 {
     for (;;) {
         // Nearly square boxes are twice as frequent: a steep triangle has few samples.

@@ -5,7 +5,6 @@
 #include "core/methods/run.h"
 
 #include <span>
-#include <vector>
 
 namespace pixelplumb {
 
@@ -21,10 +20,7 @@ struct EffectLoop {
 
 inline constexpr std::int32_t effectLoopSide = 256;
 
-/// All of them.
-std::vector<EffectLoop> effectLoops();
-/// Those of textures and light.
-std::span<const EffectLoop> loopsOfSurfaces();
+std::span<const EffectLoop> effectLoops();
 
 /// The scene of a loop as its kernel receives it.
 struct EffectLoopScene {

@@ -1,27 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lab/contenders/straightloop.h"
+#include "core/geometry/levelplane.h"
+#include "core/lab/contenders/straightedge.h"
 #include "core/number/fixedpoint.h"
 
-#include <algorithm>
-#include <utility>
-
-/// The assignment's column scan in numbers that round, and the row walk as its turned twin.
+/// The assignment's column scan, and the row walk as its turned twin.
 namespace pixelplumb {
 
 namespace {
-
-template <std::floating_point Float>
-struct Real {
-    using Number = Float;
-    static Float of(Lattice units) { return Float(units) / Float(unitsPerPixel); }
-    static Float whole(std::int64_t integer) { return Float(integer); }
-    static std::int64_t floor(Float v) { return straightFloor(v); }
-    static std::int64_t ceil(Float v) { return straightCeil(v); }
-    static QRgb pixel(const Float (&level)[3])
-    {
-        return qRgb(byteOf(level[0]), byteOf(level[1]), byteOf(level[2]));
-    }
-};
 
 template <class Fixed>
 struct Binary {
@@ -30,7 +15,7 @@ struct Binary {
     static Fixed whole(std::int64_t integer) { return Fixed::fromInteger(integer); }
     static std::int64_t floor(Fixed v) { return v.floor(); }
     static std::int64_t ceil(Fixed v) { return v.ceil(); }
-    static QRgb pixel(const Fixed (&level)[3])
+    static QRgb pixel(const std::array<Fixed, 3> &level)
     {
         const auto nearest
             = [](Fixed value) { return (value + Fixed::fromBinaryFraction(1, 2)).floor(); };
@@ -38,106 +23,119 @@ struct Binary {
     }
 };
 
-/// y and R G B along an edge, in a number that rounds.
-template <class N>
-struct Edge {
-    using Number = typename N::Number;
-    Number y, slope = N::whole(0);
-    Number level[3], rate[3];
-
-    Edge(const Vertex &a, const Vertex &b, std::int64_t column)
-    {
-        const Number width = N::of(b.position.x) - N::of(a.position.x);
-        const Number run = N::whole(column) - N::of(a.position.x);
-        if (b.position.x != a.position.x)
-            slope = (N::of(b.position.y) - N::of(a.position.y)) / width;
-        y = N::of(a.position.y) + run * slope;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const int from = a.colour.channels[i];
-            rate[i] = N::whole(0);
-            if (b.position.x != a.position.x)
-                rate[i] = N::whole(b.colour.channels[i] - from) / width;
-            level[i] = N::whole(from) + run * rate[i];
-        }
-    }
-
-    void step()
-    {
-        y = y + slope;
-        for (std::size_t i = 0; i < 3; ++i)
-            level[i] = level[i] + rate[i];
-    }
-};
-
-template <class N, StraightRule rule>
-void drawColumn(std::int64_t x, const Edge<N> &bottom, const Edge<N> &top, RawFrame frame)
+/// Quotients and remainders in 64 bits, true by proof: edges by increments, colours by the plane's
+/// increments.
+template <StraightRule rule>
+void drawExact(const Triangle &triangle, RawFrame frame)
 {
-    using Number = typename N::Number;
-    const std::int64_t first = N::ceil(bottom.y);
-    const std::int64_t end = rule == StraightRule::Closed ? N::floor(top.y) + 1 : N::ceil(top.y);
-    const Number height = top.y - bottom.y;
-    const Number start = N::whole(first) - bottom.y;
-    Number level[3], rate[3];
-    for (std::size_t i = 0; i < 3; ++i) {
-        rate[i] = height == N::whole(0) ? N::whole(0) : (top.level[i] - bottom.level[i]) / height;
-        level[i] = bottom.level[i] + start * rate[i];
-    }
-    QRgb *pixel = frame.at(x, first);
-    for (std::int64_t y = first; y < end; ++y) {
-        *pixel = N::pixel(level);
-        pixel += frame.perV;
-        level[0] = level[0] + rate[0];
-        level[1] = level[1] + rate[1];
-        level[2] = level[2] + rate[2];
-    }
+    const Vertex &p0 = triangle.vertices[0];
+    const LevelPlane<std::int64_t> plane(p0, triangle.vertices[1], triangle.vertices[2]);
+    const std::int64_t area = plane.area;
+    StraightQuotient rate[3];
+    for (std::size_t i = 0; i < 3; ++i)
+        rate[i] = StraightQuotient(plane.perY[i] * unitsPerPixel, area);
+    walkTriangleEdges<rule, ExactEdge>(
+        triangle,
+        [&](std::int64_t x, std::int64_t first, std::int64_t end, const ExactEdge &,
+            const ExactEdge &) {
+            const std::int64_t along = x * unitsPerPixel - p0.position.x;
+            const std::int64_t up = first * unitsPerPixel - p0.position.y;
+            StraightQuotient level[3];
+            for (std::size_t i = 0; i < 3; ++i)
+                level[i] = StraightQuotient(plane.numerator(p0, i, along, up), area);
+            QRgb *pixel = frame.at(x, first);
+            for (std::int64_t y = first; y < end; ++y, pixel += frame.perV) {
+                const auto nearest = [&](const StraightQuotient &each) {
+                    return each.whole + std::int64_t(each.remainder >= area - each.remainder);
+                };
+                *pixel = pixelOfLevels({nearest(level[0]), nearest(level[1]), nearest(level[2])});
+                for (std::size_t i = 0; i < 3; ++i)
+                    level[i].add(rate[i], area);
+            }
+        });
 }
 
-template <class N, StraightRule rule>
-void drawRounded(const Triangle &triangle, RawFrame frame)
+/// float64, true by proof: multiplying instead of adding up, with half a quantum of bias.
+struct BiasEdge {
+    static constexpr bool mayCross = false;
+    double y, run, slope = 0, bias;
+
+    BiasEdge(const Vertex &from, const Vertex &to, std::int64_t column)
+        : y(straightPixels<double>(from.position.y))
+        , run(straightPixels<double>(column * unitsPerPixel - from.position.x))
+    {
+        const LatticePoint &a = from.position, &b = to.position;
+        const auto width = double(b.x - a.x);
+        if (width != 0)
+            slope = double(b.y - a.y) / width;
+        bias = 0.5 / ((width == 0 ? 1 : width) * unitsPerPixel);
+    }
+    std::int64_t ceil() const { return Real<double>::ceil(y + run * slope - bias); }
+    std::int64_t floor() const { return Real<double>::floor(y + run * slope + bias); }
+    void step() { run += 1; }
+};
+
+template <StraightRule rule>
+void drawBias(const Triangle &triangle, RawFrame frame)
 {
     const auto [i0, i1, i2] = sortedByColumn(triangle);
     const Vertex &p0 = triangle.vertices[std::size_t(i0)];
-    const Vertex &p1 = triangle.vertices[std::size_t(i1)];
-    const Vertex &p2 = triangle.vertices[std::size_t(i2)];
-    const bool longAbove = doubledArea(p0.position, p1.position, p2.position) >= 0;
-    const std::int64_t begin = ceilPixel(p0.position.x);
-    const std::int64_t middle = ceilPixel(p1.position.x);
-    const std::int64_t end = straightEnd(rule, p2.position.x);
-    Edge<N> longEdge(p0, p2, begin);
-    const auto isAbove = [&](const Edge<N> &shortEdge) {
-        if (rule != StraightRule::Closed || longEdge.y == shortEdge.y)
-            return longAbove;
-        return shortEdge.y < longEdge.y;
-    };
-    const auto walk = [&](Edge<N> shortEdge, std::int64_t from, std::int64_t to) {
-        for (std::int64_t x = from; x < to; ++x) {
-            const bool above = isAbove(shortEdge);
-            drawColumn<N, rule>(x, above ? shortEdge : longEdge, above ? longEdge : shortEdge,
-                                frame);
-            shortEdge.step();
-            longEdge.step();
-        }
-    };
-    walk(Edge<N>(p0, p1, begin), begin, middle);
-    walk(Edge<N>(p1, p2, middle), middle, end);
+    const LevelPlane<std::int64_t> plane(p0, triangle.vertices[std::size_t(i1)],
+                                         triangle.vertices[std::size_t(i2)]);
+    const auto area = double(plane.area);
+    double from[3], perX[3], perY[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+        from[i] = double(p0.colour.channels[i]);
+        perX[i] = double(plane.perX[i] * unitsPerPixel) / area;
+        perY[i] = double(plane.perY[i] * unitsPerPixel) / area;
+    }
+    const double half = 0.5 + 0.25 / area;
+    walkTriangleEdges<rule, BiasEdge>(
+        triangle,
+        [&](std::int64_t x, std::int64_t first, std::int64_t end, const BiasEdge &,
+            const BiasEdge &) {
+            const auto along = straightPixels<double>(x * unitsPerPixel - p0.position.x);
+            auto up = straightPixels<double>(first * unitsPerPixel - p0.position.y);
+            double base[3];
+            for (std::size_t i = 0; i < 3; ++i)
+                base[i] = from[i] + perX[i] * along;
+            QRgb *pixel = frame.at(x, first);
+            for (std::int64_t y = first; y < end; ++y, up += 1, pixel += frame.perV) {
+                const auto byte = [&](std::size_t i) {
+                    const double level = base[i] + up * perY[i] + half;
+                    return int(level < 0 ? 0 : level > 255 ? 255 : level);
+                };
+                *pixel = qRgb(byte(0), byte(1), byte(2));
+            }
+        });
 }
 
 template <class N>
-constexpr StraightLoop row(const char *method, Arithmetic arithmetic, SpanAxis axis)
+constexpr StraightLoop roundedRow(const char *method, Arithmetic arithmetic, SpanAxis axis)
 {
-    return {method, arithmetic, axis, drawRounded<N, StraightRule::Closed>,
-            drawRounded<N, StraightRule::HalfOpen>};
+    return {method, arithmetic, axis, drawBetweenEdges<N, RoundedEdge<N, 3>, StraightRule::Closed>,
+            drawBetweenEdges<N, RoundedEdge<N, 3>, StraightRule::HalfOpen>};
+}
+
+constexpr StraightLoop exactRow(const char *method, SpanAxis axis)
+{
+    return {method, Arithmetic::Exact, axis, drawExact<StraightRule::Closed>,
+            drawExact<StraightRule::HalfOpen>};
 }
 
 constexpr StraightLoop rows[] = {
-    row<Real<float>>("column-scan", Arithmetic::Float32, SpanAxis::Column),
-    row<Real<double>>("column-scan", Arithmetic::Float64, SpanAxis::Column),
-    row<Binary<FixedPoint16>>("column-scan", Arithmetic::Fixed16, SpanAxis::Column),
-    row<Binary<FixedPoint32>>("column-scan", Arithmetic::Fixed32, SpanAxis::Column),
-    row<Real<float>>("row-walk", Arithmetic::Float32, SpanAxis::Row),
-    row<Real<double>>("row-walk", Arithmetic::Float64, SpanAxis::Row),
-    row<Binary<FixedPoint16>>("row-walk", Arithmetic::Fixed16, SpanAxis::Row),
-    row<Binary<FixedPoint32>>("row-walk", Arithmetic::Fixed32, SpanAxis::Row),
+    roundedRow<Real<float>>("column-scan", Arithmetic::Float32, SpanAxis::Column),
+    roundedRow<Real<double>>("column-scan", Arithmetic::Float64, SpanAxis::Column),
+    roundedRow<Binary<FixedPoint16>>("column-scan", Arithmetic::Fixed16, SpanAxis::Column),
+    roundedRow<Binary<FixedPoint32>>("column-scan", Arithmetic::Fixed32, SpanAxis::Column),
+    roundedRow<Real<float>>("row-walk", Arithmetic::Float32, SpanAxis::Row),
+    roundedRow<Real<double>>("row-walk", Arithmetic::Float64, SpanAxis::Row),
+    roundedRow<Binary<FixedPoint16>>("row-walk", Arithmetic::Fixed16, SpanAxis::Row),
+    roundedRow<Binary<FixedPoint32>>("row-walk", Arithmetic::Fixed32, SpanAxis::Row),
+    exactRow("column-scan", SpanAxis::Column),
+    {"column-scan-bias", Arithmetic::Float64, SpanAxis::Column, drawBias<StraightRule::Closed>,
+     drawBias<StraightRule::HalfOpen>},
+    exactRow("row-walk", SpanAxis::Row),
 };
 
 } // namespace

@@ -1,47 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/lab/contenders/straightloop.h"
+#include "core/lab/contenders/straightwalk.h"
 
 namespace pixelplumb {
 
-/// Where an edge meets the columns, exactly: whole + remainder / denominator px.
-struct StraightEdge {
-    std::int64_t whole = 0, remainder = 0, denominator = 1;
-    std::int64_t perColumn = 0, remainderPerColumn = 0;
+/// whole + remainder / denominator, 0 <= remainder < denominator.
+struct StraightQuotient {
+    std::int64_t whole = 0, remainder = 0;
 
-    StraightEdge(const Vertex &a, const Vertex &b, std::int64_t column)
+    StraightQuotient() = default;
+    StraightQuotient(std::int64_t numerator, std::int64_t denominator)
+        : whole(numerator / denominator)
+        , remainder(numerator % denominator)
     {
-        const std::int64_t width = b.position.x - a.position.x;
-        const std::int64_t rise = b.position.y - a.position.y;
-        denominator = (width == 0 ? 1 : width) * unitsPerPixel;
-        const std::int64_t run = column * unitsPerPixel - a.position.x;
-        const std::int64_t numerator
-            = width == 0 ? a.position.y : a.position.y * width + run * rise;
-        divide(numerator, whole, remainder);
-        divide(width == 0 ? 0 : rise * unitsPerPixel, perColumn, remainderPerColumn);
+        if (remainder < 0) {
+            --whole;
+            remainder += denominator;
+        }
     }
-    std::int64_t ceil() const { return whole + (remainder != 0 ? 1 : 0); }
-    void step()
+    void add(const StraightQuotient &rate, std::int64_t denominator)
     {
-        whole += perColumn;
-        remainder += remainderPerColumn;
+        whole += rate.whole;
+        remainder += rate.remainder;
         if (remainder >= denominator) {
             remainder -= denominator;
             ++whole;
         }
     }
+};
+
+/// Where an edge meets the columns, exactly, px.
+struct ExactEdge {
+    static constexpr bool mayCross = false;
+
+    ExactEdge(const Vertex &from, const Vertex &to, std::int64_t column)
+    {
+        const LatticePoint &a = from.position, &b = to.position;
+        const std::int64_t width = b.x - a.x, rise = b.y - a.y;
+        const std::int64_t run = column * unitsPerPixel - a.x;
+        m_denominator = (width == 0 ? 1 : width) * unitsPerPixel;
+        m_y = {width == 0 ? a.y : a.y * width + run * rise, m_denominator};
+        if (width != 0)
+            m_slope = {rise * unitsPerPixel, m_denominator};
+    }
+    std::int64_t floor() const { return m_y.whole; }
+    std::int64_t ceil() const { return m_y.whole + std::int64_t(m_y.remainder != 0); }
+    void step() { m_y.add(m_slope, m_denominator); }
 
 private:
-    void divide(std::int64_t numerator, std::int64_t &quotient, std::int64_t &rest) const
-    {
-        quotient = numerator / denominator;
-        rest = numerator % denominator;
-        if (rest < 0) {
-            --quotient;
-            rest += denominator;
-        }
-    }
+    std::int64_t m_denominator = 1;
+    StraightQuotient m_y, m_slope;
 };
 
 } // namespace pixelplumb

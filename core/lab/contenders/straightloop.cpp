@@ -21,9 +21,7 @@ const std::vector<StraightLoop> &table()
 std::vector<StraightLoop> straightLoops()
 {
     std::vector<StraightLoop> loops;
-    for (const auto part :
-         {straightColumns(), straightExactColumns(), straightSamples(), straightExactSamples(),
-          straightInterpolations(), straightExactInterpolations()})
+    for (const auto part : {straightColumns(), straightSamples(), straightInterpolations()})
         loops.insert(loops.end(), part.begin(), part.end());
     return loops;
 }

@@ -54,11 +54,8 @@ struct StraightLoop {
 
 /// Together, in this order, they are the whole table.
 std::span<const StraightLoop> straightColumns();
-std::span<const StraightLoop> straightExactColumns();
 std::span<const StraightLoop> straightSamples();
-std::span<const StraightLoop> straightExactSamples();
 std::span<const StraightLoop> straightInterpolations();
-std::span<const StraightLoop> straightExactInterpolations();
 
 /// All of them.
 std::vector<StraightLoop> straightLoops();
@@ -75,28 +72,6 @@ Triangle triangleFor(const StraightLoop &loop, const Triangle &triangle);
 /// The frame as the loop needs it.
 RawFrame rawFrameFor(const StraightLoop &loop, const FrameView &frame);
 
-/// One past the last column of a triangle that ends at a coordinate.
-constexpr std::int64_t straightEnd(StraightRule rule, Lattice coordinate)
-{
-    return rule == StraightRule::Closed ? floorPixel(coordinate) + 1 : ceilPixel(coordinate);
-}
-
-// Floor and ceiling of a float, for values that fit.
-
-template <std::floating_point Float>
-std::int64_t straightFloor(Float v)
-{
-    const auto towardsZero = std::int64_t(v);
-    return towardsZero - std::int64_t(Float(towardsZero) > v);
-}
-
-template <std::floating_point Float>
-std::int64_t straightCeil(Float v)
-{
-    const auto towardsZero = std::int64_t(v);
-    return towardsZero + std::int64_t(Float(towardsZero) < v);
-}
-
 /// A level as a byte; NaN is 0.
 template <std::floating_point Float>
 int byteOf(Float level)
@@ -104,6 +79,14 @@ int byteOf(Float level)
     level += Float(0.5);
     level = level > Float(0) ? level : Float(0);
     return int(level < Float(255) ? level : Float(255));
+}
+
+/// ⌊sum / denominator + ½⌋ of each; sums inside a triangle are not negative.
+inline QRgb straightPixelOf(const std::array<std::int64_t, 3> &sum, std::int64_t denominator)
+{
+    const auto nearest
+        = [&](std::int64_t each) { return (2 * each + denominator) / (2 * denominator); };
+    return pixelOfLevels({nearest(sum[0]), nearest(sum[1]), nearest(sum[2])});
 }
 
 } // namespace pixelplumb

@@ -4,7 +4,6 @@
 #include "core/lab/counting/countedarithmetic.h"
 #include "core/lab/counting/countedbias.h"
 #include "core/lab/counting/countedmethods.h"
-#include "core/lab/counting/countedplane.h"
 #include "core/lab/counting/countingobserver.h"
 #include "core/scan/kernelnumbers.h"
 

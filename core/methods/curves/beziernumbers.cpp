@@ -2,6 +2,7 @@
 #include "core/methods/curves/beziernumbers.h"
 
 #include "core/methods/curves/curvenumbers.h"
+#include "core/methods/words/placenumbers.h"
 
 #include <QStringList>
 
@@ -38,21 +39,19 @@ bool hasCoordinates(const BezierPiece &piece)
 void appendCoordinate(NumberTable<BezierStep> &table, std::size_t control, QChar axis,
                       BezierControls BezierPiece::*coordinates)
 {
-    table.push_back({{.id = QStringLiteral("%1_%2").arg(axis).arg(control),
-                      .title = QString(axis) + QChar(char16_t(0x2080 + control)),
-                      .unit = QStringLiteral("px"),
-                      .toolTip = QStringLiteral("%1 of control point P%2; none where it takes "
-                                                "more than 120 bits.")
-                                     .arg(axis)
-                                     .arg(control),
-                      .formula = {},
-                      .group = Group::Span},
-                     [=](const BezierStep &step) {
-                         const BezierPiece &piece = step.piece;
-                         return control < piece.count
-                             ? coordinateOf(piece, piece.*coordinates, control)
-                             : Quantity();
-                     }});
+    table.push_back(
+        {plainNumber(
+             QStringLiteral("%1_%2").arg(axis).arg(control),
+             QString(axis) + QChar(char16_t(0x2080 + control)), "px",
+             QStringLiteral("%1 of control point P%2; none where it takes more than 120 bits.")
+                 .arg(axis)
+                 .arg(control),
+             {}, Group::Span),
+         [=](const BezierStep &step) {
+             const BezierPiece &piece = step.piece;
+             return control < piece.count ? coordinateOf(piece, piece.*coordinates, control)
+                                          : Quantity();
+         }});
 }
 
 /// a or b of a control point, without the ½: "x₀ + y₀", "y₀ − x₀".
@@ -82,12 +81,12 @@ void appendSquares(NumberTable<BezierStep> &table, QChar coordinate,
                             std::int64_t DiamondExtent::*square, const auto &formula) {
         const QString name = coordinate + QString::fromUtf8(end);
         table.push_back(
-            {curveNumber(name.toUtf8().constData(), name, "",
-                         QStringLiteral("The %1 square that the piece may meet along %2; squares "
-                                        "begin at whole numbers, and every second one is the "
-                                        "diamond of a pixel.")
-                             .arg(which, sum),
-                         {}, Group::Decision),
+            {curveNumber(
+                 name.toUtf8().constData(), name, "",
+                 QStringLiteral("The %1 square that the piece may meet along %2; squares begin at "
+                                "whole numbers, and every second one is the diamond of a pixel.")
+                     .arg(which, sum),
+                 {}, Group::Decision),
              [=](const BezierStep &step) {
                  return Quantity::integer((BezierDiamonds(step.piece).*extent)().*square);
              },
@@ -96,15 +95,14 @@ void appendSquares(NumberTable<BezierStep> &table, QChar coordinate,
                      number.formula = name + QStringLiteral(" = ") + formula(step.piece.count);
              }});
     };
-    append("_low", QStringLiteral("first"), &DiamondExtent::lowest, [=](std::size_t count) {
-        return QStringLiteral("⌊%1 + ½⌋")
-            .arg(extremeText(QStringLiteral("min"), coordinate, count));
+    append("_low", "first", &DiamondExtent::lowest, [=](std::size_t count) {
+        return QStringLiteral("⌊%1 + ½⌋").arg(extremeText("min", coordinate, count));
     });
     // A curve reaches its highest control point only at an end.
-    append("_high", QStringLiteral("last"), &DiamondExtent::highest, [=](std::size_t count) {
+    append("_high", "last", &DiamondExtent::highest, [=](std::size_t count) {
         return QStringLiteral("max(⌊%1 + ½⌋, ⌊%2 + ½⌋, ⌈%3 + ½⌉ − 1)")
             .arg(diagonalText(coordinate, 0), diagonalText(coordinate, count - 1),
-                 extremeText(QStringLiteral("max"), coordinate, count));
+                 extremeText("max", coordinate, count));
     });
 }
 
@@ -129,13 +127,11 @@ Quantity dyadic(BigInteger numerator, int power)
 const NumberTable<BezierSetUp> &bezierSetUpNumbers()
 {
     static const NumberTable<BezierSetUp> numbers
-        = {{curveNumber("degree", QStringLiteral("n"), "",
-                        QStringLiteral("The degree: 2 quadratic, 3 cubic.")),
+        = {{curveNumber("degree", "n", "", "The degree: 2 quadratic, 3 cubic."),
             [](const BezierSetUp &setUp) { return Quantity::integer(Int128(setUp.count) - 1); }},
-           {curveNumber(
-                "deepest", QStringLiteral("depth_max"), "",
-                QStringLiteral("After so many halvings the two borders that a piece still meets "
-                               "are met at one point: numerics.md, 3.6.")),
+           {curveNumber("deepest", "depth_max", "",
+                        "After so many halvings the two borders that a piece still meets are met "
+                        "at one point: numerics.md, 3.6."),
             [](const BezierSetUp &setUp) { return Quantity::integer(setUp.deepest); }}};
     return numbers;
 }
@@ -144,25 +140,21 @@ const NumberTable<BezierStep> &bezierNumbers()
 {
     static const auto numbers = [] {
         NumberTable<BezierStep> table = {
-            {curveNumber("i", QStringLiteral("i"), "",
-                         QStringLiteral("The piece's number, from 0 for the whole curve."), {},
+            {curveNumber("i", "i", "", "The piece's number, from 0 for the whole curve.", {},
                          Group::Position),
              [](const BezierStep &step) { return Quantity::integer(step.number); }},
-            {curveNumber("depth", QStringLiteral("depth"), "",
-                         QStringLiteral("How often the curve was halved to get this piece.")),
+            {curveNumber("depth", "depth", "", "How often the curve was halved to get this piece."),
              [](const BezierStep &step) { return Quantity::integer(step.piece.depth); }},
-            {curveNumber("t_from", QStringLiteral("t_from"), "",
-                         QStringLiteral("The parameter at which the piece begins; none where it "
-                                        "takes more than 120 bits.")),
+            {curveNumber("t_from", "t_from", "",
+                         "The parameter at which the piece begins; none where it takes more than "
+                         "120 bits."),
              [](const BezierStep &step) { return dyadic(step.piece.part, step.piece.depth); }},
-            {curveNumber("t_to", QStringLiteral("t_to"), "",
-                         QStringLiteral("The parameter at which it ends, likewise.")),
+            {curveNumber("t_to", "t_to", "", "The parameter at which it ends, likewise."),
              [](const BezierStep &step) { return dyadic(step.piece.part + 1, step.piece.depth); }},
-            {curveNumber(
-                 "decided", QStringLiteral("decided"), "",
-                 QStringLiteral("1: it has no pixels but those of its ends (and of a corner "
-                                "that it passes); 0: halved."),
-                 {}, Group::Decision),
+            {curveNumber("decided", "decided", "",
+                         "1: it has no pixels but those of its ends (and of a corner that it "
+                         "passes); 0: halved.",
+                         {}, Group::Decision),
              [](const BezierStep &step) {
                  return Quantity::integer(step.verdict == BezierVerdict::Undecided ? 0 : 1);
              }}};

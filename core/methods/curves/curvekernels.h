@@ -2,11 +2,19 @@
 #pragma once
 
 #include "core/methods/curves/circlerecording.h"
-#include "core/methods/curves/pointrecording.h"
+#include "core/methods/curves/curvenumbers.h"
+#include "core/methods/curves/flatrecording.h"
 #include "core/methods/kernelmethod.h"
 
 /// The kernels of circles, ellipses and points in the form that kernelmethod.h requires.
 namespace pixelplumb {
+
+struct PointRecording : PointNumbers, FlatRecording {
+    static const auto &setUpNumbers() { return pointSetUpNumbers(); }
+    static const auto &spanNumbers() { return pointNumbers(); }
+
+    static SpanPlace placeOf(const Span &step) { return freeStep(step.number); }
+};
 
 using RoundKernel = ShapeKernel<PrimitiveKind::Circle, PrimitiveKind::Ellipse>;
 

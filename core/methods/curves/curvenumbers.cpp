@@ -9,12 +9,8 @@ namespace pixelplumb {
 NumberDescription curveNumber(const char *id, const QString &title, const char *unit,
                               const QString &toolTip, const QString &formula, NumberGroup group)
 {
-    return {.id = QString::fromUtf8(id),
-            .title = title,
-            .unit = QString::fromUtf8(unit),
-            .toolTip = toolTip,
-            .formula = formula,
-            .group = group};
+    return plainNumber(QString::fromUtf8(id), title, QString::fromUtf8(unit), toolTip, formula,
+                       group);
 }
 
 namespace {
@@ -23,14 +19,14 @@ using Group = NumberGroup;
 
 NumberDescription counter(const QString &toolTip)
 {
-    return curveNumber("i", QStringLiteral("i"), "", toolTip, {}, Group::Position);
+    return curveNumber("i", "i", "", toolTip, {}, Group::Position);
 }
 
 /// The exact root is rounded down to 1/256 px.
 void specifyRoot(NumberDescription &description, const CircleExplicitState &step)
 {
     if (step.round.radiusX == 0) {
-        description.formula = QStringLiteral("h = r_y");
+        description.formula = "h = r_y";
         return;
     }
     const QString root = step.round.isCircle() ? QStringLiteral("√(r_x² − d²)")
@@ -43,49 +39,43 @@ void specifyRoot(NumberDescription &description, const CircleExplicitState &step
 
 const NumberTable<PointSetUp> &pointSetUpNumbers()
 {
-    static const NumberTable<PointSetUp> numbers = {
-        {curveNumber("width", QStringLiteral("width"), "px",
-                     QStringLiteral("Pixels in a row of the frame.")),
-         [](const PointSetUp &setUp) { return Quantity::integer(setUp.width); }},
-        {curveNumber("x_0", QStringLiteral("x₀"), "px",
-                     QStringLiteral("The frame's first column.")),
-         [](const PointSetUp &setUp) { return Quantity::integer(setUp.firstColumn); }},
-        {curveNumber("y_0", QStringLiteral("y₀"), "px", QStringLiteral("The frame's first row.")),
-         [](const PointSetUp &setUp) { return Quantity::integer(setUp.firstRow); }}};
+    static const NumberTable<PointSetUp> numbers
+        = {{curveNumber("width", "width", "px", "Pixels in a row of the frame."),
+            [](const PointSetUp &setUp) { return Quantity::integer(setUp.width); }},
+           {curveNumber("x_0", "x₀", "px", "The frame's first column."),
+            [](const PointSetUp &setUp) { return Quantity::integer(setUp.firstColumn); }},
+           {curveNumber("y_0", "y₀", "px", "The frame's first row."),
+            [](const PointSetUp &setUp) { return Quantity::integer(setUp.firstRow); }}};
     return numbers;
 }
 
 const NumberTable<PointStep> &pointNumbers()
 {
-    static const NumberTable<PointStep> numbers = {
-        {counter(QStringLiteral("The point's number, from 0.")),
-         [](const PointStep &step) { return Quantity::integer(step.number); }},
-        {pixelX(), [](const PointStep &step) { return Quantity::integer(step.x); }},
-        {pixelY(), [](const PointStep &step) { return Quantity::integer(step.y); }},
-        {curveNumber("addr", QStringLiteral("addr"), "px",
-                     QStringLiteral("The pixel's address in the frame, counted in pixels from its "
-                                    "first one; none outside the frame."),
-                     QStringLiteral("addr = (y − y₀)·width + (x − x₀)"), Group::Decision),
-         [](const PointStep &step) {
-             return step.isInFrame ? Quantity::integer(step.address) : Quantity();
-         }}};
+    static const NumberTable<PointStep> numbers
+        = {{counter("The point's number, from 0."),
+            [](const PointStep &step) { return Quantity::integer(step.number); }},
+           {pixelX(), [](const PointStep &step) { return Quantity::integer(step.x); }},
+           {pixelY(), [](const PointStep &step) { return Quantity::integer(step.y); }},
+           {curveNumber("addr", "addr", "px",
+                        "The pixel's address in the frame, counted in pixels from its first one; "
+                        "none outside the frame.",
+                        "addr = (y − y₀)·width + (x − x₀)", Group::Decision),
+            [](const PointStep &step) {
+                return step.isInFrame ? Quantity::integer(step.address) : Quantity();
+            }}};
     return numbers;
 }
 
 const NumberTable<Round> &roundSetUpNumbers()
 {
     static const NumberTable<Round> numbers
-        = {{curveNumber("x_c", QStringLiteral("x_c"), "px",
-                        QStringLiteral("The centre's x, from the centre of pixel (0, 0).")),
+        = {{curveNumber("x_c", "x_c", "px", "The centre's x, from the centre of pixel (0, 0)."),
             [](const Round &round) { return pixels(round.centre.x); }},
-           {curveNumber("y_c", QStringLiteral("y_c"), "px",
-                        QStringLiteral("The centre's y, from the centre of pixel (0, 0).")),
+           {curveNumber("y_c", "y_c", "px", "The centre's y, from the centre of pixel (0, 0)."),
             [](const Round &round) { return pixels(round.centre.y); }},
-           {curveNumber("r_x", QStringLiteral("r_x"), "px",
-                        QStringLiteral("The radius along x: r of a circle, a of an ellipse.")),
+           {curveNumber("r_x", "r_x", "px", "The radius along x: r of a circle, a of an ellipse."),
             [](const Round &round) { return pixels(round.radiusX); }},
-           {curveNumber("r_y", QStringLiteral("r_y"), "px",
-                        QStringLiteral("The radius along y: r of a circle, b of an ellipse.")),
+           {curveNumber("r_y", "r_y", "px", "The radius along y: r of a circle, b of an ellipse."),
             [](const Round &round) { return pixels(round.radiusY); }}};
     return numbers;
 }
@@ -95,7 +85,7 @@ namespace {
 /// Half of the row's chord, to one side of the centre; `sign` is that of the side.
 void specifyChordEnd(NumberDescription &description, const CircleFillState &state, QChar sign)
 {
-    const QString root = QStringLiteral("√(r_y² − (y − y_c)²)");
+    const QString root = "√(r_y² − (y − y_c)²)";
     const QString half = state.round.isCircle() ? root : QStringLiteral("r_x/r_y·") + root;
     description.formula = description.title + QStringLiteral(" = x_c ") + sign
         + (state.round.radiusY == 0 ? QStringLiteral(" r_x")
@@ -107,58 +97,51 @@ void specifyChordEnd(NumberDescription &description, const CircleFillState &stat
 const NumberTable<CircleFillState> &circleFillNumbers()
 {
     using State = CircleFillState;
-    static const NumberTable<State> numbers = {
-        {curveNumber("y", QStringLiteral("y"), "px", QStringLiteral("The row."), {},
-                     Group::Position),
-         [](const State &state) { return Quantity::integer(state.row.y); }},
-        {curveNumber("x_L", QStringLiteral("x_L"), "px",
-                     QStringLiteral("Where the row meets the curve on the left, up to the next "
-                                    "1/256 px: the first lattice point inside.")),
-         [](const State &state) { return pixels(state.row.left); },
-         [](NumberDescription &description, const State &state) {
-             specifyChordEnd(description, state, u'−');
-         }},
-        {curveNumber("x_R", QStringLiteral("x_R"), "px",
-                     QStringLiteral("Where the row meets the curve on the right, down to the next "
-                                    "1/256 px: the last lattice point inside.")),
-         [](const State &state) { return pixels(state.row.right); },
-         [](NumberDescription &description, const State &state) {
-             specifyChordEnd(description, state, u'+');
-         }},
-        {curveNumber("first", QStringLiteral("x_first"), "px",
-                     QStringLiteral("The first covered column."), QStringLiteral("x_first = ⌈x_L⌉"),
-                     Group::Span),
-         [](const State &state) { return Quantity::integer(state.row.firstSample); }},
-        {curveNumber("last", QStringLiteral("x_last"), "px",
-                     QStringLiteral("The last covered column."), QStringLiteral("x_last = ⌊x_R⌋"),
-                     Group::Span),
-         [](const State &state) { return Quantity::integer(state.row.endSample - 1); }}};
+    static const NumberTable<State> numbers
+        = {{curveNumber("y", "y", "px", "The row.", {}, Group::Position),
+            [](const State &state) { return Quantity::integer(state.row.y); }},
+           {curveNumber("x_L", "x_L", "px",
+                        "Where the row meets the curve on the left, up to the next 1/256 px: the "
+                        "first lattice point inside."),
+            [](const State &state) { return pixels(state.row.left); },
+            [](NumberDescription &description, const State &state) {
+                specifyChordEnd(description, state, u'−');
+            }},
+           {curveNumber("x_R", "x_R", "px",
+                        "Where the row meets the curve on the right, down to the next 1/256 px: "
+                        "the last lattice point inside."),
+            [](const State &state) { return pixels(state.row.right); },
+            [](NumberDescription &description, const State &state) {
+                specifyChordEnd(description, state, u'+');
+            }},
+           {curveNumber("first", "x_first", "px", "The first covered column.", "x_first = ⌈x_L⌉",
+                        Group::Span),
+            [](const State &state) { return Quantity::integer(state.row.firstSample); }},
+           {curveNumber("last", "x_last", "px", "The last covered column.", "x_last = ⌊x_R⌋",
+                        Group::Span),
+            [](const State &state) { return Quantity::integer(state.row.endSample - 1); }}};
     return numbers;
 }
 
 const NumberTable<CircleExplicitState> &circleExplicitNumbers()
 {
-    static const NumberTable<CircleExplicitState> numbers = {
-        {scannedNumber(),
-         [](const CircleExplicitState &step) { return Quantity::integer(step.x); }},
-        {curveNumber("d", QStringLiteral("d"), "px", QStringLiteral("The column from the centre."),
-                     QStringLiteral("d = x − x_c")),
-         [](const CircleExplicitState &step) { return pixels(step.distance); }},
-        {curveNumber(
-             "h", QStringLiteral("h"), "px",
-             QStringLiteral("√(r² − d²); of unequal radii, (b/a)·√(a² − d²). Exact arithmetic "
-                            "has no root: it takes the root down to 1/256 px, which decides "
-                            "every rounding as the root itself would."),
-             QStringLiteral("h = r_y/r_x·√(r_x² − d²)"), Group::Decision),
-         [](const CircleExplicitState &step) { return step.root; }, specifyRoot},
-        {curveNumber("y_above", QStringLiteral("y_T"), "px",
-                     QStringLiteral("The pixel of larger y, to the nearest row."),
-                     QStringLiteral("y_T = ⌊y_c + h + ½⌋"), Group::Span),
-         [](const CircleExplicitState &step) { return Quantity::integer(step.above); }},
-        {curveNumber("y_below", QStringLiteral("y_B"), "px",
-                     QStringLiteral("The pixel of smaller y, to the nearest row."),
-                     QStringLiteral("y_B = ⌈y_c − h − ½⌉"), Group::Span),
-         [](const CircleExplicitState &step) { return Quantity::integer(step.below); }}};
+    static const NumberTable<CircleExplicitState> numbers
+        = {{scannedNumber(),
+            [](const CircleExplicitState &step) { return Quantity::integer(step.x); }},
+           {curveNumber("d", "d", "px", "The column from the centre.", "d = x − x_c"),
+            [](const CircleExplicitState &step) { return pixels(step.distance); }},
+           {curveNumber("h", "h", "px",
+                        "√(r² − d²); of unequal radii, (b/a)·√(a² − d²). Exact arithmetic has no "
+                        "root: it takes the root down to 1/256 px, which decides every rounding as "
+                        "the root itself would.",
+                        "h = r_y/r_x·√(r_x² − d²)", Group::Decision),
+            [](const CircleExplicitState &step) { return step.root; }, specifyRoot},
+           {curveNumber("y_above", "y_T", "px", "The pixel of larger y, to the nearest row.",
+                        "y_T = ⌊y_c + h + ½⌋", Group::Span),
+            [](const CircleExplicitState &step) { return Quantity::integer(step.above); }},
+           {curveNumber("y_below", "y_B", "px", "The pixel of smaller y, to the nearest row.",
+                        "y_B = ⌈y_c − h − ½⌉", Group::Span),
+            [](const CircleExplicitState &step) { return Quantity::integer(step.below); }}};
     return numbers;
 }
 
@@ -172,10 +155,10 @@ const NumberTable<CircleParametricSetUpState> &circleParametricSetUpNumbers()
                      return read(setUp.round);
                  }});
         table.push_back(
-            {curveNumber("delta_theta", QStringLiteral("Δθ"), "rad",
-                         QStringLiteral("The step of the angle: one over the radius (the "
-                                        "larger one), one pixel of arc."),
-                         QStringLiteral("Δθ = 1/max(r_x, r_y)")),
+            {curveNumber(
+                 "delta_theta", "Δθ", "rad",
+                 "The step of the angle: one over the radius (the larger one), one pixel of arc.",
+                 "Δθ = 1/max(r_x, r_y)"),
              [](const CircleParametricSetUpState &setUp) { return setUp.angleStep; },
              [](NumberDescription &description, const CircleParametricSetUpState &setUp) {
                  if (setUp.angleStep.toDouble() == 0)
@@ -189,22 +172,17 @@ const NumberTable<CircleParametricSetUpState> &circleParametricSetUpNumbers()
 const NumberTable<CircleParametricState> &circleParametricNumbers()
 {
     static const NumberTable<CircleParametricState> numbers
-        = {{counter(QStringLiteral("The step's number, from 0 at θ = 0.")),
+        = {{counter("The step's number, from 0 at θ = 0."),
             [](const CircleParametricState &step) { return Quantity::integer(step.number); }},
-           {curveNumber("theta", QStringLiteral("θ"), "rad", QStringLiteral("The angle."),
-                        QStringLiteral("θ = i·Δθ"), Group::Decision),
+           {curveNumber("theta", "θ", "rad", "The angle.", "θ = i·Δθ", Group::Decision),
             [](const CircleParametricState &step) { return step.angle; }},
-           {curveNumber("u", QStringLiteral("u"), "px", QStringLiteral("The point's x."),
-                        QStringLiteral("u = x_c + r_x·cos θ"), Group::Decision),
+           {curveNumber("u", "u", "px", "The point's x.", "u = x_c + r_x·cos θ", Group::Decision),
             [](const CircleParametricState &step) { return step.curveX; }},
-           {curveNumber("v", QStringLiteral("v"), "px", QStringLiteral("The point's y."),
-                        QStringLiteral("v = y_c + r_y·sin θ"), Group::Decision),
+           {curveNumber("v", "v", "px", "The point's y.", "v = y_c + r_y·sin θ", Group::Decision),
             [](const CircleParametricState &step) { return step.curveY; }},
-           {curveNumber("x", QStringLiteral("x"), "px", QStringLiteral("The nearest pixel's x."),
-                        QStringLiteral("x = ⌊u + ½⌋"), Group::Span),
+           {curveNumber("x", "x", "px", "The nearest pixel's x.", "x = ⌊u + ½⌋", Group::Span),
             [](const CircleParametricState &step) { return Quantity::integer(step.x); }},
-           {curveNumber("y", QStringLiteral("y"), "px", QStringLiteral("The nearest pixel's y."),
-                        QStringLiteral("y = ⌊v + ½⌋"), Group::Span),
+           {curveNumber("y", "y", "px", "The nearest pixel's y.", "y = ⌊v + ½⌋", Group::Span),
             [](const CircleParametricState &step) { return Quantity::integer(step.y); }}};
     return numbers;
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/methods/curves/curves.h"
-
 #include "core/methods/curves/bezierrecording.h"
 #include "core/methods/curves/curvekernels.h"
+#include "core/methods/methodrows.h"
 
 namespace pixelplumb {
 
@@ -33,7 +32,7 @@ Method curveMethod()
     method.effects = {Effect::Clipping};
     method.arithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::Closed};
-    method.fillRuleReason = QStringLiteral("a curve has no edges that two shapes could share");
+    method.fillRuleReason = "a curve has no edges that two shapes could share";
     return method;
 }
 
@@ -51,40 +50,32 @@ Pseudocode midpointPseudocode()
 {
     using enum Moment;
     const VariantSet staying = VariantSet().with(Variant::StayAtZero);
-    return {{0,
-             QStringLiteral("x_c, y_c, r_x, r_y ← ⌊x_c + ½⌋, ⌊y_c + ½⌋, ⌊r_x + ½⌋, ⌊r_y + ½⌋"),
-             {SetUp}},
-            {0, QStringLiteral("if no sample is to be drawn: done"), {Rejected}},
-            {0,
-             QStringLiteral("for each arc (a, b) of (r_x, r_y) and, if r_x ≠ r_y, (r_y, r_x):"),
-             {Begin}},
+    return {{0, "x_c, y_c, r_x, r_y ← ⌊x_c + ½⌋, ⌊y_c + ½⌋, ⌊r_x + ½⌋, ⌊r_y + ½⌋", {SetUp}},
+            {0, "if no sample is to be drawn: done", {Rejected}},
+            {0, "for each arc (a, b) of (r_x, r_y) and, if r_x ≠ r_y, (r_y, r_x):", {Begin}},
             {1,
-             QStringLiteral("A, B ← a², b² if a ≠ b, else 1, 1"),
+             "A, B ← a², b² if a ≠ b, else 1, 1",
              {Begin},
              {},
              {{staying,
-               QStringLiteral("A, B, most ← a², b², 0 if a ≠ b, else 1, 1, ¼ — of equal radii a "
-                              "whole number takes p = ¼ for 0")}}},
-            {1,
-             QStringLiteral("for each x from 0 to ⌊a²/√(a² + b²) + ½⌋ if a > 0, else 0:"),
-             {Begin, Stay, Cross}},
+               "A, B, most ← a², b², 0 if a ≠ b, else 1, 1, ¼ — of equal radii a whole number "
+               "takes p = ¼ for 0"}}},
+            {1, "for each x from 0 to ⌊a²/√(a² + b²) + ½⌋ if a > 0, else 0:", {Begin, Stay, Cross}},
+            {2, "the first: y, p ← b, B + A·(b − ½)² − A·b² — F at the first midpoint", {Begin}},
             {2,
-             QStringLiteral("the first: y, p ← b, B + A·(b − ½)² − A·b² — F at the first midpoint"),
-             {Begin}},
-            {2,
-             QStringLiteral("else if p ≤ 0: p ← p + B·(2x + 1) — the midpoint is inside: y stays"),
+             "else if p ≤ 0: p ← p + B·(2x + 1) — the midpoint is inside: y stays",
              {Stay},
              {},
-             {{staying, QStringLiteral("else if p ≤ most: p ← p + B·(2x + 1)")}}},
-            {2, QStringLiteral("else:"), {Cross}},
+             {{staying, "else if p ≤ most: p ← p + B·(2x + 1)"}}},
+            {2, "else:", {Cross}},
             {3,
-             QStringLiteral("while p > 0 and y > 0: y, p ← y − 1, p − 2A·(y − 1)"),
+             "while p > 0 and y > 0: y, p ← y − 1, p − 2A·(y − 1)",
              {Cross},
              {},
-             {{staying, QStringLiteral("while p > most and y > 0: y, p ← y − 1, p − 2A·(y − 1)")}}},
-            {3, QStringLiteral("p ← p + B·(2x + 1)"), {Cross}},
-            {2, QStringLiteral("if a = r_x: pixel (x_c ± x, y_c ± y) ← colour"), {First, Next}},
-            {2, QStringLiteral("if a = r_y: pixel (x_c ± y, y_c ± x) ← colour"), {First, Next}}};
+             {{staying, "while p > most and y > 0: y, p ← y − 1, p − 2A·(y − 1)"}}},
+            {3, "p ← p + B·(2x + 1)", {Cross}},
+            {2, "if a = r_x: pixel (x_c ± x, y_c ± y) ← colour", {First, Next}},
+            {2, "if a = r_y: pixel (x_c ± y, y_c ± x) ← colour", {First, Next}}};
 }
 
 } // namespace
@@ -92,26 +83,19 @@ Pseudocode midpointPseudocode()
 Method circleExplicitMethod()
 {
     Method method = outlineMethod<ExplicitKernel>();
-    method.id = QStringLiteral("circle-explicit");
-    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Circle: y = ±√(r² − x²)"));
-    method.source = QStringLiteral("Scan Conversion slides, “Lines and Curves: Explicit”");
-    method.pseudocode
-        = {{0, QStringLiteral("(x_c, y_c), r_x, r_y ← of the shape"), {Moment::SetUp}},
-           {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-           {0,
-            QStringLiteral("for each column x from ⌈x_c − r_x⌉ to ⌊x_c + r_x⌋:"),
-            {Moment::Begin, Moment::Span}},
-           {1,
-            QStringLiteral("h ← r_y/r_x·√(r_x² − (x − x_c)²) if r_x > 0, else r_y"),
-            {Moment::Begin, Moment::Span}},
-           {1, QStringLiteral("pixel (x, ⌊y_c + h + ½⌋) ← colour"), {Moment::First}},
-           {1,
-            QStringLiteral("pixel (x, ⌈y_c − h − ½⌉) ← colour — the same one at the ends"),
-            {Moment::Next}}};
-    method.summary = QStringLiteral(
-        QT_TRANSLATE_NOOP("core",
-                          "Computes y = ±√(r² − x²) for each column; there are gaps "
-                          "where the curve is steep."));
+    method.id = "circle-explicit";
+    method.title = QT_TRANSLATE_NOOP("core", "Circle: y = ±√(r² − x²)");
+    method.source = "Scan Conversion slides, “Lines and Curves: Explicit”";
+    method.pseudocode = {
+        {0, "(x_c, y_c), r_x, r_y ← of the shape", {Moment::SetUp}},
+        {0, "if no sample is to be drawn: done", {Moment::Rejected}},
+        {0, "for each column x from ⌈x_c − r_x⌉ to ⌊x_c + r_x⌋:", {Moment::Begin, Moment::Span}},
+        {1, "h ← r_y/r_x·√(r_x² − (x − x_c)²) if r_x > 0, else r_y", {Moment::Begin, Moment::Span}},
+        {1, "pixel (x, ⌊y_c + h + ½⌋) ← colour", {Moment::First}},
+        {1, "pixel (x, ⌈y_c − h − ½⌉) ← colour — the same one at the ends", {Moment::Next}}};
+    method.summary = QT_TRANSLATE_NOOP(
+        "core",
+        "Computes y = ±√(r² − x²) for each column; there are gaps where the curve is steep.");
     method.remarks += QStringLiteral("gaps where the curve is steep");
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64};
     return method;
@@ -120,26 +104,20 @@ Method circleExplicitMethod()
 Method circleParametricMethod()
 {
     Method method = outlineMethod<ParametricKernel>();
-    method.id = QStringLiteral("circle-parametric");
-    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Circle: (r cos θ, r sin θ)"));
-    method.source = QStringLiteral("Scan Conversion slides, “Lines and Curves: Parametric”");
+    method.id = "circle-parametric";
+    method.title = QT_TRANSLATE_NOOP("core", "Circle: (r cos θ, r sin θ)");
+    method.source = "Scan Conversion slides, “Lines and Curves: Parametric”";
     method.pseudocode
         = {{0,
-            QStringLiteral("r ← r_x if r_x ≥ r_y, else r_y; Δθ ← 1/r if r > 0, else 0 — one pixel "
-                           "of arc"),
+            "r ← r_x if r_x ≥ r_y, else r_y; Δθ ← 1/r if r > 0, else 0 — one pixel of arc",
             {Moment::SetUp}},
-           {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-           {0,
-            QStringLiteral("for each i from 0 to ⌈2π·r⌉ − 1 if r > 0, else 0:"),
-            {Moment::Begin, Moment::Span}},
-           {1,
-            QStringLiteral("θ ← i·Δθ; u, v ← x_c + r_x·cos θ, y_c + r_y·sin θ"),
-            {Moment::Begin, Moment::Span}},
-           {1, QStringLiteral("pixel (⌊u + ½⌋, ⌊v + ½⌋) ← colour"), {Moment::First}}};
-    method.summary = QStringLiteral(
-        QT_TRANSLATE_NOOP("core",
-                          "Goes round in steps of one pixel of arc and writes the pixel "
-                          "nearest to each point (r cos θ, r sin θ)."));
+           {0, "if no sample is to be drawn: done", {Moment::Rejected}},
+           {0, "for each i from 0 to ⌈2π·r⌉ − 1 if r > 0, else 0:", {Moment::Begin, Moment::Span}},
+           {1, "θ ← i·Δθ; u, v ← x_c + r_x·cos θ, y_c + r_y·sin θ", {Moment::Begin, Moment::Span}},
+           {1, "pixel (⌊u + ½⌋, ⌊v + ½⌋) ← colour", {Moment::First}}};
+    method.summary = QT_TRANSLATE_NOOP("core",
+                                       "Goes round in steps of one pixel of arc and writes the "
+                                       "pixel nearest to each point (r cos θ, r sin θ).");
     method.arithmetics = {Arithmetic::Float64, Arithmetic::Float32};
     return method;
 }
@@ -147,17 +125,16 @@ Method circleParametricMethod()
 Method circleMidpointMethod()
 {
     Method method = outlineMethod<MidpointKernel>();
-    method.id = QStringLiteral("circle-midpoint");
-    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Circle: midpoint"));
-    method.source = QStringLiteral("Rasterization slides, “Bresenham's Line Algorithm”, "
-                                   "“Résumé” (adaptable to circles); Scan Conversion slides, "
-                                   "“Lines and Curves: Implicit”");
+    method.id = "circle-midpoint";
+    method.title = QT_TRANSLATE_NOOP("core", "Circle: midpoint");
+    method.source = "Rasterization slides, “Bresenham's Line Algorithm”, “Résumé” (adaptable to "
+                    "circles); Scan Conversion slides, “Lines and Curves: Implicit”";
     method.pseudocode = midpointPseudocode();
-    method.summary = QStringLiteral(
-        QT_TRANSLATE_NOOP("core",
-                          "Steps through an octant by the sign of F at midpoints, a "
-                          "whole number of quarters, and mirrors each pixel into the other seven; "
-                          "of unequal radii through two arcs of a quarter, each into three."));
+    method.summary
+        = QT_TRANSLATE_NOOP("core",
+                            "Steps through an octant by the sign of F at midpoints, a whole number "
+                            "of quarters, and mirrors each pixel into the other seven; of unequal "
+                            "radii through two arcs of a quarter, each into three.");
     method.remarks += QStringLiteral("whole-pixel centre and radii");
     method.roundsPoints = true;
     method.variants = {Variant::StayAtZero};
@@ -167,26 +144,22 @@ Method circleMidpointMethod()
 Method circleFillMethod()
 {
     Method method = outlineMethod<FillKernel>();
-    method.id = QStringLiteral("circle-fill");
-    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Circle: filled by spans"));
-    method.source = QStringLiteral("Rasterization slides, “Output Primitives” (also filled); "
-                                   "Scan Conversion slides, “Edge Walking”");
-    method.pseudocode = {
-        {0, QStringLiteral("(x_c, y_c), r_x, r_y ← of the shape"), {Moment::SetUp}},
-        {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-        {0,
-         QStringLiteral("for each row y from ⌈y_c − r_y⌉ to ⌊y_c + r_y⌋:"),
-         {Moment::Begin, Moment::Span}},
-        {1,
-         QStringLiteral("h ← r_x/r_y·√(r_y² − (y − y_c)²) if r_y > 0, else r_x; x_L, x_R ← x_c − "
-                        "h, x_c + h"),
-         {Moment::Begin, Moment::Span}},
-        {1, QStringLiteral("for each x from ⌈x_L⌉ to ⌊x_R⌋:"), {Moment::First, Moment::Next}},
-        {2, QStringLiteral("pixel (x, y) ← colour"), {Moment::First, Moment::Next}}};
-    method.summary = QStringLiteral(
-        QT_TRANSLATE_NOOP("core",
-                          "On each row, writes the samples between the two places where "
-                          "the row meets the curve."));
+    method.id = "circle-fill";
+    method.title = QT_TRANSLATE_NOOP("core", "Circle: filled by spans");
+    method.source = "Rasterization slides, “Output Primitives” (also filled); Scan Conversion "
+                    "slides, “Edge Walking”";
+    method.pseudocode
+        = {{0, "(x_c, y_c), r_x, r_y ← of the shape", {Moment::SetUp}},
+           {0, "if no sample is to be drawn: done", {Moment::Rejected}},
+           {0, "for each row y from ⌈y_c − r_y⌉ to ⌊y_c + r_y⌋:", {Moment::Begin, Moment::Span}},
+           {1,
+            "h ← r_x/r_y·√(r_y² − (y − y_c)²) if r_y > 0, else r_x; x_L, x_R ← x_c − h, x_c + h",
+            {Moment::Begin, Moment::Span}},
+           {1, "for each x from ⌈x_L⌉ to ⌊x_R⌋:", {Moment::First, Moment::Next}},
+           {2, "pixel (x, y) ← colour", {Moment::First, Moment::Next}}};
+    method.summary = QT_TRANSLATE_NOOP(
+        "core",
+        "On each row, writes the samples between the two places where the row meets the curve.");
     method.stableArithmetics = {Arithmetic::Exact};
     method.fills = {ShapeFill::EvenOdd, ShapeFill::NonZero};
     return method;
@@ -195,31 +168,24 @@ Method circleFillMethod()
 Method bezierSubdivisionMethod()
 {
     Method method = curveMethod<BezierKernel>();
-    method.id = QStringLiteral("bezier-subdivision");
-    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Bézier: subdivision"));
-    method.source = QStringLiteral("Rasterization slides, “Output Primitives” (other curves); "
-                                   "Scan Conversion slides, “Polygons” (splines)");
+    method.id = "bezier-subdivision";
+    method.title = QT_TRANSLATE_NOOP("core", "Bézier: subdivision");
+    method.source = "Rasterization slides, “Output Primitives” (other curves); Scan Conversion "
+                    "slides, “Polygons” (splines)";
     method.pseudocode
-        = {{0, QStringLiteral("piece ← the whole curve"), {Moment::SetUp}},
-           {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-           {0,
-            QStringLiteral("if more pixels than those of its ends may belong to the piece:"),
-            {Moment::Halve}},
+        = {{0, "piece ← the whole curve", {Moment::SetUp}},
+           {0, "if no sample is to be drawn: done", {Moment::Rejected}},
+           {0, "if more pixels than those of its ends may belong to the piece:", {Moment::Halve}},
            {1,
-            QStringLiteral(
-                "halve it by de Casteljau and do this with the first half, then with the second"),
+            "halve it by de Casteljau and do this with the first half, then with the second",
             {Moment::Halve}},
-           {0,
-            QStringLiteral("else: pixels ← those of its ends, and of a corner that it passes"),
-            {Moment::Span}},
-           {1,
-            QStringLiteral("each pixel that was not the last one ← colour"),
-            {Moment::First, Moment::Next}}};
-    method.summary = QStringLiteral(
-        QT_TRANSLATE_NOOP("core",
-                          "Halves the curve by de Casteljau's algorithm until each piece "
-                          "has no pixels but those of its two ends, and writes these: "
-                          "thin as a line, the pixels nearer than ½ px by |Δx| + |Δy|."));
+           {0, "else: pixels ← those of its ends, and of a corner that it passes", {Moment::Span}},
+           {1, "each pixel that was not the last one ← colour", {Moment::First, Moment::Next}}};
+    method.summary
+        = QT_TRANSLATE_NOOP("core",
+                            "Halves the curve by de Casteljau's algorithm until each piece has no "
+                            "pixels but those of its two ends, and writes these: thin as a line, "
+                            "the pixels nearer than ½ px by |Δx| + |Δy|.");
     method.kinds = {PrimitiveKind::Bezier};
     method.fills = {ShapeFill::Outline};
     method.stableArithmetics = {Arithmetic::Exact};
@@ -229,27 +195,25 @@ Method bezierSubdivisionMethod()
 Method pointAddressMethod()
 {
     Method method = curveMethod<PointKernel>();
-    method.id = QStringLiteral("point-address");
-    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Points by address"));
+    method.id = "point-address";
+    method.title = QT_TRANSLATE_NOOP("core", "Points by address");
     method.family = MethodFamily::Others;
-    method.source = QStringLiteral("Rasterization slides, “Point Plotting”");
-    method.pseudocode
-        = {{0, QStringLiteral("points ← those of the shape"), {Moment::SetUp}},
-           {0, QStringLiteral("if none is in the frame: done"), {Moment::Rejected}},
-           {0, QStringLiteral("for each point (x, y):"), {Moment::Begin, Moment::Span}},
-           {1, QStringLiteral("x, y ← ⌊x + ½⌋, ⌊y + ½⌋"), {Moment::Begin, Moment::Span}},
-           {1,
-            QStringLiteral("if x₀ ≤ x < x₀ + width and y₀ ≤ y < y₀ + height: — (x₀, y₀) is the "
-                           "frame's first pixel"),
-            {Moment::Begin, Moment::Span}},
-           {2, QStringLiteral("addr ← (y − y₀)·width + (x − x₀)"), {Moment::First}},
-           {2, QStringLiteral("frame[addr] ← colour"), {Moment::First}}};
-    method.summary = QStringLiteral(
-        QT_TRANSLATE_NOOP("core",
-                          "Writes the colour of each point to the address "
-                          "addr = y·width + x, counted from the frame's first pixel."));
+    method.source = "Rasterization slides, “Point Plotting”";
+    method.pseudocode = {
+        {0, "points ← those of the shape", {Moment::SetUp}},
+        {0, "if none is in the frame: done", {Moment::Rejected}},
+        {0, "for each point (x, y):", {Moment::Begin, Moment::Span}},
+        {1, "x, y ← ⌊x + ½⌋, ⌊y + ½⌋", {Moment::Begin, Moment::Span}},
+        {1,
+         "if x₀ ≤ x < x₀ + width and y₀ ≤ y < y₀ + height: — (x₀, y₀) is the frame's first pixel",
+         {Moment::Begin, Moment::Span}},
+        {2, "addr ← (y − y₀)·width + (x − x₀)", {Moment::First}},
+        {2, "frame[addr] ← colour", {Moment::First}}};
+    method.summary = QT_TRANSLATE_NOOP("core",
+                                       "Writes the colour of each point to the address addr = "
+                                       "y·width + x, counted from the frame's first pixel.");
     method.kinds = {PrimitiveKind::Point};
-    method.fillRuleReason = QStringLiteral("a point has no edges");
+    method.fillRuleReason = "a point has no edges";
     method.stableArithmetics = {Arithmetic::Exact};
     return method;
 }

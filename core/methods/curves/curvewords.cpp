@@ -101,20 +101,18 @@ QString verdictText(const BezierStep &step)
     const DiamondExtent &b = diamonds.alongB();
     switch (step.verdict) {
     case BezierVerdict::Undecided:
-        return QStringLiteral(
-                   "may meet squares with %1 and %2, and so have pixels that its ends do "
-                   "not have: it is halved.")
+        return QStringLiteral("may meet squares with %1 and %2, and so have pixels that its ends "
+                              "do not have: it is halved.")
             .arg(squaresText(u'a', a), squaresText(u'b', b));
     case BezierVerdict::WithinSquare:
-        return QStringLiteral("stays within one diamond, or between four: a in the square %1, b in "
-                              "%2.")
+        return QStringLiteral(
+                   "stays within one diamond, or between four: a in the square %1, b in %2.")
             .arg(a.lowest)
             .arg(b.lowest);
     case BezierVerdict::AcrossBorder: {
         const bool isAlongA = a.passesOneBorder() && b.isClearOfBorders();
-        return QStringLiteral(
-                   "passes one side of one diamond: %1 only %2 from the square %3 to %4, "
-                   "and %5 stays within %6.")
+        return QStringLiteral("passes one side of one diamond: %1 only %2 from the square %3 to "
+                              "%4, and %5 stays within %6.")
             .arg(QString(isAlongA ? u'a' : u'b'), directionText(isAlongA ? a : b))
             .arg((isAlongA ? a : b).atFirst)
             .arg((isAlongA ? a : b).atLast)
@@ -157,11 +155,9 @@ void tellCurve(StepWords &words, const PointStep &step)
 
 void tellCurve(StepWords &words, const CircleExplicitState &step)
 {
-    const QString place
-        = QStringLiteral(
-              "On the column %1 the curve is h from y_c to either side, as computed %2, which "
-              "rounds to ")
-              .arg(QString::number(step.x), term(step.root));
+    const QString place = QStringLiteral("On the column %1 the curve is h from y_c to either side, "
+                                         "as computed %2, which rounds to ")
+                              .arg(QString::number(step.x), term(step.root));
     words.sentence = step.above == step.below
         ? place + QStringLiteral("the row %1.").arg(step.above)
         : place + QStringLiteral("the rows %1 and %2.").arg(step.above).arg(step.below);
@@ -180,15 +176,15 @@ void tellCurve(StepWords &words, const MidpointStep &step)
     if (!step.hasDecision) {
         words.moment = Moment::Begin;
         if (isOnePixel(step)) {
-            words.sentence = QStringLiteral("Both radii round to 0: the centre's pixel alone is "
-                                            "written, and there is nothing to decide.");
+            words.sentence = "Both radii round to 0: the centre's pixel alone is written, and "
+                             "there is nothing to decide.";
             return;
         }
         const QString counted
             = step.arc == 0 ? QString() : QStringLiteral(", x_k in rows and y_k in columns");
         words.sentence
-            = QStringLiteral("The arc starts at (x_k, y_k) = %1 from the centre%2, without "
-                             "a decision; p_k₊₁ = %3 decides about the next step.")
+            = QStringLiteral("The arc starts at (x_k, y_k) = %1 from the centre%2, without a "
+                             "decision; p_k₊₁ = %3 decides about the next step.")
                   .arg(pairText(step.x, step.y), counted, midpointSignText(next));
         return;
     }

@@ -40,12 +40,11 @@ void specifyNextMidpoint(NumberDescription &description, const MidpointStep &ste
     if (step.hasDecision)
         return;
     if (step.arc == 0 && step.x == 0)
-        description.formula = QStringLiteral("p_k₊₁ = p₀");
+        description.formula = "p_k₊₁ = p₀";
     else if (step.isScaled())
-        description.formula = QStringLiteral("p_k₊₁ = (x_k + 1)² + (y_k − ½)² − r_x²");
+        description.formula = "p_k₊₁ = (x_k + 1)² + (y_k − ½)² − r_x²";
     else
-        description.formula
-            = ofArc(QStringLiteral("p_k₊₁ = #²·(x_k + 1)² + %²·(y_k − ½)² − %²·#²"), step);
+        description.formula = ofArc("p_k₊₁ = #²·(x_k + 1)² + %²·(y_k − ½)² − %²·#²", step);
 }
 
 /// Follows the branch that was taken: the row stays, goes one down or, where the arc is steep,
@@ -75,8 +74,8 @@ const NumberTable<MidpointSetUp> &midpointSetUpNumbers()
                        "F(x, y) = %1 at the first midpoint, (1, r_y − ½) from the centre.")
                 .arg(function);
         };
-        const QString ofEqualRadii = QStringLiteral("x² + y² − r_x²");
-        const QString ofOthers = QStringLiteral("r_y²·x² + r_x²·y² − r_x²·r_y²");
+        const QString ofEqualRadii = "x² + y² − r_x²";
+        const QString ofOthers = "r_y²·x² + r_x²·y² − r_x²·r_y²";
         NumberTable<MidpointSetUp> table;
         for (const NumberRow<Round> &row : roundSetUpNumbers())
             table.push_back(
@@ -85,21 +84,21 @@ const NumberTable<MidpointSetUp> &midpointSetUpNumbers()
                                   setUp.radiusX * unitsPerPixel,
                                   setUp.radiusY * unitsPerPixel});
                  }});
-        table.push_back(
-            {curveNumber(
-                 "p_0", QStringLiteral("p₀"), "",
-                 toolTip(ofOthers + QStringLiteral(", of equal radii ") + ofEqualRadii + u','),
-                 QStringLiteral("p₀ = r_y² − r_x²·r_y + r_x²/4"), Group::Decision),
-             [](const MidpointSetUp &setUp) {
-                 const MidpointStep first = midpointStepAt(setUp.arc(0), 0, 0);
-                 return isOnePixel(first) ? Quantity() : decisionIn(first, first.nextDecision);
-             },
-             [=](NumberDescription &description, const MidpointSetUp &setUp) {
-                 const bool hasEqualRadii = setUp.isCircle() && setUp.radiusX != 0;
-                 description.toolTip = toolTip(hasEqualRadii ? ofEqualRadii : ofOthers);
-                 if (hasEqualRadii)
-                     description.formula = QStringLiteral("p₀ = 5/4 − r_x");
-             }});
+        table.push_back({curveNumber("p_0", "p₀", "",
+                                     toolTip(ofOthers + QStringLiteral(", of equal radii ")
+                                             + ofEqualRadii + u','),
+                                     "p₀ = r_y² − r_x²·r_y + r_x²/4", Group::Decision),
+                         [](const MidpointSetUp &setUp) {
+                             const MidpointStep first = midpointStepAt(setUp.arc(0), 0, 0);
+                             return isOnePixel(first) ? Quantity()
+                                                      : decisionIn(first, first.nextDecision);
+                         },
+                         [=](NumberDescription &description, const MidpointSetUp &setUp) {
+                             const bool hasEqualRadii = setUp.isCircle() && setUp.radiusX != 0;
+                             description.toolTip = toolTip(hasEqualRadii ? ofEqualRadii : ofOthers);
+                             if (hasEqualRadii)
+                                 description.formula = "p₀ = 5/4 − r_x";
+                         }});
         return table;
     }();
     return numbers;
@@ -107,45 +106,40 @@ const NumberTable<MidpointSetUp> &midpointSetUpNumbers()
 
 const NumberTable<MidpointStep> &circleMidpointNumbers()
 {
-    const NumberDescription decision = curveNumber(
-        "p_k", QStringLiteral("p_k"), "",
-        QStringLiteral("F at the midpoint between y_k and the one inwards: positive outside, "
-                       "so that the inner one is nearer."),
-        QStringLiteral("p_k ← p_k₊₁′"), Group::Decision);
-    const NumberDescription next = curveNumber("p_next", QStringLiteral("p_k₊₁"), "",
-                                               QStringLiteral("F at the next midpoint."),
-                                               QStringLiteral("p_k₊₁ = p_k + Δp"), Group::Decision);
-    static const NumberTable<MidpointStep> numbers = {
-        {curveNumber("arc", QStringLiteral("arc"), "",
-                     QStringLiteral("1: x_k along x, of equal radii mirrored into all octants; 2: "
-                                    "x_k along y."),
-                     {}, Group::Position),
-         [](const MidpointStep &step) { return Quantity::integer(step.arc + 1); }},
-        {decision,
-         [](const MidpointStep &step) {
-             return step.hasDecision ? decisionIn(step, step.decision) : Quantity();
-         },
-         specifyMidpoint},
-        {curveNumber("x_k", QStringLiteral("x_k"), "px",
-                     QStringLiteral("From the centre along the arc."), {}, Group::Position),
-         [](const MidpointStep &step) { return Quantity::integer(step.x); }},
-        {curveNumber("y_k", QStringLiteral("y_k"), "px",
-                     QStringLiteral("From the centre across the arc.")),
-         [](const MidpointStep &step) { return Quantity::integer(step.y); }},
-        {curveNumber(
-             "increment", QStringLiteral("Δp"), "",
-             QStringLiteral("2x_k + 1 where y_k stays, less 2y_k where it goes one inwards; of "
-                            "unequal radii times their squares.")),
-         [](const MidpointStep &step) {
-             return step.hasDecision ? decisionIn(step, step.nextDecision - step.decision)
-                                     : Quantity();
-         },
-         specifyMidpointIncrement},
-        {next,
-         [](const MidpointStep &step) {
-             return isOnePixel(step) ? Quantity() : decisionIn(step, step.nextDecision);
-         },
-         specifyNextMidpoint}};
+    const NumberDescription decision
+        = curveNumber("p_k", "p_k", "",
+                      "F at the midpoint between y_k and the one inwards: positive outside, so "
+                      "that the inner one is nearer.",
+                      "p_k ← p_k₊₁′", Group::Decision);
+    const NumberDescription next = curveNumber("p_next", "p_k₊₁", "", "F at the next midpoint.",
+                                               "p_k₊₁ = p_k + Δp", Group::Decision);
+    static const NumberTable<MidpointStep> numbers
+        = {{curveNumber("arc", "arc", "",
+                        "1: x_k along x, of equal radii mirrored into all octants; 2: x_k along y.",
+                        {}, Group::Position),
+            [](const MidpointStep &step) { return Quantity::integer(step.arc + 1); }},
+           {decision,
+            [](const MidpointStep &step) {
+                return step.hasDecision ? decisionIn(step, step.decision) : Quantity();
+            },
+            specifyMidpoint},
+           {curveNumber("x_k", "x_k", "px", "From the centre along the arc.", {}, Group::Position),
+            [](const MidpointStep &step) { return Quantity::integer(step.x); }},
+           {curveNumber("y_k", "y_k", "px", "From the centre across the arc."),
+            [](const MidpointStep &step) { return Quantity::integer(step.y); }},
+           {curveNumber("increment", "Δp", "",
+                        "2x_k + 1 where y_k stays, less 2y_k where it goes one inwards; of unequal "
+                        "radii times their squares."),
+            [](const MidpointStep &step) {
+                return step.hasDecision ? decisionIn(step, step.nextDecision - step.decision)
+                                        : Quantity();
+            },
+            specifyMidpointIncrement},
+           {next,
+            [](const MidpointStep &step) {
+                return isOnePixel(step) ? Quantity() : decisionIn(step, step.nextDecision);
+            },
+            specifyNextMidpoint}};
     return numbers;
 }
 

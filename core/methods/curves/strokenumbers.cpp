@@ -21,12 +21,7 @@ using Group = NumberGroup;
 NumberDescription strokeNumber(const QString &name, const QString &unit, const QString &toolTip,
                                const QString &formula = {}, Group group = Group::Position)
 {
-    return {.id = name,
-            .title = name,
-            .unit = unit,
-            .toolTip = toolTip,
-            .formula = formula,
-            .group = group};
+    return plainNumber(name, name, unit, toolTip, formula, group);
 }
 
 bool isLineStroke(const StrokeSetUp &setUp) { return setUp.shape.kind == PrimitiveKind::Line; }
@@ -69,21 +64,19 @@ void appendHalfWidth(NumberTable<StrokeSetUp> &table)
                      : Quantity();
              }});
     };
-    append(u'x', QStringLiteral("−Δy"), &StrokePoint::x);
-    append(u'y', QStringLiteral("Δx"), &StrokePoint::y);
+    append(u'x', "−Δy", &StrokePoint::x);
+    append(u'y', "Δx", &StrokePoint::y);
 }
 
 void appendStrokeColours(NumberTable<StrokeSetUp> &table)
 {
     for (const std::size_t end : {0, 1})
         appendChannels(table,
-                       {.id = QStringLiteral("%_") + QString::number(end),
-                        .title = u'%' + QString(QChar(char16_t(u'₀' + end))),
-                        .unit = unit::levels(),
-                        .toolTip = end == 0
-                            ? QStringLiteral("% of a line's first end, or of the curve.")
-                            : QStringLiteral("% of a line's other end."),
-                        .formula = {}},
+                       plainNumber(QStringLiteral("%_") + QString::number(end),
+                                   u'%' + QString(QChar(char16_t(u'₀' + end))), unit::levels(),
+                                   end == 0
+                                       ? QStringLiteral("% of a line's first end, or of the curve.")
+                                       : QStringLiteral("% of a line's other end.")),
                        [end](const StrokeSetUp &setUp, std::size_t channel) {
                            const std::vector<Vertex> &vertices = setUp.shape.vertices;
                            return end < vertices.size() && (end == 0 || isLineStroke(setUp))
@@ -96,18 +89,16 @@ void appendStrokeColours(NumberTable<StrokeSetUp> &table)
 void appendDistances(NumberTable<StrokeSampleState> &table)
 {
     const auto whole = QStringLiteral("((x₁ − x₀)·h_y − (y₁ − y₀)·h_x)");
-    table.push_back({strokeNumber(QStringLiteral("d_across"), QStringLiteral("half widths"),
-                                  QStringLiteral("How far the sample lies from a line, which "
-                                                 "covers it from −1 to 1."),
-                                  QStringLiteral("d_across = ((x₁ − x₀)·(y − y₀) − (y₁ − y₀)·(x − "
-                                                 "x₀))/")
-                                      + whole,
-                                  Group::Decision),
-                     [](const StrokeSampleState &state) { return state.across(); }});
     table.push_back(
-        {strokeNumber(QStringLiteral("d_along"), QStringLiteral("lengths"),
-                      QStringLiteral("How far along a line the sample lies; from 0 to "
-                                     "1 the line covers it."),
+        {strokeNumber("d_across", "half widths",
+                      "How far the sample lies from a line, which covers it from −1 to 1.",
+                      QStringLiteral("d_across = ((x₁ − x₀)·(y − y₀) − (y₁ − y₀)·(x − x₀))/")
+                          + whole,
+                      Group::Decision),
+         [](const StrokeSampleState &state) { return state.across(); }});
+    table.push_back(
+        {strokeNumber("d_along", "lengths",
+                      "How far along a line the sample lies; from 0 to 1 the line covers it.",
                       QStringLiteral("d_along = ((x − x₀)·h_y − (y − y₀)·h_x)/") + whole,
                       Group::Decision),
          [](const StrokeSampleState &state) { return state.along(); }});
@@ -119,12 +110,8 @@ void appendStrokeBytes(NumberTable<StrokeSampleState> &table, QChar letter, cons
                        const std::function<int(const StrokeSampleState &, std::size_t)> &read)
 {
     appendChannels(table,
-                   {.id = letter + QStringLiteral("_%"),
-                    .title = letter + QStringLiteral("_%"),
-                    .unit = {},
-                    .toolTip = toolTip,
-                    .formula = formula,
-                    .group = Group::FirstColour},
+                   plainNumber(letter + QStringLiteral("_%"), letter + QStringLiteral("_%"), {},
+                               toolTip, formula, Group::FirstColour),
                    [read](const StrokeSampleState &state, std::size_t channel) {
                        return state.isRefused ? Quantity()
                                               : Quantity::integer(read(state, channel));
@@ -133,44 +120,33 @@ void appendStrokeBytes(NumberTable<StrokeSampleState> &table, QChar letter, cons
 
 void appendStrokeSource(NumberTable<StrokeSampleState> &table)
 {
-    table.push_back(
-        {strokeNumber(QStringLiteral("t"), {},
-                      QStringLiteral("How far along a line the pixel's sample lies, from 0 at its "
-                                     "first end to 1 at the other."),
-                      {}, Group::FirstColour),
-         [](const StrokeSampleState &state) { return state.place(); },
-         [](NumberDescription &number, const StrokeSampleState &state) {
-             const StrokeColour::Place &place = state.sample.place;
-             if (!state.isOnLine())
-                 return;
-             const auto along = QStringLiteral("((x − x₀)·(x₁ − x₀) + (y − y₀)·(y₁ − y₀))/((x₁ − "
-                                               "x₀)² + (y₁ − y₀)²)");
-             number.formula = QStringLiteral("t = ")
-                 + (place.run > 0 && place.run < place.length
-                        ? along
-                        : QStringLiteral("min(1, max(0, %1))").arg(along));
-         }});
+    table.push_back({strokeNumber("t", {},
+                                  "How far along a line the pixel's sample lies, from 0 at its "
+                                  "first end to 1 at the other.",
+                                  {}, Group::FirstColour),
+                     [](const StrokeSampleState &state) { return state.place(); },
+                     [](NumberDescription &number, const StrokeSampleState &state) {
+                         const StrokeColour::Place &place = state.sample.place;
+                         if (!state.isOnLine())
+                             return;
+                         const auto along = QStringLiteral(
+                             "((x − x₀)·(x₁ − x₀) + (y − y₀)·(y₁ − y₀))/((x₁ − x₀)² + (y₁ − y₀)²)");
+                         number.formula = QStringLiteral("t = ")
+                             + (place.run > 0 && place.run < place.length
+                                    ? along
+                                    : QStringLiteral("min(1, max(0, %1))").arg(along));
+                     }});
     appendChannels(
         table,
-        {.id = QStringLiteral("%"),
-         .title = QStringLiteral("%"),
-         .unit = unit::levels(),
-         .toolTip = QStringLiteral("% of the stroke at the sample."),
-         .formula = {},
-         .group = Group::FirstColour},
+        plainNumber("%", "%", unit::levels(), "% of the stroke at the sample.", {},
+                    Group::FirstColour),
         [](const StrokeSampleState &state, std::size_t channel) { return state.level(channel); },
         [](NumberDescription &number, const StrokeSampleState &state) {
             number.formula = state.isOnLine() ? QStringLiteral("% = %₀ + t·(%₁ − %₀)")
                                               : QStringLiteral("% = %₀");
         });
     appendChannels(
-        table,
-        {.id = QStringLiteral("s_%"),
-         .title = QStringLiteral("s_%"),
-         .unit = {},
-         .toolTip = QStringLiteral("% that is painted."),
-         .formula = {},
-         .group = Group::FirstColour},
+        table, plainNumber("s_%", "s_%", {}, "% that is painted.", {}, Group::FirstColour),
         [](const StrokeSampleState &state, std::size_t channel) {
             return state.isRefused ? Quantity() : Quantity::integer(state.sample.level[channel]);
         },
@@ -204,13 +180,13 @@ const NumberTable<StrokeSetUp> &strokeSetUpNumbers()
                                  return isRoundStroke(setUp) ? read(Round::of(setUp.shape))
                                                              : Quantity();
                              }});
-        table.push_back({strokeNumber(QStringLiteral("pieces"), {},
-                                      QStringLiteral("Quadrilaterals of the whole stroke: one of a "
-                                                     "line; 0 where it has no length.")),
-                         [](const StrokeSetUp &setUp) { return Quantity::integer(setUp.pieces); }});
         table.push_back(
-            {strokeNumber(QStringLiteral("near"), {},
-                          QStringLiteral("Those of them that come near the frame.")),
+            {strokeNumber(
+                 "pieces", {},
+                 "Quadrilaterals of the whole stroke: one of a line; 0 where it has no length."),
+             [](const StrokeSetUp &setUp) { return Quantity::integer(setUp.pieces); }});
+        table.push_back(
+            {strokeNumber("near", {}, "Those of them that come near the frame."),
              [](const StrokeSetUp &setUp) { return Quantity::integer(setUp.nearFrame); }});
         appendStrokeColours(table);
         return table;
@@ -222,12 +198,10 @@ const NumberTable<StrokeColumn> &strokeColumnNumbers()
 {
     static const NumberTable<StrokeColumn> numbers = {
         {scannedNumber(), [](const StrokeColumn &column) { return Quantity::integer(column.x); }},
-        {strokeNumber(QStringLiteral("y_first"), unit::px(),
-                      QStringLiteral("The first row whose square the stroke meets."), {},
+        {strokeNumber("y_first", unit::px(), "The first row whose square the stroke meets.", {},
                       Group::Span),
          [](const StrokeColumn &column) { return Quantity::integer(column.firstRow); }},
-        {strokeNumber(QStringLiteral("y_last"), unit::px(),
-                      QStringLiteral("The last row whose square it meets."), {}, Group::Span),
+        {strokeNumber("y_last", unit::px(), "The last row whose square it meets.", {}, Group::Span),
          [](const StrokeColumn &column) { return Quantity::integer(column.endRow - 1); }}};
     return numbers;
 }
@@ -238,23 +212,20 @@ NumberTable<StrokeSampleState> strokeSampleNumbers(Antialiasing antialiasing)
         = {{pixelY(), [](const StrokeSampleState &state) { return Quantity::integer(state.y); }}};
     if (antialiasing == Antialiasing::Area) {
         table.push_back(
-            {comparedNumber(QStringLiteral("area"), QStringLiteral("area"), unit::squarePx(),
-                            QStringLiteral("What of the pixel's square the stroke covers."), {},
-                            Group::Decision),
+            {comparedNumber("area", "area", unit::squarePx(),
+                            "What of the pixel's square the stroke covers.", {}, Group::Decision),
              [](const StrokeSampleState &state) { return state.sample.area; }});
         table.push_back(
-            {strokeNumber(QStringLiteral("a"), {},
-                          QStringLiteral("That area as an opacity, a byte."),
-                          QStringLiteral("a = ⌊255·area + ½⌋"), Group::Decision),
+            {strokeNumber("a", {}, "That area as an opacity, a byte.", "a = ⌊255·area + ½⌋",
+                          Group::Decision),
              [](const StrokeSampleState &state) { return Quantity::integer(state.sample.alpha); }});
     } else {
-        table.push_back({strokeNumber(QStringLiteral("samples"), {},
-                                      QStringLiteral("How many samples of the pixel the stroke "
-                                                     "covers."),
-                                      {}, Group::Decision),
-                         [](const StrokeSampleState &state) {
-                             return Quantity::integer(std::popcount(state.sample.covered));
-                         }});
+        table.push_back(
+            {strokeNumber("samples", {}, "How many samples of the pixel the stroke covers.", {},
+                          Group::Decision),
+             [](const StrokeSampleState &state) {
+                 return Quantity::integer(std::popcount(state.sample.covered));
+             }});
     }
     const std::size_t samples = samplePattern(antialiasing).size();
     if (antialiasing == Antialiasing::None)
@@ -265,7 +236,7 @@ NumberTable<StrokeSampleState> strokeSampleNumbers(Antialiasing antialiasing)
         });
     else
         appendStrokeSource(table);
-    appendStrokeBytes(table, u'd', QStringLiteral("% that stood there."), {},
+    appendStrokeBytes(table, u'd', "% that stood there.", {},
                       [](const StrokeSampleState &state, std::size_t channel) {
                           return unpacked(state.sample.before).channels[channel];
                       });

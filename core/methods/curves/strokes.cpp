@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/methods/curves/strokes.h"
-
 #include "core/methods/curves/strokerecording.h"
+#include "core/methods/methodrows.h"
 #include "core/shade/linecolours.h"
 
 namespace pixelplumb {
@@ -49,37 +48,29 @@ std::unique_ptr<ScanTrace> traceStrokes(const Run &run, FrameView frame,
 Method strokeCoverageMethod()
 {
     Method method;
-    method.id = QStringLiteral("stroke-coverage");
-    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Line or curve: one pixel wide"));
+    method.id = "stroke-coverage";
+    method.title = QT_TRANSLATE_NOOP("core", "Line or curve: one pixel wide");
     method.family = MethodFamily::Curves;
-    method.source
-        = QStringLiteral("Rasterization slides, “Output Primitives” (lines, circles, other "
-                         "curves); Foley 1990, unweighted area sampling");
-    method.pseudocode = {
-        {0,
-         QStringLiteral("outline ← a quadrilateral one pixel wide of each straight piece"),
-         {Moment::SetUp}},
-        {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-        {0, QStringLiteral("for each column of the outline:"), {Moment::Begin, Moment::Span}},
-        {1,
-         QStringLiteral("rows ← those whose pixel squares it meets"),
-         {Moment::Begin, Moment::Span}},
-        {1,
-         QStringLiteral("for each of these rows:"),
-         {Moment::First, Moment::Next, Moment::Refused}},
-        {2,
-         QStringLiteral("coverage ← the area of the outline in the square, or its samples in it"),
-         {Moment::First, Moment::Next, Moment::Refused}},
-        {2,
-         QStringLiteral("pixel (x, y) ← so much of the colour over what stands there"),
-         {Moment::First, Moment::Next}}};
-    method.summary = QStringLiteral(QT_TRANSLATE_NOOP(
+    method.source = "Rasterization slides, “Output Primitives” (lines, circles, other curves); "
+                    "Foley 1990, unweighted area sampling";
+    method.pseudocode
+        = {{0, "outline ← a quadrilateral one pixel wide of each straight piece", {Moment::SetUp}},
+           {0, "if no sample is to be drawn: done", {Moment::Rejected}},
+           {0, "for each column of the outline:", {Moment::Begin, Moment::Span}},
+           {1, "rows ← those whose pixel squares it meets", {Moment::Begin, Moment::Span}},
+           {1, "for each of these rows:", {Moment::First, Moment::Next, Moment::Refused}},
+           {2,
+            "coverage ← the area of the outline in the square, or its samples in it",
+            {Moment::First, Moment::Next, Moment::Refused}},
+           {2,
+            "pixel (x, y) ← so much of the colour over what stands there",
+            {Moment::First, Moment::Next}}};
+    method.summary = QT_TRANSLATE_NOOP(
         "core",
-        "Takes a line as the rectangle one pixel wide, a curve as a strip of "
-        "quadrilaterals, and blends it by the area that it has of each pixel, "
-        "equally bright in every direction, or by 4 or 16 samples, as the scene's "
-        "antialiasing asks. Where it asks for none, one sample decides a pixel: "
-        "stairs."));
+        "Takes a line as the rectangle one pixel wide, a curve as a strip of quadrilaterals, and "
+        "blends it by the area that it has of each pixel, equally bright in every direction, or by "
+        "4 or 16 samples, as the scene's antialiasing asks. Where it asks for none, one sample "
+        "decides a pixel: stairs.");
     method.effects = {Effect::SmoothColour, Effect::Clipping, Effect::Antialiasing};
     method.remarks += QStringLiteral("butt ends");
     method.kinds = {PrimitiveKind::Line, PrimitiveKind::Circle, PrimitiveKind::Ellipse,
@@ -87,7 +78,7 @@ Method strokeCoverageMethod()
     method.fills = {ShapeFill::Outline};
     method.arithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::Closed};
-    method.fillRuleReason = QStringLiteral("a pixel has a share of the stroke, not all or nothing");
+    method.fillRuleReason = "a pixel has a share of the stroke, not all or nothing";
     method.numbers = {descriptionsOf(StrokeRecording::setUpNumbers()),
                       descriptionsOf(StrokeRecording::spanNumbers()),
                       descriptionsOf(StrokeRecording::sampleNumbers())};

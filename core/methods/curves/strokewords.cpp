@@ -114,11 +114,11 @@ QString uncoveredText(const StrokeSampleState &state)
                               ? QStringLiteral("d_along = ") + term(along)
                               : QStringLiteral("d_across = ") + term(state.across(pattern[i])));
     }
-    return texts.isEmpty() ? QString()
-                           : QStringLiteral(" The line covers d_across from −1 to 1 half widths "
-                                            "and d_along from 0 to 1 of its length, a sample "
-                                            "on that border as if displaced to the right and, by "
-                                            "less, up; outside lie the samples ")
+    return texts.isEmpty()
+        ? QString()
+        : QStringLiteral(" The line covers d_across from −1 to 1 half widths and d_along from 0 to "
+                         "1 of its length, a sample on that border as if displaced to the right "
+                         "and, by less, up; outside lie the samples ")
             + texts.join(QStringLiteral(", ")) + u'.';
 }
 
@@ -127,7 +127,7 @@ QString uncoveredText(const StrokeSampleState &state)
 void tellStroke(StepWords &words, const StrokeSetUp &setUp)
 {
     if (setUp.pieces == 0) {
-        words.sentence = QStringLiteral("It has no length, and so no area. Nothing is drawn.");
+        words.sentence = "It has no length, and so no area. Nothing is drawn.";
         return;
     }
     words.sentence = setUp.shape.kind == PrimitiveKind::Line
@@ -153,11 +153,11 @@ void tellStroke(StepWords &words, const StrokeSampleState &state)
 {
     const StrokeSample &sample = state.sample;
     if (state.isByArea()) {
-        words.sentence = QStringLiteral("The stroke covers %1 of the pixel's square, which is its "
-                                        "opacity: %2 of 255 parts are the stroke's, the others "
-                                        "what stood there.")
-                             .arg(term(sample.area))
-                             .arg(sample.alpha);
+        words.sentence
+            = QStringLiteral("The stroke covers %1 of the pixel's square, which is its opacity: %2 "
+                             "of 255 parts are the stroke's, the others what stood there.")
+                  .arg(term(sample.area))
+                  .arg(sample.alpha);
         return;
     }
     if (sample.samples == 1) {
@@ -175,11 +175,10 @@ void tellStroke(StepWords &words, const StrokeSampleState &state)
             + uncoveredText(state);
         return;
     }
-    words.sentence
-        = QStringLiteral("Of the pixel's %2 samples the stroke covers %1; the pixel is the "
-                         "mean of what they hold now.")
-              .arg(sampleNumbersText(sample.covered, sample.samples))
-              .arg(sample.samples)
+    words.sentence = QStringLiteral("Of the pixel's %2 samples the stroke covers %1; the pixel is "
+                                    "the mean of what they hold now.")
+                         .arg(sampleNumbersText(sample.covered, sample.samples))
+                         .arg(sample.samples)
         + uncoveredText(state);
 }
 

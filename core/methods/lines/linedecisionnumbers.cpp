@@ -14,43 +14,26 @@ using Group = NumberGroup;
 NumberTable<DecisionSetUpState> decisionSetUpTable()
 {
     using State = DecisionSetUpState;
-    const QString first
-        = QStringLiteral("of the end that is stored first, the left one (of a "
-                         "steep line the one of smaller y); x and y are exchanged where the "
-                         "line is steep.");
-    const QString second = QStringLiteral("of the other end; x and y are exchanged where the line "
-                                          "is steep.");
+    const QString first = "of the end that is stored first, the left one (of a steep line the one "
+                          "of smaller y); x and y are exchanged where the line is steep.";
+    const QString second = "of the other end; x and y are exchanged where the line is steep.";
     return {
         endNumber<State>(u'x', 0, first, [](const State &setUp) { return setUp.startX; }),
         endNumber<State>(u'y', 0, first, [](const State &setUp) { return setUp.startY; }),
         endNumber<State>(u'x', 1, second, [](const State &setUp) { return setUp.endX; }),
         endNumber<State>(u'y', 1, second, [](const State &setUp) { return setUp.endY; }),
-        {{.id = QStringLiteral("delta_x"),
-          .title = QStringLiteral("Δx"),
-          .unit = unit::px(),
-          .toolTip = QStringLiteral("Length along the line, x and y exchanged where it is steep."),
-          .formula = QStringLiteral("Δx = x₁ − x₀")},
+        {plainNumber("delta_x", "Δx", unit::px(),
+                     "Length along the line, x and y exchanged where it is steep.", "Δx = x₁ − x₀"),
          [](const State &setUp) { return setUp.deltaX; }},
-        {{.id = QStringLiteral("delta_y"),
-          .title = QStringLiteral("Δy"),
-          .unit = unit::px(),
-          .toolTip = QStringLiteral("Length across, without its sign, x and y exchanged where "
-                                    "the line is steep."),
-          .formula = QStringLiteral("Δy = max(y₁ − y₀, y₀ − y₁)")},
+        {plainNumber("delta_y", "Δy", unit::px(),
+                     "Length across, without its sign, x and y exchanged where the line is steep.",
+                     "Δy = max(y₁ − y₀, y₀ − y₁)"),
          [](const State &setUp) { return setUp.deltaY; }},
-        {{.id = QStringLiteral("stay"),
-          .title = QStringLiteral("2Δy"),
-          .unit = {},
-          .toolTip = QStringLiteral("Added to p where the line stays."),
-          .formula = QStringLiteral("2Δy = 2·Δy"),
-          .group = Group::Decision},
+        {plainNumber("stay", "2Δy", {}, "Added to p where the line stays.", "2Δy = 2·Δy",
+                     Group::Decision),
          [](const State &setUp) { return setUp.stayIncrement; }},
-        {{.id = QStringLiteral("move"),
-          .title = QStringLiteral("2Δy − 2Δx"),
-          .unit = {},
-          .toolTip = QStringLiteral("Added to p where the line goes one across."),
-          .formula = QStringLiteral("2Δy − 2Δx = 2·Δy − 2·Δx"),
-          .group = Group::Decision},
+        {plainNumber("move", "2Δy − 2Δx", {}, "Added to p where the line goes one across.",
+                     "2Δy − 2Δx = 2·Δy − 2·Δx", Group::Decision),
          [](const State &setUp) { return setUp.moveIncrement; }}};
 }
 
@@ -67,59 +50,36 @@ void appendDistances(NumberTable<DecisionState> &table)
     const auto row = [&](const QString &id, const QString &title, const QString &toolTip,
                          const QString &either, const QString &rising, const QString &falling,
                          const NumberRow<State>::Read &read) {
-        table.push_back({{.id = id,
-                          .title = title,
-                          .unit = unit::px(),
-                          .toolTip = toolTip,
-                          .formula = either,
-                          .group = Group::Decision,
-                          .comparison = Comparison::WithExact},
-                         read,
-                         specified(rising, falling)});
+        table.push_back({comparedNumber(id, title, unit::px(), toolTip, either, Group::Decision),
+                         read, specified(rising, falling)});
     };
-    table.push_back(
-        {{.id = QStringLiteral("x_k"),
-          .title = QStringLiteral("x_k"),
-          .unit = unit::px(),
-          .toolTip = QStringLiteral("The column before this pixel's; the row before "
-                                    "it where the line is steep. No pixel is before the "
-                                    "first."),
-          .formula = {},
-          .group = Group::Decision},
-         [](const State &step) {
-             return step.startsLine ? Quantity() : Quantity::integer(step.place.along - 1);
-         }});
-    table.push_back({{.id = QStringLiteral("y_k"),
-                      .title = QStringLiteral("y_k"),
-                      .unit = unit::px(),
-                      .toolTip = QStringLiteral("The row of the pixel before; its column where the "
-                                                "line is steep. No pixel is before the first: "
-                                                "where p begins there, it is that one's own."),
-                      .formula = {},
-                      .group = Group::Decision},
+    table.push_back({plainNumber("x_k", "x_k", unit::px(),
+                                 "The column before this pixel's; the row before it where the line "
+                                 "is steep. No pixel is before the first.",
+                                 {}, Group::Decision),
                      [](const State &step) {
                          return step.startsLine ? Quantity()
-                                                : Quantity::integer(step.acrossBefore());
+                                                : Quantity::integer(step.place.along - 1);
                      }});
-    row(QStringLiteral("y_line"), QStringLiteral("y_line"),
-        QStringLiteral(
-            "y = m·(x_k + 1) + b, where the line is beside this pixel; x and y exchanged "
-            "where it is steep; − where it falls."),
-        QStringLiteral("y_line = y₀ ± (x_k + 1 − x₀)·Δy/Δx"),
-        QStringLiteral("y_line = y₀ + (x_k + 1 − x₀)·Δy/Δx"),
-        QStringLiteral("y_line = y₀ − (x_k + 1 − x₀)·Δy/Δx"),
-        [](const State &step) { return step.ordinate; });
-    row(QStringLiteral("d_lower"), QStringLiteral("d_lower"),
-        QStringLiteral("How far the line is beyond the pixel that stays; − where it falls."),
-        QStringLiteral("d_lower = ±(y_line − y_k)"), QStringLiteral("d_lower = y_line − y_k"),
-        QStringLiteral("d_lower = y_k − y_line"),
+    table.push_back(
+        {plainNumber("y_k", "y_k", unit::px(),
+                     "The row of the pixel before; its column where the line is steep. No pixel is "
+                     "before the first: where p begins there, it is that one's own.",
+                     {}, Group::Decision),
+         [](const State &step) {
+             return step.startsLine ? Quantity() : Quantity::integer(step.acrossBefore());
+         }});
+    row("y_line", "y_line",
+        "y = m·(x_k + 1) + b, where the line is beside this pixel; x and y exchanged where it is "
+        "steep; − where it falls.",
+        "y_line = y₀ ± (x_k + 1 − x₀)·Δy/Δx", "y_line = y₀ + (x_k + 1 − x₀)·Δy/Δx",
+        "y_line = y₀ − (x_k + 1 − x₀)·Δy/Δx", [](const State &step) { return step.ordinate; });
+    row("d_lower", "d_lower", "How far the line is beyond the pixel that stays; − where it falls.",
+        "d_lower = ±(y_line − y_k)", "d_lower = y_line − y_k", "d_lower = y_k − y_line",
         [](const State &step) { return step.distanceToLower(); });
-    row(QStringLiteral("d_upper"), QStringLiteral("d_upper"),
-        QStringLiteral("How far the line is from the pixel one across; + where it falls."),
-        QStringLiteral("d_upper = 1 ∓ (y_line − y_k)"),
-        QStringLiteral("d_upper = y_k + 1 − y_line"),
-        QStringLiteral("d_upper = y_line − (y_k − 1)"),
-        [](const State &step) { return step.distanceToUpper(); });
+    row("d_upper", "d_upper", "How far the line is from the pixel one across; + where it falls.",
+        "d_upper = 1 ∓ (y_line − y_k)", "d_upper = y_k + 1 − y_line",
+        "d_upper = y_line − (y_k − 1)", [](const State &step) { return step.distanceToUpper(); });
 }
 
 /// p for the pixel after the first one.
@@ -128,7 +88,7 @@ void specifyNextDecision(NumberDescription &number, const DecisionState &step)
     if (step.isLedByDecision())
         return;
     if (step.startsLine) {
-        number.formula = QStringLiteral("p_k₊₁ = 2Δy − Δx");
+        number.formula = "p_k₊₁ = 2Δy − Δx";
         return;
     }
     // Between whole pixels, what p stands for: Δx·(d_lower − d_upper) one step on.
@@ -143,26 +103,18 @@ const NumberTable<DecisionSetUpState> &bresenhamSetUpNumbers()
 {
     static const auto numbers = [] {
         auto table = decisionSetUpTable();
-        table.push_back({{.id = QStringLiteral("p_0"),
-                          .title = QStringLiteral("p₀"),
-                          .unit = {},
-                          .toolTip = QStringLiteral("The first decision parameter."),
-                          .formula = QStringLiteral("p₀ = 2Δy − Δx"),
-                          .group = Group::Decision},
+        table.push_back({plainNumber("p_0", "p₀", {}, "The first decision parameter.",
+                                     "p₀ = 2Δy − Δx", Group::Decision),
                          [](const DecisionSetUpState &setUp) { return setUp.firstDecision; }});
-        const QString constant = QStringLiteral("c = 2Δy %1 2·Δx·y₀ − 2Δy·x₀ − Δx");
-        table.push_back(
-            {{.id = QStringLiteral("c"),
-              .title = QStringLiteral("c"),
-              .unit = {},
-              .toolTip = QStringLiteral("What of p_k = 2Δy·x_k ∓ 2Δx·y_k + c no pixel changes; the "
-                                        "lower sign where the line falls."),
-              .formula = constant.arg(QChar(u'±')),
-              .group = Group::Decision},
-             [](const DecisionSetUpState &setUp) { return setUp.constant; },
-             [constant](NumberDescription &number, const DecisionSetUpState &setUp) {
-                 number.formula = constant.arg(QChar(setUp.falls ? u'−' : u'+'));
-             }});
+        const QString constant = "c = 2Δy %1 2·Δx·y₀ − 2Δy·x₀ − Δx";
+        table.push_back({plainNumber("c", "c", {},
+                                     "What of p_k = 2Δy·x_k ∓ 2Δx·y_k + c no pixel changes; the "
+                                     "lower sign where the line falls.",
+                                     constant.arg(QChar(u'±')), Group::Decision),
+                         [](const DecisionSetUpState &setUp) { return setUp.constant; },
+                         [constant](NumberDescription &number, const DecisionSetUpState &setUp) {
+                             number.formula = constant.arg(QChar(setUp.falls ? u'−' : u'+'));
+                         }});
         return table;
     }();
     return numbers;
@@ -178,30 +130,21 @@ const NumberTable<DecisionState> &decisionNumbers()
 {
     static const auto numbers = [] {
         NumberTable<DecisionState> table = {
-            {{.id = QStringLiteral("k"),
-              .title = QStringLiteral("k"),
-              .unit = {},
-              .toolTip = QStringLiteral("The decision's number; none at the first pixel."),
-              .formula = {}},
+            {plainNumber("k", "k", {}, "The decision's number; none at the first pixel."),
              [](const DecisionState &step) { return step.k; }},
-            {{.id = QStringLiteral("p_k"),
-              .title = QStringLiteral("p_k"),
-              .unit = {},
-              .toolTip = QStringLiteral("The decision parameter, (d_lower − d_upper)·Δx: its sign "
-                                        "tells which pixel is nearer."),
-              .formula = QStringLiteral("p_k ← p_k₊₁′"),
-              .startFormula = QStringLiteral("p_k = Δx·(d_lower − d_upper)"),
+            {{.id = "p_k",
+              .title = "p_k",
+              .toolTip = "The decision parameter, (d_lower − d_upper)·Δx: its sign tells which "
+                         "pixel is nearer.",
+              .formula = "p_k ← p_k₊₁′",
+              .startFormula = "p_k = Δx·(d_lower − d_upper)",
               .group = Group::Decision},
              [](const DecisionState &step) { return step.decision; }},
             {pixelX(), [](const DecisionState &step) { return Quantity::integer(step.place.x()); }},
             {pixelY(), [](const DecisionState &step) { return Quantity::integer(step.place.y()); }},
-            {{.id = QStringLiteral("increment"),
-              .title = QStringLiteral("Δp"),
-              .unit = {},
-              .toolTip
-              = QStringLiteral("2Δy where the line stays, 2Δy − 2Δx where it goes across."),
-              .formula = {},
-              .group = Group::Decision},
+            {plainNumber("increment", "Δp", {},
+                         "2Δy where the line stays, 2Δy − 2Δx where it goes across.", {},
+                         Group::Decision),
              [](const DecisionState &step) { return step.increment; },
              [](NumberDescription &description, const DecisionState &step) {
                  if (!step.isLedByDecision())
@@ -209,14 +152,9 @@ const NumberTable<DecisionState> &decisionNumbers()
                  description.formula = step.movesAcross ? QStringLiteral("Δp = 2Δy − 2Δx")
                                                         : QStringLiteral("Δp = 2Δy");
              }},
-            {{.id = QStringLiteral("p_next"),
-              .title = QStringLiteral("p_k₊₁"),
-              .unit = {},
-              .toolTip = QStringLiteral("The decision parameter for the next pixel."),
-              .formula = QStringLiteral("p_k₊₁ = p_k + Δp"),
-              .group = Group::Decision},
-             [](const DecisionState &step) { return step.nextDecision; },
-             specifyNextDecision}};
+            {plainNumber("p_next", "p_k₊₁", {}, "The decision parameter for the next pixel.",
+                         "p_k₊₁ = p_k + Δp", Group::Decision),
+             [](const DecisionState &step) { return step.nextDecision; }, specifyNextDecision}};
         appendDistances(table);
         return table;
     }();

@@ -3,6 +3,7 @@
 
 #include "core/geometry/triangle.h"
 #include "core/methods/words/channelnumbers.h"
+#include "core/methods/words/placenumbers.h"
 #include "core/methods/words/units.h"
 
 /// The numbers of a line's two ends, with which the set-ups of line methods begin.
@@ -12,11 +13,9 @@ namespace pixelplumb {
 template <class State, class Read>
 NumberRow<State> endNumber(QChar letter, int end, const QString &toolTip, const Read &read)
 {
-    return {{.id = QStringLiteral("%1_%2").arg(letter).arg(end),
-             .title = QString(letter) + QChar(char16_t(u'₀' + end)),
-             .unit = unit::px(),
-             .toolTip = letter + u' ' + toolTip,
-             .formula = {}},
+    return {plainNumber(QStringLiteral("%1_%2").arg(letter).arg(end),
+                        QString(letter) + QChar(char16_t(u'₀' + end)), unit::px(),
+                        letter + u' ' + toolTip),
             read};
 }
 
@@ -26,12 +25,10 @@ void appendEndColours(NumberTable<State> &table, int end, Vertex SetUp::*vertex)
 {
     const QString digit = QString::number(end);
     appendChannels(table,
-                   {.id = QStringLiteral("%_") + digit,
-                    .title = u'%' + QString(QChar(char16_t(u'₀' + end))),
-                    .unit = unit::levels(),
-                    .toolTip = end == 0 ? QStringLiteral("% of the end that is stored first.")
-                                        : QStringLiteral("% of the other end."),
-                    .formula = {}},
+                   plainNumber(QStringLiteral("%_") + digit,
+                               u'%' + QString(QChar(char16_t(u'₀' + end))), unit::levels(),
+                               end == 0 ? QStringLiteral("% of the end that is stored first.")
+                                        : QStringLiteral("% of the other end.")),
                    [vertex](const State &setUp, std::size_t channel) {
                        return Quantity::integer((setUp.*vertex).colour.channels[channel]);
                    });

@@ -34,16 +34,15 @@ Method lineMethod()
     method.kinds = {PrimitiveKind::Line};
     method.arithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::Closed};
-    method.fillRuleReason = QStringLiteral("a line has no inside that an edge could bound");
+    method.fillRuleReason = "a line has no inside that an edge could bound";
     return method;
 }
 
 /// The colour at a pixel, in a listing of which Δx is the longer side and x₀ the end at its start.
 inline PseudocodeLine coloursAlongLine()
 {
-    return {1,
-            QStringLiteral("R ← R₀ + (x − x₀)·(R₁ − R₀)/Δx if Δx > 0, else R₀; G and B likewise"),
-            {Moment::First}};
+    return {
+        1, "R ← R₀ + (x − x₀)·(R₁ − R₀)/Δx if Δx > 0, else R₀; G and B likewise", {Moment::First}};
 }
 
 } // namespace pixelplumb

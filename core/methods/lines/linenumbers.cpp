@@ -20,7 +20,7 @@ void specifyDivisor(NumberDescription &number, const DdaSetUpState &setUp)
         number.formula.clear();
         return;
     }
-    const QString steps = QStringLiteral("(u₁ − u₀");
+    const QString steps = "(u₁ − u₀";
     number.formula.replace(steps, steps + divisorChange(setUp.variants));
 }
 
@@ -40,7 +40,7 @@ const NumberTable<SlopeInterceptSetUpState> &slopeInterceptSetUpNumbers()
     using State = SlopeInterceptSetUpState;
     static const auto numbers = [] {
         const QString left = QStringLiteral("of the left end, which is stored first.");
-        const QString right = QStringLiteral("of the right end.");
+        const QString right = "of the right end.";
         NumberTable<State> table
             = {endNumber<State>(u'x', 0, left,
                                 [](const State &setUp) { return pixels(setUp.start.position.x); }),
@@ -50,17 +50,10 @@ const NumberTable<SlopeInterceptSetUpState> &slopeInterceptSetUpNumbers()
                                 [](const State &setUp) { return pixels(setUp.end.position.x); }),
                endNumber<State>(u'y', 1, right,
                                 [](const State &setUp) { return pixels(setUp.end.position.y); }),
-               {{.id = QStringLiteral("m"),
-                 .title = QStringLiteral("m"),
-                 .unit = QStringLiteral("px/column"),
-                 .toolTip = QStringLiteral("The slope."),
-                 .formula = QStringLiteral("m = (y₁ − y₀)/(x₁ − x₀)")},
+               {plainNumber("m", "m", "px/column", "The slope.", "m = (y₁ − y₀)/(x₁ − x₀)"),
                 [](const State &setUp) { return setUp.slope; }},
-               {{.id = QStringLiteral("b"),
-                 .title = QStringLiteral("b"),
-                 .unit = unit::px(),
-                 .toolTip = QStringLiteral("Where the line meets the column 0."),
-                 .formula = QStringLiteral("b = y₀ − m·x₀")},
+               {plainNumber("b", "b", unit::px(), "Where the line meets the column 0.",
+                            "b = y₀ − m·x₀"),
                 [](const State &setUp) { return setUp.intercept; }}};
         appendEndColours(table, 0, &State::start);
         appendEndColours(table, 1, &State::end);
@@ -75,31 +68,18 @@ const NumberTable<SlopeInterceptState> &slopeInterceptNumbers()
         NumberTable<SlopeInterceptState> table = {
             {scannedNumber(),
              [](const SlopeInterceptState &step) { return Quantity::integer(step.place.along); }},
-            {{.id = QStringLiteral("y"),
-              .title = QStringLiteral("y"),
-              .unit = unit::px(),
-              .toolTip = QStringLiteral("Where the line meets the column."),
-              .formula = QStringLiteral("y = m·x + b"),
-              .group = Group::Decision,
-              .comparison = Comparison::WithExact},
+            {comparedNumber("y", "y", unit::px(), "Where the line meets the column.", "y = m·x + b",
+                            Group::Decision),
              [](const SlopeInterceptState &step) { return step.ordinate; }},
-            {{.id = QStringLiteral("y_r"),
-              .title = QStringLiteral("y_r"),
-              .unit = unit::px(),
-              .toolTip = QStringLiteral("The pixel's row: the cast to int drops the fraction, also "
-                                        "of a negative number."),
-              .formula = QStringLiteral("y_r = (int)(y + ½)"),
-              .group = Group::Span,
-              .comparison = Comparison::WithExact},
+            {comparedNumber(
+                 "y_r", "y_r", unit::px(),
+                 "The pixel's row: the cast to int drops the fraction, also of a negative number.",
+                 "y_r = (int)(y + ½)", Group::Span),
              [](const SlopeInterceptState &step) { return Quantity::integer(step.place.across); }}};
         appendChannels(table,
-                       {.id = QStringLiteral("%"),
-                        .title = QStringLiteral("%"),
-                        .unit = unit::levels(),
-                        .toolTip = QStringLiteral("Level of % at this column."),
-                        .formula = QStringLiteral("% = %₀ + (x − x₀)·((%₁ − %₀)/(x₁ − x₀))"),
-                        .group = Group::EdgeColours,
-                        .comparison = Comparison::WithExact},
+                       comparedNumber("%", "%", unit::levels(), "Level of % at this column.",
+                                      "% = %₀ + (x − x₀)·((%₁ − %₀)/(x₁ − x₀))",
+                                      Group::EdgeColours),
                        [](const SlopeInterceptState &step, std::size_t channel) {
                            return step.colour[channel];
                        });
@@ -112,11 +92,11 @@ const NumberTable<DdaSetUpState> &ddaSetUpNumbers()
 {
     using State = DdaSetUpState;
     static const auto numbers = [] {
-        const QString first = QStringLiteral("of the end that is stored first, the left one (of "
-                                             "a steep line the one of smaller y): ");
-        const QString second = QStringLiteral("of the other end: ");
-        const QString along = QStringLiteral("x; y where the line is steep.");
-        const QString across = QStringLiteral("y; x where the line is steep.");
+        const QString first = QStringLiteral("of the end that is stored first, the left one (of a "
+                                             "steep line the one of smaller y): ");
+        const QString second = "of the other end: ";
+        const QString along = "x; y where the line is steep.";
+        const QString across = "y; x where the line is steep.";
         NumberTable<State> table
             = {endNumber<State>(u'u', 0, first + along,
                                 [](const State &setUp) { return pixels(setUp.start.position.x); }),
@@ -126,23 +106,16 @@ const NumberTable<DdaSetUpState> &ddaSetUpNumbers()
                                 [](const State &setUp) { return pixels(setUp.end.position.x); }),
                endNumber<State>(u'v', 1, second + across,
                                 [](const State &setUp) { return pixels(setUp.end.position.y); }),
-               {{.id = QStringLiteral("m"),
-                 .title = QStringLiteral("m"),
-                 .unit = QStringLiteral("px/step"),
-                 .toolTip = QStringLiteral("Δy/Δx; Δx/Δy where the line is steep."),
-                 .formula = QStringLiteral("m = (v₁ − v₀)/(u₁ − u₀)")},
+               {plainNumber("m", "m", "px/step", "Δy/Δx; Δx/Δy where the line is steep.",
+                            "m = (v₁ − v₀)/(u₁ − u₀)"),
                 [](const State &setUp) { return setUp.isPoint() ? Quantity() : setUp.slope; },
                 specifyDivisor}};
         appendEndColours(table, 0, &State::start);
         appendEndColours(table, 1, &State::end);
         appendChannels(
             table,
-            {.id = QStringLiteral("delta_%"),
-             .title = QStringLiteral("Δ%"),
-             .unit = QStringLiteral("levels/step"),
-             .toolTip = QStringLiteral("Change of % for each step."),
-             .formula = QStringLiteral("Δ% = (%₁ − %₀)/(u₁ − u₀)"),
-             .group = Group::ColourRates},
+            plainNumber("delta_%", "Δ%", "levels/step", "Change of % for each step.",
+                        "Δ% = (%₁ − %₀)/(u₁ − u₀)", Group::ColourRates),
             [](const State &setUp, std::size_t channel) {
                 return setUp.isPoint() ? Quantity() : setUp.colourRate[channel];
             },
@@ -158,41 +131,33 @@ const NumberTable<DdaState> &ddaNumbers()
         NumberTable<DdaState> table = {
             {pixelX(), [](const DdaState &step) { return Quantity::integer(step.place.x()); }},
             {pixelY(), [](const DdaState &step) { return Quantity::integer(step.place.y()); }},
-            {{.id = QStringLiteral("u"),
-              .title = QStringLiteral("u"),
-              .unit = unit::px(),
-              .toolTip = QStringLiteral("Along the line: the column; the row where it is steep."),
-              .formula = {},
-              .group = Group::Position},
+            {plainNumber("u", "u", unit::px(),
+                         "Along the line: the column; the row where it is steep.", {},
+                         Group::Position),
              [](const DdaState &step) { return Quantity::integer(step.place.along); }},
-            {{.id = QStringLiteral("v"),
-              .title = QStringLiteral("v"),
+            {{.id = "v",
+              .title = "v",
               .unit = unit::px(),
-              .toolTip = QStringLiteral("Across the line: y; x where it is steep."),
-              .formula = QStringLiteral("v ← v′ + m"),
-              .startFormula = QStringLiteral("v = v₀ + (u − u₀)·m"),
+              .toolTip = "Across the line: y; x where it is steep.",
+              .formula = "v ← v′ + m",
+              .startFormula = "v = v₀ + (u − u₀)·m",
               .group = Group::Decision,
               .comparison = Comparison::WithExact},
              [](const DdaState &step) { return step.ordinate; },
              specifyStart},
-            {{.id = QStringLiteral("v_r"),
-              .title = QStringLiteral("v_r"),
-              .unit = unit::px(),
-              .toolTip
-              = QStringLiteral("The pixel's place across the line, to the nearest; from the "
-                               "middle to the larger one."),
-              .formula = QStringLiteral("v_r = ⌊v + ½⌋"),
-              .group = Group::Span,
-              .comparison = Comparison::WithExact},
+            {comparedNumber("v_r", "v_r", unit::px(),
+                            "The pixel's place across the line, to the nearest; from the middle to "
+                            "the larger one.",
+                            "v_r = ⌊v + ½⌋", Group::Span),
              [](const DdaState &step) { return Quantity::integer(step.place.across); }}};
         appendChannels(
             table,
-            {.id = QStringLiteral("%"),
-             .title = QStringLiteral("%"),
+            {.id = "%",
+             .title = "%",
              .unit = unit::levels(),
-             .toolTip = QStringLiteral("Level of % at this step."),
-             .formula = QStringLiteral("% ← %′ + Δ%"),
-             .startFormula = QStringLiteral("% = %₀ + (u − u₀)·Δ%"),
+             .toolTip = "Level of % at this step.",
+             .formula = "% ← %′ + Δ%",
+             .startFormula = "% = %₀ + (u − u₀)·Δ%",
              .group = Group::EdgeColours,
              .comparison = Comparison::WithExact},
             [](const DdaState &step, std::size_t channel) { return step.colour[channel]; },

@@ -3,6 +3,7 @@
 #include "core/methods/lines/linenumbers.h"
 #include "core/methods/words/channelnumbers.h"
 #include "core/methods/words/formulatext.h"
+#include "core/methods/words/placenumbers.h"
 #include "core/methods/words/units.h"
 
 /// The numbers of a line in its parametric form.
@@ -15,24 +16,17 @@ void appendCoordinate(NumberTable<ParametricLineState> &table, QChar point, QCha
                       Quantity ParametricLineState::*value,
                       std::int64_t (LinePlace::*pixel)() const)
 {
-    table.push_back({{.id = point,
-                      .title = point,
-                      .unit = unit::px(),
-                      .toolTip = QStringLiteral("The point's %1.").arg(axis),
-                      .formula = QStringLiteral("%1 = %2₀ + k·i·((%2₁ − %2₀)/N)").arg(point, axis),
-                      .group = NumberGroup::Decision,
-                      .comparison = Comparison::WithExact},
-                     [value](const ParametricLineState &step) { return step.*value; }});
-    table.push_back({{.id = axis,
-                      .title = axis,
-                      .unit = unit::px(),
-                      .toolTip = QStringLiteral("The nearest pixel's %1.").arg(axis),
-                      .formula = QStringLiteral("%1 = ⌊%2 + ½⌋").arg(axis, point),
-                      .group = NumberGroup::Span,
-                      .comparison = Comparison::WithExact},
-                     [pixel](const ParametricLineState &step) {
-                         return Quantity::integer((step.place.*pixel)());
-                     }});
+    table.push_back(
+        {comparedNumber(point, point, unit::px(), QStringLiteral("The point's %1.").arg(axis),
+                        QStringLiteral("%1 = %2₀ + k·i·((%2₁ − %2₀)/N)").arg(point, axis),
+                        NumberGroup::Decision),
+         [value](const ParametricLineState &step) { return step.*value; }});
+    table.push_back(
+        {comparedNumber(axis, axis, unit::px(), QStringLiteral("The nearest pixel's %1.").arg(axis),
+                        QStringLiteral("%1 = ⌊%2 + ½⌋").arg(axis, point), NumberGroup::Span),
+         [pixel](const ParametricLineState &step) {
+             return Quantity::integer((step.place.*pixel)());
+         }});
 }
 
 } // namespace
@@ -42,30 +36,23 @@ const NumberTable<ParametricLineSetUpState> &parametricLineSetUpNumbers()
     using State = ParametricLineSetUpState;
     static const auto numbers = [] {
         const QString first = QStringLiteral("of P₀, the end that is given first.");
-        const QString second = QStringLiteral("of P₁.");
-        NumberTable<State> table
-            = {endNumber<State>(u'x', 0, first,
-                                [](const State &setUp) { return pixels(setUp.start.position.x); }),
-               endNumber<State>(u'y', 0, first,
-                                [](const State &setUp) { return pixels(setUp.start.position.y); }),
-               endNumber<State>(u'x', 1, second,
-                                [](const State &setUp) { return pixels(setUp.end.position.x); }),
-               endNumber<State>(u'y', 1, second,
-                                [](const State &setUp) { return pixels(setUp.end.position.y); }),
-               {{.id = QStringLiteral("N"),
-                 .title = QStringLiteral("N"),
-                 .unit = {},
-                 .toolTip = QStringLiteral("The steps of t from 0 to 1: the pixels of the longer "
-                                           "side, rounded up."),
-                 .formula = {}},
-                [](const State &setUp) { return Quantity::integer(setUp.steps); }},
-               {{.id = QStringLiteral("k"),
-                 .title = QStringLiteral("k"),
-                 .unit = {},
-                 .toolTip = QStringLiteral("P(kt): how many times as fast as P(t) the line is run "
-                                           "through, 1, 2 or 5."),
-                 .formula = {}},
-                [](const State &setUp) { return Quantity::integer(setUp.pace); }}};
+        const QString second = "of P₁.";
+        NumberTable<State> table = {
+            endNumber<State>(u'x', 0, first,
+                             [](const State &setUp) { return pixels(setUp.start.position.x); }),
+            endNumber<State>(u'y', 0, first,
+                             [](const State &setUp) { return pixels(setUp.start.position.y); }),
+            endNumber<State>(u'x', 1, second,
+                             [](const State &setUp) { return pixels(setUp.end.position.x); }),
+            endNumber<State>(u'y', 1, second,
+                             [](const State &setUp) { return pixels(setUp.end.position.y); }),
+            {plainNumber("N", "N", {},
+                         "The steps of t from 0 to 1: the pixels of the longer side, rounded up."),
+             [](const State &setUp) { return Quantity::integer(setUp.steps); }},
+            {plainNumber(
+                 "k", "k", {},
+                 "P(kt): how many times as fast as P(t) the line is run through, 1, 2 or 5."),
+             [](const State &setUp) { return Quantity::integer(setUp.pace); }}};
         appendEndColours(table, 0, &State::start);
         appendEndColours(table, 1, &State::end);
         return table;
@@ -78,29 +65,15 @@ const NumberTable<ParametricLineState> &parametricLineNumbers()
     using State = ParametricLineState;
     static const auto numbers = [] {
         NumberTable<State> table
-            = {{{.id = QStringLiteral("i"),
-                 .title = QStringLiteral("i"),
-                 .unit = {},
-                 .toolTip = QStringLiteral("The step's number, from 0 at t = 0."),
-                 .formula = {}},
+            = {{plainNumber("i", "i", {}, "The step's number, from 0 at t = 0."),
                 [](const State &step) { return Quantity::integer(step.number); }},
-               {{.id = QStringLiteral("t"),
-                 .title = QStringLiteral("t"),
-                 .unit = {},
-                 .toolTip = QStringLiteral("The parameter."),
-                 .formula = QStringLiteral("t = i/N"),
-                 .group = NumberGroup::Decision},
+               {plainNumber("t", "t", {}, "The parameter.", "t = i/N", NumberGroup::Decision),
                 [](const State &step) { return step.t; }}};
         appendCoordinate(table, u'u', u'x', &State::x, &LinePlace::x);
         appendCoordinate(table, u'v', u'y', &State::y, &LinePlace::y);
         appendChannels(table,
-                       {.id = QStringLiteral("%"),
-                        .title = QStringLiteral("%"),
-                        .unit = unit::levels(),
-                        .toolTip = QStringLiteral("Level of % at the point."),
-                        .formula = QStringLiteral("% = %₀ + k·i·((%₁ − %₀)/N)"),
-                        .group = NumberGroup::EdgeColours,
-                        .comparison = Comparison::WithExact},
+                       comparedNumber("%", "%", unit::levels(), "Level of % at the point.",
+                                      "% = %₀ + k·i·((%₁ − %₀)/N)", NumberGroup::EdgeColours),
                        [](const State &step, std::size_t channel) { return step.colour[channel]; });
         return table;
     }();

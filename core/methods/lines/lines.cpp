@@ -1,35 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/methods/lines/lines.h"
-
 #include "core/methods/lines/linekernels.h"
 #include "core/methods/lines/linemethod.h"
+#include "core/methods/methodrows.h"
 
 namespace pixelplumb {
 
 Method lineSlopeInterceptMethod()
 {
     Method method = lineMethod<SlopeInterceptKernel>();
-    method.id = QStringLiteral("line-slope-intercept");
-    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Line: y = m·x + b"));
-    method.source = QStringLiteral("Rasterization slides, “Line-Drawing Algorithms” and "
-                                   "“Example”; Scan Conversion slides, “Lines and Curves: "
-                                   "Explicit”");
+    method.id = "line-slope-intercept";
+    method.title = QT_TRANSLATE_NOOP("core", "Line: y = m·x + b");
+    method.source = "Rasterization slides, “Line-Drawing Algorithms” and “Example”; Scan "
+                    "Conversion slides, “Lines and Curves: Explicit”";
     method.pseudocode = {
-        {0, QStringLiteral("(x₀, y₀), (x₁, y₁) ← the ends from left to right"), {Moment::SetUp}},
-        {0, QStringLiteral("m ← (y₁ − y₀)/(x₁ − x₀), b ← y₀ − m·x₀"), {Moment::SetUp}},
-        {0,
-         QStringLiteral("if it is vertical or a point, or no sample is to be drawn: done"),
-         {Moment::Rejected}},
-        {0, QStringLiteral("for each column x from ⌈x₀⌉ to ⌊x₁⌋:"), {Moment::Begin, Moment::Span}},
-        {1, QStringLiteral("y ← m·x + b"), {Moment::Begin, Moment::Span}},
+        {0, "(x₀, y₀), (x₁, y₁) ← the ends from left to right", {Moment::SetUp}},
+        {0, "m ← (y₁ − y₀)/(x₁ − x₀), b ← y₀ − m·x₀", {Moment::SetUp}},
+        {0, "if it is vertical or a point, or no sample is to be drawn: done", {Moment::Rejected}},
+        {0, "for each column x from ⌈x₀⌉ to ⌊x₁⌋:", {Moment::Begin, Moment::Span}},
+        {1, "y ← m·x + b", {Moment::Begin, Moment::Span}},
         {1,
-         QStringLiteral("R ← R₀ + (x − x₀)·(R₁ − R₀)/(x₁ − x₀); G and B likewise"),
+         "R ← R₀ + (x − x₀)·(R₁ − R₀)/(x₁ − x₀); G and B likewise",
          {Moment::Begin, Moment::Span}},
-        {1, QStringLiteral("pixel (x, (int)(y + ½)) ← the bytes of R, G, B"), {Moment::First}}};
-    method.summary = QStringLiteral(
-        QT_TRANSLATE_NOOP("core",
-                          "Computes y = m·x + b for each column and rounds it by "
-                          "(int)(y + ½): steep lines have gaps, vertical ones no m."));
+        {1, "pixel (x, (int)(y + ½)) ← the bytes of R, G, B", {Moment::First}}};
+    method.summary = QT_TRANSLATE_NOOP("core",
+                                       "Computes y = m·x + b for each column and rounds it by "
+                                       "(int)(y + ½): steep lines have gaps, vertical ones no m.");
     method.remarks += QStringLiteral("gaps where |m| > 1");
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64};
     return method;
@@ -38,22 +33,20 @@ Method lineSlopeInterceptMethod()
 Method lineParametricMethod()
 {
     Method method = lineMethod<ParametricLineKernel>();
-    method.id = QStringLiteral("line-parametric");
-    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Line: P(t)"));
-    method.source = QStringLiteral("Scan Conversion slides, “Lines and Curves: Parametric”");
+    method.id = "line-parametric";
+    method.title = QT_TRANSLATE_NOOP("core", "Line: P(t)");
+    method.source = "Scan Conversion slides, “Lines and Curves: Parametric”";
     const VariantSet twice = VariantSet().with(Variant::TwiceT);
     const VariantSet five = VariantSet().with(Variant::FiveT);
     const VariantSet both = twice.with(Variant::FiveT);
-    const QString range = QStringLiteral("for each t = i/N from 0 to 1/%1:");
-    const QString point = QStringLiteral("u, v ← x₀ + %1t·(x₁ − x₀), y₀ + %1t·(y₁ − y₀); R ← R₀ + "
-                                         "%1t·(R₁ − R₀); G and B likewise");
+    const QString range = "for each t = i/N from 0 to 1/%1:";
+    const QString point
+        = "u, v ← x₀ + %1t·(x₁ − x₀), y₀ + %1t·(y₁ − y₀); R ← R₀ + %1t·(R₁ − R₀); G and B likewise";
     method.pseudocode
-        = {{0,
-            QStringLiteral("N ← ⌈the larger of |x₁ − x₀| and |y₁ − y₀|⌉, at least 1"),
-            {Moment::SetUp}},
-           {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+        = {{0, "N ← ⌈the larger of |x₁ − x₀| and |y₁ − y₀|⌉, at least 1", {Moment::SetUp}},
+           {0, "if no sample is to be drawn: done", {Moment::Rejected}},
            {0,
-            QStringLiteral("for each t = i/N from 0 to 1:"),
+            "for each t = i/N from 0 to 1:",
             {Moment::Begin, Moment::Span},
             {},
             {{twice, range.arg(QChar(u'2'))},
@@ -66,12 +59,11 @@ Method lineParametricMethod()
             {{twice, point.arg(QChar(u'2'))},
              {five, point.arg(QChar(u'5'))},
              {both, point.arg("10")}}},
-           {1, QStringLiteral("pixel (⌊u + ½⌋, ⌊v + ½⌋) ← the bytes of R, G, B"), {Moment::First}}};
-    method.summary = QStringLiteral(
-        QT_TRANSLATE_NOOP("core",
-                          "Computes P(t) = P₀ + t·(P₁ − P₀) for t in steps of one pixel "
-                          "of the longer side, or less, and writes the pixel nearest to "
-                          "each point."));
+           {1, "pixel (⌊u + ½⌋, ⌊v + ½⌋) ← the bytes of R, G, B", {Moment::First}}};
+    method.summary
+        = QT_TRANSLATE_NOOP("core",
+                            "Computes P(t) = P₀ + t·(P₁ − P₀) for t in steps of one pixel of the "
+                            "longer side, or less, and writes the pixel nearest to each point.");
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
     method.variants = {Variant::TwiceT, Variant::FiveT};
     return method;
@@ -80,40 +72,36 @@ Method lineParametricMethod()
 Method lineDdaMethod()
 {
     Method method = lineMethod<DdaKernel>();
-    method.id = QStringLiteral("line-dda");
-    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Line: DDA"));
-    method.source = QStringLiteral("Rasterization slides, “DDA Line-Drawing Algorithm”");
-    const QString rates = QStringLiteral(
-        "m ← Δv/Δu if Δu > 0, else 0; ΔR ← (R₁ − R₀)/Δu if Δu > 0, else 0; ΔG and ΔB likewise");
+    method.id = "line-dda";
+    method.title = QT_TRANSLATE_NOOP("core", "Line: DDA");
+    method.source = "Rasterization slides, “DDA Line-Drawing Algorithm”";
+    const QString rates
+        = "m ← Δv/Δu if Δu > 0, else 0; ΔR ← (R₁ − R₀)/Δu if Δu > 0, else 0; ΔG and ΔB likewise";
     method.pseudocode = {
         {0,
-         QStringLiteral(
-             "u along the longer side, v across: if |y₁ − y₀| ≥ |x₁ − x₀| exchange x and "
-             "y, here and where a pixel is written; the ends in the order of u"),
+         "u along the longer side, v across: if |y₁ − y₀| ≥ |x₁ − x₀| exchange x and y, here and "
+         "where a pixel is written; the ends in the order of u",
          {Moment::SetUp}},
         {0,
          rates,
          {Moment::SetUp},
          {},
-         {{VariantSet().with(Variant::DivisorPlusOne),
-           QStringLiteral("m ← Δv/(Δu + 1); ΔR, ΔG and ΔB likewise")},
-          {VariantSet().with(Variant::DivisorMinusOne),
-           QStringLiteral("m ← Δv/(Δu − 1); ΔR, ΔG and ΔB likewise")},
+         {{VariantSet().with(Variant::DivisorPlusOne), "m ← Δv/(Δu + 1); ΔR, ΔG and ΔB likewise"},
+          {VariantSet().with(Variant::DivisorMinusOne), "m ← Δv/(Δu − 1); ΔR, ΔG and ΔB likewise"},
           {VariantSet().with(Variant::DivisorPlusOne).with(Variant::DivisorMinusOne), rates}}},
-        {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-        {0, QStringLiteral("for each u from ⌈u₀⌉ to ⌊u₁⌋:"), {Moment::Begin, Moment::Span}},
+        {0, "if no sample is to be drawn: done", {Moment::Rejected}},
+        {0, "for each u from ⌈u₀⌉ to ⌊u₁⌋:", {Moment::Begin, Moment::Span}},
         {1,
-         QStringLiteral("the first: v ← v₀ + (u − u₀)·m; R ← R₀ + (u − u₀)·ΔR; G and B likewise"),
+         "the first: v ← v₀ + (u − u₀)·m; R ← R₀ + (u − u₀)·ΔR; G and B likewise",
          {Moment::Begin},
          {},
          {{VariantSet().with(Variant::NoEdgePreStep),
-           QStringLiteral("the first: v ← v₀; R ← R₀; G and B likewise")}}},
-        {1, QStringLiteral("else: v ← v + m; R ← R + ΔR; G and B likewise"), {Moment::Span}},
-        {1, QStringLiteral("pixel (u, ⌊v + ½⌋) ← the bytes of R, G, B"), {Moment::First}}};
-    method.summary = QStringLiteral(
-        QT_TRANSLATE_NOOP("core",
-                          "Walks along the longer side and adds the slope at each step; "
-                          "the pixel is the nearest one."));
+           "the first: v ← v₀; R ← R₀; G and B likewise"}}},
+        {1, "else: v ← v + m; R ← R + ΔR; G and B likewise", {Moment::Span}},
+        {1, "pixel (u, ⌊v + ½⌋) ← the bytes of R, G, B", {Moment::First}}};
+    method.summary = QT_TRANSLATE_NOOP("core",
+                                       "Walks along the longer side and adds the slope at each "
+                                       "step; the pixel is the nearest one.");
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
     method.variants = {Variant::NoEdgePreStep, Variant::DivisorMinusOne, Variant::DivisorPlusOne};
     method.stableArithmetics = {Arithmetic::Exact};
@@ -123,37 +111,35 @@ Method lineDdaMethod()
 Method lineBresenhamMethod()
 {
     Method method = lineMethod<BresenhamKernel>();
-    method.id = QStringLiteral("line-bresenham");
-    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Line: Bresenham"));
-    method.source = QStringLiteral("Rasterization slides, “Bresenham's Line Algorithm (1/4)” to "
-                                   "“(4/4)” and “Bresenham: Example”");
+    method.id = "line-bresenham";
+    method.title = QT_TRANSLATE_NOOP("core", "Line: Bresenham");
+    method.source = "Rasterization slides, “Bresenham's Line Algorithm (1/4)” to “(4/4)” and "
+                    "“Bresenham: Example”";
     method.pseudocode = {
-        {0, QStringLiteral("round both ends to whole pixels"), {Moment::SetUp}},
+        {0, "round both ends to whole pixels", {Moment::SetUp}},
+        {0, "if |Δy| ≥ |Δx|: exchange x and y, here and where a pixel is written", {Moment::SetUp}},
+        {0, "(x₀, y₀) ← the end with the smaller x", {Moment::SetUp}},
+        {0, "s ← 1 if y₀ ≤ y₁, else −1", {Moment::SetUp}},
+        {0, "if no sample is to be drawn: done", {Moment::Rejected}},
         {0,
-         QStringLiteral("if |Δy| ≥ |Δx|: exchange x and y, here and where a pixel is written"),
-         {Moment::SetUp}},
-        {0, QStringLiteral("(x₀, y₀) ← the end with the smaller x"), {Moment::SetUp}},
-        {0, QStringLiteral("s ← 1 if y₀ ≤ y₁, else −1"), {Moment::SetUp}},
-        {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-        {0,
-         QStringLiteral("for each x from x₀ to x₁:"),
+         "for each x from x₀ to x₁:",
          {Moment::Begin},
          {},
          {{VariantSet().with(Variant::OneStepShort),
-           QStringLiteral("for each x from x₀ to x₁ − 1 if Δx > 0, else x₁:")}}},
-        {1, QStringLiteral("the first: y, p ← y₀, 2Δy − Δx"), {Moment::Begin}},
+           "for each x from x₀ to x₁ − 1 if Δx > 0, else x₁:"}}},
+        {1, "the first: y, p ← y₀, 2Δy − Δx", {Moment::Begin}},
         {1,
-         QStringLiteral("else if p < 0: p ← p + 2Δy"),
+         "else if p < 0: p ← p + 2Δy",
          {Moment::Stay},
          {},
-         {{VariantSet().with(Variant::StayAtZero), QStringLiteral("else if p ≤ 0: p ← p + 2Δy")}}},
-        {1, QStringLiteral("else: y ← y + s; p ← p + 2Δy − 2Δx"), {Moment::Cross}},
+         {{VariantSet().with(Variant::StayAtZero), "else if p ≤ 0: p ← p + 2Δy"}}},
+        {1, "else: y ← y + s; p ← p + 2Δy − 2Δx", {Moment::Cross}},
         coloursAlongLine(),
-        {1, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {Moment::First}}};
-    method.summary = QStringLiteral(
-        QT_TRANSLATE_NOOP("core",
-                          "Steps from the end of smaller x (of a steep line, of smaller y) by the "
-                          "sign of an integer; p_k < 0 stays, so that a tie steps across."));
+        {1, "pixel (x, y) ← the bytes of R, G, B", {Moment::First}}};
+    method.summary
+        = QT_TRANSLATE_NOOP("core",
+                            "Steps from the end of smaller x (of a steep line, of smaller y) by "
+                            "the sign of an integer; p_k < 0 stays, so that a tie steps across.");
     method.remarks += QStringLiteral("whole-pixel end points");
     method.roundsPoints = true;
     method.variants = {Variant::StayAtZero, Variant::OneStepShort};
@@ -163,31 +149,27 @@ Method lineBresenhamMethod()
 Method lineSymmetricMethod()
 {
     Method method = lineMethod<SymmetricKernel>();
-    method.id = QStringLiteral("line-bresenham-symmetric");
-    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Line: Bresenham, sub-pixel ends"));
-    method.source = QStringLiteral("stable form of the Rasterization slides, “Bresenham's Line "
-                                   "Algorithm”");
+    method.id = "line-bresenham-symmetric";
+    method.title = QT_TRANSLATE_NOOP("core", "Line: Bresenham, sub-pixel ends");
+    method.source = "stable form of the Rasterization slides, “Bresenham's Line Algorithm”";
     method.pseudocode = {
-        {0,
-         QStringLiteral("if |Δy| ≥ |Δx|: exchange x and y, here and where a pixel is written"),
-         {Moment::SetUp}},
-        {0, QStringLiteral("(x₀, y₀) ← the end with the smaller x, to 1/256 px"), {Moment::SetUp}},
-        {0, QStringLiteral("s ← 1 if y₀ ≤ y₁, else −1"), {Moment::SetUp}},
-        {0, QStringLiteral("m ← s·Δy/Δx if Δx > 0, else 0"), {Moment::SetUp}},
-        {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-        {0, QStringLiteral("for each x from ⌈x₀⌉ to ⌊x₁⌋:"), {Moment::Begin}},
+        {0, "if |Δy| ≥ |Δx|: exchange x and y, here and where a pixel is written", {Moment::SetUp}},
+        {0, "(x₀, y₀) ← the end with the smaller x, to 1/256 px", {Moment::SetUp}},
+        {0, "s ← 1 if y₀ ≤ y₁, else −1", {Moment::SetUp}},
+        {0, "m ← s·Δy/Δx if Δx > 0, else 0", {Moment::SetUp}},
+        {0, "if no sample is to be drawn: done", {Moment::Rejected}},
+        {0, "for each x from ⌈x₀⌉ to ⌊x₁⌋:", {Moment::Begin}},
         {1,
-         QStringLiteral("the first: y ← ⌊y₀ + (x − x₀)·m + ½⌋; p ← Δx·(2·s·(y₀ + (x + 1 − x₀)·m − "
-                        "y) − 1)"),
+         "the first: y ← ⌊y₀ + (x − x₀)·m + ½⌋; p ← Δx·(2·s·(y₀ + (x + 1 − x₀)·m − y) − 1)",
          {Moment::Begin}},
-        {1, QStringLiteral("else if p < 0, or p = 0 and s < 0: p ← p + 2Δy"), {Moment::Stay}},
-        {1, QStringLiteral("else: y ← y + s; p ← p + 2Δy − 2Δx"), {Moment::Cross}},
+        {1, "else if p < 0, or p = 0 and s < 0: p ← p + 2Δy", {Moment::Stay}},
+        {1, "else: y ← y + s; p ← p + 2Δy − 2Δx", {Moment::Cross}},
         coloursAlongLine(),
-        {1, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {Moment::First}}};
-    method.summary = QStringLiteral(
-        QT_TRANSLATE_NOOP("core",
-                          "Bresenham's decisions from any lattice point to any other, "
-                          "ties to the pixel of larger y or x whether the line rises or falls."));
+        {1, "pixel (x, y) ← the bytes of R, G, B", {Moment::First}}};
+    method.summary
+        = QT_TRANSLATE_NOOP("core",
+                            "Bresenham's decisions from any lattice point to any other, ties to "
+                            "the pixel of larger y or x whether the line rises or falls.");
     method.stableArithmetics = {Arithmetic::Exact};
     return method;
 }

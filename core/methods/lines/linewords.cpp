@@ -43,8 +43,7 @@ QString wholeDecision(const DecisionState &state)
         return QStringLiteral("%1·%2 %3 %4·%5 + %6 = ")
             .arg(perColumn, x, sign, perRow, y, constant);
     };
-    return terms(QStringLiteral("2Δy"), QStringLiteral("x_k"), QStringLiteral("2Δx"),
-                 QStringLiteral("y_k"), QStringLiteral("c"))
+    return terms("2Δy", "x_k", "2Δx", "y_k", "c")
         + terms(operand(state.perColumn), operand(Quantity::integer(state.place.along - 1)),
                 operand(state.perRow), operand(Quantity::integer(state.acrossBefore())),
                 operand(state.constant));
@@ -60,8 +59,7 @@ QString decisionSentence(const DecisionState &state)
         const QString next = QStringLiteral("p_k₊₁ = %1 decides about the next one.")
                                  .arg(signText(state.nextDecision));
         return !state.ordinate.isNone()
-            ? roundingSentence(QStringLiteral("the line"), state.place, state.ordinate) + u' '
-                + next
+            ? roundingSentence("the line", state.place, state.ordinate) + u' ' + next
             : QStringLiteral("The line starts at %1 without a decision; ")
                     .arg(pixelText(state.place))
                 + next;
@@ -94,8 +92,7 @@ QString endsSentence(LineAxis axis, const QString &letters, const std::array<Qua
         return QStringLiteral("The left end is stored first: %1 = %2, %3 = %4.")
             .arg(named(u'₀'), pairText(start[0], start[1]), named(u'₁'), pairText(end[0], end[1]));
     return QStringLiteral("The line is steep, |Δy| ≥ |Δx|: x and y are exchanged, and it is walked "
-                          "along y. The end of smaller y, %1, is stored first: %2 = %3, %4 = "
-                          "%5.")
+                          "along y. The end of smaller y, %1, is stored first: %2 = %3, %4 = %5.")
         .arg(pairText(start[1], start[0]), named(u'₀'), pairText(start[0], start[1]), named(u'₁'),
              pairText(end[0], end[1]));
 }
@@ -109,14 +106,14 @@ std::array<Quantity, 2> coordinatesOf(const Vertex &vertex)
 
 void tellLine(StepWords &words, const SlopeInterceptSetUpState &state)
 {
-    words.sentence = endsSentence(LineAxis::X, QStringLiteral("xy"), coordinatesOf(state.start),
-                                  coordinatesOf(state.end));
+    words.sentence
+        = endsSentence(LineAxis::X, "xy", coordinatesOf(state.start), coordinatesOf(state.end));
 }
 
 void tellLine(StepWords &words, const DdaSetUpState &state)
 {
-    words.sentence = endsSentence(state.axis, QStringLiteral("uv"), coordinatesOf(state.start),
-                                  coordinatesOf(state.end));
+    words.sentence
+        = endsSentence(state.axis, "uv", coordinatesOf(state.start), coordinatesOf(state.end));
 }
 
 void tellLine(StepWords &words, const ParametricLineSetUpState &state)
@@ -134,8 +131,8 @@ void tellLine(StepWords &words, const ParametricLineSetUpState &state)
 
 void tellLine(StepWords &words, const DecisionSetUpState &state)
 {
-    words.sentence = endsSentence(state.axis, QStringLiteral("xy"), {state.startX, state.startY},
-                                  {state.endX, state.endY});
+    words.sentence
+        = endsSentence(state.axis, "xy", {state.startX, state.startY}, {state.endX, state.endY});
 }
 
 void tellLine(StepWords &words, const SlopeInterceptState &state)
@@ -148,7 +145,7 @@ void tellLine(StepWords &words, const SlopeInterceptState &state)
 
 void tellLine(StepWords &words, const DdaState &state)
 {
-    words.sentence = roundingSentence(QStringLiteral("the walk"), state.place, state.ordinate);
+    words.sentence = roundingSentence("the walk", state.place, state.ordinate);
 }
 
 void tellLine(StepWords &words, const ParametricLineState &state)

@@ -2,6 +2,7 @@
 #include "core/methods/polygons/polygonnumbers.h"
 
 #include "core/methods/words/formulatext.h"
+#include "core/methods/words/placenumbers.h"
 
 namespace pixelplumb {
 
@@ -31,30 +32,18 @@ void appendCrossing(NumberTable<PolygonRowState> &table, PolygonForm form, std::
 {
     using Shown = ShownCrossing;
     const NumberTable<Shown> pattern = {
-        {{.id = QStringLiteral("x_#"),
-          .title = QStringLiteral("x%"),
-          .unit = QStringLiteral("px"),
-          .toolTip = QStringLiteral("Where edge e% meets the row; crossings ascend in x."),
-          .formula = QStringLiteral("x% = b% + t%·m%"),
-          .group = Group::Span,
-          .comparison = Comparison::WithExact},
+        {comparedNumber("x_#", "x%", "px", "Where edge e% meets the row; crossings ascend in x.",
+                        "x% = b% + t%·m%", Group::Span),
          [](const Shown &shown) { return shown.crossing.x; }},
-        {{.id = QStringLiteral("edge_#"),
-          .title = QStringLiteral("e%"),
-          .unit = {},
-          .toolTip
-          = QStringLiteral("The edge that crosses at x%: its place in %1, from 0.").arg(edges),
-          .formula = {},
-          .group = Group::Span},
+        {plainNumber(
+             "edge_#", "e%", {},
+             QStringLiteral("The edge that crosses at x%: its place in %1, from 0.").arg(edges), {},
+             Group::Span),
          [](const Shown &shown) { return Quantity::integer(Int128(shown.crossing.edge)); }},
-        {{.id = QStringLiteral("base_#"),
-          .title = QStringLiteral("b%"),
-          .unit = QStringLiteral("px"),
-          .toolTip = QStringLiteral("x of edge e% on the row before; on its first row, x of its "
-                                    "end of smaller y."),
-          .formula = {},
-          .group = Group::Decision,
-          .comparison = Comparison::WithExact},
+        {comparedNumber(
+             "base_#", "b%", "px",
+             "x of edge e% on the row before; on its first row, x of its end of smaller y.", {},
+             Group::Decision),
          [](const Shown &shown) { return shown.crossing.base; },
          [form](NumberDescription &number, const Shown &shown) {
              const CrossedEdge &edge = shown.edge;
@@ -63,27 +52,19 @@ void appendCrossing(NumberTable<PolygonRowState> &table, PolygonForm form, std::
              else if (edge.before)
                  number.formula = QStringLiteral("b% = x%1′").arg(subscriptAt(form, *edge.before));
          }},
-        {{.id = QStringLiteral("rise_#"),
-          .title = QStringLiteral("t%"),
-          .unit = QStringLiteral("rows"),
-          .toolTip = QStringLiteral("Rows from b% to this row: 1; on the first row of edge e%, "
-                                    "the pre-step from its end of smaller y."),
-          .formula = {},
-          .group = Group::Decision,
-          .comparison = Comparison::WithExact},
+        {comparedNumber(
+             "rise_#", "t%", "rows",
+             "Rows from b% to this row: 1; on the first row of edge e%, the pre-step from "
+             "its end of smaller y.",
+             {}, Group::Decision),
          [](const Shown &shown) { return shown.crossing.rise; },
          [](NumberDescription &number, const Shown &shown) {
              number.formula = shown.edge.begins
                  ? QStringLiteral("t% = y − ") + operand(pixels(shown.edge.low.y))
                  : QStringLiteral("t% = 1");
          }},
-        {{.id = QStringLiteral("slope_#"),
-          .title = QStringLiteral("m%"),
-          .unit = QStringLiteral("px/row"),
-          .toolTip = QStringLiteral("What x of edge e% gains from row to row."),
-          .formula = {},
-          .group = Group::Decision,
-          .comparison = Comparison::WithExact},
+        {comparedNumber("slope_#", "m%", "px/row", "What x of edge e% gains from row to row.", {},
+                        Group::Decision),
          [](const Shown &shown) { return shown.crossing.slope; },
          [](NumberDescription &number, const Shown &shown) {
              const CrossedEdge &edge = shown.edge;
@@ -119,24 +100,19 @@ void appendCrossing(NumberTable<PolygonRowState> &table, PolygonForm form, std::
 
 NumberDescription count(const QString &id, const QString &title, const QString &toolTip)
 {
-    return {.id = id, .title = title, .unit = {}, .toolTip = toolTip, .formula = {}};
+    return plainNumber(id, title, {}, toolTip);
 }
 
 /// Where edges cross, and what moving these corners onto the lattice does.
 void appendCrossingPoints(NumberTable<PolygonSetUp> &numbers)
 {
     numbers.push_back(
-        {count(QStringLiteral("crossing_points"), QStringLiteral("crossings"),
-               QStringLiteral("Corners of triangles where edges of the polygon cross, "
-                              "beside its own vertices.")),
+        {count("crossing_points", "crossings",
+               "Corners of triangles where edges of the polygon cross, beside its own vertices."),
          [](const PolygonSetUp &setUp) { return Quantity::integer(Int128(setUp.crossingCount)); }});
-    numbers.push_back({{.id = QStringLiteral("moved"),
-                        .title = QStringLiteral("moved"),
-                        .unit = QStringLiteral("px"),
-                        .toolTip = QStringLiteral("The farthest that a crossing was moved to the "
-                                                  "nearest multiple of 1/256 px: a sample so near "
-                                                  "to an edge may be wrong."),
-                        .formula = {}},
+    numbers.push_back({plainNumber("moved", "moved", "px",
+                                   "The farthest that a crossing was moved to the nearest multiple "
+                                   "of 1/256 px: a sample so near to an edge may be wrong."),
                        [](const PolygonSetUp &setUp) { return Quantity::of(setUp.largestMove); }});
 }
 
@@ -145,47 +121,35 @@ void appendCrossingPoints(NumberTable<PolygonSetUp> &numbers)
 NumberTable<PolygonSetUp> polygonSetUpNumbers(PolygonForm form)
 {
     NumberTable<PolygonSetUp> numbers = {
-        {count(QStringLiteral("contours"), QStringLiteral("contours"),
-               QStringLiteral("Closed chains of edges: outlines and holes.")),
+        {count("contours", "contours", "Closed chains of edges: outlines and holes."),
          [](const PolygonSetUp &setUp) { return Quantity::integer(Int128(setUp.contourCount)); }},
-        {count(QStringLiteral("edges"), QStringLiteral("edges"),
-               QStringLiteral("Edges of all contours.")),
+        {count("edges", "edges", "Edges of all contours."),
          [](const PolygonSetUp &setUp) { return Quantity::integer(Int128(setUp.edgeCount)); }},
-        {count(
-             QStringLiteral("horizontal"), QStringLiteral("horizontal"),
-             QStringLiteral("Edges that no row crosses, because they are horizontal; they are not "
-                            "in the edge table.")),
+        {count("horizontal", "horizontal",
+               "Edges that no row crosses, because they are horizontal; they are not in the edge "
+               "table."),
          [](const PolygonSetUp &setUp) {
              return Quantity::integer(Int128(setUp.horizontalEdges));
          }},
     };
     if (form == PolygonForm::Chords)
-        numbers.push_back({count(QStringLiteral("curves"), QStringLiteral("curves"),
-                                 QStringLiteral("Bézier pieces, whose chords the edges are.")),
+        numbers.push_back({count("curves", "curves", "Bézier pieces, whose chords the edges are."),
                            [](const PolygonSetUp &setUp) {
                                return Quantity::integer(Int128(setUp.curveCount));
                            }});
     if (isInTriangles(form))
-        numbers.push_back({count(QStringLiteral("triangles"), QStringLiteral("triangles"),
-                                 QStringLiteral("Triangles that the polygon is broken into.")),
-                           [](const PolygonSetUp &setUp) {
-                               return Quantity::integer(Int128(setUp.pieceCount));
-                           }});
+        numbers.push_back(
+            {count("triangles", "triangles", "Triangles that the polygon is broken into."),
+             [](const PolygonSetUp &setUp) {
+                 return Quantity::integer(Int128(setUp.pieceCount));
+             }});
     if (form == PolygonForm::CrossingTriangles)
         appendCrossingPoints(numbers);
     numbers.push_back(
-        {{.id = QStringLiteral("first_row"),
-          .title = QStringLiteral("y_first"),
-          .unit = QStringLiteral("px"),
-          .toolTip = QStringLiteral("The first row that an edge crosses."),
-          .formula = {}},
+        {plainNumber("first_row", "y_first", "px", "The first row that an edge crosses."),
          [](const PolygonSetUp &setUp) { return Quantity::integer(setUp.firstRow); }});
     numbers.push_back(
-        {{.id = QStringLiteral("last_row"),
-          .title = QStringLiteral("y_last"),
-          .unit = QStringLiteral("px"),
-          .toolTip = QStringLiteral("The last row that an edge crosses."),
-          .formula = {}},
+        {plainNumber("last_row", "y_last", "px", "The last row that an edge crosses."),
          [](const PolygonSetUp &setUp) { return Quantity::integer(setUp.endRow - 1); }});
     return numbers;
 }
@@ -193,47 +157,37 @@ NumberTable<PolygonSetUp> polygonSetUpNumbers(PolygonForm form)
 NumberTable<PolygonRowState> polygonRowNumbers(PolygonForm form)
 {
     NumberTable<PolygonRowState> numbers = {
-        {count(QStringLiteral("polygon"), QStringLiteral("poly"),
-               QStringLiteral("The primitive's place in drawing order, from 0.")),
+        {count("polygon", "poly", "The primitive's place in drawing order, from 0."),
          [](const PolygonRowState &row) { return Quantity::integer(Int128(row.primitive)); }},
-        {{.id = QStringLiteral("y"),
-          .title = QStringLiteral("y"),
-          .unit = QStringLiteral("px"),
-          .toolTip = QStringLiteral("The row."),
-          .formula = {}},
+        {plainNumber("y", "y", "px", "The row."),
          [](const PolygonRowState &row) { return Quantity::integer(row.y); }},
     };
     if (isInTriangles(form)) {
         numbers.push_back(
-            {count(QStringLiteral("triangle"), QStringLiteral("tri"),
-                   QStringLiteral("Which of the polygon's triangles the row belongs to, from 0.")),
+            {count("triangle", "tri",
+                   "Which of the polygon's triangles the row belongs to, from 0."),
              [](const PolygonRowState &row) { return Quantity::integer(row.piece); }});
         numbers.push_back(
-            {{.id = QStringLiteral("pixels"),
-              .title = QStringLiteral("px"),
-              .unit = {},
-              .toolTip = QStringLiteral("Pixels written in this row of the triangle, "
-                                        "inside the frame: from ⌈x_L⌉ to ⌈x_R⌉ − 1."),
-              .formula = {},
-              .group = Group::Span},
+            {plainNumber("pixels", "px", {},
+                         "Pixels written in this row of the triangle, inside the frame: from ⌈x_L⌉ "
+                         "to ⌈x_R⌉ − 1.",
+                         {}, Group::Span),
              [](const PolygonRowState &row) { return Quantity::integer(row.drawnSamples()); }});
-        const QString edges = QStringLiteral("the row's triangle");
-        appendCrossing(numbers, form, 0, QStringLiteral("L"), edges);
-        appendCrossing(numbers, form, 1, QStringLiteral("R"), edges);
+        const QString edges = "the row's triangle";
+        appendCrossing(numbers, form, 0, "L", edges);
+        appendCrossing(numbers, form, 1, "R", edges);
         return numbers;
     }
     numbers.push_back(
-        {{.id = QStringLiteral("active"),
-          .title = QStringLiteral("n"),
-          .unit = {},
-          .toolTip = QStringLiteral("Active edges: those that the row crosses. The "
-                                    "first %1 stand in the table.")
-                         .arg(shownCrossings(form)),
-          .formula = {},
-          .group = Group::Span},
+        {plainNumber(
+             "active", "n", {},
+             QStringLiteral(
+                 "Active edges: those that the row crosses. The first %1 stand in the table.")
+                 .arg(shownCrossings(form)),
+             {}, Group::Span),
          [](const PolygonRowState &row) { return Quantity::integer(Int128(row.crossingCount)); }});
     for (std::size_t i = 0; i < shownCrossings(form); ++i)
-        appendCrossing(numbers, form, i, QString::number(i), QStringLiteral("the contours"));
+        appendCrossing(numbers, form, i, QString::number(i), "the contours");
     return numbers;
 }
 
@@ -242,50 +196,29 @@ NumberTable<PolygonSampleState> polygonSampleNumbers(PolygonForm form)
     if (isInTriangles(form))
         return {};
     return {
-        {{.id = QStringLiteral("downward"),
-          .title = QStringLiteral("d"),
-          .unit = {},
-          .toolTip = QStringLiteral("Crossings at or to the left of the sample by edges that run "
-                                    "downward; they have the sample at their left."),
-          .formula = {},
-          .group = Group::Decision,
-          .comparison = Comparison::WithExact},
+        {comparedNumber(
+             "downward", "d", {},
+             "Crossings at or to the left of the sample by edges that run downward; they "
+             "have the sample at their left.",
+             {}, Group::Decision),
          [](const PolygonSampleState &sample) { return Quantity::integer(sample.downward); }},
-        {{.id = QStringLiteral("upward"),
-          .title = QStringLiteral("u"),
-          .unit = {},
-          .toolTip = QStringLiteral("Crossings at or to the left of the sample by edges that run "
-                                    "upward; they have the sample at their right."),
-          .formula = {},
-          .group = Group::Decision,
-          .comparison = Comparison::WithExact},
+        {comparedNumber("upward", "u", {},
+                        "Crossings at or to the left of the sample by edges that run upward; they "
+                        "have the sample at their right.",
+                        {}, Group::Decision),
          [](const PolygonSampleState &sample) { return Quantity::integer(sample.upward); }},
-        {{.id = QStringLiteral("crossings"),
-          .title = QStringLiteral("c"),
-          .unit = {},
-          .toolTip = QStringLiteral("Crossings of the row at or to the left of the sample."),
-          .formula = QStringLiteral("c = d + u"),
-          .group = Group::Decision,
-          .comparison = Comparison::WithExact},
+        {comparedNumber("crossings", "c", {},
+                        "Crossings of the row at or to the left of the sample.", "c = d + u",
+                        Group::Decision),
          [](const PolygonSampleState &sample) { return Quantity::integer(sample.crossings); }},
-        {{.id = QStringLiteral("parity"),
-          .title = QStringLiteral("p"),
-          .unit = {},
-          .toolTip
-          = QStringLiteral("Their parity; by even-odd the sample is inside where it is 1."),
-          .formula = QStringLiteral("p = c mod 2"),
-          .group = Group::Decision,
-          .comparison = Comparison::WithExact},
+        {comparedNumber("parity", "p", {},
+                        "Their parity; by even-odd the sample is inside where it is 1.",
+                        "p = c mod 2", Group::Decision),
          [](const PolygonSampleState &sample) { return Quantity::integer(sample.crossings % 2); }},
-        {{.id = QStringLiteral("winding"),
-          .title = QStringLiteral("w"),
-          .unit = {},
-          .toolTip
-          = QStringLiteral("The winding number, 1 inside a contour that turns counter-clockwise; "
-                           "by non-zero the sample is inside where it is not 0."),
-          .formula = QStringLiteral("w = d − u"),
-          .group = Group::Decision,
-          .comparison = Comparison::WithExact},
+        {comparedNumber("winding", "w", {},
+                        "The winding number, 1 inside a contour that turns counter-clockwise; by "
+                        "non-zero the sample is inside where it is not 0.",
+                        "w = d − u", Group::Decision),
          [](const PolygonSampleState &sample) { return Quantity::integer(sample.winding); }},
     };
 }

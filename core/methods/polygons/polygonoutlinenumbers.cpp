@@ -2,6 +2,7 @@
 #include "core/methods/polygons/polygonoutlinenumbers.h"
 
 #include "core/methods/lines/linewords.h"
+#include "core/methods/words/placenumbers.h"
 
 namespace pixelplumb {
 
@@ -9,20 +10,18 @@ namespace {
 
 NumberDescription outlineCount(const QString &id, const QString &title, const QString &toolTip)
 {
-    return {.id = id, .title = title, .unit = {}, .toolTip = toolTip, .formula = {}};
+    return plainNumber(id, title, {}, toolTip);
 }
 
 } // namespace
 
 NumberTable<PolygonOutlineSetUp> polygonOutlineSetUpNumbers()
 {
-    return {{outlineCount(QStringLiteral("contours"), QStringLiteral("contours"),
-                          QStringLiteral("Closed chains of edges: outlines and holes.")),
+    return {{outlineCount("contours", "contours", "Closed chains of edges: outlines and holes."),
              [](const PolygonOutlineSetUp &setUp) {
                  return Quantity::integer(Int128(setUp.contourCount));
              }},
-            {outlineCount(QStringLiteral("edges"), QStringLiteral("edges"),
-                          QStringLiteral("Edges of all contours: as many lines.")),
+            {outlineCount("edges", "edges", "Edges of all contours: as many lines."),
              [](const PolygonOutlineSetUp &setUp) {
                  return Quantity::integer(Int128(setUp.edgeCount));
              }}};
@@ -31,9 +30,8 @@ NumberTable<PolygonOutlineSetUp> polygonOutlineSetUpNumbers()
 NumberTable<PolygonOutlineState> polygonOutlineNumbers()
 {
     NumberTable<PolygonOutlineState> table
-        = {{outlineCount(
-                QStringLiteral("edge"), QStringLiteral("e"),
-                QStringLiteral("The edge whose line this is: its place in the contours, from 0.")),
+        = {{outlineCount("edge", "e",
+                         "The edge whose line this is: its place in the contours, from 0."),
             [](const PolygonOutlineState &step) { return Quantity::integer(Int128(step.edge)); }}};
     for (const NumberRow<DecisionState> &row : decisionNumbers())
         table.push_back({row.description, row.read, row.specify});

@@ -16,9 +16,8 @@ Method polygonMethod(Method method)
     method.stableArithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::TopLeft};
     method.fillRuleReason
-        = QStringLiteral("a sample on the boundary of a polygon is in or out by the parity of "
-                         "crossings, which is certain only for a sample displaced to the right "
-                         "and a little downward");
+        = "a sample on the boundary of a polygon is in or out by the parity of crossings, which is "
+          "certain only for a sample displaced to the right and a little downward";
     return method;
 }
 
@@ -37,42 +36,38 @@ std::vector<RuledLine> yDown(const QString &text)
 Pseudocode crossingLines(int depth)
 {
     const auto active = [](const QString &condition) {
-        return QStringLiteral("for each edge k from (x₀, y₀) to (x₁, y₁) with %1: — the active "
-                              "edges")
+        return QStringLiteral(
+                   "for each edge k from (x₀, y₀) to (x₁, y₁) with %1: — the active edges")
             .arg(condition);
     };
-    return {{depth, QStringLiteral("for each row y from y_first to y_last:"), {Begin, Span}},
+    return {{depth, "for each row y from y_first to y_last:", {Begin, Span}},
             {depth + 1,
-             active(QStringLiteral("y₀ < y ≤ y₁, or y₁ < y ≤ y₀")),
+             active("y₀ < y ≤ y₁, or y₁ < y ≤ y₀"),
              {Begin, Span},
              {},
              {},
-             yDown(active(QStringLiteral("y₀ ≤ y < y₁, or y₁ ≤ y < y₀")))},
-            {depth + 2,
-             QStringLiteral("where it begins: x_k ← x₀ + (y − y₀)·(x₁ − x₀)/(y₁ − y₀)"),
-             {Begin, Span}},
-            {depth + 2, QStringLiteral("else: x_k ← x_k + (x₁ − x₀)/(y₁ − y₀)"), {Begin, Span}}};
+             yDown(active("y₀ ≤ y < y₁, or y₁ ≤ y < y₀"))},
+            {depth + 2, "where it begins: x_k ← x₀ + (y − y₀)·(x₁ − x₀)/(y₁ − y₀)", {Begin, Span}},
+            {depth + 2, "else: x_k ← x_k + (x₁ − x₀)/(y₁ − y₀)", {Begin, Span}}};
 }
 
 Pseudocode parityPseudocode()
 {
     const std::vector<Moment> samples = {First, Next, Refused};
     const auto counted = [](QChar sign) {
-        return QStringLiteral("for each edge k of them with x_k ≤ x: c, w ← c + 1, w + 1 if y₁ %1 "
-                              "y₀, else c + 1, w − 1 — w, the winding number, is 1 more where it "
-                              "runs downward")
+        return QStringLiteral(
+                   "for each edge k of them with x_k ≤ x: c, w ← c + 1, w + 1 if y₁ %1 y₀, else c "
+                   "+ 1, w − 1 — w, the winding number, is 1 more where it runs downward")
             .arg(sign);
     };
-    Pseudocode code
-        = {{0, QStringLiteral("edges ← those of the contours that are not horizontal"), {SetUp}},
-           {0, QStringLiteral("if no sample is to be drawn: done"), {Rejected}}};
+    Pseudocode code = {{0, "edges ← those of the contours that are not horizontal", {SetUp}},
+                       {0, "if no sample is to be drawn: done", {Rejected}}};
     std::ranges::move(crossingLines(0), std::back_inserter(code));
-    code.push_back({1, QStringLiteral("for each x from ⌈min x_k⌉ to ⌈max x_k⌉ − 1:"), samples});
-    code.push_back({2, QStringLiteral("c, w ← 0, 0"), samples});
+    code.push_back({1, "for each x from ⌈min x_k⌉ to ⌈max x_k⌉ − 1:", samples});
+    code.push_back({2, "c, w ← 0, 0", samples});
     code.push_back({2, counted(u'<'), samples, {}, {}, yDown(counted(u'>'))});
     code.push_back({2,
-                    QStringLiteral("if c mod 2 = 1 by even-odd, or w ≠ 0 by non-zero: pixel (x, y) "
-                                   "← colour"),
+                    "if c mod 2 = 1 by even-odd, or w ≠ 0 by non-zero: pixel (x, y) ← colour",
                     {First, Next}});
     return code;
 }
@@ -80,18 +75,15 @@ Pseudocode parityPseudocode()
 Method polygonParityMethod()
 {
     Method method = polygonMethod(methodOf<ParityKernel>());
-    method.id = QStringLiteral("polygon-parity");
-    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Polygon by parity"));
-    method.source = QStringLiteral("Scan Conversion slides, “Scan Conversion: A General "
-                                   "Algorithm”");
+    method.id = "polygon-parity";
+    method.title = QT_TRANSLATE_NOOP("core", "Polygon by parity");
+    method.source = "Scan Conversion slides, “Scan Conversion: A General Algorithm”";
     method.pseudocode = parityPseudocode();
-    method.summary = QStringLiteral(
-        QT_TRANSLATE_NOOP("core",
-                          "Intersects each row with the active edges, sorts the "
-                          "crossings in x, and fills by their parity or winding number."));
-    method.remarks
-        = {QStringLiteral("concave"), QStringLiteral("self-crossing"), QStringLiteral("holes"),
-           QStringLiteral("even-odd"), QStringLiteral("non-zero")};
+    method.summary
+        = QT_TRANSLATE_NOOP("core",
+                            "Intersects each row with the active edges, sorts the crossings in x, "
+                            "and fills by their parity or winding number.");
+    method.remarks = {"concave", "self-crossing", "holes", "even-odd", "non-zero"};
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
     return method;
 }

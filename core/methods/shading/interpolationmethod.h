@@ -61,8 +61,8 @@ Method plainInterpolationMethod()
     }
     method.fillRules
         = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::TopLeft, FillRule::Open};
-    method.fillRuleReason = QStringLiteral("a column's bounds tell how their edges run, but not "
-                                           "on which side the off-screen point lies");
+    method.fillRuleReason = "a column's bounds tell how their edges run, but not on which side the "
+                            "off-screen point lies";
     return method;
 }
 

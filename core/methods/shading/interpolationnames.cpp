@@ -34,27 +34,8 @@ NumberDescription halfNumberOf(InterpolationForm form)
 {
     NumberDescription half = halfNumber();
     if (!isBilinear(form))
-        half.toolTip = QStringLiteral("1: up to the middle vertex; 2: from there on.");
+        half.toolTip = "1: up to the middle vertex; 2: from there on.";
     return half;
-}
-
-NumberDescription plainNumber(const QString &id, const QString &title, const QString &unit,
-                              const QString &toolTip, const QString &formula, NumberGroup group)
-{
-    return {.id = id,
-            .title = title,
-            .unit = unit,
-            .toolTip = toolTip,
-            .formula = formula,
-            .group = group};
-}
-
-NumberDescription comparedNumber(const QString &id, const QString &title, const QString &unit,
-                                 const QString &toolTip, const QString &formula, NumberGroup group)
-{
-    NumberDescription number = plainNumber(id, title, unit, toolTip, formula, group);
-    number.comparison = Comparison::WithExact;
-    return number;
 }
 
 } // namespace pixelplumb

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/methods/edgewalknames.h"
+#include "core/methods/words/placenumbers.h"
 #include "core/scan/interpolation/interpolationnumbers.h"
-#include "core/trace/numberdescription.h"
 
 /// The names of an interpolation's channels and of the numbers made from them.
 namespace pixelplumb {
@@ -21,11 +21,5 @@ EdgeWalkNames walkNames(InterpolationForm form);
 
 /// Between which two edges a column lies: without their names where vertices are not sorted.
 NumberDescription halfNumberOf(InterpolationForm form);
-
-/// A number shown alone, or next to the exact one.
-NumberDescription plainNumber(const QString &id, const QString &title, const QString &unit,
-                              const QString &toolTip, const QString &formula, NumberGroup group);
-NumberDescription comparedNumber(const QString &id, const QString &title, const QString &unit,
-                                 const QString &toolTip, const QString &formula, NumberGroup group);
 
 } // namespace pixelplumb

@@ -19,31 +19,27 @@ QString coefficientsText(InterpolationForm form)
     case InterpolationForm::BilinearRows:
         return QStringLiteral("δ ← what each {span} adds to it along L₀₁, L₁₂ and L₀₂");
     case InterpolationForm::Plane:
-        return QStringLiteral(
-            "a, b, c ← of the plane through its values at the three vertices — on "
-            "a segment, along it");
+        return QStringLiteral("a, b, c ← of the plane through its values at the three vertices — "
+                              "on a segment, along it");
     case InterpolationForm::Barycentric:
         break;
     }
-    return QStringLiteral(
-        "a, b, c ← of each weight α, β, γ: 1 at its own vertex, 0 at the others — "
-        "on a segment, along it");
+    return QStringLiteral("a, b, c ← of each weight α, β, γ: 1 at its own vertex, 0 at the others "
+                          "— on a segment, along it");
 }
 
 /// How each sample gets its values.
 Pseudocode valueLines(InterpolationForm form)
 {
     if (isBilinear(form))
-        return {{2,
-                 QStringLiteral("the first: each value v ← v_{lo}, moved on to this sample"),
-                 {First}},
-                {2, QStringLiteral("else: v ← v + Δv"), {Next}}};
+        return {{2, "the first: each value v ← v_{lo}, moved on to this sample", {First}},
+                {2, "else: v ← v + Δv", {Next}}};
     if (form == InterpolationForm::Plane)
-        return {{2, QStringLiteral("each value v ← a·x + b·y + c"), {First, Next}}};
-    return {{2, QStringLiteral("α, β, γ ← a·x + b·y + c, of each its own"), {First, Next}},
+        return {{2, "each value v ← a·x + b·y + c", {First, Next}}};
+    return {{2, "α, β, γ ← a·x + b·y + c, of each its own", {First, Next}},
             {2,
-             QStringLiteral("each value v ← α·v₀ + β·v₁ + γ·v₂; a colour, alpha or z that is the "
-                            "same at all three: v ← v₀"),
+             "each value v ← α·v₀ + β·v₁ + γ·v₂; a colour, alpha or z that is the same at all "
+             "three: v ← v₀",
              {First, Next}}};
 }
 
@@ -60,36 +56,30 @@ QString sortingText(InterpolationForm form)
 
 Pseudocode columnLines(InterpolationForm form)
 {
-    Pseudocode code
-        = {{0, sortingText(form), {SetUp}},
-           {0,
-            isBilinear(form) ? QStringLiteral("m ← the slopes of L₀₁, L₁₂ and L₀₂")
-                             : QStringLiteral("m ← the slopes of the three edges"),
-            {SetUp}},
-           {0, QStringLiteral("of each value that is carried: ") + coefficientsText(form), {SetUp}},
-           {0, QStringLiteral("if no sample is to be drawn: done"), {Rejected}},
-           {0,
-            isBilinear(form)
-                ? QStringLiteral("for each {span} that the fill rule takes, with L₀₁ up to P₁, "
-                                 "with L₁₂ from there, and L₀₂:")
-                : QStringLiteral("for each {span} that the fill rule takes, with the long edge "
-                                 "and, up to the middle vertex and from there, a short one:"),
-            {Begin, Span}},
-           {1,
-            QStringLiteral("where an edge begins: its {a} in this {span}, from its vertex"),
-            {Begin}},
-           {1,
-            QStringLiteral("else: {a}_{lo} ← {a}_{lo} + m_{lo}, {a}_{hi} ← {a}_{hi} "
-                           "+ m_{hi}, exactly"),
-            {Span}}};
+    Pseudocode code = {
+        {0, sortingText(form), {SetUp}},
+        {0,
+         isBilinear(form) ? QStringLiteral("m ← the slopes of L₀₁, L₁₂ and L₀₂")
+                          : QStringLiteral("m ← the slopes of the three edges"),
+         {SetUp}},
+        {0, QStringLiteral("of each value that is carried: ") + coefficientsText(form), {SetUp}},
+        {0, "if no sample is to be drawn: done", {Rejected}},
+        {0,
+         isBilinear(form)
+             ? QStringLiteral("for each {span} that the fill rule takes, with L₀₁ up to P₁, with "
+                              "L₁₂ from there, and L₀₂:")
+             : QStringLiteral("for each {span} that the fill rule takes, with the long edge and, "
+                              "up to the middle vertex and from there, a short one:"),
+         {Begin, Span}},
+        {1, "where an edge begins: its {a} in this {span}, from its vertex", {Begin}},
+        {1, "else: {a}_{lo} ← {a}_{lo} + m_{lo}, {a}_{hi} ← {a}_{hi} + m_{hi}, exactly", {Span}}};
     if (isBilinear(form))
         code.push_back({1,
-                        QStringLiteral("of each value: v_{lo} and v_{hi} likewise, and if {a}_{lo} "
-                                       "< {a}_{hi}: Δv ← (v_{hi} − v_{lo})/({a}_{hi} − {a}_{lo})"),
+                        "of each value: v_{lo} and v_{hi} likewise, and if {a}_{lo} < {a}_{hi}: Δv "
+                        "← (v_{hi} − v_{lo})/({a}_{hi} − {a}_{lo})",
                         {Begin, Span}});
     code.push_back({1,
-                    QStringLiteral("for each {across} from {a}_{lo} to {a}_{hi} "
-                                   "that the fill rule takes:"),
+                    "for each {across} from {a}_{lo} to {a}_{hi} that the fill rule takes:",
                     {First, Next}});
     return code;
 }
@@ -109,20 +99,16 @@ void addCoefficients(WalkListing &listing, InterpolationForm form)
     listing.add(0, QStringLiteral("A ← ") + doubledAreaText(), {SetUp}, LineOf::Area);
     if (form == InterpolationForm::Barycentric) {
         listing.add(
-            0,
-            QStringLiteral("a_α, b_α, c_α ← (y₁ − y₂)/A, (x₂ − x₁)/A, (x₁·y₂ − x₂·y₁)/A; a_β "
-                           "and a_γ likewise"),
+            0, "a_α, b_α, c_α ← (y₁ − y₂)/A, (x₂ − x₁)/A, (x₁·y₂ − x₂·y₁)/A; a_β and a_γ likewise",
             {SetUp}, LineOf::Area);
         return;
     }
-    const auto change
-        = [](QChar axis) { return planeSlope(axis, QStringLiteral("A")).replace(u'%', u'v'); };
-    listing.add(
-        0,
-        QStringLiteral("for each value v of R, G, B: a_v ← %1; b_v ← %2; c_v ← v₀ − a_v·x₀ − "
-                       "b_v·y₀")
-            .arg(change(u'x'), change(u'y')),
-        {SetUp}, LineOf::Area);
+    const auto change = [](QChar axis) { return planeSlope(axis, "A").replace(u'%', u'v'); };
+    listing.add(0,
+                QStringLiteral(
+                    "for each value v of R, G, B: a_v ← %1; b_v ← %2; c_v ← v₀ − a_v·x₀ − b_v·y₀")
+                    .arg(change(u'x'), change(u'y')),
+                {SetUp}, LineOf::Area);
 }
 
 Pseudocode withSamples(Pseudocode code, InterpolationForm form)
@@ -132,19 +118,17 @@ Pseudocode withSamples(Pseudocode code, InterpolationForm form)
         code.push_back({.depth = 2, .text = text, .moments = samples, .of = of});
     };
     if (form == InterpolationForm::Barycentric) {
-        add(QStringLiteral("α ← a_α·x + b_α·y + c_α; β and γ likewise"), LineOf::Area);
-        add(QStringLiteral("R ← α·R₀ + β·R₁ + γ·R₂; G and B likewise"), LineOf::Area);
-        add(QStringLiteral("if R₀ = R₁ = R₂ and G₀ = G₁ = G₂ and B₀ = B₁ = B₂: R ← R₀; G and B "
-                           "likewise"),
+        add("α ← a_α·x + b_α·y + c_α; β and γ likewise", LineOf::Area);
+        add("R ← α·R₀ + β·R₁ + γ·R₂; G and B likewise", LineOf::Area);
+        add("if R₀ = R₁ = R₂ and G₀ = G₁ = G₂ and B₀ = B₁ = B₂: R ← R₀; G and B likewise",
             LineOf::Area);
     } else {
-        add(QStringLiteral("for each value v of R, G, B: v ← a_v·x + b_v·y + c_v"), LineOf::Area);
+        add("for each value v of R, G, B: v ← a_v·x + b_v·y + c_v", LineOf::Area);
     }
-    add(QStringLiteral(
-            "t ← (x − x_l)/(x_r − x_l) if x_l < x_r, else (y − y_l)/(y_r − y_l) if y_l < "
-            "y_r, else 0; R ← R_l + t·(R_r − R_l); G and B likewise"),
+    add("t ← (x − x_l)/(x_r − x_l) if x_l < x_r, else (y − y_l)/(y_r − y_l) if y_l < y_r, else 0; "
+        "R ← R_l + t·(R_r − R_l); G and B likewise",
         LineOf::Segment);
-    add(QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), LineOf::EveryPrimitive);
+    add("pixel (x, y) ← the bytes of R, G, B", LineOf::EveryPrimitive);
     return code;
 }
 
@@ -189,9 +173,8 @@ Pseudocode shadedPseudocode(InterpolationForm form)
     code.insert(columns + 1, everyColumn);
     code.insert(code.begin() + 2,
                 {0,
-                 QStringLiteral("divide what the vertices carry by their w, but for z and a "
-                                "colour or alpha that is the same at all of them; 1/w is "
-                                "carried, too, as 1 if nothing is divided"),
+                 "divide what the vertices carry by their w, but for z and a colour or alpha that "
+                 "is the same at all of them; 1/w is carried, too, as 1 if nothing is divided",
                  {SetUp},
                  Effect::Perspective});
     const std::vector<Moment> atSamples = {First, Next, Refused};
@@ -201,12 +184,10 @@ Pseudocode shadedPseudocode(InterpolationForm form)
               code.push_back({1, text, atSamples});
               code.back().antialiasing = antialiasing;
           };
-    appendLoop(QStringLiteral("for each sample of the {span} that lies in the triangle by the fill "
-                              "rule, the centre of a pixel, or of one that an edge meets its 4 or "
-                              "16:"),
+    appendLoop("for each sample of the {span} that lies in the triangle by the fill rule, the "
+               "centre of a pixel, or of one that an edge meets its 4 or 16:",
                several);
-    appendLoop(QStringLiteral("for each {across} in which the triangle covers a part of the "
-                              "pixel's square:"),
+    appendLoop("for each {across} in which the triangle covers a part of the pixel's square:",
                area);
     for (PseudocodeLine line : valueLines(form)) {
         // A sample hidden by the depth test has its values, too.
@@ -216,13 +197,13 @@ Pseudocode shadedPseudocode(InterpolationForm form)
         code.push_back(line);
     }
     if (isBilinear(form)) {
-        code.push_back({2, QStringLiteral("each value v ← that of its plane here"), atSamples});
+        code.push_back({2, "each value v ← that of its plane here", atSamples});
         code.back().antialiasing = everyColumn.antialiasing;
     }
-    code.push_back({2,
-                    QStringLiteral("if 1/w ≤ 0: on to the next sample — it lies beyond the horizon "
-                                   "of the triangle's plane"),
-                    atSamples, Effect::Perspective});
+    code.push_back(
+        {2,
+         "if 1/w ≤ 0: on to the next sample — it lies beyond the horizon of the triangle's plane",
+         atSamples, Effect::Perspective});
     code.back().antialiasing = area;
     const auto append = [&](const QString &text, std::optional<Effect> effect,
                             const std::vector<Antialiasing> &antialiasing = {}) {
@@ -230,28 +211,24 @@ Pseudocode shadedPseudocode(InterpolationForm form)
         code.back().antialiasing = antialiasing;
     };
     code.push_back({2,
-                    QStringLiteral("if z is greater than the depth that stands here: on to the "
-                                   "next sample; else the depth ← z"),
+                    "if z is greater than the depth that stands here: on to the next sample; else "
+                    "the depth ← z",
                     atSamples, Effect::Depth});
-    append(QStringLiteral("each value v that was divided ← (v/w)/(1/w)"), Effect::Perspective);
-    append(QStringLiteral("colour ← the bytes of R, G, B"), {});
-    append(QStringLiteral("colour ← ⌊colour·t/255 + ½⌋ with the texel t at (u, v)"),
-           Effect::Texture);
-    append(QStringLiteral("colour ← ambient and, of each light, the diffuse and specular term"),
-           Effect::Light);
+    append("each value v that was divided ← (v/w)/(1/w)", Effect::Perspective);
+    append("colour ← the bytes of R, G, B", {});
+    append("colour ← ⌊colour·t/255 + ½⌋ with the texel t at (u, v)", Effect::Texture);
+    append("colour ← ambient and, of each light, the diffuse and specular term", Effect::Light);
     const auto blended = QStringLiteral("colour ← ⌊(colour·a + %1·(255 − a))/255 + ½⌋");
     const QString overPixel = blended.arg(QStringLiteral("pixel"));
     const auto ofAlpha = QStringLiteral(" — a is the byte of A");
     append(overPixel + ofAlpha, Effect::Blending, one);
     append(blended.arg(QStringLiteral("sample")) + ofAlpha, Effect::Blending, several);
-    append(
-        QStringLiteral("a ← ⌊a·area + ½⌋ — area is the covered part of the pixel's square, a was "
-                       "the byte of A, 255 where nothing is blended"),
-        {}, area);
+    append("a ← ⌊a·area + ½⌋ — area is the covered part of the pixel's square, a was the byte of "
+           "A, 255 where nothing is blended",
+           {}, area);
     append(overPixel, {}, area);
-    append(QStringLiteral("pixel (x, y) ← colour"), {}, {Antialiasing::None, Antialiasing::Area});
-    append(QStringLiteral("sample ← colour; pixel (x, y) ← the mean of its samples, ⌊Σ/n + ½⌋"), {},
-           several);
+    append("pixel (x, y) ← colour", {}, {Antialiasing::None, Antialiasing::Area});
+    append("sample ← colour; pixel (x, y) ← the mean of its samples, ⌊Σ/n + ½⌋", {}, several);
     return inLettersOf(form, std::move(code));
 }
 

@@ -46,9 +46,8 @@ void tellInterpolated(StepWords &words, const ShadedSpanState &state, Interpolat
         || !state.walk.start.hasPlane)
         return;
     words.sentence = walkNames(form)
-                         .filled(QStringLiteral("{a}_{lo} = {a}_{hi} = %1: the {span} is the "
-                                                "{across} %2 alone, and there is no change to "
-                                                "share out, and no Δ."))
+                         .filled("{a}_{lo} = {a}_{hi} = %1: the {span} is the {across} %2 alone, "
+                                 "and there is no change to share out, and no Δ.")
                          .arg(term(state.lower))
                          .arg(state.firstDrawn);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/methods/shading/interpolation.h"
+#include "core/methods/methodrows.h"
 #include "core/methods/shading/interpolationtraces.h"
 
 namespace pixelplumb {
@@ -7,13 +7,12 @@ namespace pixelplumb {
 Method planeInterpolationMethod()
 {
     Method method = interpolationMethod<InterpolationForm::Plane, ShadedMethod::Plane>();
-    method.id = QStringLiteral("interpolate-plane");
-    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Plane equation"));
-    method.source = QStringLiteral("Scan Conversion slides, “2. Plane Equation”");
-    method.summary = QStringLiteral(
-        QT_TRANSLATE_NOOP("core",
-                          "Evaluates v = a·x + b·y + c of the plane through the three "
-                          "values at each sample; what is covered is exact."));
+    method.id = "interpolate-plane";
+    method.title = QT_TRANSLATE_NOOP("core", "Plane equation");
+    method.source = "Scan Conversion slides, “2. Plane Equation”";
+    method.summary = QT_TRANSLATE_NOOP("core",
+                                       "Evaluates v = a·x + b·y + c of the plane through the three "
+                                       "values at each sample; what is covered is exact.");
     return method;
 }
 
@@ -21,14 +20,13 @@ Method barycentricInterpolationMethod()
 {
     Method method
         = interpolationMethod<InterpolationForm::Barycentric, ShadedMethod::Barycentric>();
-    method.id = QStringLiteral("interpolate-barycentric");
-    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Barycentric interpolation"));
-    method.source = QStringLiteral("Scan Conversion slides, “3. Barycentric Coordinates” and "
-                                   "“Computing Barycentric Coordinates”");
-    method.summary = QStringLiteral(
-        QT_TRANSLATE_NOOP("core",
-                          "Weights the three vertices' values with α, β and γ at each "
-                          "sample; what is covered is exact."));
+    method.id = "interpolate-barycentric";
+    method.title = QT_TRANSLATE_NOOP("core", "Barycentric interpolation");
+    method.source = "Scan Conversion slides, “3. Barycentric Coordinates” and “Computing "
+                    "Barycentric Coordinates”";
+    method.summary = QT_TRANSLATE_NOOP("core",
+                                       "Weights the three vertices' values with α, β and γ at each "
+                                       "sample; what is covered is exact.");
     return method;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/shading/interpolationnames.h"
 #include "core/methods/shading/shadednumbers.h"
+#include "core/methods/words/placenumbers.h"
 #include "core/methods/words/units.h"
 #include "core/space/materialcolour.h"
 
@@ -86,9 +87,8 @@ void appendUnit(NumberTable<ShadedSampleState> &table, const QString &name, cons
 
 void appendNormal(NumberTable<ShadedSampleState> &table)
 {
-    appendLit(table, QStringLiteral("|N|"),
-              QStringLiteral("The length of the normal N as it was interpolated."),
-              QStringLiteral("|N| = √(N_x² + N_y² + N_z²)"),
+    appendLit(table, "|N|", "The length of the normal N as it was interpolated.",
+              "|N| = √(N_x² + N_y² + N_z²)",
               [](const ShadedSampleState &state) { return state.normalLength; });
     for (std::size_t i = 0; i < lightAxes.size(); ++i) {
         const QString title = QStringLiteral("n_") + lightAxes[i];
@@ -167,12 +167,7 @@ void appendGiven(NumberTable<ShadedSetUpState> &table, const QString &title, con
                  const QString &toolTip,
                  const std::function<Quantity(const ShadedSetUpState &)> &read)
 {
-    table.push_back({{.id = title,
-                      .title = title,
-                      .unit = unit,
-                      .toolTip = toolTip,
-                      .formula = {},
-                      .group = NumberGroup::ColourRates},
+    table.push_back({plainNumber(title, title, unit, toolTip, {}, NumberGroup::ColourRates),
                      [read](const ShadedSetUpState &state) {
                          return state.effects.light ? read(state) : Quantity();
                      }});
@@ -222,15 +217,12 @@ void appendLightSources(NumberTable<ShadedSetUpState> &table,
         appendColour(table, QStringLiteral("light_%1").arg(i),
                      QStringLiteral("The colour of light %1").arg(i), always(light.colour));
     }
-    appendColour(table, QStringLiteral("ambient_"), QStringLiteral("Light from everywhere"),
-                 always(appearance->ambient));
-    appendColour(table, QStringLiteral("specular_"),
-                 QStringLiteral("What the material reflects as a highlight"),
+    appendColour(table, "ambient_", "Light from everywhere", always(appearance->ambient));
+    appendColour(table, "specular_", "What the material reflects as a highlight",
                  [appearance](const ShadedSetUpState &state) {
                      return materialOf(*appearance, state.material).specular;
                  });
-    appendGiven(table, QStringLiteral("shininess"), {},
-                QStringLiteral("The exponent of the material's highlight."),
+    appendGiven(table, "shininess", {}, "The exponent of the material's highlight.",
                 [appearance](const ShadedSetUpState &state) {
                     return Quantity::integer(materialOf(*appearance, state.material).shininess);
                 });
@@ -240,7 +232,7 @@ void appendLight(NumberTable<ShadedSampleState> &table, const ShadedScope &scope
 {
     const Appearance &appearance = *scope.appearance;
     appendNormal(table);
-    appendUnit(table, QStringLiteral("V_"), QStringLiteral("The way to the viewer"),
+    appendUnit(table, "V_", "The way to the viewer",
                wayFormula(appearance.viewerKind, viewerName(appearance.viewerKind), {}),
                [](const ShadedSampleState &state) -> const OfAxes & { return state.toViewer; });
     const std::size_t lights = std::min(appearance.lights.size(), mostLights);

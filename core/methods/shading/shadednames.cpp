@@ -8,11 +8,8 @@ namespace pixelplumb {
 
 const QString &shadedName(Channel channel)
 {
-    static const PerChannel<QString> names = {
-        QStringLiteral("R"),   QStringLiteral("G"),   QStringLiteral("B"),   QStringLiteral("A"),
-        QStringLiteral("z"),   QStringLiteral("q"),   QStringLiteral("u"),   QStringLiteral("v"),
-        QStringLiteral("N_x"), QStringLiteral("N_y"), QStringLiteral("N_z"), QStringLiteral("p_x"),
-        QStringLiteral("p_y"), QStringLiteral("p_z")};
+    static const PerChannel<QString> names
+        = {"R", "G", "B", "A", "z", "q", "u", "v", "N_x", "N_y", "N_z", "p_x", "p_y", "p_z"};
     return names[indexOf(channel)];
 }
 
@@ -40,9 +37,7 @@ ShadedScope interpolationScope(InterpolationForm form, const CarriedChannels &ca
 QString linearName(Channel channel, const EffectSet &effects)
 {
     const QString &name = shadedName(channel);
-    return effects.perspective && followsPerspective(channel)
-        ? withSubscript(name, QStringLiteral("w"))
-        : name;
+    return effects.perspective && followsPerspective(channel) ? withSubscript(name, "w") : name;
 }
 
 QString planeSlope(QChar axis) { return planeSlope(axis, u'(' + doubledAreaText() + u')'); }

@@ -4,6 +4,7 @@
 #include "core/methods/edgewalknames.h"
 #include "core/methods/shading/interpolationnames.h"
 #include "core/methods/words/formulatext.h"
+#include "core/methods/words/placenumbers.h"
 #include "core/methods/words/units.h"
 
 #include <utility>
@@ -22,26 +23,22 @@ void appendVertices(NumberTable<ShadedSetUpState> &table, const ShadedScope &sco
     for (std::size_t digit = 0; digit < 3; ++digit) {
         const auto row = [&](const QString &name, const QString &unit, const QString &toolTip,
                              const auto &read) {
-            table.push_back({{.id = name + dash + QString::number(digit),
-                              .title = name + vertexDigits[digit],
-                              .unit = unit,
-                              .toolTip = owner.arg(name).arg(vertexDigits[digit]) + toolTip,
-                              .formula = {}},
-                             [=](const ShadedSetUpState &state) {
-                                 return read(state, state.vertexOf(digit));
-                             }});
+            table.push_back(
+                {plainNumber(name + dash + QString::number(digit), name + vertexDigits[digit], unit,
+                             owner.arg(name).arg(vertexDigits[digit]) + toolTip),
+                 [=](const ShadedSetUpState &state) {
+                     return read(state, state.vertexOf(digit));
+                 }});
         };
-        const QString fromCentre = QStringLiteral(", from the centre of pixel (0, 0).");
-        row(QStringLiteral("x"), unit::px(), fromCentre,
-            [](const ShadedSetUpState &state, std::size_t vertex) {
-                return pixels(state.position[vertex].x);
-            });
-        row(QStringLiteral("y"), unit::px(), fromCentre,
-            [](const ShadedSetUpState &state, std::size_t vertex) {
-                return pixels(state.position[vertex].y);
-            });
+        const QString fromCentre = ", from the centre of pixel (0, 0).";
+        row("x", unit::px(), fromCentre, [](const ShadedSetUpState &state, std::size_t vertex) {
+            return pixels(state.position[vertex].x);
+        });
+        row("y", unit::px(), fromCentre, [](const ShadedSetUpState &state, std::size_t vertex) {
+            return pixels(state.position[vertex].y);
+        });
         if (scope.effects.perspective)
-            row(QStringLiteral("w"), {}, QStringLiteral(": what the camera divided by."),
+            row("w", {}, ": what the camera divided by.",
                 [](const ShadedSetUpState &state, std::size_t vertex) { return state.w[vertex]; });
     }
 }
@@ -56,12 +53,10 @@ void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
         const QString given = shadedName(which);
         if (which != Channel::Reciprocal)
             table.push_back(
-                {{.id = given + QString::number(digit),
-                  .title = given + vertexDigits[digit],
-                  .unit = unitOf(which),
-                  .toolTip = QStringLiteral("%1 at P%2.").arg(given).arg(vertexDigits[digit]),
-                  .formula = {},
-                  .group = Group::EdgeColours},
+                {plainNumber(given + QString::number(digit), given + vertexDigits[digit],
+                             unitOf(which),
+                             QStringLiteral("%1 at P%2.").arg(given).arg(vertexDigits[digit]), {},
+                             Group::EdgeColours),
                  [digit, at = channel.at](const ShadedSetUpState &state) {
                      return state.given[at][state.vertexOf(digit)];
                  }});
@@ -90,10 +85,11 @@ void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
                      return;
                  const bool divides = state.isDivided[indexOf(Channel::Reciprocal)];
                  number.formula = QStringLiteral("%1 = %2").arg(number.title, above);
-                 number.toolTip = (divides ? QStringLiteral("%1 itself: the vertices agree in it.")
-                                           : QStringLiteral("%1 itself: there is nothing to "
-                                                            "correct in this triangle."))
-                                      .arg(above);
+                 number.toolTip
+                     = (divides ? QStringLiteral("%1 itself: the vertices agree in it.")
+                                : QStringLiteral(
+                                    "%1 itself: there is nothing to correct in this triangle."))
+                           .arg(above);
              }});
     }
 }
@@ -127,13 +123,13 @@ void appendSlope(NumberTable<ShadedSetUpState> &table, const EdgeWalkNames &name
     const auto &ends = sortedEdgeEnds[std::size_t(edge)];
     const QString title = u'm' + subscriptOf(edge);
     table.push_back(
-        {names.filled(comparedNumber(
-             QStringLiteral("m_%1%2").arg(ends[0]).arg(ends[1]), title, QStringLiteral("px/{span}"),
-             QStringLiteral("Slope of the edge from P%1 to P%2: what each {span} adds to its {a}; "
-                            "none where it lies along the {span}s.")
-                 .arg(vertexDigits[ends[0]])
-                 .arg(vertexDigits[ends[1]]),
-             slopeFormula(names, title, edge, QStringLiteral("{a}")), Group::Position)),
+        {names.filled(
+             comparedNumber(QStringLiteral("m_%1%2").arg(ends[0]).arg(ends[1]), title, "px/{span}",
+                            QStringLiteral("Slope of the edge from P%1 to P%2: what each {span} "
+                                           "adds to its {a}; none where it lies along the {span}s.")
+                                .arg(vertexDigits[ends[0]])
+                                .arg(vertexDigits[ends[1]]),
+                            slopeFormula(names, title, edge, "{a}"), Group::Position)),
          [=](const ShadedSetUpState &state) { return state.slope[edgeIn(state, edge)]; }});
 }
 
@@ -148,7 +144,7 @@ void appendRate(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope,
     table.push_back(
         {names.filled(comparedNumber(
              QStringLiteral("rate_%1_%2%3").arg(name).arg(ends[0]).arg(ends[1]), title,
-             unitOf(channel.which, QStringLiteral("/{span}")),
+             unitOf(channel.which, "/{span}"),
              QStringLiteral("What each {span} adds to %1 along %2.").arg(name, nameOf(edge)),
              slopeFormula(names, title, edge, name), Group::ColourRates)),
          [edge, at = channel.at](const ShadedSetUpState &state) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/shading/interpolationnames.h"
 #include "core/methods/shading/shadednumbers.h"
+#include "core/methods/words/placenumbers.h"
 #include "core/methods/words/samplesums.h"
 
 #include <cmath>
@@ -29,19 +30,17 @@ void appendSource(Table &table, const EffectSet &ofScope, ByteRounding rounding)
         : ofScope.light                     ? QStringLiteral("s_% = base_%")
                                             : QString();
     appendBytes(
-        table, QStringLiteral("s"), QStringLiteral("% that is painted."), surface,
-        [](const State &state) { return state.source; },
+        table, "s", "% that is painted.", surface, [](const State &state) { return state.source; },
         [=](const State &state) {
             if (state.effects.light)
                 return QStringLiteral("s_% = min(255, ⌊I_% + ½⌋)");
-            return hasBase ? QString() : bytesFormula(state, rounding, QStringLiteral("s_% = "));
+            return hasBase ? QString() : bytesFormula(state, rounding, "s_% = ");
         });
 }
 
 void appendBlending(Table &table, const ShadedScope &scope)
 {
-    table.push_back({plainNumber(QStringLiteral("a"), QStringLiteral("a"), {},
-                                 QStringLiteral("Alpha as a byte."), {}, Group::FirstColour),
+    table.push_back({plainNumber("a", "a", {}, "Alpha as a byte.", {}, Group::FirstColour),
                      ofWritten([](const State &state) {
                          return state.isBlended ? Quantity::integer(state.alpha) : Quantity();
                      }),
@@ -53,31 +52,29 @@ void appendBlending(Table &table, const ShadedScope &scope)
                              number.formula
                                  = QStringLiteral("a = ") + QString(byte).replace(u'%', u'A');
                      }});
-    QString alpha = QStringLiteral("a");
+    QString alpha = "a";
     if (scope.antialiasing == Antialiasing::Area) {
         table.push_back(
-            {comparedNumber(QStringLiteral("area"), QStringLiteral("area"), {},
-                            QStringLiteral("What of the pixel's square the triangle covers; none "
-                                           "inside of it."),
+            {comparedNumber("area", "area", {},
+                            "What of the pixel's square the triangle covers; none inside of it.",
                             {}, Group::FirstColour),
              ofWritten([](const State &state) { return state.area; })});
-        alpha = QStringLiteral("a_area");
-        table.push_back({plainNumber(alpha, alpha, {},
-                                     QStringLiteral("Alpha times the covered area, as a byte."),
-                                     QStringLiteral("a_area = ⌊a·area + ½⌋"), Group::FirstColour),
+        alpha = "a_area";
+        table.push_back({plainNumber(alpha, alpha, {}, "Alpha times the covered area, as a byte.",
+                                     "a_area = ⌊a·area + ½⌋", Group::FirstColour),
                          ofWritten([](const State &state) {
                              return state.isBlended ? Quantity::integer(state.blendedAlpha)
                                                     : Quantity();
                          }),
                          [](NumberDescription &number, const State &state) {
                              if (state.area.isNone())
-                                 number.formula = QStringLiteral("a_area = a");
+                                 number.formula = "a_area = a";
                          }});
     }
-    appendBytes(table, QStringLiteral("d"), QStringLiteral("% that stood there."), {},
+    appendBytes(table, "d", "% that stood there.", {},
                 [](const State &state) { return state.before; });
     appendBytes(
-        table, QStringLiteral("r"), QStringLiteral("% of the pixel now."),
+        table, "r", "% of the pixel now.",
         QStringLiteral("r_% = ⌊(s_%·@ + d_%·(255 − @))/255 + ½⌋").replace(u'@', alpha),
         [](const State &state) { return state.after; },
         [](const State &state) {
@@ -88,9 +85,8 @@ void appendBlending(Table &table, const ShadedScope &scope)
 void appendSamples(Table &table, std::size_t samples)
 {
     appendPlain(
-        table, QStringLiteral("samples"),
-        QStringLiteral("How many samples of the pixel this triangle has written; none where the "
-                       "pixel has one."),
+        table, "samples",
+        "How many samples of the pixel this triangle has written; none where the pixel has one.",
         {},
         [](const State &state) {
             return state.samples() == 0
@@ -118,7 +114,7 @@ void appendSamples(Table &table, std::size_t samples)
 QString shadedByteFormula(const ShadedSampleState &state,
                           std::initializer_list<std::size_t> channels, ByteRounding rounding)
 {
-    QString text = roundedText(QStringLiteral("%"), rounding);
+    QString text = roundedText("%", rounding);
     bool isClamped = false;
     for (const std::size_t channel : channels) {
         const Quantity &level = state.interpolatedIn(channel);

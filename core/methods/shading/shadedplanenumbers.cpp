@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/shading/interpolationnames.h"
 #include "core/methods/shading/shadednumbers.h"
+#include "core/methods/words/placenumbers.h"
 #include "core/methods/words/units.h"
 
 #include <array>
@@ -46,13 +47,12 @@ QString planeFormula(const ShadedSetUpState &state, QChar letter, const QString 
     if (state.zeroArea) {
         const SegmentDigits ends(state);
         if (letter == u'c')
-            text = ends.along.isNull() ? ends.filled(QStringLiteral("%#"))
+            text = ends.along.isNull() ? ends.filled("%#")
                                        : ends.filled(QStringLiteral("%# − ")
                                                      + coefficient(ends.along == u'x' ? u'a' : u'b')
                                                      + QStringLiteral("·@#"));
         else
-            text = ends.isAlong(letter) ? ends.filled(QStringLiteral("(%& − %#)/(@& − @#)"))
-                                        : QStringLiteral("0");
+            text = ends.isAlong(letter) ? ends.filled("(%& − %#)/(@& − @#)") : QStringLiteral("0");
     } else if (letter != u'c') {
         text = planeSlope(letter == u'a' ? u'x' : u'y');
     } else {
@@ -88,7 +88,7 @@ QString weightFormula(const ShadedSetUpState &state, QChar letter, std::size_t v
             .replace(u'&', vertexDigits[(vertex + 2) % 3])
             .replace(u'@', vertexDigits[vertex]);
     };
-    const QString there = QStringLiteral("((y& − y#)·(x@ − x#) + (x# − x&)·(y@ − y#))");
+    const QString there = "((y& − y#)·(x@ − x#) + (x# − x&)·(y@ − y#))";
     if (letter == u'c')
         return left
             + filled(QStringLiteral("−") + coefficient(u'a') + QStringLiteral("·x# − ")
@@ -156,14 +156,12 @@ void appendWeightLine(NumberTable<ShadedSetUpState> &table, std::size_t vertex)
                                   NumberGroup::Decision),
                    [=](const ShadedSetUpState &state) { return state.line[vertex][part]; }});
           };
-    const auto ofLine
-        = QStringLiteral("of F(x, y) = A·x + B·y + C, the line through the vertices that "
-                         "do not face it: that of the weight %.");
-    line(0, u'A', ofLine, QStringLiteral("A_% = y& − y#"));
-    line(1, u'B', ofLine, QStringLiteral("B_% = x# − x&"));
-    line(2, u'C', ofLine, QStringLiteral("C_% = −A_%·x# − B_%·y#"));
-    line(3, u'k', QStringLiteral("scales F to 1 at P@."),
-         QStringLiteral("k_% = 1/(A_%·x@ + B_%·y@ + C_%)"));
+    const auto ofLine = QStringLiteral("of F(x, y) = A·x + B·y + C, the line through the vertices "
+                                       "that do not face it: that of the weight %.");
+    line(0, u'A', ofLine, "A_% = y& − y#");
+    line(1, u'B', ofLine, "B_% = x# − x&");
+    line(2, u'C', ofLine, "C_% = −A_%·x# − B_%·y#");
+    line(3, u'k', "scales F to 1 at P@.", "k_% = 1/(A_%·x@ + B_%·y@ + C_%)");
 }
 
 /// a, b and c of a value or of a weight.
@@ -219,7 +217,7 @@ void appendPlane(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope,
             const QChar dividend = letter == u'c' ? QChar(u'D') : letter.toUpper();
             return QStringLiteral("%1 = −%2/%3")
                 .arg(coefficientOf(letter, name), coefficientOf(dividend, name),
-                     coefficientOf(QStringLiteral("C"), name));
+                     coefficientOf("C", name));
         };
         plane.specify = [clear = ifCarried(scope, channel.at)](NumberDescription &number,
                                                                const ShadedSetUpState &state,

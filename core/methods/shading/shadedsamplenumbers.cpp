@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/shading/interpolationnames.h"
 #include "core/methods/shading/shadednumbers.h"
+#include "core/methods/words/placenumbers.h"
 #include "core/methods/words/units.h"
 
 #include <cmath>
@@ -53,8 +54,8 @@ void specifyValue(NumberDescription &number, InterpolationForm form, const QStri
         number.startFormula.clear();
     } else if (isBilinear(form) && state.start.isPoint) {
         number.formula = QStringLiteral("%1 ← %1′").arg(name);
-        number.startFormula = walkNames(form).filled(name + QStringLiteral(" ← ")
-                                                     + withSubscript(name, QStringLiteral("{lo}")));
+        number.startFormula
+            = walkNames(form).filled(name + QStringLiteral(" ← ") + withSubscript(name, "{lo}"));
     }
 }
 
@@ -64,9 +65,8 @@ void appendLinear(Table &table, const ShadedScope &scope, const ScopedChannel &c
     const auto [at, which] = channel;
     const InterpolationForm form = scope.form;
     const QString name = linearName(which, scope.effects);
-    const QString direct
-        = walkNames(form).filled(QStringLiteral("%1 ← %2 + ({a} − {a}_{lo})·Δ%1")
-                                     .arg(name, withSubscript(name, QStringLiteral("{lo}"))));
+    const QString direct = walkNames(form).filled(
+        QStringLiteral("%1 ← %2 + ({a} − {a}_{lo})·Δ%1").arg(name, withSubscript(name, "{lo}")));
     QString formula;
     switch (form) {
     case InterpolationForm::Bilinear:
@@ -75,9 +75,8 @@ void appendLinear(Table &table, const ShadedScope &scope, const ScopedChannel &c
         break;
     case InterpolationForm::Plane:
         formula = QStringLiteral("%1 = %2·x + %3·y + %4")
-                      .arg(name, coefficientOf(QStringLiteral("a"), name),
-                           coefficientOf(QStringLiteral("b"), name),
-                           coefficientOf(QStringLiteral("c"), name));
+                      .arg(name, coefficientOf("a", name), coefficientOf("b", name),
+                           coefficientOf("c", name));
         break;
     case InterpolationForm::Barycentric:
         // Not arg(), which would read a subscript after a place marker as one of its digits.
@@ -134,14 +133,12 @@ void appendDepth(Table &table, const ShadedScope &scope)
 {
     const bool hasLevels = scope.effects.depth == DepthTest::Levels;
     appendPlain(
-        table, QStringLiteral("z_near"),
-        QStringLiteral("The nearest depth so far at the pixel; none where nothing stands."), {},
+        table, "z_near", "The nearest depth so far at the pixel; none where nothing stands.", {},
         [](const State &state) { return state.nearest; }, Group::Span);
     if (!hasLevels)
         return;
     table.push_back(
-        {plainNumber(QStringLiteral("z_level"), QStringLiteral("z_level"), {},
-                     QStringLiteral("z as the depth buffer keeps it."), {}, Group::Span),
+        {plainNumber("z_level", "z_level", {}, "z as the depth buffer keeps it.", {}, Group::Span),
          [](const State &state) { return state.depth; },
          [most = scope.greatestDepth](NumberDescription &number, const State &state) {
              const Quantity &z = state.linear[indexOf(Channel::Depth)];
@@ -198,12 +195,12 @@ NumberTable<ShadedSampleState> shadedSampleNumbers(const ShadedScope &scope)
     if (scope.form == InterpolationForm::Barycentric) {
         for (std::size_t i = 0; i < 3; ++i)
             table.push_back(
-                {comparedNumber(weightId(i), weightTitle(i), {},
-                                QStringLiteral("Weight of P%1: 1 there, 0 on the line through the "
-                                               "other two.")
-                                    .arg(vertexDigits[i]),
-                                QStringLiteral("%1 = a_%1·x + b_%1·y + c_%1").arg(weightTitle(i)),
-                                Group::Decision),
+                {comparedNumber(
+                     weightId(i), weightTitle(i), {},
+                     QStringLiteral("Weight of P%1: 1 there, 0 on the line through the other two.")
+                         .arg(vertexDigits[i]),
+                     QStringLiteral("%1 = a_%1·x + b_%1·y + c_%1").arg(weightTitle(i)),
+                     Group::Decision),
                  [i](const State &state) { return state.weight[i]; }});
     }
     for (const ScopedChannel &channel : scope.channels)
@@ -225,10 +222,10 @@ NumberTable<ShadedSampleState> shadedSampleNumbers(const ShadedScope &scope)
         appendDepth(table, scope);
     if (effects.texture || effects.light)
         appendBytes(
-            table, QStringLiteral("base"), QStringLiteral("% interpolated, as a byte."), {},
+            table, "base", "% interpolated, as a byte.", {},
             [](const State &state) { return state.interpolated; },
             [rounding = scope.rounding](const State &state) {
-                return bytesFormula(state, rounding, QStringLiteral("base_% = "));
+                return bytesFormula(state, rounding, "base_% = ");
             });
     if (effects.texture)
         appendTexels(table, scope);

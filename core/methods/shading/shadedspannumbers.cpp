@@ -43,13 +43,11 @@ void appendBounds(NumberTable<ShadedSpanState> &table, const ShadedScope &scope)
                      comparedNumber(title, title, unit::px(),
                                     QStringLiteral("Where the %1 edge meets the {span}.").arg(edge),
                                     {}, Group::Span),
-                     walkNames(scope.form).filled(QStringLiteral("{a}")), QStringLiteral("m"),
+                     walkNames(scope.form).filled("{a}"), "m",
                      [value](const ShadedSpanState &state) { return state.*value; });
     };
-    bound(SpanBound::Lower, QStringLiteral("{a}_{lo}"), QStringLiteral("{lower}"),
-          &ShadedSpanState::lower);
-    bound(SpanBound::Upper, QStringLiteral("{a}_{hi}"), QStringLiteral("{upper}"),
-          &ShadedSpanState::upper);
+    bound(SpanBound::Lower, "{a}_{lo}", "{lower}", &ShadedSpanState::lower);
+    bound(SpanBound::Upper, "{a}_{hi}", "{upper}", &ShadedSpanState::upper);
 }
 
 /// A channel where an edge meets the span.
@@ -64,8 +62,8 @@ void appendBoundValue(NumberTable<ShadedSpanState> &table, const ShadedScope &sc
         table, scope, bound,
         comparedNumber(
             title, title, unitOf(channel.which),
-            QStringLiteral("%1 where the %2 edge meets the {span}; its rate is added "
-                           "from {span} to {span}.")
+            QStringLiteral(
+                "%1 where the %2 edge meets the {span}; its rate is added from {span} to {span}.")
                 .arg(name, isLower ? QStringLiteral("{lower}") : QStringLiteral("{upper}")),
             {}, Group::EdgeColours),
         name, u'δ' + name, [isLower, at = channel.at](const ShadedSpanState &state) {
@@ -84,13 +82,12 @@ void appendRate(NumberTable<ShadedSpanState> &table, const ShadedScope &scope,
         toolTip += QStringLiteral("; none where {a}_{lo} = {a}_{hi}, with nothing to share out");
     table.push_back(
         {walkNames(scope.form)
-             .filled(comparedNumber(QStringLiteral("delta_") + name, u'Δ' + name,
-                                    unitOf(channel.which, QStringLiteral("/{across}")),
-                                    toolTip + u'.',
-                                    QStringLiteral("Δ%1 = (%2 − %3)/({a}_{hi} − {a}_{lo})")
-                                        .arg(name, withSubscript(name, QStringLiteral("{hi}")),
-                                             withSubscript(name, QStringLiteral("{lo}"))),
-                                    Group::ColourRates)),
+             .filled(comparedNumber(
+                 QStringLiteral("delta_") + name, u'Δ' + name, unitOf(channel.which, "/{across}"),
+                 toolTip + u'.',
+                 QStringLiteral("Δ%1 = (%2 − %3)/({a}_{hi} − {a}_{lo})")
+                     .arg(name, withSubscript(name, "{hi}"), withSubscript(name, "{lo}")),
+                 Group::ColourRates)),
          [at = channel.at](const ShadedSpanState &state) { return state.rate[at]; },
          [=, at = channel.at, isPlanned = scope.isPlanned](NumberDescription &number,
                                                            const ShadedSpanState &state) {
@@ -111,18 +108,15 @@ void appendCovered(NumberTable<ShadedSpanState> &table, const ShadedScope &scope
             ? QStringLiteral("The %1 row whose centre is covered; with exact areas, the %1 of "
                              "whose square the triangle has a part.")
             : QStringLiteral("The %1 covered {across}; exact in every arithmetic.");
-        table.push_back({names.filled({.id = which + QStringLiteral("_{across}"),
-                                       .title = QStringLiteral("{a}_") + which,
-                                       .unit = unit::px(),
-                                       .toolTip = toolTip.arg(which),
-                                       .formula = {},
-                                       .group = Group::Span}),
+        table.push_back({names.filled(plainNumber(which + QStringLiteral("_{across}"),
+                                                  QStringLiteral("{a}_") + which, unit::px(),
+                                                  toolTip.arg(which), {}, Group::Span)),
                          [read](const ShadedSpanState &state) {
                              return state.isBounded ? Quantity::integer(read(state)) : Quantity();
                          }});
     };
-    covered(QStringLiteral("first"), [](const ShadedSpanState &state) { return state.firstRow; });
-    covered(QStringLiteral("last"), [](const ShadedSpanState &state) { return state.endRow - 1; });
+    covered("first", [](const ShadedSpanState &state) { return state.firstRow; });
+    covered("last", [](const ShadedSpanState &state) { return state.endRow - 1; });
     NumberDescription count = columnPixelsNumber();
     count.toolTip = scope.isPlanned
         ? QStringLiteral("Rows from y_first to y_last inside the frame. Depth may refuse some, and "
@@ -143,14 +137,14 @@ NumberTable<ShadedSpanState> shadedSpanNumbers(const ShadedScope &scope)
                          return Quantity::integer(Int128(state.walk.primitive));
                      }});
     NumberDescription scanned = scannedNumber();
-    scanned.id = scanned.title = QStringLiteral("{c}");
-    scanned.toolTip = QStringLiteral("The {span}.");
+    scanned.id = scanned.title = "{c}";
+    scanned.toolTip = "The {span}.";
     table.push_back({names.filled(scanned), [isRow = names.isRow()](const ShadedSpanState &state) {
                          return Quantity::integer(isRow ? -state.walk.column.x
                                                         : state.walk.column.x);
                      }});
     NumberDescription half = halfNumberOf(scope.form);
-    half.id = half.title = QStringLiteral("{half}");
+    half.id = half.title = "{half}";
     table.push_back({names.filled(half), [](const ShadedSpanState &state) {
                          return state.isBounded ? state.walk.halfNumber() : Quantity();
                      }});

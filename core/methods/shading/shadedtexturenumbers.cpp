@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/shading/interpolationnames.h"
 #include "core/methods/shading/shadednumbers.h"
+#include "core/methods/words/placenumbers.h"
 
 #include <array>
 #include <cmath>
@@ -70,12 +71,9 @@ bool isFiltered(const ShadedSampleState &state)
 
 void appendFourTexels(NumberTable<ShadedSampleState> &table)
 {
-    const std::array names = {QStringLiteral("t00"), QStringLiteral("t10"), QStringLiteral("t01"),
-                              QStringLiteral("t11")};
-    const std::array places
-        = {QStringLiteral("texel (i, j)"), QStringLiteral("the texel next to it along u"),
-           QStringLiteral("the texel next to it along v"),
-           QStringLiteral("the texel next to it along both")};
+    const std::array names = {"t00", "t10", "t01", "t11"};
+    const std::array places = {"texel (i, j)", "the texel next to it along u",
+                               "the texel next to it along v", "the texel next to it along both"};
     for (std::size_t k = 0; k < names.size(); ++k)
         appendBytes(table, names[k],
                     QStringLiteral("% of %1, of the four that are mixed.").arg(places[k]), {},
@@ -108,9 +106,9 @@ void appendTexels(NumberTable<ShadedSampleState> &table, const ShadedScope &scop
         table.push_back(
             {comparedNumber(
                  fraction, fraction, {},
-                 QStringLiteral("How far the sample lies between the centres of two texels along "
-                                "%1: 0 at the first one's. Beyond the texture they are "
-                                "those that would stand there.")
+                 QStringLiteral(
+                     "How far the sample lies between the centres of two texels along %1: 0 at the "
+                     "first one's. Beyond the texture they are those that would stand there.")
                      .arg(coordinate),
                  {}, NumberGroup::FirstColour),
              ofWritten([side](const ShadedSampleState &state) {
@@ -124,19 +122,18 @@ void appendTexels(NumberTable<ShadedSampleState> &table, const ShadedScope &scop
     if (scope.isFiltered)
         appendFourTexels(table);
     appendBytes(
-        table, QStringLiteral("t"), QStringLiteral("% of the texel, or of the four."), {},
+        table, "t", "% of the texel, or of the four.", {},
         [](const ShadedSampleState &state) {
             return state.effects.texture ? std::optional(state.texel) : std::nullopt;
         },
         [](const ShadedSampleState &state) {
-            return isFiltered(state) ? QStringLiteral(
-                       "t_% = ⌊(t00_%·(1 − f_u) + t10_%·f_u)·(1 − f_v) + (t01_%·(1 − f_u) "
-                       "+ t11_%·f_u)·f_v + ½⌋")
-                                     : QString();
+            return isFiltered(state)
+                ? QStringLiteral("t_% = ⌊(t00_%·(1 − f_u) + t10_%·f_u)·(1 − f_v) + (t01_%·(1 − "
+                                 "f_u) + t11_%·f_u)·f_v + ½⌋")
+                : QString();
         });
     appendBytes(
-        table, QStringLiteral("mod"), QStringLiteral("% modulated by the texel."),
-        QStringLiteral("mod_% = ⌊base_%·t_%/255 + ½⌋"),
+        table, "mod", "% modulated by the texel.", "mod_% = ⌊base_%·t_%/255 + ½⌋",
         [](const ShadedSampleState &state) { return state.textured; },
         [](const ShadedSampleState &state) {
             return state.effects.texture ? QString() : QStringLiteral("mod_% = base_%");

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/methods/shading/shadedtracing.h"
-
+#include "core/methods/shading/plannedmethod.h"
 #include "core/methods/shading/shadedrecorder.h"
 #include "core/shade/shadeddrawing.h"
 

@@ -63,14 +63,13 @@ void tellShaded(StepWords &words, const ShadedSpanState &state)
         const Lattice x = state.walk.column.x * unitsPerPixel;
         const auto &corners = state.walk.corners;
         if (x < corners[0].position.x || x > corners[2].position.x)
-            words.sentence = QStringLiteral("The column lies beside the triangle, which covers "
-                                            "parts of its pixels: its edges are prolonged to it, "
-                                            "and may have crossed.");
+            words.sentence = "The column lies beside the triangle, which covers parts of its "
+                             "pixels: its edges are prolonged to it, and may have crossed.";
         return;
     }
     words.heading = QStringLiteral("Column %1").arg(state.walk.column.x);
-    words.sentence = QStringLiteral("Only samples beside the centres of its pixels lie in the "
-                                    "triangle: no bounds are walked here.");
+    words.sentence = "Only samples beside the centres of its pixels lie in the triangle: no bounds "
+                     "are walked here.";
 }
 
 void tellShaded(StepWords &words, const ShadedSampleState &state)
@@ -87,8 +86,8 @@ void tellShaded(StepWords &words, const ShadedSampleState &state)
         return;
     }
     if (state.isBeyondHorizon) {
-        words.sentence = QStringLiteral("Refused: it lies beyond the horizon of the triangle's "
-                                        "plane, where there are no attributes.");
+        words.sentence = "Refused: it lies beyond the horizon of the triangle's plane, where there "
+                         "are no attributes.";
         return;
     }
     QStringList sentences;

@@ -2,6 +2,7 @@
 #include "core/methods/tests/boxnumbers.h"
 
 #include "core/methods/tests/edgetestnames.h"
+#include "core/methods/words/placenumbers.h"
 #include "core/methods/words/units.h"
 
 #include <algorithm>
@@ -42,14 +43,12 @@ NumberRow<EdgeTestSetUpState> cornerRow(const EdgeTestNames &names, QChar axis, 
     QStringList of;
     for (std::size_t vertex = 0; vertex < 3; ++vertex)
         of.append(axis + names.vertex(vertex));
-    return {{.id = title,
-             .title = title,
-             .unit = unit::px(),
-             .toolTip = QStringLiteral("The %1 %2 of the vertices: a side of their box.")
+    return {plainNumber(title, title, unit::px(),
+                        QStringLiteral("The %1 %2 of the vertices: a side of their box.")
                             .arg(isLeast ? QStringLiteral("least") : QStringLiteral("greatest"))
                             .arg(axis),
-             .formula = QStringLiteral("%1 = %2(%3, %2(%4, %5))")
-                            .arg(title, QLatin1String(choice), of[0], of[1], of[2])},
+                        QStringLiteral("%1 = %2(%3, %2(%4, %5))")
+                            .arg(title, QLatin1String(choice), of[0], of[1], of[2])),
             // The box is made of the vertices' lattice units, in every arithmetic.
             [axis, isLeast](const EdgeTestSetUpState &state) {
                 std::array<Lattice, 3> units;
@@ -65,15 +64,14 @@ NumberRow<EdgeTestSetUpState> cornerRow(const EdgeTestNames &names, QChar axis, 
 
 QString firstInBoxFormula(QChar axis, const BoxExtent &extent)
 {
-    const QString sample = rounded(QStringLiteral("⌈%1⌉"), axis + QStringLiteral("_least"),
-                                   extent.rounding, QStringLiteral("+ ½"));
+    const QString sample = rounded("⌈%1⌉", axis + QStringLiteral("_least"), extent.rounding, "+ ½");
     return axis + QStringLiteral("_min = ") + clipped(sample, "max", extent.firstClip());
 }
 
 QString lastInBoxFormula(QChar axis, const BoxExtent &extent)
 {
-    const QString sample = rounded(QStringLiteral("⌊%1⌋"), axis + QStringLiteral("_greatest"),
-                                   extent.rounding, QStringLiteral("− ½"));
+    const QString sample
+        = rounded("⌊%1⌋", axis + QStringLiteral("_greatest"), extent.rounding, "− ½");
     return axis + QStringLiteral("_max = ") + clipped(sample, "min", extent.lastClip());
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/methods/tests/edgeteststeps.h"
+#include "core/methods/words/placenumbers.h"
 #include "core/methods/words/units.h"
 #include "core/trace/numberrow.h"
 
@@ -31,12 +32,7 @@ void appendExtent(NumberTable<State> &table, const EdgeTestForm &form, QChar axi
     const auto row
         = [&](const QString &end, const QString &toolTip, const auto &value, auto formula) {
               table.push_back(
-                  {{.id = axis + end,
-                    .title = axis + end,
-                    .unit = unit::px(),
-                    .toolTip = toolTip.arg(noun),
-                    .formula = {},
-                    .group = group},
+                  {plainNumber(axis + end, axis + end, unit::px(), toolTip.arg(noun), {}, group),
                    [=](const State &state) { return Quantity::integer(value(extentOf(state))); },
                    [=, isBox = form.visited == VisitedSamples::BoundingBox](
                        NumberDescription &number, const State &state) {
@@ -45,10 +41,10 @@ void appendExtent(NumberTable<State> &table, const EdgeTestForm &form, QChar axi
                    }});
           };
     row(
-        QStringLiteral("_min"), QStringLiteral("The first %1 that is tested."),
+        "_min", "The first %1 that is tested.",
         [](const BoxExtent &extent) { return extent.first; }, firstInBoxFormula);
     row(
-        QStringLiteral("_max"), QStringLiteral("The last %1 that is tested."),
+        "_max", "The last %1 that is tested.",
         [](const BoxExtent &extent) { return extent.end - 1; }, lastInBoxFormula);
 }
 

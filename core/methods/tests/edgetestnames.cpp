@@ -127,14 +127,13 @@ QString EdgeTestNames::linesText() const
 QString EdgeTestNames::weightFormula(std::size_t line) const
 {
     if (m_form.inside == InsideTest::Cramer) {
-        const std::array formulas = {QStringLiteral("u = ((x − x_C)·y_BC − x_BC·(y − y_C))/D"),
-                                     QStringLiteral("v = (x_AC·(y − y_C) − (x − x_C)·y_AC)/D"),
-                                     QStringLiteral("w = 1 − u − v")};
+        const std::array formulas = {"u = ((x − x_C)·y_BC − x_BC·(y − y_C))/D",
+                                     "v = (x_AC·(y − y_C) − (x − x_C)·y_AC)/D", "w = 1 − u − v"};
         return formulas[line];
     }
     if (m_form.evaluation == Evaluation::Increments)
-        return filled(QStringLiteral("{w} ← {w}′ + Δ{w}_y"), line);
-    return filled(QStringLiteral("{w} = f{l}/f{opp}"), line);
+        return filled("{w} ← {w}′ + Δ{w}_y", line);
+    return filled("{w} = f{l}/f{opp}", line);
 }
 
 QString EdgeTestNames::levelFormula() const

@@ -21,14 +21,11 @@ NumberRow<EdgeTestSampleState> segmentNumber()
     using State = EdgeTestSampleState;
     const auto segmentOf
         = [](const State &state) { return DegenerateSegment(Triangle{state.vertices}); };
-    return {{.id = QStringLiteral("segment"),
-             .title = QStringLiteral("d"),
-             .unit = unit::squarePx(),
-             .toolTip = QStringLiteral("Twice the area that the sample makes with the segment of a "
-                                       "triangle without an area: 0 where the segment's line "
-                                       "passes through it. None of other triangles."),
-             .formula = {},
-             .group = Group::Span},
+    return {plainNumber(
+                "segment", "d", unit::squarePx(),
+                "Twice the area that the sample makes with the segment of a triangle without an "
+                "area: 0 where the segment's line passes through it. None of other triangles.",
+                {}, Group::Span),
             [segmentOf](const State &state) {
                 if (!state.ofSegment)
                     return Quantity();
@@ -53,13 +50,8 @@ NumberRow<EdgeTestSampleState> segmentNumber()
 /// What Cramer's rule asks in place of w.
 NumberRow<EdgeTestSampleState> sumNumber()
 {
-    return {{.id = QStringLiteral("s"),
-             .title = QStringLiteral("s"),
-             .unit = {},
-             .toolTip = QStringLiteral("u + v: above 1 beyond the edge AB."),
-             .formula = QStringLiteral("s = u + v"),
-             .group = Group::Decision,
-             .comparison = Comparison::WithExact},
+    return {comparedNumber("s", "s", {}, "u + v: above 1 beyond the edge AB.", "s = u + v",
+                           Group::Decision),
             [](const EdgeTestSampleState &state) { return state.sum; }};
 }
 
@@ -89,27 +81,22 @@ NumberTable<EdgeTestSpanState> edgeTestSpanNumbers(const EdgeTestForm &form)
     NumberTable<EdgeTestSpanState> table
         = {{triangleNumber(),
             [](const State &state) { return Quantity::integer(Int128(state.primitive)); }},
-           {{.id = across,
-             .title = across,
-             .unit = unit::px(),
-             .toolTip = isRow ? QStringLiteral("The row.") : QStringLiteral("The column."),
-             .formula = {}},
+           {plainNumber(across, across, unit::px(),
+                        isRow ? QStringLiteral("The row.") : QStringLiteral("The column.")),
             [](const State &state) { return Quantity::integer(state.coordinate); }}};
-    appendExtent(table, form, along, QStringLiteral("sample"), Group::Span);
+    appendExtent(table, form, along, "sample", Group::Span);
     if (form.evaluation == Evaluation::EverySample)
         return table;
     if (!form.isBarycentric()) {
         for (std::size_t line = 0; line < 3; ++line)
             table.push_back(
-                {{.id = names.filledId(QStringLiteral("e{l}"), line),
-                  .title = names.filled(QStringLiteral("e{l}"), line),
+                {{.id = names.filledId("e{l}", line),
+                  .title = names.filled("e{l}", line),
                   .unit = unit::squarePx(),
-                  .toolTip = names.filled(
-                      QStringLiteral("The edge function of {edge} at the row's first sample."),
-                      line),
-                  .formula = names.filled(QStringLiteral("e{l} ← e{l}′ + b{l}"), line),
-                  .startFormula
-                  = names.filled(QStringLiteral("e{l} = a{l}·x_min + b{l}·y + c{l}"), line),
+                  .toolTip
+                  = names.filled("The edge function of {edge} at the row's first sample.", line),
+                  .formula = names.filled("e{l} ← e{l}′ + b{l}", line),
+                  .startFormula = names.filled("e{l} = a{l}·x_min + b{l}·y + c{l}", line),
                   .group = Group::Span,
                   .comparison = Comparison::WithExact},
                  [line](const State &state) { return state.value[line]; }});
@@ -117,25 +104,22 @@ NumberTable<EdgeTestSpanState> edgeTestSpanNumbers(const EdgeTestForm &form)
     }
     for (std::size_t line = 0; line < 3; ++line)
         table.push_back(
-            {{.id = names.filledId(QStringLiteral("{w}_s"), line),
-              .title = names.filled(QStringLiteral("{w}_s"), line),
-              .unit = {},
-              .toolTip = names.filled(
-                  QStringLiteral("The weight of vertex {facing} at the column's first sample."),
-                  line),
-              .formula = names.filled(QStringLiteral("{w}_s ← {w}_s′ + Δ{w}_x"), line),
-              .startFormula
-              = names.filled(QStringLiteral("{w}_s = (a{l}·x + b{l}·y_min + c{l})/f{opp}"), line),
+            {{.id = names.filledId("{w}_s", line),
+              .title = names.filled("{w}_s", line),
+              .toolTip
+              = names.filled("The weight of vertex {facing} at the column's first sample.", line),
+              .formula = names.filled("{w}_s ← {w}_s′ + Δ{w}_x", line),
+              .startFormula = names.filled("{w}_s = (a{l}·x + b{l}·y_min + c{l})/f{opp}", line),
               .group = Group::Span,
               .comparison = Comparison::WithExact},
              [line](const State &state) { return state.weight[line]; }});
     appendChannels(table,
-                   {.id = QStringLiteral("%_s"),
-                    .title = QStringLiteral("%_s"),
+                   {.id = "%_s",
+                    .title = "%_s",
                     .unit = unit::levels(),
-                    .toolTip = QStringLiteral("Level of % at the column's first sample."),
-                    .formula = QStringLiteral("%_s ← %_s′ + Δ%_x"),
-                    .startFormula = QStringLiteral("%_s = α_s·%_a + β_s·%_b + γ_s·%_c"),
+                    .toolTip = "Level of % at the column's first sample.",
+                    .formula = "%_s ← %_s′ + Δ%_x",
+                    .startFormula = "%_s = α_s·%_a + β_s·%_b + γ_s·%_c",
                     .group = Group::FirstColour,
                     .comparison = Comparison::WithExact},
                    [](const State &state, std::size_t channel) { return state.colour[channel]; });
@@ -153,18 +137,14 @@ NumberTable<EdgeTestSampleState> edgeTestSampleNumbers(const EdgeTestForm &form)
     for (std::size_t line = 0; line < 3 && showsValues; ++line) {
         const bool decides = !form.isBarycentric();
         table.push_back(
-            {{.id = names.filledId(QStringLiteral("{value}"), line),
-              .title = names.filled(QStringLiteral("{value}"), line),
+            {{.id = names.filledId("{value}", line),
+              .title = names.filled("{value}", line),
               .unit = form.line == LineForm::Solved ? QString() : unit::squarePx(),
-              .toolTip
-              = names.filled(QStringLiteral("The edge function of {edge} at the sample."), line),
+              .toolTip = names.filled("The edge function of {edge} at the sample.", line),
               .formula = hasIncrements
-                  ? names.filled(QStringLiteral("E{l} ← E{l}′ + a{l}"), line)
-                  : names.filled(QStringLiteral("{value} = ")
-                                     + names.lineAt(QStringLiteral("x"), QStringLiteral("y")),
-                                 line),
-              .startFormula
-              = hasIncrements ? names.filled(QStringLiteral("E{l} ← e{l}"), line) : QString(),
+                  ? names.filled("E{l} ← E{l}′ + a{l}", line)
+                  : names.filled(QStringLiteral("{value} = ") + names.lineAt("x", "y"), line),
+              .startFormula = hasIncrements ? names.filled("E{l} ← e{l}", line) : QString(),
               .group = decides ? Group::Decision : Group::Span,
               .comparison = Comparison::WithExact},
              [line](const State &state) { return state.value[line]; }});
@@ -174,14 +154,11 @@ NumberTable<EdgeTestSampleState> edgeTestSampleNumbers(const EdgeTestForm &form)
         if (isCramer && line == 2)
             table.push_back(sumNumber());
         table.push_back(
-            {{.id = names.filledId(QStringLiteral("{w}"), line),
-              .title = names.filled(QStringLiteral("{w}"), line),
-              .unit = {},
-              .toolTip
-              = names.filled(QStringLiteral("The weight of vertex {facing} at the sample."), line),
+            {{.id = names.filledId("{w}", line),
+              .title = names.filled("{w}", line),
+              .toolTip = names.filled("The weight of vertex {facing} at the sample.", line),
               .formula = names.weightFormula(line),
-              .startFormula
-              = hasIncrements ? names.filled(QStringLiteral("{w} ← {w}_s"), line) : QString(),
+              .startFormula = hasIncrements ? names.filled("{w} ← {w}_s", line) : QString(),
               // Of w only the colours depend.
               .group = isCramer && line == 2 ? Group::FirstColour : Group::Decision,
               .comparison = Comparison::WithExact},
@@ -191,10 +168,10 @@ NumberTable<EdgeTestSampleState> edgeTestSampleNumbers(const EdgeTestForm &form)
     const bool stepsColours = hasIncrements && form.isBarycentric();
     appendChannels(
         table,
-        {.id = QStringLiteral("%"),
-         .title = QStringLiteral("%"),
+        {.id = "%",
+         .title = "%",
          .unit = unit::levels(),
-         .toolTip = QStringLiteral("Level of % at the sample."),
+         .toolTip = "Level of % at the sample.",
          .formula = names.levelFormula(),
          .startFormula = stepsColours ? QStringLiteral("% ← %_s") : QString(),
          .group = Group::FirstColour,

@@ -88,33 +88,32 @@ private:
         add(0, m_names.linesText(), {SetUp});
         if (m_form.inside == InsideTest::Signs) {
             add(0,
-                QStringLiteral("sidedness₀, sidedness₁, sidedness₂ ← E₀, E₁, E₂ at P₂, P₀, P₁ — "
-                               "the vertex opposite"),
+                "sidedness₀, sidedness₁, sidedness₂ ← E₀, E₁, E₂ at P₂, P₀, P₁ — the vertex "
+                "opposite",
                 {SetUp});
             add(0,
-                QStringLiteral("s ← 1; where sidedness < 0: s ← −1, and a, b, c of that edge "
-                               "change their signs; F ← s·sidedness"),
+                "s ← 1; where sidedness < 0: s ← −1, and a, b, c of that edge change their signs; "
+                "F ← s·sidedness",
                 {SetUp});
         } else if (m_form.inside != InsideTest::Cramer) {
-            add(0, QStringLiteral("f_a, f_b, f_c ← f_bc at a, f_ca at b, f_ab at c"), {SetUp});
+            add(0, "f_a, f_b, f_c ← f_bc at a, f_ca at b, f_ab at c", {SetUp});
             if (m_form.evaluation == Evaluation::Increments)
                 addIncrements();
         }
         addTies();
         if (m_form.visited == VisitedSamples::Frame) {
-            add(0, QStringLiteral("box ← the whole frame"), {SetUp});
+            add(0, "box ← the whole frame", {SetUp});
         } else {
             add(0,
-                QStringLiteral("box ← from the smallest to the largest x and y of the vertices, "
-                               "clipped to the frame"),
+                "box ← from the smallest to the largest x and y of the vertices, clipped to the "
+                "frame",
                 {SetUp});
-            m_code.back().varied
-                = {{VariantSet().with(Variant::RoundedBox),
-                    QStringLiteral("box ← from (int)(x_min + ½) to (int)(x_max − ½), y likewise, "
-                                   "clipped to the frame")}};
+            m_code.back().varied = {{VariantSet().with(Variant::RoundedBox),
+                                     "box ← from (int)(x_min + ½) to (int)(x_max − ½), y likewise, "
+                                     "clipped to the frame"}};
         }
-        addOfSegment(0, QStringLiteral("sort the vertices by x: P_l, P_m, P_r"), {SetUp});
-        add(0, QStringLiteral("if no sample is to be drawn: done"), {Rejected});
+        addOfSegment(0, "sort the vertices by x: P_l, P_m, P_r", {SetUp});
+        add(0, "if no sample is to be drawn: done", {Rejected});
     }
 
     /// What a step along x and one along y add to weights and levels.
@@ -128,8 +127,8 @@ private:
                           .arg(coefficient),
                       {SetUp});
             addOfArea(0,
-                      QStringLiteral("ΔR_%1 ← Δα_%1·R_a + Δβ_%1·R_b + Δγ_%1·R_c; ΔG_%1 and ΔB_%1 "
-                                     "likewise")
+                      QStringLiteral(
+                          "ΔR_%1 ← Δα_%1·R_a + Δβ_%1·R_b + Δγ_%1·R_c; ΔG_%1 and ΔB_%1 likewise")
                           .arg(axis),
                       {SetUp});
         }
@@ -145,7 +144,7 @@ private:
 
     QString tiesText(FillRule rule) const
     {
-        const QString tie = QStringLiteral("tie{l}");
+        const QString tie = "tie{l}";
         if (rule == FillRule::OffScreenPoint)
             return alike(QStringLiteral("tie{l} ← 1 if %1, else 0").arg(m_names.tieText(rule)),
                          tie);
@@ -182,15 +181,10 @@ private:
         addOfArea(1, QStringLiteral("add %1 to %2").arg(changes(m_across), kept()), {Span});
     }
 
-    QString walked() const
-    {
-        return m_form.isBarycentric() ? stepped(QStringLiteral("{w}"), QStringLiteral("%"))
-                                      : three(QStringLiteral("E{l}"));
-    }
+    QString walked() const { return m_form.isBarycentric() ? stepped("{w}", "%") : three("E{l}"); }
     QString kept() const
     {
-        return m_form.isBarycentric() ? stepped(QStringLiteral("{w}_s"), QStringLiteral("%_s"))
-                                      : three(QStringLiteral("e{l}"));
+        return m_form.isBarycentric() ? stepped("{w}_s", "%_s") : three("e{l}");
     }
     /// What one step along an axis adds.
     QString changes(const QString &axis) const
@@ -203,16 +197,13 @@ private:
     /// Evaluates at the box's first sample.
     void addStart()
     {
-        const QString value = m_names.lineAt(QStringLiteral("x_min"), QStringLiteral("y_min"));
+        const QString value = m_names.lineAt("x_min", "y_min");
         if (!m_form.isBarycentric()) {
-            addOfArea(0, alike(QStringLiteral("e{l} ← ") + value, QStringLiteral("e{l}")), {Begin});
+            addOfArea(0, alike(QStringLiteral("e{l} ← ") + value, "e{l}"), {Begin});
             return;
         }
-        addOfArea(0,
-                  alike(QStringLiteral("{w}_s ← (%1)/f{opp}").arg(value), QStringLiteral("{w}_s")),
-                  {Begin});
-        addOfArea(0, QStringLiteral("R_s ← α_s·R_a + β_s·R_b + γ_s·R_c; G_s and B_s likewise"),
-                  {Begin});
+        addOfArea(0, alike(QStringLiteral("{w}_s ← (%1)/f{opp}").arg(value), "{w}_s"), {Begin});
+        addOfArea(0, "R_s ← α_s·R_a + β_s·R_b + γ_s·R_c; G_s and B_s likewise", {Begin});
     }
 
     void addValues()
@@ -226,12 +217,10 @@ private:
                           samples);
             return;
         }
-        const QString value = m_names.lineAt(QStringLiteral("x"), QStringLiteral("y"));
-        addOfArea(2, alike(QStringLiteral("{value} ← ") + value, QStringLiteral("{value}")),
-                  samples);
+        const QString value = m_names.lineAt("x", "y");
+        addOfArea(2, alike(QStringLiteral("{value} ← ") + value, "{value}"), samples);
         if (m_form.isBarycentric())
-            addOfArea(2, alike(QStringLiteral("{w} ← {value}/f{opp}"), QStringLiteral("{w}")),
-                      samples);
+            addOfArea(2, alike("{w} ← {value}/f{opp}", "{w}"), samples);
     }
 
     void addTest()
@@ -245,16 +234,14 @@ private:
     void addPixel()
     {
         addOfSegment(2,
-                     QStringLiteral("if x_l ≤ x ≤ x_r; (x_r − x_l)·(y − y_l) = (y_r − y_l)·(x − "
-                                    "x_l); x_l < x_r, or y_l ≤ y ≤ y_r: — the segment passes "
-                                    "through (x, y)"),
+                     "if x_l ≤ x ≤ x_r; (x_r − x_l)·(y − y_l) = (y_r − y_l)·(x − x_l); x_l < x_r, "
+                     "or y_l ≤ y ≤ y_r: — the segment passes through (x, y)",
                      {First, Next, Refused});
         addOfSegment(3,
-                     QStringLiteral("t ← (x − x_l)/(x_r − x_l) if x_l < x_r, else (y − y_l)/(y_r − "
-                                    "y_l) if y_l < y_r, else 0; R ← R_l + t·(R_r − R_l); G and B "
-                                    "likewise"),
+                     "t ← (x − x_l)/(x_r − x_l) if x_l < x_r, else (y − y_l)/(y_r − y_l) if y_l < "
+                     "y_r, else 0; R ← R_l + t·(R_r − R_l); G and B likewise",
                      {First, Next});
-        add(3, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {First, Next});
+        add(3, "pixel (x, y) ← the bytes of R, G, B", {First, Next});
     }
 
     QString colourText() const

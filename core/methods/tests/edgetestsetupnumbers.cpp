@@ -3,6 +3,7 @@
 #include "core/methods/tests/edgetestnames.h"
 #include "core/methods/tests/edgetestnumbers.h"
 #include "core/methods/words/channelnumbers.h"
+#include "core/methods/words/placenumbers.h"
 #include "core/methods/words/units.h"
 
 #include <functional>
@@ -18,13 +19,11 @@ void appendVertices(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames 
         for (const auto &[axis, coordinate] :
              {std::pair(u'x', &EdgeTestSetUpState::x), std::pair(u'y', &EdgeTestSetUpState::y)})
             table.push_back(
-                {{.id = QChar(axis) + names.vertexId(vertex),
-                  .title = QChar(axis) + names.vertex(vertex),
-                  .unit = unit::px(),
-                  .toolTip = QStringLiteral("%1 of vertex %2, from the centre of pixel (0, 0).")
+                {plainNumber(QChar(axis) + names.vertexId(vertex),
+                             QChar(axis) + names.vertex(vertex), unit::px(),
+                             QStringLiteral("%1 of vertex %2, from the centre of pixel (0, 0).")
                                  .arg(QChar(axis))
-                                 .arg(names.vertexName(vertex)),
-                  .formula = {}},
+                                 .arg(names.vertexName(vertex))),
                  [vertex, coordinate = coordinate](const EdgeTestSetUpState &state) {
                      return (state.*coordinate)[vertex];
                  }});
@@ -36,11 +35,8 @@ void appendColours(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &
     for (std::size_t vertex = 0; vertex < 3; ++vertex)
         appendChannels(
             table,
-            {.id = u'%' + names.vertexId(vertex),
-             .title = u'%' + names.vertex(vertex),
-             .unit = unit::levels(),
-             .toolTip = QStringLiteral("Level of % at vertex ") + names.vertexName(vertex) + u'.',
-             .formula = {}},
+            plainNumber(u'%' + names.vertexId(vertex), u'%' + names.vertex(vertex), unit::levels(),
+                        QStringLiteral("Level of % at vertex ") + names.vertexName(vertex) + u'.'),
             [vertex](const EdgeTestSetUpState &state, std::size_t channel) {
                 return Quantity::integer(state.vertices[vertex].colour.channels[channel]);
             });
@@ -61,15 +57,14 @@ void appendLine(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &nam
                 std::size_t line)
 {
     const EdgeTestForm &form = names.form();
-    const QString divisor = names.filled(QStringLiteral("/q{l}"), line);
+    const QString divisor = names.filled("/q{l}", line);
     const auto add = [&](const char16_t *name, const char16_t *toolTip, const QString &formula,
                          Quantity EdgeTestLineState::*member) {
         table.push_back(
-            {{.id = names.filledId(QString::fromUtf16(name), line),
-              .title = names.filled(QString::fromUtf16(name), line),
-              .unit = {},
-              .toolTip = names.filled(QString::fromUtf16(toolTip), line),
-              .formula = names.filled(formula, line)},
+            {plainNumber(names.filledId(QString::fromUtf16(name), line),
+                         names.filled(QString::fromUtf16(name), line), {},
+                         names.filled(QString::fromUtf16(toolTip), line),
+                         names.filled(formula, line)),
              [line, member](const EdgeTestSetUpState &state) { return state.lines[line].*member; },
              [line, divisor](NumberDescription &number, const EdgeTestSetUpState &state) {
                  if (state.lines[line].passesOrigin())
@@ -86,8 +81,7 @@ void appendLine(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &nam
         add(u"q{l}",
             u"The determinant of the system for edge {edge}; 0 where its line passes through "
             u"(0, 0): then c = 0 is chosen, and nothing is divided.",
-            QStringLiteral("q{l} = x{from}·y{to} − y{from}·x{to}"),
-            &EdgeTestLineState::determinant);
+            "q{l} = x{from}·y{to} − y{from}·x{to}", &EdgeTestLineState::determinant);
     if (form.line == LineForm::CanonicalEnd) {
         add(u"u{l}", u"x of the end of edge {edge} that is smaller in (x, y) order, px.", {},
             &EdgeTestLineState::u);
@@ -99,31 +93,27 @@ void appendLine(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &nam
             return u'(' + difference + u')' + (form.line == LineForm::Solved ? divisor : QString());
         };
         const QString side
-            = names.lineAt(QStringLiteral("x{opp}"), QStringLiteral("y{opp}"))
-                  .replace(QStringLiteral("a{l}"), unflipped(QStringLiteral("y{to} − y{from}")))
-                  .replace(QStringLiteral("b{l}"), unflipped(QStringLiteral("x{from} − x{to}")))
-                  .replace(QStringLiteral("c{l}"),
-                           unflipped(QStringLiteral("x{to}·y{from} − "
-                                                    "x{from}·y{to}")));
+            = names.lineAt("x{opp}", "y{opp}")
+                  .replace(QStringLiteral("a{l}"), unflipped("y{to} − y{from}"))
+                  .replace(QStringLiteral("b{l}"), unflipped("x{from} − x{to}"))
+                  .replace(QStringLiteral("c{l}"), unflipped("x{to}·y{from} − x{from}·y{to}"));
         add(u"sidedness{l}",
             u"The edge function of {edge} at vertex {facing}, which faces it: below 0 the sides "
             u"are "
             u"to be exchanged.",
             QStringLiteral("sidedness{l} = ") + side, &EdgeTestLineState::sidedness);
         add(u"s{l}", u"−1 where the sides of edge {edge} were exchanged to be positive inside.",
-            QStringLiteral("s{l} = −1 if sidedness{l} < 0, else 1"), &EdgeTestLineState::sign);
+            "s{l} = −1 if sidedness{l} < 0, else 1", &EdgeTestLineState::sign);
     }
     add(u"a{l}", u"Change of the edge function of {edge} for each step of x.",
-        QStringLiteral("a{l} = ") + scaled(QStringLiteral("y{to} − y{from}")),
-        &EdgeTestLineState::a);
+        QStringLiteral("a{l} = ") + scaled("y{to} − y{from}"), &EdgeTestLineState::a);
     add(u"b{l}", u"Change of the edge function of {edge} for each step of y.",
-        QStringLiteral("b{l} = ") + scaled(QStringLiteral("x{from} − x{to}")),
-        &EdgeTestLineState::b);
+        QStringLiteral("b{l} = ") + scaled("x{from} − x{to}"), &EdgeTestLineState::b);
     if (form.line == LineForm::Absolute || form.line == LineForm::Solved)
         add(u"c{l}", u"The edge function of {edge} at (0, 0).",
-            QStringLiteral("c{l} = ") + scaled(QStringLiteral("x{to}·y{from} − x{from}·y{to}")),
+            QStringLiteral("c{l} = ") + scaled("x{to}·y{from} − x{from}·y{to}"),
             &EdgeTestLineState::c);
-    const QString atOpposite = names.lineAt(QStringLiteral("x{opp}"), QStringLiteral("y{opp}"));
+    const QString atOpposite = names.lineAt("x{opp}", "y{opp}");
     if (form.isBarycentric())
         add(u"f{opp}", u"The edge function of {edge} at vertex {facing}, which faces it.",
             QStringLiteral("f{opp} = ") + atOpposite, &EdgeTestLineState::atOpposite);
@@ -137,22 +127,17 @@ void appendCramer(NumberTable<EdgeTestSetUpState> &table)
     const auto append = [&table](QChar axis, QChar vertex, Quantity EdgeTestSetUpState::*member) {
         const QString name = QStringLiteral("%1_%2C").arg(axis).arg(vertex);
         table.push_back(
-            {{.id = name,
-              .title = name,
-              .unit = unit::px(),
-              .toolTip = QStringLiteral("%1 of %2 − C.").arg(axis).arg(vertex),
-              .formula = QStringLiteral("%1 = %2_%3 − %2_C").arg(name).arg(axis).arg(vertex)},
+            {plainNumber(name, name, unit::px(),
+                         QStringLiteral("%1 of %2 − C.").arg(axis).arg(vertex),
+                         QStringLiteral("%1 = %2_%3 − %2_C").arg(name).arg(axis).arg(vertex)),
              std::mem_fn(member)});
     };
     append(u'x', u'A', &EdgeTestSetUpState::xAC);
     append(u'y', u'A', &EdgeTestSetUpState::yAC);
     append(u'x', u'B', &EdgeTestSetUpState::xBC);
     append(u'y', u'B', &EdgeTestSetUpState::yBC);
-    table.push_back({{.id = QStringLiteral("D"),
-                      .title = QStringLiteral("D"),
-                      .unit = unit::squarePx(),
-                      .toolTip = QStringLiteral("The determinant |A − C, B − C|."),
-                      .formula = QStringLiteral("D = x_AC·y_BC − x_BC·y_AC")},
+    table.push_back({plainNumber("D", "D", unit::squarePx(), "The determinant |A − C, B − C|.",
+                                 "D = x_AC·y_BC − x_BC·y_AC"),
                      std::mem_fn(&EdgeTestSetUpState::determinant)});
 }
 
@@ -165,17 +150,14 @@ void appendRates(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &na
             = axis == u'x' ? &EdgeTestSetUpState::weightPerX : &EdgeTestSetUpState::weightPerY;
         for (std::size_t line = 0; line < 3; ++line) {
             table.push_back(
-                {{.id = names.filledId(QStringLiteral("delta_{w}_"), line) + QChar(axis),
-                  .title = names.filled(QStringLiteral("Δ{w}_"), line) + QChar(axis),
-                  .unit = {},
-                  .toolTip
-                  = names.filled(
-                        QStringLiteral("Change of the weight of vertex {facing} for each step of "),
-                        line)
-                      + QChar(axis) + u'.',
-                  .formula = names.filled(
-                      QStringLiteral("Δ{w}_%1 = %2{l}/f{opp}").arg(QChar(axis)).arg(coefficient),
-                      line)},
+                {plainNumber(
+                     names.filledId("delta_{w}_", line) + QChar(axis),
+                     names.filled("Δ{w}_", line) + QChar(axis), {},
+                     names.filled("Change of the weight of vertex {facing} for each step of ", line)
+                         + QChar(axis) + u'.',
+                     names.filled(
+                         QStringLiteral("Δ{w}_%1 = %2{l}/f{opp}").arg(QChar(axis)).arg(coefficient),
+                         line)),
                  [line, rates](const EdgeTestSetUpState &state) { return (state.*rates)[line]; }});
         }
     }
@@ -183,12 +165,11 @@ void appendRates(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &na
         const auto rates
             = axis == u'x' ? &EdgeTestSetUpState::colourPerX : &EdgeTestSetUpState::colourPerY;
         appendChannels(table,
-                       {.id = QStringLiteral("delta_%_") + axis,
-                        .title = QStringLiteral("Δ%_") + axis,
-                        .unit = QStringLiteral("levels/px"),
-                        .toolTip = QStringLiteral("Change of % for each step of ") + axis + u'.',
-                        .formula = QStringLiteral("Δ%_{} = Δα_{}·%_a + Δβ_{}·%_b + Δγ_{}·%_c")
-                                       .replace(QStringLiteral("{}"), axis)},
+                       plainNumber(QStringLiteral("delta_%_") + axis, QStringLiteral("Δ%_") + axis,
+                                   "levels/px",
+                                   QStringLiteral("Change of % for each step of ") + axis + u'.',
+                                   QStringLiteral("Δ%_{} = Δα_{}·%_a + Δβ_{}·%_b + Δγ_{}·%_c")
+                                       .replace(QStringLiteral("{}"), axis)),
                        [rates](const EdgeTestSetUpState &state, std::size_t channel) {
                            return (state.*rates)[channel];
                        });

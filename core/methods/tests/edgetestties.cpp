@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/tests/edgetestnames.h"
 #include "core/methods/tests/edgetestnumbers.h"
+#include "core/methods/words/placenumbers.h"
 #include "core/methods/words/units.h"
 
 #include <functional>
@@ -15,7 +16,7 @@ using State = EdgeTestSetUpState;
 /// "f_bc(a)·f_bc(r)".
 QString productTitle(const EdgeTestNames &names, std::size_t line)
 {
-    return names.filled(QStringLiteral("{value}({letter})·{value}(r)"), line);
+    return names.filled("{value}({letter})·{value}(r)", line);
 }
 
 /// The edge's function at a point. Cramer's rule has no coefficients for it: its own counts from C,
@@ -36,13 +37,11 @@ QString valueFormula(const EdgeTestNames &names, std::size_t line, const QString
 
 NumberRow<State> pointNumber(QChar axis, Quantity State::*coordinate)
 {
-    return {{.id = axis + QStringLiteral("_r"),
-             .title = axis + QStringLiteral("_r"),
-             .unit = unit::px(),
-             .toolTip = axis
-                 + QStringLiteral(" of the off-screen point r, from the centre of pixel (0, 0)."),
-             .formula = {}},
-            std::mem_fn(coordinate)};
+    return {
+        plainNumber(
+            axis + QStringLiteral("_r"), axis + QStringLiteral("_r"), unit::px(),
+            axis + QStringLiteral(" of the off-screen point r, from the centre of pixel (0, 0).")),
+        std::mem_fn(coordinate)};
 }
 
 /// How the off-screen-point rule finds on which side of an edge r lies.
@@ -55,32 +54,25 @@ void appendSides(NumberTable<State> &table, const EdgeTestNames &names, std::siz
     const QString atFacing = names.form().isBarycentric() ? filled(u"f{opp}") : filled(u"F{l}");
     if (isCramer)
         table.push_back(
-            {{.id = names.filledId(QStringLiteral("f{opp}"), line),
-              .title = atFacing,
-              .unit = square,
-              .toolTip = filled(u"The edge function of {edge} at vertex {facing}, which faces it."),
-              .formula = atFacing + QStringLiteral(" = ")
-                  + valueFormula(names, line,
-                                 names.vertex(edgeEndsOf(names.form(), line).opposite))},
+            {plainNumber(names.filledId("f{opp}", line), atFacing, square,
+                         filled(u"The edge function of {edge} at vertex {facing}, which faces it."),
+                         atFacing + QStringLiteral(" = ")
+                             + valueFormula(names, line,
+                                            names.vertex(edgeEndsOf(names.form(), line).opposite))),
              [line](const State &state) {
                  const EdgeTestLineState &of = state.lines[line];
                  return of.atRulesPoint.isNone() ? Quantity() : of.atOpposite;
              }});
     const QString atPoint = filled(u"{value}(r)");
-    table.push_back({{.id = names.filledId(QStringLiteral("{value}_r"), line),
-                      .title = atPoint,
-                      .unit = square,
-                      .toolTip = filled(u"The edge function of {edge} at the off-screen point r."),
-                      .formula = atPoint + QStringLiteral(" = ")
-                          + valueFormula(names, line, QStringLiteral("_r"))},
+    table.push_back({plainNumber(names.filledId("{value}_r", line), atPoint, square,
+                                 filled(u"The edge function of {edge} at the off-screen point r."),
+                                 atPoint + QStringLiteral(" = ") + valueFormula(names, line, "_r")),
                      [line](const State &state) { return state.lines[line].atRulesPoint; }});
     table.push_back(
-        {{.id = names.filledId(QStringLiteral("tie_product{l}"), line),
-          .title = productTitle(names, line),
-          .unit = {},
-          .toolTip = filled(u"Above 0 where {facing} and r lie on the same side of edge {edge}: it "
+        {plainNumber(names.filledId("tie_product{l}", line), productTitle(names, line), {},
+                     filled(u"Above 0 where {facing} and r lie on the same side of edge {edge}: it "
                             u"owns a sample exactly on the edge."),
-          .formula = productTitle(names, line) + QStringLiteral(" = ") + atFacing + u'·' + atPoint},
+                     productTitle(names, line) + QStringLiteral(" = ") + atFacing + u'·' + atPoint),
          [line](const State &state) { return state.lines[line].tieProduct; }});
 }
 
@@ -148,13 +140,10 @@ void appendTies(NumberTable<State> &table, const EdgeTestNames &names)
         appendSides(table, names, line);
     for (std::size_t line = 0; line < 3; ++line)
         table.push_back(
-            {{.id = names.filledId(QStringLiteral("tie{l}"), line),
-              .title = names.filled(QStringLiteral("tie{l}"), line),
-              .unit = {},
-              .toolTip = names.filled(QStringLiteral("1: under the fill rule, a sample exactly on "
-                                                     "edge {edge} is inside."),
-                                      line),
-              .formula = {}},
+            {plainNumber(
+                 names.filledId("tie{l}", line), names.filled("tie{l}", line), {},
+                 names.filled("1: under the fill rule, a sample exactly on edge {edge} is inside.",
+                              line)),
              [line](const State &state) { return Quantity::integer(state.ownsTie[line]); },
              [names, line](NumberDescription &number, const State &state) {
                  const QString decides = state.zeroArea ? QString() : condition(names, line, state);

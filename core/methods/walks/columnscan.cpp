@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/methods/walks/columnscan.h"
-
 #include "core/fast/fastscan.h"
+#include "core/methods/methodrows.h"
 #include "core/methods/shading/plannedmethod.h"
 #include "core/methods/walks/edgewalktraces.h"
 
@@ -35,15 +34,14 @@ bool drawColumnScan(const Run &run, FrameView frame, const ProgressListener &lis
 Method columnScanMethod()
 {
     Method method = edgeWalkMethod<ColumnScanKernel>();
-    method.id = QStringLiteral("column-scan");
-    method.title = QStringLiteral(QT_TRANSLATE_NOOP("core", "Column scan"));
-    method.source = QStringLiteral("Assignment (Borst), “The Triangle Awakens” and “Smoothly "
-                                   "shading the triangle”");
-    method.summary = QStringLiteral(
-        QT_TRANSLATE_NOOP("core",
-                          "Walks the columns between two edges and colours the samples "
-                          "from y_B to y_T that the fill rule takes, all by adding "
-                          "increments."));
+    method.id = "column-scan";
+    method.title = QT_TRANSLATE_NOOP("core", "Column scan");
+    method.source
+        = "Assignment (Borst), “The Triangle Awakens” and “Smoothly shading the triangle”";
+    method.summary
+        = QT_TRANSLATE_NOOP("core",
+                            "Walks the columns between two edges and colours the samples from y_B "
+                            "to y_T that the fill rule takes, all by adding increments.");
     method.shadedPseudocode = pixelplumb::shadedPseudocode(InterpolationForm::Bilinear);
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
     method.effects.assign(allEffects.begin(), allEffects.end());

@@ -2,6 +2,7 @@
 #include "core/methods/walks/edgewalkcolours.h"
 
 #include "core/methods/words/channelnumbers.h"
+#include "core/methods/words/placenumbers.h"
 #include "core/methods/words/units.h"
 
 namespace pixelplumb {
@@ -43,8 +44,7 @@ void appendBoundColours(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNam
                 + nameOf(isLower ? state.lower : state.upper)
                 + names.filled(QStringLiteral(", the ") + word
                                + QStringLiteral(" edge here, meets the {span}."));
-            description.formula = names.boundFormula(state, bound, title, QStringLiteral("%"),
-                                                     QStringLiteral("δ%"));
+            description.formula = names.boundFormula(state, bound, title, "%", "δ%");
             description.startFormula.clear();
         });
 }
@@ -52,7 +52,7 @@ void appendBoundColours(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNam
 /// Δ% of a triangle's colour plane along the spans.
 QString planeRate(const EdgeWalkNames &names)
 {
-    return planeSlope(names.isRow() ? u'x' : u'y', QStringLiteral("A"));
+    return planeSlope(names.isRow() ? u'x' : u'y', "A");
 }
 
 /// Whether the colours' change along a span is the plane's.
@@ -72,15 +72,13 @@ void specifyRate(const EdgeWalkNames &names, NumberDescription &description,
 {
     if (isPlanesRate(names, state.start)) {
         description.formula = QStringLiteral("Δ% = ") + planeRate(names);
-        description.toolTip = QStringLiteral("Change of % along the {span}, the plane's, the same "
-                                             "in all of them.");
+        description.toolTip = "Change of % along the {span}, the plane's, the same in all of them.";
     } else if (state.start.isPoint) {
         description.formula.clear();
-        description.toolTip = QStringLiteral("None: {a}_{lo} = {a}_{hi}, there is nothing to share "
-                                             "out.");
+        description.toolTip = "None: {a}_{lo} = {a}_{hi}, there is nothing to share out.";
     } else {
-        description.formula = QStringLiteral("Δ% = (%_{hi} − %_{lo})/({a}_{hi} − {a}_{lo})");
-        description.toolTip = QStringLiteral("Change of % from sample to sample of the {span}.");
+        description.formula = "Δ% = (%_{hi} − %_{lo})/({a}_{hi} − {a}_{lo})";
+        description.toolTip = "Change of % from sample to sample of the {span}.";
     }
     description = names.filled(std::move(description));
 }
@@ -94,7 +92,7 @@ bool isDirect(const EdgeWalkNames &names, const EdgeWalkStart &start)
 /// The level at @ on the span.
 QString directLevel(const EdgeWalkStart &start)
 {
-    return start.hasPlane ? QStringLiteral("%₀ + ") + planeSlope(u'x', QStringLiteral("A"))
+    return start.hasPlane ? QStringLiteral("%₀ + ") + planeSlope(u'x', "A")
             + QStringLiteral("·(x − x₀) + Δ%·(@ − y₀)")
                           : QStringLiteral("%₀ + (@ − y₀)·Δ%");
 }
@@ -104,7 +102,7 @@ QString startFormula(const EdgeWalkNames &names, const EdgeWalkStart &start, con
 {
     const QString first = start.isClipped ? QStringLiteral("{a}_start")
                                           : names.coveredSample(SpanBound::Lower, start.covered);
-    QString formula = QStringLiteral("%_{lo} + (@ − {a}_{lo})·Δ%");
+    QString formula = "%_{lo} + (@ − {a}_{lo})·Δ%";
     if (!start.hasPreStep)
         formula = start.isClipped && hasRate(names, start)
             ? QStringLiteral("%_{lo} + ({a}_start − %1)·Δ%")
@@ -113,7 +111,7 @@ QString startFormula(const EdgeWalkNames &names, const EdgeWalkStart &start, con
     else if (isDirect(names, start))
         formula = directLevel(start);
     else if (!hasRate(names, start))
-        formula = QStringLiteral("%_{lo}");
+        formula = "%_{lo}";
     return names.filled(title + formula.replace(u'@', first));
 }
 
@@ -134,15 +132,12 @@ void appendRamp(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &name
     const bool isPlanes = names.form().rate == ColourRate::Plane;
     appendChannels(
         table,
-        names.filled({.id = QStringLiteral("delta_%"),
-                      .title = QStringLiteral("Δ%"),
-                      .unit = QStringLiteral("levels/{across}"),
-                      .toolTip = QStringLiteral("Change of % from sample to sample of the {span}."),
-                      .formula = QStringLiteral("Δ% = ")
-                          + (isPlanes ? planeRate(names)
-                                      : QStringLiteral("(%_{hi} − %_{lo})/({a}_{hi} − {a}_{lo})")),
-                      .group = Group::ColourRates,
-                      .comparison = Comparison::WithExact}),
+        names.filled(comparedNumber(
+            "delta_%", "Δ%", "levels/{across}", "Change of % from sample to sample of the {span}.",
+            QStringLiteral("Δ% = ")
+                + (isPlanes ? planeRate(names)
+                            : QStringLiteral("(%_{hi} − %_{lo})/({a}_{hi} − {a}_{lo})")),
+            Group::ColourRates)),
         [names](const EdgeWalkSpanState &state, std::size_t channel) {
             return hasRate(names, state.start) ? state.column.colourRate[channel] : Quantity();
         },
@@ -152,14 +147,10 @@ void appendRamp(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &name
     const auto title = QStringLiteral("first % = ");
     appendChannels(
         table,
-        names.filled({.id = QStringLiteral("first_%"),
-                      .title = QStringLiteral("first %"),
-                      .unit = unit::levels(),
-                      .toolTip = QStringLiteral("Level of % at {a}_start, the {span}'s first "
-                                                "drawn pixel."),
-                      .formula = startFormula(names, {.hasPlane = true, .isClipped = true}, title),
-                      .group = Group::FirstColour,
-                      .comparison = Comparison::WithExact}),
+        names.filled(comparedNumber(
+            "first_%", "first %", unit::levels(),
+            "Level of % at {a}_start, the {span}'s first drawn pixel.",
+            startFormula(names, {.hasPlane = true, .isClipped = true}, title), Group::FirstColour)),
         [](const EdgeWalkSpanState &state, std::size_t channel) {
             return state.drawnSamples() > 0 ? state.column.firstColour[channel] : Quantity();
         },
@@ -184,11 +175,11 @@ NumberTable<EdgeWalkSampleState> edgeWalkSampleNumbers(const EdgeWalkForm &form)
     const auto title = QStringLiteral("% ← ");
     appendChannels(
         table,
-        {.id = QStringLiteral("%"),
-         .title = QStringLiteral("%"),
+        {.id = "%",
+         .title = "%",
          .unit = unit::levels(),
-         .toolTip = QStringLiteral("Level of % at the sample."),
-         .formula = QStringLiteral("% ← %′ + Δ%"),
+         .toolTip = "Level of % at the sample.",
+         .formula = "% ← %′ + Δ%",
          .startFormula = startFormula(names, {.hasPlane = true}, title),
          .group = Group::FirstColour,
          .comparison = Comparison::WithExact},
@@ -202,20 +193,16 @@ NumberTable<EdgeWalkSampleState> edgeWalkSampleNumbers(const EdgeWalkForm &form)
             description.startFormula.clear();
         });
     if (form.walk == WalkForm::Direct)
-        table.push_back({{.id = QStringLiteral("bias_colour"),
-                          .title = colourBiasTitle(),
-                          .unit = unit::levels(),
-                          .toolTip = QStringLiteral("A quarter of the distance between the values "
-                                                    "that a level can have, added before it is cut "
-                                                    "to a byte; 0 where it is computed in "
-                                                    "integers."),
-                          .formula = {},
-                          .group = Group::FirstColour},
-                         [](const EdgeWalkSampleState &state) { return state.bias; },
-                         [](NumberDescription &description, const EdgeWalkSampleState &state) {
-                             description.formula
-                                 = colourBiasTitle() + QStringLiteral(" = ") + colourBias(state);
-                         }});
+        table.push_back(
+            {plainNumber("bias_colour", colourBiasTitle(), unit::levels(),
+                         "A quarter of the distance between the values that a level can have, "
+                         "added before it is cut to a byte; 0 where it is computed in integers.",
+                         {}, Group::FirstColour),
+             [](const EdgeWalkSampleState &state) { return state.bias; },
+             [](NumberDescription &description, const EdgeWalkSampleState &state) {
+                 description.formula
+                     = colourBiasTitle() + QStringLiteral(" = ") + colourBias(state);
+             }});
     return table;
 }
 

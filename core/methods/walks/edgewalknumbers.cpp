@@ -3,6 +3,7 @@
 
 #include "core/methods/edgewalknames.h"
 #include "core/methods/walks/edgewalkcolours.h"
+#include "core/methods/words/placenumbers.h"
 #include "core/methods/words/units.h"
 
 namespace pixelplumb {
@@ -14,35 +15,24 @@ using Group = NumberGroup;
 void appendPlace(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names)
 {
     const bool isRow = names.isRow();
-    table.push_back({{.id = QStringLiteral("primitive"),
-                      .title = QStringLiteral("tri"),
-                      .unit = {},
-                      .toolTip = QStringLiteral("The triangle's place in drawing order, from 0."),
-                      .formula = {}},
-                     [](const EdgeWalkSpanState &state) {
-                         return Quantity::integer(Int128(state.primitive));
-                     }});
-    table.push_back({names.filled({.id = QStringLiteral("{c}"),
-                                   .title = QStringLiteral("{c}"),
-                                   .unit = unit::px(),
-                                   .toolTip = QStringLiteral("The {span}."),
-                                   .formula = {}}),
+    table.push_back(
+        {plainNumber("primitive", "tri", {}, "The triangle's place in drawing order, from 0."),
+         [](const EdgeWalkSpanState &state) {
+             return Quantity::integer(Int128(state.primitive));
+         }});
+    table.push_back({names.filled(plainNumber("{c}", "{c}", unit::px(), "The {span}.")),
                      [isRow](const EdgeWalkSpanState &state) {
                          return Quantity::integer(isRow ? -state.column.x : state.column.x);
                      }});
-    table.push_back(
-        {names.filled({.id = QStringLiteral("{half}"),
-                       .title = QStringLiteral("{half}"),
-                       .unit = {},
-                       .toolTip = QStringLiteral("1: between L₀₁ and L₀₂; 2: between L₁₂ and L₀₂."),
-                       .formula = {}}),
-         [](const EdgeWalkSpanState &state) { return state.halfNumber(); },
-         [](NumberDescription &description, const EdgeWalkSpanState &state) {
-             description.toolTip = state.start.hasPlane
-                 ? QStringLiteral("Between %1 and %2.")
-                       .arg(nameOf(state.lower), nameOf(state.upper))
-                 : QStringLiteral("Along L₀₂: the triangle has no area.");
-         }});
+    table.push_back({names.filled(plainNumber("{half}", "{half}", {},
+                                              "1: between L₀₁ and L₀₂; 2: between L₁₂ and L₀₂.")),
+                     [](const EdgeWalkSpanState &state) { return state.halfNumber(); },
+                     [](NumberDescription &description, const EdgeWalkSpanState &state) {
+                         description.toolTip = state.start.hasPlane
+                             ? QStringLiteral("Between %1 and %2.")
+                                   .arg(nameOf(state.lower), nameOf(state.upper))
+                             : QStringLiteral("Along L₀₂: the triangle has no area.");
+                     }});
 }
 
 /// One bound's position: y_B or y_T, x_L or x_R.
@@ -71,10 +61,10 @@ void appendBound(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &nam
          },
          [=](NumberDescription &description, const EdgeWalkSpanState &state) {
              description.toolTip
-                 = names.filled(QStringLiteral("Where %1, the %2 edge here, meets the {span}."))
+                 = names.filled("Where %1, the %2 edge here, meets the {span}.")
                        .arg(nameOf(isLower ? state.lower : state.upper), names.filled(word));
-             description.formula = names.boundFormula(
-                 state, bound, title, names.filled(QStringLiteral("{a}")), QStringLiteral("m"));
+             description.formula
+                 = names.boundFormula(state, bound, title, names.filled("{a}"), "m");
              description.startFormula.clear();
          }});
 }
@@ -95,7 +85,6 @@ void appendCoveredSample(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNa
                         .title = {},
                         .unit = unit::px(),
                         .toolTip = QStringLiteral("The %1 covered {across}.").arg(word),
-                        .formula = {},
                         .group = Group::Span,
                         .comparison = Comparison::WithExact,
                         .subject = isLower ? NumberSubject::LowerEdge : NumberSubject::UpperEdge});
@@ -113,37 +102,31 @@ void appendCoveredSample(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNa
 void appendPixelCount(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names)
 {
     table.push_back(
-        {names.filled(
-             {.id = QStringLiteral("pixels"),
-              .title = QStringLiteral("px"),
-              .unit = {},
-              .toolTip = QStringLiteral("Pixels written in this {span}, inside the frame."),
-              .formula = {},
-              .group = Group::Span}),
+        {names.filled(plainNumber("pixels", "px", {},
+                                  "Pixels written in this {span}, inside the frame.", {},
+                                  Group::Span)),
          [](const EdgeWalkSpanState &state) { return Quantity::integer(state.drawnSamples()); }});
 }
 
 /// The first sample in the frame, from which the colours start.
 void appendStart(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names)
 {
-    table.push_back(
-        {names.filled({.id = QStringLiteral("first_drawn_{across}"),
-                       .title = QStringLiteral("{a}_start"),
-                       .unit = unit::px(),
-                       .toolTip = QStringLiteral("The first drawn {across}, where the colours "
-                                                 "start: the first covered one, or the frame's."),
-                       .formula = QStringLiteral("{a}_start = max(first {across}, {a}_frame)"),
-                       .group = Group::EdgeColours}),
-         [](const EdgeWalkSpanState &state) {
-             return state.drawnSamples() > 0 ? Quantity::integer(state.column.firstDrawn)
-                                             : Quantity();
-         },
-         [names](NumberDescription &description, const EdgeWalkSpanState &state) {
-             // Otherwise it is the first covered one, whose formula is shown already.
-             description.formula = state.start.isClipped
-                 ? names.filled(QStringLiteral("{a}_start = {a}_frame"))
-                 : QString();
-         }});
+    table.push_back({names.filled(plainNumber("first_drawn_{across}", "{a}_start", unit::px(),
+                                              "The first drawn {across}, where the colours start: "
+                                              "the first covered one, or the frame's.",
+                                              "{a}_start = max(first {across}, {a}_frame)",
+                                              Group::EdgeColours)),
+                     [](const EdgeWalkSpanState &state) {
+                         return state.drawnSamples() > 0
+                             ? Quantity::integer(state.column.firstDrawn)
+                             : Quantity();
+                     },
+                     [names](NumberDescription &description, const EdgeWalkSpanState &state) {
+                         // Otherwise it is the first covered one, whose formula is shown already.
+                         description.formula = state.start.isClipped
+                             ? names.filled("{a}_start = {a}_frame")
+                             : QString();
+                     }});
 }
 
 /// β of a bound in float64: half of 1/(ΔX·S), with lattice units converted to pixels.
@@ -162,15 +145,13 @@ void appendBiases(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &na
 {
     for (const bool isLower : {true, false})
         table.push_back(
-            {names.filled(
-                 {.id = isLower ? QStringLiteral("bias_{lo}") : QStringLiteral("bias_{hi}"),
-                  .title = isLower ? QStringLiteral("β_{lo}") : QStringLiteral("β_{hi}"),
-                  .unit = unit::px(),
-                  .toolTip = QStringLiteral("Half the distance between the values that ")
-                      + (isLower ? QStringLiteral("{a}_{lo}") : QStringLiteral("{a}_{hi}"))
-                      + QStringLiteral(" can have; 0 where the edge is computed in integers."),
-                  .formula = {},
-                  .group = Group::Span}),
+            {names.filled(plainNumber(
+                 isLower ? QStringLiteral("bias_{lo}") : QStringLiteral("bias_{hi}"),
+                 isLower ? QStringLiteral("β_{lo}") : QStringLiteral("β_{hi}"), unit::px(),
+                 QStringLiteral("Half the distance between the values that ")
+                     + (isLower ? QStringLiteral("{a}_{lo}") : QStringLiteral("{a}_{hi}"))
+                     + QStringLiteral(" can have; 0 where the edge is computed in integers."),
+                 {}, Group::Span)),
              [isLower](const EdgeWalkSpanState &state) {
                  return isLower ? state.biasBottom : state.biasTop;
              },

@@ -8,31 +8,26 @@ namespace {
 using enum Moment;
 
 /// The change of R in the plane through the vertices; A is a number of the set-up.
-QString planeChange(QChar axis)
-{
-    return planeSlope(axis, QStringLiteral("A")).replace(u'%', u'R');
-}
+QString planeChange(QChar axis) { return planeSlope(axis, "A").replace(u'%', u'R'); }
 
 void addPlane(WalkListing &listing, SpanAxis axis)
 {
-    listing.add(0,
-                QStringLiteral("ΔR ← %1; ΔG and ΔB likewise — in the plane through the vertices; A "
-                               "is twice the area")
-                    .arg(planeChange(axis == SpanAxis::Row ? u'x' : u'y')),
-                {SetUp}, LineOf::Area);
+    listing.add(
+        0,
+        QStringLiteral(
+            "ΔR ← %1; ΔG and ΔB likewise — in the plane through the vertices; A is twice the area")
+            .arg(planeChange(axis == SpanAxis::Row ? u'x' : u'y')),
+        {SetUp}, LineOf::Area);
 }
 
 /// Adds the colours of a span's samples, one after the other.
 void addColours(WalkListing &listing)
 {
-    listing.addVaried(2,
-                      QStringLiteral("the first: R ← R_{lo} + ({a} − {a}_{lo})·ΔR; G and B "
-                                     "likewise"),
-                      {First},
-                      {{VariantSet().with(Variant::NoColourPreStep),
-                        QStringLiteral("the first: R ← R_{lo}; G and B likewise")}});
-    listing.add(2, QStringLiteral("else: R ← R + ΔR; G and B likewise"), {Next});
-    listing.add(2, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {First, Next});
+    listing.addVaried(
+        2, "the first: R ← R_{lo} + ({a} − {a}_{lo})·ΔR; G and B likewise", {First},
+        {{VariantSet().with(Variant::NoColourPreStep), "the first: R ← R_{lo}; G and B likewise"}});
+    listing.add(2, "else: R ← R + ΔR; G and B likewise", {Next});
+    listing.add(2, "pixel (x, y) ← the bytes of R, G, B", {First, Next});
 }
 
 /// Every number from a vertex anew. β is half the distance between the values that y can have, or a
@@ -47,8 +42,7 @@ Pseudocode directPseudocode(const EdgeWalkForm &form)
             + QStringLiteral("; β_ij ← 1/(2·256²·(x_j − x_i)) if x_i < x_j, else 1/(2·256)"),
         {SetUp});
     listing.add(0,
-                QStringLiteral("β_C ← 1/(4·256·(x₂ − x₀)) if x₀ < x₂, else 1/(4·256·(y₂ − y₀)) if "
-                               "y₀ < y₂, else 0"),
+                "β_C ← 1/(4·256·(x₂ − x₀)) if x₀ < x₂, else 1/(4·256·(y₂ − y₀)) if y₀ < y₂, else 0",
                 {SetUp}, LineOf::Segment);
     addPlane(listing, form.axis);
     listing.add(0,
@@ -58,15 +52,15 @@ Pseudocode directPseudocode(const EdgeWalkForm &form)
     listing.addRejection();
     listing.addSpans();
     listing.addSamples();
-    listing.add(2, QStringLiteral("R ← R₀ + (x − x₀)·ΔR_x + (y − y₀)·ΔR; G and B likewise"),
-                {First, Next}, LineOf::Area);
+    listing.add(2, "R ← R₀ + (x − x₀)·ΔR_x + (y − y₀)·ΔR; G and B likewise", {First, Next},
+                LineOf::Area);
     listing.add(2,
-                QStringLiteral("R ← R₀ + (R₂ − R₀)·(x − x₀)/(x₂ − x₀) if x₀ < x₂, else R₀ + (R₂ − "
-                               "R₀)·(y − y₀)/(y₂ − y₀) if y₀ < y₂, else R₀; G and B likewise"),
+                "R ← R₀ + (R₂ − R₀)·(x − x₀)/(x₂ − x₀) if x₀ < x₂, else R₀ + (R₂ − R₀)·(y − "
+                "y₀)/(y₂ − y₀) if y₀ < y₂, else R₀; G and B likewise",
                 {First, Next}, LineOf::Segment);
     listing.add(2,
-                QStringLiteral("pixel (x, y) ← the bytes of R + β_C, G + β_C, B + β_C — β_C: so "
-                               "that no rounding takes a half away"),
+                "pixel (x, y) ← the bytes of R + β_C, G + β_C, B + β_C — β_C: so that no rounding "
+                "takes a half away",
                 {First, Next});
     return listing.written();
 }
@@ -85,8 +79,8 @@ Pseudocode walkPseudocode(const EdgeWalkForm &form, WalkCoverage coverage)
     listing.addRejection();
     listing.addSpans();
     listing.add(1,
-                QStringLiteral("ΔR ← (R_{hi} − R_{lo})/({a}_{hi} − {a}_{lo}) if {a}_{lo} < "
-                               "{a}_{hi}, else 0; ΔG and ΔB likewise"),
+                "ΔR ← (R_{hi} − R_{lo})/({a}_{hi} − {a}_{lo}) if {a}_{lo} < {a}_{hi}, else 0; ΔG "
+                "and ΔB likewise",
                 listing.everySpan,
                 form.rate == ColourRate::Plane ? LineOf::Segment : LineOf::EveryPrimitive);
     listing.addSamples();

@@ -2,6 +2,7 @@
 #include "core/methods/edgewalknames.h"
 #include "core/methods/walks/edgewalknumbers.h"
 #include "core/methods/words/channelnumbers.h"
+#include "core/methods/words/placenumbers.h"
 #include "core/methods/words/units.h"
 
 namespace pixelplumb {
@@ -16,31 +17,25 @@ void appendCorner(NumberTable<EdgeWalkSetUpState> &table, std::size_t corner)
     const QChar digit = vertexDigits[corner];
     const auto position = [&](QChar axis, Lattice LatticePoint::*coordinate) {
         table.push_back(
-            {{.id = axis + QStringLiteral("_") + id,
-              .title = QString(axis) + digit,
-              .unit = unit::px(),
-              .toolTip = QStringLiteral("%1 of the sorted vertex P%2, from the centre of pixel "
-                                        "(0, 0).")
-                             .arg(axis)
-                             .arg(digit),
-              .formula = {}},
+            {plainNumber(
+                 axis + QStringLiteral("_") + id, QString(axis) + digit, unit::px(),
+                 QStringLiteral("%1 of the sorted vertex P%2, from the centre of pixel (0, 0).")
+                     .arg(axis)
+                     .arg(digit)),
              [=](const EdgeWalkSetUpState &state) {
                  return inPixels(state.walk.corners[corner].position.*coordinate);
              }});
     };
     position(u'x', &LatticePoint::x);
     position(u'y', &LatticePoint::y);
-    appendChannels(table,
-                   {.id = QStringLiteral("%_") + id,
-                    .title = u'%' + QString(digit),
-                    .unit = unit::levels(),
-                    .toolTip = QStringLiteral("% of the sorted vertex P") + digit
-                        + QStringLiteral(", with material and light where there are any."),
-                    .formula = {}},
-                   [corner](const EdgeWalkSetUpState &state, std::size_t channel) {
-                       return Quantity::integer(
-                           state.walk.corners[corner].colour.channels[channel]);
-                   });
+    appendChannels(
+        table,
+        plainNumber(QStringLiteral("%_") + id, u'%' + QString(digit), unit::levels(),
+                    QStringLiteral("% of the sorted vertex P") + digit
+                        + QStringLiteral(", with material and light where there are any.")),
+        [corner](const EdgeWalkSetUpState &state, std::size_t channel) {
+            return Quantity::integer(state.walk.corners[corner].colour.channels[channel]);
+        });
 }
 
 /// A triangle of zero area is coloured along L₀₂ alone.
@@ -57,8 +52,7 @@ void specifyDivisor(const EdgeWalkNames &names, SortedEdge edge, const EdgeWalkS
     if (names.isTooShort(state.walk.corners, edge, variants)) {
         number.formula = number.title + QStringLiteral(" = 0");
         number.toolTip += names.filled(
-            QStringLiteral(" Δ{c} − 1 leaves nothing to divide by: the edge stays at its first "
-                           "vertex."));
+            " Δ{c} − 1 leaves nothing to divide by: the edge stays at its first vertex.");
         return;
     }
     number.formula.replace(names.divisor(edge, {}), names.divisor(edge, variants));
@@ -78,16 +72,12 @@ void appendSlope(NumberTable<EdgeWalkSetUpState> &table, const EdgeWalkNames &na
     const auto &ends = sortedEdgeEnds[index];
     const QString title = u'm' + subscriptOf(edge);
     table.push_back(
-        {names.filled(
-             {.id = QStringLiteral("m_%1%2").arg(ends[0]).arg(ends[1]),
-              .title = title,
-              .unit = QStringLiteral("px/{span}"),
-              .toolTip = QStringLiteral("Slope of %1: what each {span} adds to its {a}; none where "
-                                        "it lies along the {span}s.")
-                             .arg(nameOf(edge)),
-              .formula = betweenEnds(QStringLiteral("%1 = ({a}& − {a}@)/%2"), edge)
-                             .arg(title, names.way(ends[0], ends[1])),
-              .comparison = Comparison::WithExact}),
+        {names.filled(comparedNumber(
+             QStringLiteral("m_%1%2").arg(ends[0]).arg(ends[1]), title, "px/{span}",
+             QStringLiteral("Slope of %1: what each {span} adds to its {a}; none where "
+                            "it lies along the {span}s.")
+                 .arg(nameOf(edge)),
+             betweenEnds("%1 = ({a}& − {a}@)/%2", edge).arg(title, names.way(ends[0], ends[1])))),
          [=](const EdgeWalkSetUpState &state) {
              return isWalked(state, edge) && !names.hasNoSlope(state.walk.corners, edge)
                  ? state.walk.scan.slope[index]
@@ -106,14 +96,10 @@ void appendColourRates(NumberTable<EdgeWalkSetUpState> &table, const EdgeWalkNam
     const QString title = QStringLiteral("δ%") + subscriptOf(edge);
     appendChannels(
         table,
-        names.filled(
-            {.id = QStringLiteral("rate_%_%1%2").arg(ends[0]).arg(ends[1]),
-             .title = title,
-             .unit = QStringLiteral("levels/{span}"),
-             .toolTip = QStringLiteral("What each {span} adds to % along ") + nameOf(edge) + u'.',
-             .formula = title + betweenEnds(QStringLiteral(" = (%& − %@)/"), edge)
-                 + names.way(ends[0], ends[1]),
-             .comparison = Comparison::WithExact}),
+        names.filled(comparedNumber(
+            QStringLiteral("rate_%_%1%2").arg(ends[0]).arg(ends[1]), title, "levels/{span}",
+            QStringLiteral("What each {span} adds to % along ") + nameOf(edge) + u'.',
+            title + betweenEnds(" = (%& − %@)/", edge) + names.way(ends[0], ends[1]))),
         [=](const EdgeWalkSetUpState &state, std::size_t channel) {
             return isWalked(state, edge) && !names.hasNoSlope(state.walk.corners, edge)
                 ? state.walk.scan.colourRate[index][channel]
@@ -132,23 +118,18 @@ NumberTable<EdgeWalkSetUpState> edgeWalkSetUpNumbers(const EdgeWalkForm &form)
     NumberTable<EdgeWalkSetUpState> table;
     for (std::size_t corner = 0; corner < 3; ++corner)
         appendCorner(table, corner);
-    table.push_back(
-        {{.id = QStringLiteral("A"),
-          .title = QStringLiteral("A"),
-          .unit = unit::squarePx(),
-          .toolTip = QStringLiteral("Twice the area, positive where P₀ P₁ P₂ turn as from x to y."),
-          .formula = QStringLiteral("A = ") + doubledAreaText()},
-         [](const EdgeWalkSetUpState &state) {
-             const std::array<Vertex, 3> &corners = state.walk.corners;
-             return Quantity::rational(
-                 doubledArea(corners[0].position, corners[1].position, corners[2].position),
-                 Int128(unitsPerPixel) * unitsPerPixel);
-         }});
-    table.push_back({names.filled({.id = QStringLiteral("{a}_frame"),
-                                   .title = QStringLiteral("{a}_frame"),
-                                   .unit = unit::px(),
-                                   .toolTip = QStringLiteral("The frame's first {across}."),
-                                   .formula = {}}),
+    table.push_back({plainNumber("A", "A", unit::squarePx(),
+                                 "Twice the area, positive where P₀ P₁ P₂ turn as from x to y.",
+                                 QStringLiteral("A = ") + doubledAreaText()),
+                     [](const EdgeWalkSetUpState &state) {
+                         const std::array<Vertex, 3> &corners = state.walk.corners;
+                         return Quantity::rational(doubledArea(corners[0].position,
+                                                               corners[1].position,
+                                                               corners[2].position),
+                                                   Int128(unitsPerPixel) * unitsPerPixel);
+                     }});
+    table.push_back({names.filled(plainNumber("{a}_frame", "{a}_frame", unit::px(),
+                                              "The frame's first {across}.")),
                      [](const EdgeWalkSetUpState &state) {
                          return Quantity::integer(state.walk.firstOfFrame);
                      }});
@@ -160,17 +141,15 @@ NumberTable<EdgeWalkSetUpState> edgeWalkSetUpNumbers(const EdgeWalkForm &form)
         return table;
     for (std::size_t edge = 0; edge < 3; ++edge) {
         const auto &ends = sortedEdgeEnds[edge];
-        table.push_back({{.id = QStringLiteral("proved_%1%2").arg(ends[0]).arg(ends[1]),
-                          .title = QStringLiteral("proved") + subscriptOf(SortedEdge(edge)),
-                          .unit = {},
-                          .toolTip = QStringLiteral("1: L%1 lies within the proved domain and is "
-                                                    "computed in float64; 0: outside of it, in "
-                                                    "integers.")
-                                         .arg(subscriptOf(SortedEdge(edge))),
-                          .formula = {}},
-                         [edge](const EdgeWalkSetUpState &state) {
-                             return Quantity::integer(!state.walk.scan.slope[edge].isRational());
-                         }});
+        table.push_back(
+            {plainNumber(QStringLiteral("proved_%1%2").arg(ends[0]).arg(ends[1]),
+                         QStringLiteral("proved") + subscriptOf(SortedEdge(edge)), {},
+                         QStringLiteral("1: L%1 lies within the proved domain and is computed in "
+                                        "float64; 0: outside of it, in integers.")
+                             .arg(subscriptOf(SortedEdge(edge)))),
+             [edge](const EdgeWalkSetUpState &state) {
+                 return Quantity::integer(!state.walk.scan.slope[edge].isRational());
+             }});
     }
     return table;
 }

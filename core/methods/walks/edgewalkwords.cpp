@@ -39,11 +39,11 @@ void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSetUpState &state) cons
         sentence += isAbove ? QStringLiteral(" L₀₁ and L₁₂ give y_B, L₀₂ gives y_T.")
                             : QStringLiteral(" L₀₂ gives y_B, L₀₁ and L₁₂ give y_T.");
     if (m_names.hasNoSlope(state.walk.corners, SortedEdge::L01))
-        sentence += m_names.filled(
-            QStringLiteral(" {c}₀ = {c}₁: L₀₁ has no slope, and the first {half} is skipped."));
+        sentence
+            += m_names.filled(" {c}₀ = {c}₁: L₀₁ has no slope, and the first {half} is skipped.");
     else if (m_names.hasNoSlope(state.walk.corners, SortedEdge::L12))
-        sentence += m_names.filled(QStringLiteral(
-            " {c}₁ = {c}₂: L₁₂ has no slope, and the second {half} is one {span} at most."));
+        sentence += m_names.filled(
+            " {c}₁ = {c}₂: L₁₂ has no slope, and the second {half} is one {span} at most.");
     words.sentence = sentence;
 }
 
@@ -73,8 +73,8 @@ QString EdgeWalkWords::emptySentence(const EdgeWalkSpanState &state) const
     }
     if (left.isEmpty())
         return m_names
-            .filled(QStringLiteral("Between {a}_{lo} = %1 and {a}_{hi} = %2 the fill rule takes no "
-                                   "sample of the frame."))
+            .filled("Between {a}_{lo} = %1 and {a}_{hi} = %2 the fill rule takes no sample of the "
+                    "frame.")
             .arg(lower, upper);
     const QString pattern = left.size() == 1
         ? QStringLiteral("{a}_{lo} = %1 and {a}_{hi} = %2 have just the {across} %3 between them, "
@@ -104,14 +104,12 @@ QString EdgeWalkWords::departureSentence(const EdgeWalkSpanState &state) const
     QString text;
     if (state.start.hasPlane && state.beginsHalf
         && state.settings.variants.contains(Variant::NoEdgePreStep))
-        text += m_names.filled(
-            QStringLiteral(" Without a pre-step, an edge that begins here has its vertex's values, "
-                           "wherever between two {span}s the vertex lies."));
+        text += m_names.filled(" Without a pre-step, an edge that begins here has its vertex's "
+                               "values, wherever between two {span}s the vertex lies.");
     if (!state.start.hasPreStep && !state.start.isPoint && state.drawnSamples() > 0)
         text += m_names
-                    .filled(QStringLiteral(" Without a pre-step, the first {across} has the "
-                                           "colours of {a}_{lo}: (%1 − {a}_{lo})·Δ is left "
-                                           "out."))
+                    .filled(" Without a pre-step, the first {across} has the colours of {a}_{lo}: "
+                            "(%1 − {a}_{lo})·Δ is left out.")
                     .arg(m_names.coveredSample(SpanBound::Lower, state.start.covered));
     return text;
 }
@@ -122,8 +120,8 @@ void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSpanState &state) const
     words.sentence = turnSentence(state) + coverSentence(state);
     if (state.start.isPoint && state.drawnSamples() > 0
         && m_names.form().rate == ColourRate::Bilinear)
-        words.sentence += m_names.filled(QStringLiteral(
-            " The bounds are equal, so there is no change to spread between them, and no Δ."));
+        words.sentence += m_names.filled(
+            " The bounds are equal, so there is no change to spread between them, and no Δ.");
     words.sentence += departureSentence(state);
     if (state.start.hasPlane && state.beginsHalf && !state.isFirst)
         words.moment = Moment::TakeOver;
@@ -136,11 +134,11 @@ void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSpanState &state) const
 void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSampleState &state) const
 {
     if (state.isFirst)
-        words.sentence = m_names.filled(
-            QStringLiteral("The {span}'s first pixel takes the starting values of R, G and B."));
+        words.sentence
+            = m_names.filled("The {span}'s first pixel takes the starting values of R, G and B.");
     else if (m_names.form().walk == WalkForm::Direct
              && (state.start.hasPlane || state.start.isVertical))
-        words.sentence = QStringLiteral("Each level is computed from P₀ anew.");
+        words.sentence = "Each level is computed from P₀ anew.";
     else
         words.sentence = m_names.isRow()
             ? QStringLiteral("The next column: each level changes by its Δ.")

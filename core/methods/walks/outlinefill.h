@@ -18,7 +18,4 @@ struct OutlineFillKernel : TriangleKernel, InIntegers {
     }
 };
 
-/// The outline by the midpoint algorithm, filled between its lowest and highest pixels.
-Method outlineFillMethod();
-
 } // namespace pixelplumb

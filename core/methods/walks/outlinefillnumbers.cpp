@@ -30,25 +30,20 @@ void appendDecision(NumberTable<OutlineSpanState> &table, const QString &bound, 
             .arg(parameter, shorter, bound, length, across);
     };
     table.push_back(
-        {{.id = across,
-          .title = across,
-          .unit = unit::px(),
-          .toolTip = QStringLiteral("How far across the line had gone before the "
-                                    "decision that led to the pixel of the %1 y.")
+        {plainNumber(across, across, unit::px(),
+                     QStringLiteral("How far across the line had gone before the decision that led "
+                                    "to the pixel of the %1 y.")
                          .arg(word),
-          .formula = {},
-          .group = Group::Decision},
+                     {}, Group::Decision),
          [decision](const OutlineSpanState &state) { return (state.*decision).across; }});
     table.push_back(
-        {{.id = parameter,
-          .title = parameter,
-          .unit = {},
-          .toolTip = QStringLiteral("The decision parameter p_k that led to the pixel of the "
-                                    "%1 y: below 0 the line stayed, else it went one "
-                                    "across. None at the edge's first pixel.")
-                         .arg(word),
-          .formula = formula(QStringLiteral("Δ"), QStringLiteral("δ")),
-          .group = Group::Decision},
+        {plainNumber(
+             parameter, parameter, {},
+             QStringLiteral(
+                 "The decision parameter p_k that led to the pixel of the %1 y: below 0 the line "
+                 "stayed, else it went one across. None at the edge's first pixel.")
+                 .arg(word),
+             formula("Δ", "δ"), Group::Decision),
          [decision](const OutlineSpanState &state) { return (state.*decision).parameter; },
          [=](NumberDescription &number, const OutlineSpanState &state) {
              const std::size_t edge = (state.span.*pixel).edge;
@@ -63,24 +58,18 @@ void appendBound(NumberTable<OutlineSpanState> &table, const QString &bound, con
     const auto row = [&](const QString &letter, const QString &unit, const QString &toolTip,
                          const std::function<std::int64_t(const OutlinePixel &)> &read) {
         const QString title = letter + u'_' + bound;
-        table.push_back({{.id = title,
-                          .title = title,
-                          .unit = unit,
-                          .toolTip = toolTip,
-                          .formula = {},
-                          .group = Group::Span},
+        table.push_back({plainNumber(title, title, unit, toolTip, {}, Group::Span),
                          [=](const OutlineSpanState &state) {
                              return Quantity::integer(read(state.span.*pixel));
                          }});
     };
-    row(QStringLiteral("y"), unit::px(),
-        QStringLiteral("The outline's pixel of the %1 y in the column.").arg(word),
+    row("y", unit::px(), QStringLiteral("The outline's pixel of the %1 y in the column.").arg(word),
         [](const OutlinePixel &at) { return at.row; });
-    row(QStringLiteral("edge"), {},
+    row("edge", {},
         QStringLiteral("Whose the pixel of the %1 y is: 0 is P₀P₁, 1 is P₁P₂, 2 is P₂P₀.")
             .arg(word),
         [](const OutlinePixel &at) { return std::int64_t(at.edge); });
-    row(QStringLiteral("n"), {},
+    row("n", {},
         QStringLiteral("How many steps of the midpoint algorithm it is from the edge's left end, "
                        "or the one of smaller y where it is steep, to the pixel of the %1 y.")
             .arg(word),
@@ -95,13 +84,10 @@ void appendBoundColours(NumberTable<OutlineSpanState> &table, const QString &bou
     const QString title = QStringLiteral("%_") + bound;
     appendChannels(
         table,
-        {.id = title,
-         .title = title,
-         .unit = unit::levels(),
-         .toolTip = QStringLiteral("Level of % at the outline's pixel of the %1 y, along its edge.")
+        plainNumber(title, title, unit::levels(),
+                    QStringLiteral("Level of % at the outline's pixel of the %1 y, along its edge.")
                         .replace(QStringLiteral("%1"), word),
-         .formula = title + QStringLiteral(" = %_from + n·(%_to − %_from)/Δ"),
-         .group = Group::EdgeColours},
+                    title + QStringLiteral(" = %_from + n·(%_to − %_from)/Δ"), Group::EdgeColours),
         [colour](const OutlineSpanState &state, std::size_t channel) {
             return (state.span.column.*colour)[channel];
         },
@@ -125,26 +111,19 @@ QString startFormula(const QString &title, bool hasRate)
 
 void appendRamp(NumberTable<OutlineSpanState> &table)
 {
+    appendChannels(table,
+                   plainNumber("delta_%", "Δ%", "levels/row",
+                               "Change of % from row to row; none in a column of one pixel.",
+                               "Δ% = (%_high − %_low)/(y_high − y_low)", Group::ColourRates),
+                   [](const OutlineSpanState &state, std::size_t channel) {
+                       return state.hasRate() ? state.span.column.colourRate[channel] : Quantity();
+                   });
+    const QString title = "first % = ";
     appendChannels(
         table,
-        {.id = QStringLiteral("delta_%"),
-         .title = QStringLiteral("Δ%"),
-         .unit = QStringLiteral("levels/row"),
-         .toolTip = QStringLiteral("Change of % from row to row; none in a column of one pixel."),
-         .formula = QStringLiteral("Δ% = (%_high − %_low)/(y_high − y_low)"),
-         .group = Group::ColourRates},
-        [](const OutlineSpanState &state, std::size_t channel) {
-            return state.hasRate() ? state.span.column.colourRate[channel] : Quantity();
-        });
-    const QString title = QStringLiteral("first % = ");
-    appendChannels(
-        table,
-        {.id = QStringLiteral("first_%"),
-         .title = QStringLiteral("first %"),
-         .unit = unit::levels(),
-         .toolTip = QStringLiteral("Level of % at y_start, the column's first drawn pixel."),
-         .formula = startFormula(title, true),
-         .group = Group::FirstColour},
+        plainNumber("first_%", "first %", unit::levels(),
+                    "Level of % at y_start, the column's first drawn pixel.",
+                    startFormula(title, true), Group::FirstColour),
         [](const OutlineSpanState &state, std::size_t channel) {
             return state.drawnSamples() > 0 ? state.span.column.firstColour[channel] : Quantity();
         },
@@ -170,35 +149,31 @@ const NumberTable<OutlineSpanState> &outlineSpanNumbers()
     static const auto numbers = [] {
         using Span = OutlineFillSpan<AnyArithmetic>;
         using Column = ColumnState<AnyArithmetic>;
-        const QString low = QStringLiteral("low");
-        const QString high = QStringLiteral("high");
+        const QString low = "low";
+        const QString high = "high";
         NumberTable<State> table
             = {{triangleNumber(),
                 [](const State &state) { return Quantity::integer(Int128(state.primitive)); }},
                {scannedNumber(),
                 [](const State &state) { return Quantity::integer(state.span.column.x); }}};
-        appendBound(table, low, QStringLiteral("smallest"), &Span::low);
-        appendDecision(table, low, QStringLiteral("smallest"), &State::lowDecision, &Span::low);
-        appendBound(table, high, QStringLiteral("largest"), &Span::high);
-        appendDecision(table, high, QStringLiteral("largest"), &State::highDecision, &Span::high);
+        appendBound(table, low, "smallest", &Span::low);
+        appendDecision(table, low, "smallest", &State::lowDecision, &Span::low);
+        appendBound(table, high, "largest", &Span::high);
+        appendDecision(table, high, "largest", &State::highDecision, &Span::high);
         table.push_back({columnPixelsNumber(), [](const State &state) {
                              return Quantity::integer(state.drawnSamples());
                          }});
-        table.push_back({{.id = QStringLiteral("first_drawn_row"),
-                          .title = QStringLiteral("y_start"),
-                          .unit = unit::px(),
-                          .toolTip = QStringLiteral("The first drawn row, where the colours start: "
-                                                    "y_low, or the frame's first."),
-                          .formula = {},
-                          .group = Group::Span},
-                         [](const State &state) {
-                             return state.drawnSamples() > 0
-                                 ? Quantity::integer(state.span.column.firstDrawn)
-                                 : Quantity();
-                         }});
-        appendBoundColours(table, low, QStringLiteral("smallest"), &Span::low,
-                           &Column::colourBottom);
-        appendBoundColours(table, high, QStringLiteral("largest"), &Span::high, &Column::colourTop);
+        table.push_back(
+            {plainNumber(
+                 "first_drawn_row", "y_start", unit::px(),
+                 "The first drawn row, where the colours start: y_low, or the frame's first.", {},
+                 Group::Span),
+             [](const State &state) {
+                 return state.drawnSamples() > 0 ? Quantity::integer(state.span.column.firstDrawn)
+                                                 : Quantity();
+             }});
+        appendBoundColours(table, low, "smallest", &Span::low, &Column::colourBottom);
+        appendBoundColours(table, high, "largest", &Span::high, &Column::colourTop);
         appendRamp(table);
         return table;
     }();
@@ -213,11 +188,11 @@ const NumberTable<OutlineSampleState> &outlineSampleNumbers()
         NumberTable<State> table;
         appendChannels(
             table,
-            {.id = QStringLiteral("%"),
-             .title = QStringLiteral("%"),
+            {.id = "%",
+             .title = "%",
              .unit = unit::levels(),
-             .toolTip = QStringLiteral("Level of % at the pixel."),
-             .formula = QStringLiteral("% ← %′ + Δ%"),
+             .toolTip = "Level of % at the pixel.",
+             .formula = "% ← %′ + Δ%",
              .startFormula = startFormula(title, true),
              .group = Group::FirstColour},
             [](const State &state, std::size_t channel) { return state.colour[channel]; },
@@ -269,10 +244,9 @@ void tellOutline(StepWords &words, const OutlineSpanState &state)
               .arg(pixelText(state.span.low), pixelText(state.span.high))
         : QStringLiteral("The outline is one pixel high: %1.").arg(pixelText(state.span.low));
     const std::int64_t x = state.span.column.x;
-    words.sentence += decidedSentence(QStringLiteral("low"), state.span.low, state.lowDecision, x);
+    words.sentence += decidedSentence("low", state.span.low, state.lowDecision, x);
     if (state.hasRate())
-        words.sentence
-            += decidedSentence(QStringLiteral("high"), state.span.high, state.highDecision, x);
+        words.sentence += decidedSentence("high", state.span.high, state.highDecision, x);
     if (state.drawnSamples() == 0)
         words.sentence += QStringLiteral(" The frame shows none of it.");
 }

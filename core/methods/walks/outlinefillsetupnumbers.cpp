@@ -4,6 +4,7 @@
 #include "core/methods/walks/outlinefillnumbers.h"
 #include "core/methods/words/channelnumbers.h"
 #include "core/methods/words/formulatext.h"
+#include "core/methods/words/placenumbers.h"
 #include "core/methods/words/units.h"
 
 namespace pixelplumb {
@@ -26,17 +27,15 @@ const NumberTable<OutlineFillSetUp> &outlineSetUpNumbers()
         for (std::size_t corner = 0; corner < 3; ++corner) {
             appendChannels(
                 table,
-                {.id = QStringLiteral("%_") + QString::number(corner),
-                 .title = QString(u'%') + vertexDigits[corner],
-                 .unit = unit::levels(),
-                 .toolTip = QStringLiteral("Level of % at P") + vertexDigits[corner] + u'.',
-                 .formula = {}},
+                plainNumber(QStringLiteral("%_") + QString::number(corner),
+                            QString(u'%') + vertexDigits[corner], unit::levels(),
+                            QStringLiteral("Level of % at P") + vertexDigits[corner] + u'.'),
                 [corner](const State &setUp, std::size_t channel) {
                     return Quantity::integer(setUp.corners[corner].colour.channels[channel]);
                 });
         }
         for (std::size_t edge = 0; edge < 3; ++edge) {
-            const QString axes = QStringLiteral("%1%2 − %1%3");
+            const QString axes = "%1%2 − %1%3";
             const auto along = [&](QChar axis) {
                 return axes.arg(axis).arg(vertexDigits[(edge + 1) % 3]).arg(vertexDigits[edge]);
             };
@@ -46,27 +45,24 @@ const NumberTable<OutlineFillSetUp> &outlineSetUpNumbers()
             const QString alongX = QStringLiteral("max(%1, %2)").arg(along(u'x'), back(u'x'));
             const QString alongY = QStringLiteral("max(%1, %2)").arg(along(u'y'), back(u'y'));
             table.push_back(
-                {{.id = QStringLiteral("steps_%1").arg(edge),
-                  .title = lengthTitle(edge),
-                  .unit = unit::px(),
-                  .toolTip = QStringLiteral("The steps of the midpoint algorithm along %1: its "
-                                            "longer side.")
+                {plainNumber(QStringLiteral("steps_%1").arg(edge), lengthTitle(edge), unit::px(),
+                             QStringLiteral(
+                                 "The steps of the midpoint algorithm along %1: its longer side.")
                                  .arg(outlineEdgeName(edge)),
-                  .formula
-                  = lengthTitle(edge) + QStringLiteral(" = max(%1, %2)").arg(alongX, alongY)},
+                             lengthTitle(edge)
+                                 + QStringLiteral(" = max(%1, %2)").arg(alongX, alongY)),
                  [edge](const State &setUp) {
                      return Quantity::integer(setUp.edges[edge].line.deltaX);
                  }});
-            table.push_back({{.id = QStringLiteral("across_%1").arg(edge),
-                              .title = acrossTitle(edge),
-                              .unit = unit::px(),
-                              .toolTip = QStringLiteral("How far %1 goes across: its shorter side.")
-                                             .arg(outlineEdgeName(edge)),
-                              .formula = acrossTitle(edge)
-                                  + QStringLiteral(" = min(%1, %2)").arg(alongX, alongY)},
-                             [edge](const State &setUp) {
-                                 return Quantity::integer(setUp.edges[edge].line.deltaY);
-                             }});
+            table.push_back(
+                {plainNumber(QStringLiteral("across_%1").arg(edge), acrossTitle(edge), unit::px(),
+                             QStringLiteral("How far %1 goes across: its shorter side.")
+                                 .arg(outlineEdgeName(edge)),
+                             acrossTitle(edge)
+                                 + QStringLiteral(" = min(%1, %2)").arg(alongX, alongY)),
+                 [edge](const State &setUp) {
+                     return Quantity::integer(setUp.edges[edge].line.deltaY);
+                 }});
         }
         return table;
     }();

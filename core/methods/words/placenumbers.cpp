@@ -3,58 +3,57 @@
 
 namespace pixelplumb {
 
+NumberDescription plainNumber(const QString &id, const QString &title, const QString &unit,
+                              const QString &toolTip, const QString &formula, NumberGroup group)
+{
+    return {.id = id,
+            .title = title,
+            .unit = unit,
+            .toolTip = toolTip,
+            .formula = formula,
+            .group = group};
+}
+
+NumberDescription comparedNumber(const QString &id, const QString &title, const QString &unit,
+                                 const QString &toolTip, const QString &formula, NumberGroup group)
+{
+    NumberDescription number = plainNumber(id, title, unit, toolTip, formula, group);
+    number.comparison = Comparison::WithExact;
+    return number;
+}
+
 namespace {
 
 NumberDescription pixelCoordinate(const QString &axis)
 {
-    return {.id = axis,
-            .title = axis,
-            .unit = QStringLiteral("px"),
-            .toolTip = QStringLiteral("The pixel's %1.").arg(axis),
-            .formula = {},
-            .group = NumberGroup::Span};
+    return plainNumber(axis, axis, "px", QStringLiteral("The pixel's %1.").arg(axis), {},
+                       NumberGroup::Span);
 }
 
 } // namespace
 
 NumberDescription triangleNumber()
 {
-    return {.id = QStringLiteral("primitive"),
-            .title = QStringLiteral("tri"),
-            .unit = {},
-            .toolTip = QStringLiteral("The triangle's place in drawing order, from 0."),
-            .formula = {}};
+    return plainNumber("primitive", "tri", {}, "The triangle's place in drawing order, from 0.");
 }
 
 NumberDescription scannedNumber(const QString &formula)
 {
-    return {.id = QStringLiteral("x"),
-            .title = QStringLiteral("x"),
-            .unit = QStringLiteral("px"),
-            .toolTip = QStringLiteral("The column."),
-            .formula = formula};
+    return plainNumber("x", "x", "px", "The column.", formula);
 }
 
 NumberDescription halfNumber()
 {
-    return {.id = QStringLiteral("half"),
-            .title = QStringLiteral("half"),
-            .unit = {},
-            .toolTip = QStringLiteral("1: between L₀₁ and L₀₂; 2: between L₁₂ and L₀₂."),
-            .formula = {}};
+    return plainNumber("half", "half", {}, "1: between L₀₁ and L₀₂; 2: between L₁₂ and L₀₂.");
 }
 
 NumberDescription columnPixelsNumber()
 {
-    return {.id = QStringLiteral("pixels"),
-            .title = QStringLiteral("px"),
-            .unit = {},
-            .toolTip = QStringLiteral("Pixels written in this column, inside the frame."),
-            .formula = {},
-            .group = NumberGroup::Span};
+    return plainNumber("pixels", "px", {}, "Pixels written in this column, inside the frame.", {},
+                       NumberGroup::Span);
 }
 
-NumberDescription pixelX() { return pixelCoordinate(QStringLiteral("x")); }
-NumberDescription pixelY() { return pixelCoordinate(QStringLiteral("y")); }
+NumberDescription pixelX() { return pixelCoordinate("x"); }
+NumberDescription pixelY() { return pixelCoordinate("y"); }
 
 } // namespace pixelplumb

@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/methods/words/placenumbers.h"
 #include "core/trace/numberdescription.h"
 
-/// Where a span or a pixel lies: the numbers with which the tables of several methods begin.
+/// The descriptions of numbers, and those with which the tables of several methods begin: where a
+/// span or a pixel lies.
 namespace pixelplumb {
+
+/// A number shown alone, or next to the exact one.
+NumberDescription plainNumber(const QString &id, const QString &title, const QString &unit,
+                              const QString &toolTip, const QString &formula = {},
+                              NumberGroup group = NumberGroup::Position);
+NumberDescription comparedNumber(const QString &id, const QString &title, const QString &unit,
+                                 const QString &toolTip, const QString &formula = {},
+                                 NumberGroup group = NumberGroup::Position);
 
 /// The triangle's index in drawing order.
 NumberDescription triangleNumber();

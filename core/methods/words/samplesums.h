@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/methods/words/channelnumbers.h"
+#include "core/methods/words/placenumbers.h"
 #include "core/shade/scratchframe.h"
 
 #include <QStringList>
@@ -16,14 +17,11 @@ void appendSampleSums(NumberTable<State> &table, const Read &samplesIn)
     for (std::size_t channel = 0; channel < 3; ++channel) {
         const QString title = QStringLiteral("sum_") + channelLetters[channel];
         table.push_back(
-            {{.id = title,
-              .title = title,
-              .unit = {},
-              .toolTip
-              = QStringLiteral("The sum of %1 over the pixel's samples, as they stand now.")
-                    .arg(channelLetters[channel]),
-              .formula = {},
-              .group = NumberGroup::FirstColour},
+            {plainNumber(
+                 title, title, {},
+                 QStringLiteral("The sum of %1 over the pixel's samples, as they stand now.")
+                     .arg(channelLetters[channel]),
+                 {}, NumberGroup::FirstColour),
              [=](const State &state) {
                  const auto colours = samplesIn(state).colours();
                  int sum = 0;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/frame/frameview.h"
+#include "core/geometry/attributes.h"
 #include "core/scan/exactarithmetic.h"
 #include "core/scan/interpolation/interpolationfill.h"
-#include "core/scan/interpolation/interpolationturn.h"
+#include "core/scan/interpolation/interpolationnumbers.h"
+#include "core/scan/rowwalk.h"
 #include "core/scan/scanobserver.h"
 #include "core/scan/walks/columnwalk.h"
 
@@ -17,6 +19,43 @@
 /// eight times the instructions in exact numbers and over twice in floats: so plain triangles keep
 /// this kernel.
 namespace pixelplumb {
+
+template <InterpolationForm form>
+using ViewOfForm = std::conditional_t<axisOf(form) == SpanAxis::Row, TurnedView, FrameView>;
+
+/// What a form reports to: the observer itself where nothing is turned or nobody listens.
+template <InterpolationForm form, class Observer>
+auto listenerFor(Observer observer)
+{
+    if constexpr (axisOf(form) == SpanAxis::Column || std::is_same_v<Observer, NullObserver>)
+        return observer;
+    else
+        return AxisListener<SpanAxis::Row, Observer>(observer);
+}
+
+/// A triangle as a form scans it, with its attributes. If two vertices coincide, the turned
+/// triangle lies between the same two extremes as the original.
+template <InterpolationForm form>
+struct FormTriangle {
+    FormTriangle(const Triangle &of, const TriangleAttributes *carried)
+        : triangle(of)
+    {
+        if (carried)
+            attributes = *carried;
+        if (axisOf(form) == SpanAxis::Column)
+            return;
+        const auto &at = [&](std::size_t i) { return of.vertices[i].position; };
+        if (at(0) == at(1) || at(1) == at(2) || at(0) == at(2)) {
+            const std::array<int, 3> order = sortedByColumn(of);
+            triangle = betweenExtremes(of);
+            attributes.vertices[std::size_t(order[1])] = attributes.vertices[std::size_t(order[2])];
+        }
+        triangle = turned(triangle);
+    }
+
+    Triangle triangle;
+    TriangleAttributes attributes;
+};
 
 /// Scans one triangle, turned if the form goes by rows, into one frame. Coverage is decided in
 /// `Integer`: std::int64_t up to 2^15 px, Int128 beyond.

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/frame/framespec.h"
 #include "core/methods/method.h"
 #include "core/scene/fields/appearancereader.h"
 #include "core/scene/fields/camerareader.h"
-#include "core/scene/fields/framereader.h"
 #include "core/scene/fields/primitivereader.h"
 #include "core/scene/files/fileaccess.h"
 #include "core/scene/files/filepath.h"
+#include "core/scene/framenames.h"
 #include "core/scene/text/choicereader.h"
 #include "core/scene/text/colourreader.h"
+#include "core/scene/text/jsonreader.h"
 
 #include <QFileInfo>
 
@@ -17,6 +19,35 @@
 namespace pixelplumb {
 
 namespace {
+
+/// Reads the frame without its off-screen point, which is read with the whole scene's numbers.
+/// Errors stay with the reader: a side or an area that is too large, an unknown origin or centre.
+FrameSpec readFrame(JsonReader &json, const JsonNode &node)
+{
+    json.expectObject(node,
+                      {"width", "height", "background", "origin", "pixelCentre", "firstPixel"});
+    FrameSpec frame;
+    const JsonNode width = node["width"];
+    frame.width = std::int32_t(json.integer(width, 1, largestFrameSide));
+    frame.height = std::int32_t(json.integer(node["height"], 1, largestFrameSide));
+    const qint64 area = qint64(frame.width) * frame.height;
+    if (area > largestFrameArea) {
+        json.fail(
+            width,
+            QStringLiteral("%1 × %2 are %3 pixels").arg(frame.width).arg(frame.height).arg(area),
+            QStringLiteral("at most %1 pixels").arg(largestFrameArea));
+    }
+    if (const JsonNode background = node["background"]; !background.isMissing())
+        frame.background = readColour(json, background);
+    readChoice(json, node["origin"], allFrameOrigins, frame.origin);
+    readChoice(json, node["pixelCentre"], allPixelCentres, frame.pixelCentre);
+    if (const JsonNode first = node["firstPixel"]; !first.isMissing()) {
+        const std::vector<JsonNode> pixel = json.array(first, 2);
+        frame.firstColumn = std::int32_t(json.integer(pixel[0], -largestPixel, largestPixel));
+        frame.firstRow = std::int32_t(json.integer(pixel[1], -largestPixel, largestPixel));
+    }
+    return frame;
+}
 
 constexpr auto primitivesKey = "primitives";
 

@@ -145,7 +145,7 @@ private slots:
     {
         QFETCH(EffectSet, effects);
         QFETCH(Antialiasing, antialiasing);
-        const std::vector<EffectLoop> loops = effectLoops();
+        const std::span<const EffectLoop> loops = effectLoops();
         const auto loop = std::ranges::find_if(loops, [](const EffectLoop &each) {
             return QLatin1String(each.name) == QLatin1String(QTest::currentDataTag());
         });

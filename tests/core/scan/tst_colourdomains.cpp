@@ -10,7 +10,6 @@
 namespace tst_colourdomains {
 
 using namespace pixelplumb;
-using search::RandomNumbers;
 
 namespace {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/number/fixedpoint.h"
 #include "core/scan/biasarithmetic.h"
-#include "tests/search/randomnumbers.h"
+#include "tests/support/randomnumbers.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>
@@ -9,7 +9,6 @@
 namespace tst_domains {
 
 using namespace pixelplumb;
-using search::RandomNumbers;
 
 namespace {
 

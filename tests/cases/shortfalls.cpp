@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/search/shortfallrecord.h"
+#include "tests/cases/shortfalls.h"
 
 #include "core/check/casecheck.h"
-#include "tests/search/measure.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
 #include <algorithm>
+#include <set>
 
-namespace pixelplumb::search {
+namespace pixelplumb::shortfalls {
 
 namespace {
 
@@ -18,10 +18,10 @@ namespace {
 const QString aboutKey = QStringLiteral("about");
 const QString aboutText = QStringLiteral(
     "By case and shortfall: every method, arithmetic and fill rule that is not claimed stable and "
-    "falls short; counts are pixels, summed over triangles, frames or places. recordshortfalls "
-    "writes this file.");
+    "falls short; counts are pixels, summed over triangles, frames or places. tests_project "
+    "shortfalls writes this file.");
 
-QString countsText(const Shortfall &shortfall)
+QString countsText(const Counts &shortfall)
 {
     QStringList counts;
     const auto add = [&](std::int64_t count, const char *what) {
@@ -87,18 +87,97 @@ QByteArray jsonString(const QString &text)
     return QJsonDocument(QJsonArray{text}).toJson(QJsonDocument::Compact).chopped(1).mid(1);
 }
 
+std::int64_t togglesBetween(const std::vector<QRgb> &before, const std::vector<QRgb> &after)
+{
+    std::int64_t toggles = 0;
+    for (std::size_t i = 0; i < before.size(); ++i)
+        toggles += (before[i] != 0) != (after[i] != 0) ? 1 : 0;
+    return toggles;
+}
+
+std::vector<int> coverageOf(const Pictures &pictures)
+{
+    std::vector<int> times(pictures.front().size());
+    for (const std::vector<QRgb> &picture : pictures) {
+        for (std::size_t i = 0; i < times.size(); ++i)
+            times[i] += picture[i] != 0 ? 1 : 0;
+    }
+    return times;
+}
+
 } // namespace
+
+Pictures picturesOf(const HardCase &hardCase, const ScanSettings &settings, const Drawing &drawing)
+{
+    Pictures pictures;
+    const auto draw = [&](const Triangle &triangle, const FrameSpec &canvas) {
+        CasePicture picture(canvas, settings.fillRule);
+        picture.draw(triangle, settings, drawing);
+        std::vector<QRgb> &pixels
+            = pictures.emplace_back(std::size_t(canvas.width) * std::size_t(canvas.height), 0U);
+        picture.forEachWritten([&](std::int64_t x, std::int64_t y) {
+            pixels[std::size_t((y - canvas.firstRow) * canvas.width + x - canvas.firstColumn)]
+                = packed(picture.colourAt(x, y));
+        });
+    };
+    if (hardCase.kind != HardCaseKind::Translation) {
+        for (const Triangle &triangle : hardCase.triangles)
+            draw(triangle, hardCase.canvas);
+        return pictures;
+    }
+    for (const auto &[right, up] : hardCase.offsets) {
+        Triangle triangle = hardCase.triangles.front();
+        for (Vertex &vertex : triangle.vertices) {
+            vertex.position.x += right * unitsPerPixel;
+            vertex.position.y += up * unitsPerPixel;
+        }
+        FrameSpec canvas = hardCase.canvas;
+        canvas.firstColumn += std::int32_t(right);
+        canvas.firstRow += std::int32_t(up);
+        draw(triangle, canvas);
+    }
+    return pictures;
+}
+
+Counts countsOf(const HardCase &hardCase, const Pictures &drawn, const Pictures &truth)
+{
+    Counts counts;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        for (std::size_t k = 0; k < drawn[i].size(); ++k) {
+            const QRgb pixel = drawn[i][k], expected = truth[i][k];
+            counts.missing += pixel == 0 && expected != 0 ? 1 : 0;
+            counts.extra += pixel != 0 && expected == 0 ? 1 : 0;
+            counts.wrongBytes += pixel != 0 && expected != 0 && pixel != expected ? 1 : 0;
+        }
+        if (hardCase.kind == HardCaseKind::Sequence && i > 0)
+            counts.extraToggles
+                += togglesBetween(drawn[i - 1], drawn[i]) - togglesBetween(truth[i - 1], truth[i]);
+    }
+    if (hardCase.kind == HardCaseKind::Mesh) {
+        const std::vector<int> times = coverageOf(drawn), trueTimes = coverageOf(truth);
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            counts.gaps += times[i] == 0 && trueTimes[i] > 0 ? 1 : 0;
+            counts.overdraw += std::max(0, times[i] - trueTimes[i]);
+        }
+    }
+    if (hardCase.kind == HardCaseKind::Translation)
+        counts.extraPictures = std::int64_t(std::set(drawn.begin(), drawn.end()).size()) - 1;
+    return counts;
+}
 
 CaseRecord shortfallsOf(const HardCase &hardCase, QStringView methodId)
 {
     CaseRecord record;
     for (const auto &[rule, facts] : hardCase.facts) {
-        const CaseTruth truth(hardCase, rule);
+        const Pictures truth
+            = picturesOf(hardCase, {Arithmetic::Exact, rule, ByteRounding::Nearest}, drawTruly);
         for (const Contender &contender : contendersFor(hardCase, rule, methodId)) {
             const QString text = hardCase.triangles.empty()
                 ? shapeText(hardCase, contender)
-                : countsText(truth.shortfallOf(drawingBy(*contender.method, Kernels::Plain),
-                                               contender.settings));
+                : countsText(countsOf(hardCase,
+                                      picturesOf(hardCase, contender.settings,
+                                                 drawingBy(*contender.method, Kernels::Plain)),
+                                      truth));
             if (!text.isEmpty())
                 record[text].append(contender.name());
         }
@@ -108,7 +187,7 @@ CaseRecord shortfallsOf(const HardCase &hardCase, QStringView methodId)
     return record;
 }
 
-QByteArray textOf(const ShortfallRecord &record)
+QByteArray textOf(const Record &record)
 {
     QByteArray text = "{\n" + jsonString(aboutKey) + ": " + jsonString(aboutText);
     for (const auto &[file, cases] : record) {
@@ -133,9 +212,9 @@ QByteArray textOf(const ShortfallRecord &record)
     return text + "\n}\n";
 }
 
-ShortfallRecord readRecord(const QByteArray &text)
+Record readRecord(const QByteArray &text)
 {
-    ShortfallRecord record;
+    Record record;
     const QJsonObject files = QJsonDocument::fromJson(text).object();
     for (const QString &file : files.keys()) {
         const QJsonObject cases = files[file].toObject();
@@ -161,4 +240,4 @@ QStringList linesOf(const FileRecord &file)
     return lines;
 }
 
-} // namespace pixelplumb::search
+} // namespace pixelplumb::shortfalls

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace pixelplumb::search {
+namespace pixelplumb {
 
 /// SplitMix64 (Steele, Lea, Flood 2014): the same numbers with every compiler and library, which
 /// the distributions of <random> do not guarantee.
@@ -34,4 +34,4 @@ private:
     std::uint64_t m_state;
 };
 
-} // namespace pixelplumb::search
+} // namespace pixelplumb

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/check/casecheck.h"
 #include "core/scene/files/fileaccess.h"
-#include "tests/search/casefiles.h"
-#include "tests/search/measure.h"
-#include "tests/search/shortfallrecord.h"
+#include "tests/cases/shortfalls.h"
+#include "tests/support/caselist.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 
@@ -16,10 +15,12 @@ namespace tst_shortfalls {
 
 using namespace pixelplumb;
 
+const QString recordFile = QStringLiteral("expected_shortfalls.json");
+
 /// Every hard case by every method, in every arithmetic and under every rule: the exact column scan
 /// is right, and the errors of the forms that are not claimed stable are exactly those recorded.
-/// Any difference from the record, better or worse, must be examined; `recordshortfalls tests/data`
-/// rewrites the record.
+/// Any difference from the record, better or worse, must be examined; PIXELPLUMB_RECORD=1 in the
+/// environment rewrites it.
 class TestShortfalls : public QObject {
     Q_OBJECT
 
@@ -31,29 +32,35 @@ private slots:
         std::vector<Contender> contenders;
         for (const FillRule rule : {FillRule::Closed, FillRule::HalfOpenColumn})
             contenders.push_back({methodNamed(u"column-scan"), {Arithmetic::Exact, rule}});
-        QStringList shortfalls;
-        for (const HardCase &hardCase : casesOf(name)) {
+        QStringList errors;
+        for (const HardCase &hardCase : casesOf(testData(name))) {
             const CaseReport report = checkCase(hardCase, contenders);
             for (const ContenderVerdict &verdict : report.verdicts) {
                 if (verdict.outcome == CaseOutcome::FellShort)
-                    shortfalls.append(hardCase.id + QStringLiteral(": ")
-                                      + verdict.remarks.join(QStringLiteral("; ")));
+                    errors.append(hardCase.id + QStringLiteral(": ")
+                                  + verdict.remarks.join(QStringLiteral("; ")));
             }
         }
-        QVERIFY2(shortfalls.isEmpty(), qPrintable(shortfalls.join(u'\n')));
+        QVERIFY2(errors.isEmpty(), qPrintable(errors.join(u'\n')));
     }
 
     void isWrongInTheFormsThatRoundAsRecorded_data() { addFiles(); }
     void isWrongInTheFormsThatRoundAsRecorded()
     {
         QFETCH(QString, name);
-        const Result<QByteArray> content = readFile(path(search::recordFile));
+        const Result<QByteArray> content = readFile(testData(recordFile));
         QVERIFY2(content.isOk(), "tests/data has no record");
-        search::FileRecord file;
-        for (const HardCase &hardCase : casesOf(name))
-            file[hardCase.id] = search::shortfallsOf(hardCase);
-        const QStringList found = search::linesOf(file);
-        const QStringList recorded = search::linesOf(search::readRecord(*content)[name]);
+        shortfalls::Record record = shortfalls::readRecord(*content);
+        const QStringList recorded = shortfalls::linesOf(record[name]);
+        shortfalls::FileRecord &file = record[name];
+        file.clear();
+        for (const HardCase &hardCase : casesOf(testData(name)))
+            file[hardCase.id] = shortfalls::shortfallsOf(hardCase);
+        const QStringList found = shortfalls::linesOf(file);
+        if (qEnvironmentVariableIsSet("PIXELPLUMB_RECORD")) {
+            QVERIFY(!writeFile(testData(recordFile), shortfalls::textOf(record)));
+            return;
+        }
         QStringList changes;
         std::ranges::set_difference(found, recorded, std::back_inserter(changes));
         changes.replaceInStrings(QRegularExpression(QStringLiteral("^")), QStringLiteral("+ "));
@@ -62,8 +69,8 @@ private slots:
         changes
             += gone.replaceInStrings(QRegularExpression(QStringLiteral("^")), QStringLiteral("- "));
         QVERIFY2(changes.isEmpty(),
-                 qPrintable(QStringLiteral("%1 changes; `recordshortfalls tests/data` writes the "
-                                           "record anew:\n%2")
+                 qPrintable(QStringLiteral("%1 changes; PIXELPLUMB_RECORD=1 writes the record "
+                                           "anew:\n%2")
                                 .arg(changes.size())
                                 .arg(changes.mid(0, 20).join(u'\n'))));
         QVERIFY(!found.isEmpty());
@@ -71,11 +78,11 @@ private slots:
 
     void everyFoundCaseFailsInSomeArithmetic()
     {
-        const std::vector<HardCase> cases = casesOf(QStringLiteral("more_cases.json"));
+        const std::vector<HardCase> cases = casesOf(testData("more_cases.json"));
         QVERIFY(cases.size() >= 60);
         QStringList easy;
         for (const HardCase &hardCase : cases) {
-            if (search::shortfallsOf(hardCase, u"column-scan").empty())
+            if (shortfalls::shortfallsOf(hardCase, u"column-scan").empty())
                 easy.append(hardCase.id);
         }
         // Found when the lower edge was chosen once per triangle. Chosen in each column, as the
@@ -86,36 +93,29 @@ private slots:
     void measuresTheKnownFiguresOfTieTenths()
     {
         // The figures of tie_tenths: float64 loses more than float32.
-        for (const HardCase &hardCase : casesOf(QStringLiteral("hard_cases.json"))) {
-            if (hardCase.id != QStringLiteral("tie_tenths"))
-                continue;
-            const auto missingIn = [&](Arithmetic arithmetic) {
-                return search::measure(hardCase, {arithmetic, FillRule::Closed}).missing;
+        const std::vector<HardCase> cases = casesOf(testData("hard_cases.json"));
+        const HardCase &tenths = caseNamed(cases, QStringLiteral("tie_tenths"));
+        const auto missingIn = [&](Arithmetic arithmetic) {
+            const ScanSettings settings = {arithmetic, FillRule::Closed, ByteRounding::Nearest};
+            const auto pictures = [&](const Drawing &drawing) {
+                return shortfalls::picturesOf(tenths, settings, drawing);
             };
-            QCOMPARE(missingIn(Arithmetic::Float32), std::int64_t(64));
-            QCOMPARE(missingIn(Arithmetic::Float64), std::int64_t(127));
-            QCOMPARE(missingIn(Arithmetic::Exact), std::int64_t(0));
-            return;
-        }
-        QFAIL("no tie_tenths");
+            const Method &scan = *methodNamed(u"column-scan");
+            return shortfalls::countsOf(tenths, pictures(drawingBy(scan, Kernels::Plain)),
+                                        pictures(drawTruly))
+                .missing;
+        };
+        QCOMPARE(missingIn(Arithmetic::Float32), std::int64_t(64));
+        QCOMPARE(missingIn(Arithmetic::Float64), std::int64_t(127));
+        QCOMPARE(missingIn(Arithmetic::Exact), std::int64_t(0));
     }
 
 private:
-    static QString path(const QString &name) { return testData(name); }
     static void addFiles()
     {
         QTest::addColumn<QString>("name");
-        for (const QString &name : search::caseFiles)
-            QTest::newRow(qPrintable(name)) << name;
-    }
-    static std::vector<HardCase> casesOf(const QString &name)
-    {
-        const Result<QByteArray> content = readFile(path(name));
-        const Result<std::vector<HardCase>> cases
-            = content ? readHardCases(*content) : content.error();
-        if (!cases)
-            qFatal("%s: %s", qPrintable(name), qPrintable(cases.error().message()));
-        return *cases;
+        for (const char *name : {"hard_cases.json", "more_cases.json", "shape_cases.json"})
+            QTest::newRow(name) << QString::fromLatin1(name);
     }
 };
 
