@@ -6,7 +6,9 @@
 #include "core/runs/scenerun.h"
 #include "core/trace/tracecursor.h"
 
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 
@@ -47,6 +49,14 @@ struct TracedScene : SceneRun {
     std::vector<TraceMark> marks; ///< ascending steps; ties and clamps at most one a span
 
     DecidedPositions decided;
+
+    /// Why nothing was drawn of a primitive: rejectionOf() keeps its answers here, since each takes
+    /// a drawing. Readers of several threads ask.
+    struct Rejections {
+        std::mutex mutex;
+        std::map<std::size_t, std::optional<Rejection>> known; ///< by primitive
+    };
+    mutable Rejections rejections;
 
     /// A drawn primitive's index among the scene's triangles and shapes; none for a solid's
     /// triangle.

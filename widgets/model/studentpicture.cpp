@@ -66,43 +66,31 @@ Difference PictureJudgement::verdictAt(const QPoint &pixel) const
 
 namespace {
 
-template <class IsMeant>
-std::optional<QPoint> firstFrom(std::size_t begin, const PictureJudgement &judgement,
-                                IsMeant isMeant)
-{
-    const std::vector<Difference> &verdicts = judgement.diff.verdicts;
-    const auto found
-        = std::find_if(verdicts.begin() + std::ptrdiff_t(begin), verdicts.end(), isMeant);
-    if (found == verdicts.end())
-        return std::nullopt;
-    const auto place = int(found - verdicts.begin());
-    const FrameSpec &frame = judgement.frame;
-    return QPoint(frame.firstColumn + place % frame.width,
-                  int(rowOfPictureLine(frame, place / frame.width)));
-}
-
 Result<Picture> pictureFrom(const Result<QByteArray> &content, const QString &name)
 {
     return content ? parsePicture(*content, name) : Result<Picture>(content.error());
 }
 
-bool differs(Difference verdict) { return verdict != Difference::None; }
-
 } // namespace
 
 std::optional<QPoint> PictureJudgement::firstDifference() const
 {
-    const auto isWrong
-        = [](Difference verdict) { return differs(verdict) && verdict != Difference::Undecidable; };
-    const auto wrong = firstFrom(0, *this, isWrong);
-    return wrong ? wrong : firstFrom(0, *this, differs);
+    const auto pixel = firstDifferenceIn(diff, frame);
+    return pixel ? std::optional(QPoint(pixel->x, pixel->y)) : std::nullopt;
 }
 
 std::optional<QPoint> PictureJudgement::differenceAfter(const std::optional<QPoint> &pixel) const
 {
-    const std::optional<std::size_t> place = pixel ? placeOf(*pixel) : std::nullopt;
-    const auto next = place ? firstFrom(*place + 1, *this, differs) : std::nullopt;
-    return next ? next : firstFrom(0, *this, differs);
+    const std::optional<std::size_t> before = pixel ? placeOf(*pixel) : std::nullopt;
+    const std::size_t count = diff.verdicts.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t place = ((before ? *before + 1 : 0) + i) % count;
+        if (diff.verdicts[place] == Difference::None)
+            continue;
+        const FramePixel next = pixelOfPlace(frame, place);
+        return QPoint(next.x, next.y);
+    }
+    return std::nullopt;
 }
 
 JudgedFrames::JudgedFrames(std::shared_ptr<const PictureJudgement> judgement)

@@ -72,22 +72,6 @@ double pointsInPart(const GradedCheck &check, const Picture &expected, const Pic
         : 0;
 }
 
-std::optional<FramePixel> firstDifferenceIn(const PictureDiff &diff, const FrameSpec &frame)
-{
-    const auto isOther = [](Difference verdict) { return verdict != Difference::None; };
-    // An open pixel is returned only where there is no other.
-    auto found = std::ranges::find_if(diff.verdicts, [&](Difference verdict) {
-        return isOther(verdict) && verdict != Difference::Undecidable;
-    });
-    if (found == diff.verdicts.end())
-        found = std::ranges::find_if(diff.verdicts, isOther);
-    if (found == diff.verdicts.end())
-        return std::nullopt;
-    const auto place = int(found - diff.verdicts.begin());
-    return FramePixel{frame.firstColumn + place % diff.width,
-                      int(rowOfPictureLine(frame, place / diff.width))};
-}
-
 GradeVerdict verdictOf(const std::vector<GradedScene> &scenes)
 {
     std::size_t judged = 0;
@@ -258,6 +242,26 @@ std::optional<GradedWork> Grader::gradeIn(const SubmissionEntry &entry,
     if (stop.stop_requested())
         return std::nullopt;
     return work;
+}
+
+std::optional<FramePixel> firstDifferenceIn(const PictureDiff &diff, const FrameSpec &frame)
+{
+    const auto isOther = [](Difference verdict) { return verdict != Difference::None; };
+    // An open pixel is returned only where there is no other.
+    auto found = std::ranges::find_if(diff.verdicts, [&](Difference verdict) {
+        return isOther(verdict) && verdict != Difference::Undecidable;
+    });
+    if (found == diff.verdicts.end())
+        found = std::ranges::find_if(diff.verdicts, isOther);
+    if (found == diff.verdicts.end())
+        return std::nullopt;
+    return pixelOfPlace(frame, std::size_t(found - diff.verdicts.begin()));
+}
+
+FramePixel pixelOfPlace(const FrameSpec &frame, std::size_t place)
+{
+    const auto at = int(place);
+    return {frame.firstColumn + at % frame.width, int(rowOfPictureLine(frame, at / frame.width))};
 }
 
 QImage imageOf(const Picture &picture)

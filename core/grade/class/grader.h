@@ -76,6 +76,11 @@ private:
     std::map<QByteArray, Named> m_known; ///< by hash of the pictures
 };
 
+/// The frame's pixel at a place of its picture (Picture::placeOf()).
+FramePixel pixelOfPlace(const FrameSpec &frame, std::size_t place);
+/// The first wrong pixel in the order of reading, else the first undecidable one.
+std::optional<FramePixel> firstDifferenceIn(const PictureDiff &diff, const FrameSpec &frame);
+
 /// Line by line, the top line first, as in a file.
 QImage imageOf(const Picture &picture);
 

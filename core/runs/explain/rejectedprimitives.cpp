@@ -113,8 +113,8 @@ std::optional<Rejection> rejectionAlone(const SceneRun &run, std::size_t index,
 }
 
 /// `frame`: one to draw in, made where it is needed.
-std::optional<Rejection> rejectionIn(const TracedScene &traced, std::size_t primitive,
-                                     std::optional<FrameBuffer> &frame)
+std::optional<Rejection> newRejectionIn(const TracedScene &traced, std::size_t primitive,
+                                        std::optional<FrameBuffer> &frame)
 {
     const ScanTrace &trace = *traced.trace;
     if (std::ranges::binary_search(trace.rejectedPrimitives(), primitive))
@@ -126,6 +126,17 @@ std::optional<Rejection> rejectionIn(const TracedScene &traced, std::size_t prim
     if (!frame)
         frame.emplace(traced.scene.frame);
     return rejectionAlone(traced, primitive, *frame);
+}
+
+std::optional<Rejection> rejectionIn(const TracedScene &traced, std::size_t primitive,
+                                     std::optional<FrameBuffer> &frame)
+{
+    const std::lock_guard lock(traced.rejections.mutex);
+    auto known = traced.rejections.known.find(primitive);
+    if (known == traced.rejections.known.end())
+        known = traced.rejections.known.emplace(primitive, newRejectionIn(traced, primitive, frame))
+                    .first;
+    return known->second;
 }
 
 } // namespace
