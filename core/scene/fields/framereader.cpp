@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/fields/framereader.h"
 
-#include "core/scene/framenames.h"
+#include "core/frame/framenames.h"
 #include "core/scene/text/choicereader.h"
 #include "core/scene/text/colourreader.h"
 
