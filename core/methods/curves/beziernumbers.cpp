@@ -34,6 +34,14 @@ bool hasCoordinates(const BezierPiece &piece)
     return true;
 }
 
+/// An end of a piece: deep down in the curve a double does not hold it.
+NumberDescription parameter(const char *id, const QString &toolTip)
+{
+    NumberDescription number = curveNumber(id, QString::fromUtf8(id), "", toolTip);
+    number.comparison = Comparison::WithExact;
+    return number;
+}
+
 /// One coordinate of a control point, if the piece has that many.
 void appendCoordinate(NumberTable<BezierStep> &table, std::size_t control, QChar axis,
                       BezierControls BezierPiece::*coordinates)
@@ -46,7 +54,8 @@ void appendCoordinate(NumberTable<BezierStep> &table, std::size_t control, QChar
                                      .arg(axis)
                                      .arg(control),
                       .formula = {},
-                      .group = Group::Span},
+                      .group = Group::Span,
+                      .comparison = Comparison::WithExact},
                      [=](const BezierStep &step) {
                          const BezierPiece &piece = step.piece;
                          return control < piece.count
@@ -151,12 +160,11 @@ const NumberTable<BezierStep> &bezierNumbers()
             {curveNumber("depth", QStringLiteral("depth"), "",
                          QStringLiteral("How often the curve was halved to get this piece.")),
              [](const BezierStep &step) { return Quantity::integer(step.piece.depth); }},
-            {curveNumber("t_from", QStringLiteral("t_from"), "",
-                         QStringLiteral("The parameter at which the piece begins; none where it "
-                                        "takes more than 120 bits.")),
+            {parameter("t_from",
+                       QStringLiteral("The parameter at which the piece begins; none where it "
+                                      "takes more than 120 bits.")),
              [](const BezierStep &step) { return dyadic(step.piece.part, step.piece.depth); }},
-            {curveNumber("t_to", QStringLiteral("t_to"), "",
-                         QStringLiteral("The parameter at which it ends, likewise.")),
+            {parameter("t_to", QStringLiteral("The parameter at which it ends, likewise.")),
              [](const BezierStep &step) { return dyadic(step.piece.part + 1, step.piece.depth); }},
             {curveNumber(
                  "decided", QStringLiteral("decided"), "",

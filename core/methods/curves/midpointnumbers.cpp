@@ -109,12 +109,14 @@ const NumberTable<MidpointStep> &circleMidpointNumbers()
 {
     const NumberDescription decision = curveNumber(
         "p_k", QStringLiteral("p_k"), "",
-        QStringLiteral("F at the midpoint between y_k and the one inwards: positive outside, "
-                       "so that the inner one is nearer."),
+        QStringLiteral("F at x_k, midway between the y_k of the step before and the one inwards: "
+                       "positive outside, so that the inner one is nearer."),
         QStringLiteral("p_k ← p_k₊₁′"), Group::Decision);
-    const NumberDescription next = curveNumber("p_next", QStringLiteral("p_k₊₁"), "",
-                                               QStringLiteral("F at the next midpoint."),
-                                               QStringLiteral("p_k₊₁ = p_k + Δp"), Group::Decision);
+    const NumberDescription next
+        = curveNumber("p_next", QStringLiteral("p_k₊₁"), "",
+                      QStringLiteral("F at x_k + 1, midway between this y_k "
+                                     "and the one inwards."),
+                      QStringLiteral("p_k₊₁ = p_k + Δp"), Group::Decision);
     static const NumberTable<MidpointStep> numbers = {
         {curveNumber("arc", QStringLiteral("arc"), "",
                      QStringLiteral("1: x_k along x, of equal radii mirrored into all octants; 2: "

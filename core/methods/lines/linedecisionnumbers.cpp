@@ -104,18 +104,21 @@ void appendDistances(NumberTable<DecisionState> &table)
     row(QStringLiteral("y_line"), QStringLiteral("y_line"),
         QStringLiteral(
             "y = m·(x_k + 1) + b, where the line is beside this pixel; x and y exchanged "
-            "where it is steep; − where it falls."),
+            "where it is steep."),
         QStringLiteral("y_line = y₀ ± (x_k + 1 − x₀)·Δy/Δx"),
         QStringLiteral("y_line = y₀ + (x_k + 1 − x₀)·Δy/Δx"),
         QStringLiteral("y_line = y₀ − (x_k + 1 − x₀)·Δy/Δx"),
         [](const State &step) { return step.ordinate; });
     row(QStringLiteral("d_lower"), QStringLiteral("d_lower"),
-        QStringLiteral("How far the line is beyond the pixel that stays; − where it falls."),
+        QStringLiteral(
+            "How far the line is from the pixel that stays towards the one across, rising "
+            "or falling; below 0 on its other side."),
         QStringLiteral("d_lower = ±(y_line − y_k)"), QStringLiteral("d_lower = y_line − y_k"),
         QStringLiteral("d_lower = y_k − y_line"),
         [](const State &step) { return step.distanceToLower(); });
     row(QStringLiteral("d_upper"), QStringLiteral("d_upper"),
-        QStringLiteral("How far the line is from the pixel one across; + where it falls."),
+        QStringLiteral("How far the line is from the pixel one across towards the one that stays, "
+                       "rising or falling; below 0 on its other side."),
         QStringLiteral("d_upper = 1 ∓ (y_line − y_k)"),
         QStringLiteral("d_upper = y_k + 1 − y_line"),
         QStringLiteral("d_upper = y_line − (y_k − 1)"),
