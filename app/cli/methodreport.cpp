@@ -5,6 +5,7 @@
 #include "core/lab/counting/operationtable.h"
 #include "core/lab/counting/standardexamples.h"
 #include "core/methods/method.h"
+#include "core/methods/words/listedlines.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/appearancenames.h"
 
@@ -144,30 +145,24 @@ void printDescription(const Method &method)
     printNames(QStringLiteral("  remarks      "), method.remarks);
 }
 
-/// The antialiasings for which a line is present: "4", "16", "area".
-QStringList antialiasingsOf(const PseudocodeLine &line)
-{
-    QStringList names;
-    for (const Antialiasing antialiasing : line.antialiasing)
-        names.append(nameText(nameOf(antialiasing)));
-    return names;
-}
-
 QString areaText(const PseudocodeLine &line)
 {
     return line.of == LineOf::Segment ? QStringLiteral("triangles without area")
                                       : QStringLiteral("triangles with area");
 }
 
-/// When a line is present: "   [blending; antialiasing none, 4, 16]".
-QString conditionText(const PseudocodeLine &line)
+/// When a line is present: "   [closed; triangles without area]".
+QString conditionText(const ListedLine &listed)
 {
+    const PseudocodeLine &line = listed.line;
     QStringList conditions;
+    if (!listed.where.isEmpty())
+        conditions.append(listed.where);
     if (line.effect)
         conditions.append(nameText(nameOf(*line.effect)));
     if (!line.antialiasing.empty())
         conditions.append(QStringLiteral("antialiasing ")
-                          + antialiasingsOf(line).join(QStringLiteral(", ")));
+                          + namesOf(line.antialiasing).join(QStringLiteral(", ")));
     if (line.of != LineOf::EveryPrimitive)
         conditions.append(areaText(line));
     return conditions.empty()
@@ -175,17 +170,19 @@ QString conditionText(const PseudocodeLine &line)
         : QStringLiteral("   [%1]").arg(conditions.join(QStringLiteral("; ")));
 }
 
-QJsonArray jsonOf(const Pseudocode &code)
+QJsonArray jsonOf(const std::vector<ListedLine> &code)
 {
     QJsonArray list;
-    for (const PseudocodeLine &line : code) {
+    for (const auto &[line, where] : code) {
         QJsonObject object{{QStringLiteral("depth"), line.depth},
                            {QStringLiteral("text"), line.text}};
+        if (!where.isEmpty())
+            object.insert(QStringLiteral("where"), where);
         if (line.effect)
             object.insert(QStringLiteral("effect"), nameText(nameOf(*line.effect)));
         if (!line.antialiasing.empty())
             object.insert(QStringLiteral("antialiasing"),
-                          QJsonArray::fromStringList(antialiasingsOf(line)));
+                          QJsonArray::fromStringList(namesOf(line.antialiasing)));
         if (line.of != LineOf::EveryPrimitive)
             object.insert(QStringLiteral("of"), areaText(line));
         list.append(object);
@@ -194,13 +191,14 @@ QJsonArray jsonOf(const Pseudocode &code)
 }
 
 /// Prints the lines indented, each with its condition.
-void printPseudocode(const QString &title, const Pseudocode &code)
+void printPseudocode(const QString &title, const std::vector<ListedLine> &code)
 {
     if (code.empty())
         return;
     printLine(QStringLiteral("  %1").arg(title));
-    for (const PseudocodeLine &line : code)
-        printLine(QString(4 + 4 * line.depth, u' ') + line.text + conditionText(line));
+    for (const ListedLine &listed : code)
+        printLine(QString(4 + 4 * listed.line.depth, u' ') + listed.line.text
+                  + conditionText(listed));
 }
 
 /// Under the conventions that a scene has if it names none.
@@ -267,8 +265,10 @@ QJsonObject methodJson(const Method &method)
 void printWholeMethod(const Method &method)
 {
     printDescription(method);
-    printPseudocode(QStringLiteral("what it does"), method.pseudocode);
-    printPseudocode(QStringLiteral("with effects beyond colour"), method.shadedPseudocode);
+    printPseudocode(QStringLiteral("what it does"),
+                    underRules(method.pseudocode, method.fillRules));
+    printPseudocode(QStringLiteral("with effects beyond colour"),
+                    underRules(method.shadedPseudocode, method.fillRules));
     printNumbers(QStringLiteral("the set-up"), method.numbers.setUp);
     printNumbers(QStringLiteral("a span"), method.numbers.span);
     printNumbers(QStringLiteral("a sample"), method.numbers.sample);
@@ -280,8 +280,10 @@ QJsonObject wholeMethodJson(const Method &method)
 {
     QJsonObject object = methodJson(method);
     object.insert(QStringLiteral("fillRuleReason"), method.fillRuleReason);
-    object.insert(QStringLiteral("pseudocode"), jsonOf(method.pseudocode));
-    object.insert(QStringLiteral("shadedPseudocode"), jsonOf(method.shadedPseudocode));
+    object.insert(QStringLiteral("pseudocode"),
+                  jsonOf(underRules(method.pseudocode, method.fillRules)));
+    object.insert(QStringLiteral("shadedPseudocode"),
+                  jsonOf(underRules(method.shadedPseudocode, method.fillRules)));
     object.insert(QStringLiteral("setUpNumbers"), jsonOf(method.numbers.setUp));
     object.insert(QStringLiteral("spanNumbers"), jsonOf(method.numbers.span));
     object.insert(QStringLiteral("sampleNumbers"), jsonOf(method.numbers.sample));

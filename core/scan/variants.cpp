@@ -57,10 +57,9 @@ constexpr VariantWords roundedBox = {
     "⌈x_min − ½⌉ … ⌊x_max − ½⌋ of pixel centres at halves",
     "Triangle Rasterization slides, “Triangle rasterization implementation guidelines”",
     "With centres at halves, samples exactly on the box's sides of least x and y are never tested; "
-    "with centres on whole numbers the last column and row are not, where the box ends less than "
-    "half a pixel behind them. At negative coordinates (int) cuts upwards: there the first column "
-    "or "
-    "row of the box may be left out.",
+    "with centres on whole numbers the last column and row are not, where they are above 0 and the "
+    "box ends less than half a pixel behind them. At negative coordinates (int) cuts upwards: "
+    "there the first column or row of the box may be left out.",
 };
 constexpr VariantWords stayAtZero = {
     "p ≤ 0 stays",
@@ -77,7 +76,8 @@ constexpr VariantWords oneStepShort = {
     "perform step 4 (Δx − 1) times",
     "Δx times",
     "Rasterization slides, “Bresenham's Line Algorithm (4/4)”",
-    "The line's last pixel is missing: lines that follow one another are open at their joints.",
+    "The pixel at the line's end of larger x, of a steep line of larger y, is missing: where two "
+    "lines meet with these ends, their joint is open.",
 };
 constexpr VariantWords noColourPreStep = {
     "No pre-step of colour",
@@ -92,8 +92,10 @@ constexpr VariantWords noEdgePreStep = {
     "y = y₀ at the first column",
     "y = y₀ + (⌈x₀⌉ − x₀)·m",
     "Assignment (Borst), “The Triangle Awakens”: “y₀ is the initial value”",
-    "An edge whose vertex lies between two columns is late by that distance: it misses its other "
-    "end, and triangles jitter as they move. Vertices on whole pixels do not show it.",
+    "An edge that begins between two columns, or a steep line that begins between two rows, is "
+    "late by the distance to the first that it meets: it misses its other end, and triangles "
+    "jitter as they move. One that begins on a column of samples, a steep line on a row, does not "
+    "show it.",
 };
 constexpr VariantWords divisorMinusOne = {
     "Increments by Δ − 1",
@@ -137,7 +139,7 @@ constexpr VariantWords fiveT = {
     "P(t) = P₀ + t(P₁ − P₀), t from 0 to 1",
     "Scan Conversion slides, “Lines and Curves: Parametric”: “could replace t by 5t”",
     "It is the same line, in a fifth of the steps: with the step of t left as it is, points stand "
-    "five pixels apart, and the four between them are missing.",
+    "five pixels apart, or a little less, and up to four pixels between them are missing.",
 };
 
 constexpr VariantWords noColourPreStepInRows = {
@@ -149,8 +151,9 @@ constexpr VariantWords noEdgePreStepInRows = {
     "x = x₀ at the first row",
     "x = x₀ + (y₀ − ⌊y₀⌋)·m",
     "own; the Assignment's “y₀ is the initial value”, by rows",
-    "An edge whose vertex lies between two rows is late by that distance: it misses its other "
-    "end, and triangles jitter as they move. Vertices on whole pixels do not show it.",
+    "An edge that begins between two rows is late by the distance to the first that it meets: it "
+    "misses its other end, and triangles jitter as they move. One that begins on a row of samples "
+    "does not show it.",
 };
 constexpr VariantWords divisorMinusOneInRows = {
     divisorMinusOne.title,  "m = Δx/(|Δy| − 1)",   "m = Δx/|Δy|",

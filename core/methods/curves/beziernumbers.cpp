@@ -35,12 +35,20 @@ bool hasCoordinates(const BezierPiece &piece)
     return true;
 }
 
+/// An end of a piece: deep down in the curve a double does not hold it.
+NumberDescription parameter(const char *id, const QString &toolTip)
+{
+    NumberDescription number = curveNumber(id, QString::fromUtf8(id), "", toolTip);
+    number.comparison = Comparison::WithExact;
+    return number;
+}
+
 /// One coordinate of a control point, if the piece has that many.
 void appendCoordinate(NumberTable<BezierStep> &table, std::size_t control, QChar axis,
                       BezierControls BezierPiece::*coordinates)
 {
     table.push_back(
-        {plainNumber(
+        {comparedNumber(
              QStringLiteral("%1_%2").arg(axis).arg(control),
              QString(axis) + QChar(char16_t(0x2080 + control)), "px",
              QStringLiteral("%1 of control point P%2; none where it takes more than 120 bits.")
@@ -145,11 +153,11 @@ const NumberTable<BezierStep> &bezierNumbers()
              [](const BezierStep &step) { return Quantity::integer(step.number); }},
             {curveNumber("depth", "depth", "", "How often the curve was halved to get this piece."),
              [](const BezierStep &step) { return Quantity::integer(step.piece.depth); }},
-            {curveNumber("t_from", "t_from", "",
-                         "The parameter at which the piece begins; none where it takes more than "
-                         "120 bits."),
+            {parameter("t_from",
+                       "The parameter at which the piece begins; none where it takes more than 120 "
+                       "bits."),
              [](const BezierStep &step) { return dyadic(step.piece.part, step.piece.depth); }},
-            {curveNumber("t_to", "t_to", "", "The parameter at which it ends, likewise."),
+            {parameter("t_to", "The parameter at which it ends, likewise."),
              [](const BezierStep &step) { return dyadic(step.piece.part + 1, step.piece.depth); }},
             {curveNumber("decided", "decided", "",
                          "1: it has no pixels but those of its ends (and of a corner that it "

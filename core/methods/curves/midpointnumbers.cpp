@@ -108,11 +108,12 @@ const NumberTable<MidpointStep> &circleMidpointNumbers()
 {
     const NumberDescription decision
         = curveNumber("p_k", "p_k", "",
-                      "F at the midpoint between y_k and the one inwards: positive outside, so "
-                      "that the inner one is nearer.",
+                      "F at x_k, midway between the y_k of the step before and the one inwards: "
+                      "positive outside, so that the inner one is nearer.",
                       "p_k ← p_k₊₁′", Group::Decision);
-    const NumberDescription next = curveNumber("p_next", "p_k₊₁", "", "F at the next midpoint.",
-                                               "p_k₊₁ = p_k + Δp", Group::Decision);
+    const NumberDescription next = curveNumber(
+        "p_next", "p_k₊₁", "", "F at x_k + 1, midway between this y_k and the one inwards.",
+        "p_k₊₁ = p_k + Δp", Group::Decision);
     static const NumberTable<MidpointStep> numbers
         = {{curveNumber("arc", "arc", "",
                         "1: x_k along x, of equal radii mirrored into all octants; 2: x_k along y.",

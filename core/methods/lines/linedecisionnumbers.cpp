@@ -71,13 +71,17 @@ void appendDistances(NumberTable<DecisionState> &table)
          }});
     row("y_line", "y_line",
         "y = m·(x_k + 1) + b, where the line is beside this pixel; x and y exchanged where it is "
-        "steep; − where it falls.",
+        "steep.",
         "y_line = y₀ ± (x_k + 1 − x₀)·Δy/Δx", "y_line = y₀ + (x_k + 1 − x₀)·Δy/Δx",
         "y_line = y₀ − (x_k + 1 − x₀)·Δy/Δx", [](const State &step) { return step.ordinate; });
-    row("d_lower", "d_lower", "How far the line is beyond the pixel that stays; − where it falls.",
+    row("d_lower", "d_lower",
+        "How far the line is from the pixel that stays towards the one across, rising or falling; "
+        "below 0 on its other side.",
         "d_lower = ±(y_line − y_k)", "d_lower = y_line − y_k", "d_lower = y_k − y_line",
         [](const State &step) { return step.distanceToLower(); });
-    row("d_upper", "d_upper", "How far the line is from the pixel one across; + where it falls.",
+    row("d_upper", "d_upper",
+        "How far the line is from the pixel one across towards the one that stays, rising or "
+        "falling; below 0 on its other side.",
         "d_upper = 1 ∓ (y_line − y_k)", "d_upper = y_k + 1 − y_line",
         "d_upper = y_line − (y_k − 1)", [](const State &step) { return step.distanceToUpper(); });
 }

@@ -28,8 +28,8 @@ QString rejectionText(const Rejection &rejection)
 {
     switch (rejection.reason) {
     case PrimitiveRejection::ZeroArea:
-        return QStringLiteral("It has no area: its vertices lie on one line, and only the closed "
-                              "rule paints a segment. Nothing is drawn.");
+        return QStringLiteral("It has no area: its vertices lie on one line, and only a triangle "
+                              "under the closed rule is drawn as a segment. Nothing is drawn.");
     case PrimitiveRejection::OutsideFrame:
         return QStringLiteral("It lies outside the frame. Nothing is drawn.");
     case PrimitiveRejection::BetweenSamples:

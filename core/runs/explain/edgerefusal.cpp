@@ -25,8 +25,8 @@ QString distanceText(const oracle::EdgeVerdict &edge, const ScanTrace &trace)
              QString::number(edge.distance, 'g', 6));
 }
 
-/// Of the samples along the loop that passes the pixel's column or row, the first and the last; if
-/// none does, of the columns or rows that have loops.
+/// Of the samples in the frame along the loop that passes the pixel's column or row, the first and
+/// the last; if none does, of the columns or rows in the frame that have loops.
 struct TestedExtent {
     QString samples; ///< "rows"
     Quantity first, last;
@@ -56,7 +56,7 @@ QString untestedText(const PixelAttempt &attempt, const TracedScene &traced)
     QString text = QStringLiteral("Not tested: it lies outside of the %1 of the vertices").arg(box);
     const auto [samples, first, last] = testedExtentOf(attempt, *traced.trace);
     if (first.toDouble() <= last.toDouble())
-        text += QStringLiteral(", which has the %1 %2 … %3")
+        text += QStringLiteral(", of which the %1 %2 … %3 are in the frame")
                     .arg(samples, toText(first), toText(last));
     return text + QStringLiteral(". ");
 }

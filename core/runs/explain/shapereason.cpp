@@ -3,6 +3,7 @@
 
 #include "core/oracle/lineoracle.h"
 #include "core/polygons/contours.h"
+#include "core/runs/explain/edgerefusal.h"
 #include "core/runs/spanheadings.h"
 #include "core/scan/choicenames.h"
 #include "core/trace/namednumbers.h"
@@ -62,17 +63,6 @@ QString stepText(const ScanTrace &trace, std::size_t span)
     return told.isEmpty() ? told : QStringLiteral(" %1: %2").arg(spanHeading(trace, span), told);
 }
 
-/// Whether the steps of a primitive walk along it, as a curve's do, and those of a line by t.
-bool isWalkedAlong(const PixelAttempt &attempt, const ScanTrace &trace)
-{
-    constexpr std::array walked = {PrimitiveKind::Line, PrimitiveKind::Circle,
-                                   PrimitiveKind::Ellipse, PrimitiveKind::Bezier};
-    const std::size_t first = trace.firstSpanOf(attempt.primitive);
-    return std::ranges::find(walked, attempt.kind) != walked.end()
-        && first < trace.endSpanOf(attempt.primitive)
-        && trace.placeOf(first).axis == SpanAxis::Free;
-}
-
 /// The first of a primitive's written samples that are nearest to a pixel; none if it wrote
 /// nothing.
 std::optional<std::size_t> nearestWritten(const ScanTrace &trace, std::size_t primitive,
@@ -120,32 +110,97 @@ QString stepsNextToText(const ScanTrace &trace, std::size_t primitive, std::int6
     return text;
 }
 
-/// That a line's walk has no step in the pixel's column or row; empty where it has, or has none.
-QString noStepText(const ScanTrace &trace, std::size_t primitive, std::int64_t x, std::int64_t y)
+/// Whether a step wrote into the frame.
+bool isInFrame(const ScanTrace &trace, std::size_t span)
 {
-    const std::size_t first = trace.firstSpanOf(primitive);
-    const std::size_t end = trace.endSpanOf(primitive);
-    if (first >= end || trace.isCut())
+    return trace.firstSampleOf(span) < trace.endSampleOf(span);
+}
+
+/// "rows 2 … 3", "row 3"
+QString linesText(const QString &kind, std::int64_t first, std::int64_t last)
+{
+    return first == last ? QStringLiteral("%1 %2").arg(kind).arg(first)
+                         : QStringLiteral("%1s %2 … %3").arg(kind).arg(first).arg(last);
+}
+
+/// That a line's walk has no step on the pixel's column or row.
+QString noStepText(const PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x,
+                   std::int64_t y)
+{
+    const std::size_t first = trace.firstSpanOf(attempt.primitive);
+    const std::size_t end = trace.endSpanOf(attempt.primitive);
+    if (trace.isCut())
         return {};
-    const SpanAxis axis = trace.placeOf(first).axis;
-    std::int64_t least = trace.placeOf(first).coordinate;
-    std::int64_t greatest = least;
+    const bool isRow = trace.placeOf(first).axis == SpanAxis::Row;
+    std::vector<std::int64_t> places;
     for (std::size_t span = first; span < end; ++span) {
-        least = std::min(least, trace.placeOf(span).coordinate);
-        greatest = std::max(greatest, trace.placeOf(span).coordinate);
+        if (isInFrame(trace, span))
+            places.push_back(trace.placeOf(span).coordinate);
     }
-    const bool isColumn = axis == SpanAxis::Column;
-    const QString kind = isColumn ? QStringLiteral("column") : QStringLiteral("row");
-    const QString steps = least == greatest
-        ? QStringLiteral("its only step in the frame is that of the %1 %2").arg(kind).arg(least)
-        : QStringLiteral("its steps in the frame are those of the %1s %2 … %3")
-              .arg(kind)
-              .arg(least)
-              .arg(greatest);
-    return QStringLiteral(" The walk along the line has no step on the %1 %2: %3.")
+    const QString kind = isRow ? QStringLiteral("row") : QStringLiteral("column");
+    const auto [least, greatest] = std::ranges::minmax_element(places);
+    return QStringLiteral(
+               " The walk along the line has no step on the %1 %2: in the frame it has %3.")
         .arg(kind)
-        .arg(isColumn ? x : y)
-        .arg(steps);
+        .arg(isRow ? y : x)
+        .arg(places.empty() ? QStringLiteral("none")
+                            : QStringLiteral("steps on the ") + linesText(kind, *least, *greatest));
+}
+
+/// That a circle ends before the pixel's column or row; `first` and `last` are those that it meets.
+QString beyondCircleText(const PixelAttempt &attempt, const QString &kind, std::int64_t place,
+                         std::int64_t first, std::int64_t last)
+{
+    return QStringLiteral(" The %1 %2 does not meet the %3, which meets the frame's %4.")
+        .arg(kind)
+        .arg(place)
+        .arg(nameOf(attempt.kind), linesText(kind, first, last));
+}
+
+/// The first column of steps that go from column to column; none where they do not.
+std::optional<std::int64_t> firstColumnOf(const ScanTrace &trace, std::size_t primitive)
+{
+    const NumberDescription &first = trace.numbers().span.front();
+    if (first.id != QStringLiteral("x") || first.group != NumberGroup::Position)
+        return std::nullopt;
+    return std::int64_t(trace.span(trace.firstSpanOf(primitive)).cells.front().numerator());
+}
+
+/// The step of the pixel's column, or that there is none.
+QString stepOfColumnText(const PixelAttempt &attempt, const ScanTrace &trace,
+                         std::int64_t firstColumn, std::int64_t x)
+{
+    const std::size_t first = trace.firstSpanOf(attempt.primitive);
+    const auto count = std::int64_t(trace.endSpanOf(attempt.primitive) - first);
+    if (x >= firstColumn && x < firstColumn + count)
+        return stepText(trace, first + std::size_t(x - firstColumn));
+    return trace.isCut() ? QString()
+                         : beyondCircleText(attempt, QStringLiteral("column"), x, firstColumn,
+                                            firstColumn + count - 1);
+}
+
+/// That a fill has no span on the pixel's row.
+QString noRowText(const PixelAttempt &attempt, const ScanTrace &trace, std::int64_t y)
+{
+    if (attempt.kind == PrimitiveKind::Circle || attempt.kind == PrimitiveKind::Ellipse)
+        return beyondCircleText(attempt, QStringLiteral("row"), y,
+                                trace.placeOf(trace.firstSpanOf(attempt.primitive)).coordinate,
+                                trace.placeOf(trace.endSpanOf(attempt.primitive) - 1).coordinate);
+    return QStringLiteral(" The row %1 crosses none of its %2.")
+        .arg(y)
+        .arg(hasNumber(trace.numbers().span, QStringLiteral("triangle"))
+                 ? QStringLiteral("triangles")
+                 : QStringLiteral("edges"));
+}
+
+/// What the span says in which the pixel was passed over, or between which bounds it fills.
+QString spanText(const ScanTrace &trace, std::size_t span)
+{
+    const QString told = stepText(trace, span);
+    const SpanRecord record = trace.span(span);
+    return !told.isEmpty() || record.lower.isNone()
+        ? told
+        : QStringLiteral(" %1: %2.").arg(spanHeading(trace, span), boundsText(record));
 }
 
 } // namespace
@@ -169,18 +224,29 @@ QString stepBesideText(const PixelAttempt &attempt, const ScanTrace &trace, std:
 {
     if (attempt.primitive >= trace.primitiveCount())
         return {};
-    if (isWalkedAlong(attempt, trace))
-        return stepsNextToText(trace, attempt.primitive, x, y);
     const auto step = trace.spanNear(attempt.primitive, x, y);
-    // Steps along its edges.
-    const bool isOutline = attempt.kind == PrimitiveKind::Polygon
-        && hasNumber(trace.numbers().span, QStringLiteral("p_k"));
-    const bool isTold = attempt.kind == PrimitiveKind::Line || isDecidedByOutline(attempt, trace)
-        || (step && !attempt.sample && attempt.kind != PrimitiveKind::Triangle
-            && (trace.placeOf(*step).axis == SpanAxis::Row || isOutline));
-    if (!step && attempt.kind == PrimitiveKind::Line)
-        return noStepText(trace, attempt.primitive, x, y);
-    return step && isTold ? stepText(trace, *step) : QString();
+    if (attempt.kind == PrimitiveKind::Triangle)
+        return step && isDecidedByOutline(attempt, trace) ? stepText(trace, *step) : QString();
+    const std::size_t first = trace.firstSpanOf(attempt.primitive);
+    if (first == trace.endSpanOf(attempt.primitive))
+        return {};
+    const SpanAxis axis = trace.placeOf(first).axis;
+    if (axis == SpanAxis::Free) {
+        const auto column = firstColumnOf(trace, attempt.primitive);
+        return column ? stepOfColumnText(attempt, trace, *column, x)
+                      : stepsNextToText(trace, attempt.primitive, x, y);
+    }
+    if (step)
+        return attempt.sample && attempt.kind != PrimitiveKind::Line ? QString()
+                                                                     : spanText(trace, *step);
+    if (attempt.kind == PrimitiveKind::Line)
+        return noStepText(attempt, trace, x, y);
+    if (trace.isCut())
+        return {};
+    // The lines of an outline go along columns and rows.
+    return axis == SpanAxis::Row && !hasNumber(trace.numbers().span, QStringLiteral("p_k"))
+        ? noRowText(attempt, trace, y)
+        : stepsNextToText(trace, attempt.primitive, x, y);
 }
 
 QString stepOfPixelText(const PixelAttempt &attempt, const ScanTrace &trace)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/frame/framenames.h"
 #include "core/frame/framespec.h"
 #include "core/methods/method.h"
 #include "core/scene/fields/appearancereader.h"
@@ -6,7 +7,6 @@
 #include "core/scene/fields/primitivereader.h"
 #include "core/scene/files/fileaccess.h"
 #include "core/scene/files/filepath.h"
-#include "core/scene/framenames.h"
 #include "core/scene/text/choicereader.h"
 #include "core/scene/text/colourreader.h"
 #include "core/scene/text/jsonreader.h"

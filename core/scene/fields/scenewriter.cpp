@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/frame/framenames.h"
 #include "core/scene/fields/appearancewriter.h"
 #include "core/scene/fields/primitivewriter.h"
 #include "core/scene/fields/solidwriter.h"
 #include "core/scene/fileorder.h"
 #include "core/scene/files/fileaccess.h"
 #include "core/scene/files/filepath.h"
-#include "core/scene/framenames.h"
 #include "core/scene/scenefile.h"
 #include "core/scene/text/colourtext.h"
 

@@ -209,6 +209,21 @@ private slots:
                  sentence);
     }
 
+    /// Where a line falls, its distances are positive as where it rises: the subtraction changes.
+    void theDistancesOfAFallingLineAreMeasuredAlongIt()
+    {
+        for (const char *method : {"line-bresenham", "line-bresenham-symmetric"}) {
+            const Scene scene = sceneOf(lineAt(0, 5, 8, 2), method, frameOf(12, 8));
+            QCOMPARE(tableOf(scene,
+                             {QStringLiteral("y_line"), QStringLiteral("d_lower"),
+                              QStringLiteral("d_upper")})[1],
+                     QStringLiteral("4 5/8 3/8 5/8"));
+            for (const NumberDescription &number :
+                 methodNamed(QString::fromLatin1(method))->numbers.span)
+                QVERIFY2(!number.toolTip.contains(u"where it falls"), qPrintable(number.toolTip));
+        }
+    }
+
     void pointsAreWrittenToTheirAddress()
     {
         Shape points;

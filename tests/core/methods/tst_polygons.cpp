@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/words/rejectiontext.h"
 #include "core/polygons/contours.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/scenes/polygons.h"
@@ -266,6 +267,19 @@ private slots:
         QCOMPARE(rejectionOf(polygonOf({pixels({{30, 4}, {37, 4}, {33, 9}})}), "polygon-parity"),
                  PrimitiveRejection::OutsideFrame);
         QCOMPARE(rejectionOf(polygonOf({}), "polygon-parity"), PrimitiveRejection::ZeroArea);
+    }
+
+    /// These methods have no rule by which a polygon without area would be drawn.
+    void noRuleIsSaidToPaintAPolygonWithoutArea()
+    {
+        for (const char *method :
+             {"polygon-parity", "polygon-fan", "polygon-delaunay", "polygon-tessellation"}) {
+            const auto rejection
+                = rejectionOf(polygonOf({pixels({{1, 4}, {7, 4}, {3, 4}})}), method);
+            QVERIFY(rejection.has_value());
+            const QString text = rejectionText(*rejection);
+            QVERIFY2(text.contains(u"only a triangle under the closed rule"), qPrintable(text));
+        }
     }
 };
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/traceexport.h"
+#include "core/runs/tracedscene.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
 
+#include <QBuffer>
 #include <QTest>
 
 #include <cmath>
@@ -125,6 +128,34 @@ private slots:
             QVERIFY2(parts.isEmpty(),
                      qPrintable(QStringLiteral("seed 43, ") + nameOf(curve) + parts));
         }
+    }
+
+    /// The curve is halved 55 times, more often than a double has bits.
+    void theEndsOfADeepPieceAreToldApartInFiles()
+    {
+        const Shape curve = bezierAt({{1664, 128}, {1280, -256}, {2048, 896}, {512, 1408}});
+        const auto traced = traceScene(sceneOf(curve, "bezier-subdivision", frameOf(11, 10)));
+        QByteArray text;
+        QBuffer file(&text);
+        file.open(QIODevice::WriteOnly);
+        TraceExportOptions options;
+        options.level = TraceLevel::Column;
+        options.format = TableFormat::Csv;
+        options.columns = {QStringLiteral("depth"), QStringLiteral("t_from_exact"),
+                           QStringLiteral("t_to_exact"), QStringLiteral("x_0_exact"),
+                           QStringLiteral("y_3_exact")};
+        QVERIFY(exportTrace(*traced, options, file));
+        int deepest = 0;
+        const QList<QByteArray> lines = text.trimmed().split('\n');
+        for (const QByteArray &line : lines.sliced(1)) {
+            const QList<QByteArray> cells = line.trimmed().split(',');
+            QCOMPARE(cells.size(), qsizetype(5));
+            if (cells[1].isEmpty() || cells[2].isEmpty())
+                continue; // of more than 120 bits
+            deepest = std::max(deepest, cells[0].toInt());
+            QVERIFY2(cells[1] != cells[2], line.constData());
+        }
+        QVERIFY(deepest > 53);
     }
 
     void hugeCurvesEndTheirSubdivision()

@@ -148,6 +148,28 @@ private slots:
         });
     }
 
+    /// Of the radius 4, F(x, y) = x² + y² − 16 from the centre.
+    void theDecisionIsThatOfTheMidpointThatItsMeaningNames()
+    {
+        std::int64_t before = 0;
+        int crossings = 0;
+        forEachSpan(circleAt(20, 19, 4), "circle-midpoint", [&](const ToldSpan &step) {
+            const auto x = double(step.count("x_k"));
+            const std::int64_t y = step.count("y_k");
+            if (!step.cell("p_k").isNone()) {
+                const double middle = double(before) - 0.5;
+                QCOMPARE(step.cell("p_k").toDouble(), x * x + middle * middle - 16);
+                crossings += int(y < before);
+            }
+            before = y;
+        });
+        QVERIFY(crossings > 0);
+        const auto &numbers = methodNamed(u"circle-midpoint")->numbers.span;
+        const auto decision
+            = std::ranges::find(numbers, QStringLiteral("p_k"), &NumberDescription::id);
+        QVERIFY(decision->toolTip.contains(u"the y_k of the step before and the one inwards"));
+    }
+
     void theRowsOfTheExplicitFormAreTold()
     {
         const Shape shape = ellipseAtUnits({20 * 256 + 70, 19 * 256 + 30}, 9 * 256, 13 * 256);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/frame/framenames.h"
+#include "core/methods/words/listedlines.h"
 #include "core/runs/explain/stepmoment.h"
 #include "core/runs/scenerun.h"
+#include "core/scan/choicenames.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/scenes/scenesformethods.h"
 #include "tests/support/scenes/shapes.h"
@@ -85,6 +88,16 @@ QStringList linesNotIn(const Pseudocode &code, const std::set<QString> &done)
     return missing;
 }
 
+/// Whether a listed line stands under a rule in a frame of an origin.
+bool standsUnder(const ListedLine &listed, FillRule rule, FrameOrigin origin)
+{
+    const QString ruled = nameText(nameOf(rule));
+    const QString turned = QStringLiteral("origin ") + nameText(nameOf(origin));
+    const QStringList places = listed.where.split(QStringLiteral(", "));
+    return listed.where.isEmpty() || places.contains(ruled) || places.contains(turned)
+        || places.contains(ruled + QStringLiteral(" with ") + turned);
+}
+
 /// The formulas of a span's bounds.
 QStringList boundFormulas(const StepWords &words)
 {
@@ -108,6 +121,28 @@ class TestPseudocode : public QObject {
     Q_OBJECT
 
 private slots:
+    /// What is printed of a method says of each line under which rules and in which frames it
+    /// holds.
+    void theListingOfAMethodHoldsUnderEveryRuleAndOrigin()
+    {
+        for (const Method &method : methods()) {
+            const auto listed = underRules(method.pseudocode, method.fillRules);
+            for (const FillRule rule : method.fillRules) {
+                for (const FrameOrigin origin : allFrameOrigins) {
+                    QStringList read;
+                    for (const ListedLine &each : listed) {
+                        if (standsUnder(each, rule, origin))
+                            read.append(each.line.text);
+                    }
+                    QStringList lines;
+                    for (const PseudocodeLine &line : underRule(method.pseudocode, rule, origin))
+                        lines.append(line.text);
+                    QCOMPARE(method.id + read.join(u'\n'), method.id + lines.join(u'\n'));
+                }
+            }
+        }
+    }
+
     void everyEffectThatRunsHasItsLines_data()
     {
         QTest::addColumn<const Method *>("method");

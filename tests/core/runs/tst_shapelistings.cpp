@@ -49,12 +49,13 @@ private:
     Lattice m_step;
 };
 
+/// The shapes of every second three are seen in frames whose y points down.
 FrameSpec frameFor(int number)
 {
     FrameSpec frame = number % 4 == 3 ? frameOf(9, 7, 2, 1)
         : number % 4 == 1             ? frameOf(14, 13, -3, -5)
                                       : frameOf(14, 13);
-    frame.origin = number % 5 == 4 ? FrameOrigin::TopLeft : FrameOrigin::BottomLeft;
+    frame.origin = number / 3 % 2 == 1 ? FrameOrigin::TopLeft : FrameOrigin::BottomLeft;
     return frame;
 }
 
@@ -193,7 +194,8 @@ private slots:
         for (int i = 0; i < 200; ++i) {
             const bool isCurve = id == QStringLiteral("bezier-fill");
             const Shape polygon = isCurve ? oddPath(i, random, fill) : oddPolygon(i, random, fill);
-            const Scene scene = sceneOf(polygon, qPrintable(id), frameFor(i));
+            Scene scene = sceneOf(polygon, qPrintable(id), frameFor(i));
+            scene.settings = methodNamed(id)->adapted(scene.settings); // its lines follow the rule
             const auto traced = traceScene(scene);
             if (traced->trace->setUp(0).rejection)
                 continue; // fans are of convex polygons, Delaunay's of those that do not cross

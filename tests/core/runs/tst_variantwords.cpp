@@ -173,6 +173,23 @@ private slots:
         QVERIFY2(reason.contains(u"“Rounded box”: left = (int)"), qPrintable(reason));
     }
 
+    /// The box reaches from the column −4 to 3, of which the frame has a part.
+    void ofABoxThatTheFrameCutsThePartInTheFrameIsTold()
+    {
+        Scene scene = triangleScene("edge-equations");
+        scene.frame = frameOf(8, 8);
+        scene.triangles = {Triangle{
+            {{{latticePixel(-4, 1), {}}, {latticePixel(3, 1), {}}, {latticePixel(-4, 6), {}}}}}};
+        const auto traced = traceScene(scene);
+        for (const auto &[y, told] :
+             {std::pair(6,
+                        u"the box of the vertices, of which the columns 0 … 3 are in the frame."),
+              {7, u"the box of the vertices, of which the rows 1 … 6 are in the frame."}}) {
+            const QString reason = pixelHistory(*traced, 5, y).front().reason;
+            QVERIFY2(reason.contains(told), qPrintable(reason));
+        }
+    }
+
     void ofSeveralVariantsOnlyThoseAreBlamedWithoutWhichThePixelIsAnother()
     {
         Scene scene = sceneOf(lineAt(20, 41, 30, 44), "line-bresenham", frameOf(64, 48));

@@ -288,6 +288,50 @@ private slots:
         QCOMPARE(first.upper.toDouble(), 3.0);
     }
 
+    /// Whole pixels are between columns of samples where pixel centres are at halves.
+    void onlyVerticesOnSampleColumnsOrRowsHideAMissingPreStep()
+    {
+        for (const char *method : {"column-scan", "row-walk", "line-dda"}) {
+            const Method &drawn = *methodNamed(QString::fromLatin1(method));
+            const QString fault = nameText(wordsOf(Variant::NoEdgePreStep, drawn.spanAxis).fault);
+            QVERIFY2(fault.endsWith(QStringLiteral("of samples does not show it."))
+                         || fault.contains(QStringLiteral("on a column of samples")),
+                     qPrintable(fault));
+            for (const PixelCentre centre : {PixelCentre::Integer, PixelCentre::Half}) {
+                for (const Lattice offset : {Lattice(0), unitsPerPixel / 2}) {
+                    Scene scene;
+                    scene.frame = frameOf(24, 20);
+                    scene.frame.pixelCentre = centre;
+                    scene.method = method;
+                    const auto at = [offset](std::int64_t x, std::int64_t y) {
+                        return LatticePoint{x * unitsPerPixel + offset, y * unitsPerPixel + offset};
+                    };
+                    if (drawn.draws(PrimitiveKind::Triangle))
+                        scene.triangles = {triangleOf({at(1, 1), at(6, 15), at(19, 4)})};
+                    else
+                        scene.shapes = {lineAtUnits(at(1, 1), at(6, 15))};
+                    const QImage right = drawingOf(scene);
+                    scene.settings.variants = only(Variant::NoEdgePreStep);
+                    const bool areOnSamples = (centre == PixelCentre::Half) == (offset != 0);
+                    QCOMPARE(drawingOf(scene) == right, areOnSamples);
+                }
+            }
+        }
+    }
+
+    /// Bresenham's lines go from smaller to larger x.
+    void aLineThatIsAStepShortOpensOnlyJointsAtLargerEnds()
+    {
+        const auto isJointDrawn = [](std::int64_t otherEnd) {
+            Scene scene = sceneOf(lineAt(2, 3, 8, 5), "line-bresenham", frameOf(24, 20));
+            scene.shapes.push_back(lineAt(8, 5, otherEnd, 9));
+            scene.settings.variants = only(Variant::OneStepShort);
+            return pixelAt(drawingOf(scene), 8, 5) != pixelAt(drawingOf(scene), 0, 0);
+        };
+        QVERIFY(isJointDrawn(14));
+        QVERIFY(!isJointDrawn(2));
+    }
+
     void unsortedColoursKeepTheShapeAndExchangeTheCorners()
     {
         const Triangle triangle = unevenTriangle();
