@@ -54,13 +54,15 @@ const NumberTable<SlopeInterceptSetUpState> &slopeInterceptSetUpNumbers()
                  .title = QStringLiteral("m"),
                  .unit = QStringLiteral("px/column"),
                  .toolTip = QStringLiteral("The slope."),
-                 .formula = QStringLiteral("m = (y₁ − y₀)/(x₁ − x₀)")},
+                 .formula = QStringLiteral("m = (y₁ − y₀)/(x₁ − x₀)"),
+                 .comparison = Comparison::WithExact},
                 [](const State &setUp) { return setUp.slope; }},
                {{.id = QStringLiteral("b"),
                  .title = QStringLiteral("b"),
                  .unit = unit::px(),
                  .toolTip = QStringLiteral("Where the line meets the column 0."),
-                 .formula = QStringLiteral("b = y₀ − m·x₀")},
+                 .formula = QStringLiteral("b = y₀ − m·x₀"),
+                 .comparison = Comparison::WithExact},
                 [](const State &setUp) { return setUp.intercept; }}};
         appendEndColours(table, 0, &State::start);
         appendEndColours(table, 1, &State::end);
@@ -130,7 +132,8 @@ const NumberTable<DdaSetUpState> &ddaSetUpNumbers()
                  .title = QStringLiteral("m"),
                  .unit = QStringLiteral("px/step"),
                  .toolTip = QStringLiteral("Δy/Δx; Δx/Δy where the line is steep."),
-                 .formula = QStringLiteral("m = (v₁ − v₀)/(u₁ − u₀)")},
+                 .formula = QStringLiteral("m = (v₁ − v₀)/(u₁ − u₀)"),
+                 .comparison = Comparison::WithExact},
                 [](const State &setUp) { return setUp.isPoint() ? Quantity() : setUp.slope; },
                 specifyDivisor}};
         appendEndColours(table, 0, &State::start);
@@ -142,7 +145,8 @@ const NumberTable<DdaSetUpState> &ddaSetUpNumbers()
              .unit = QStringLiteral("levels/step"),
              .toolTip = QStringLiteral("Change of % for each step."),
              .formula = QStringLiteral("Δ% = (%₁ − %₀)/(u₁ − u₀)"),
-             .group = Group::ColourRates},
+             .group = Group::ColourRates,
+             .comparison = Comparison::WithExact},
             [](const State &setUp, std::size_t channel) {
                 return setUp.isPoint() ? Quantity() : setUp.colourRate[channel];
             },

@@ -89,7 +89,8 @@ const NumberTable<ParametricLineState> &parametricLineNumbers()
                  .unit = {},
                  .toolTip = QStringLiteral("The parameter."),
                  .formula = QStringLiteral("t = i/N"),
-                 .group = NumberGroup::Decision},
+                 .group = NumberGroup::Decision,
+                 .comparison = Comparison::WithExact},
                 [](const State &step) { return step.t; }}};
         appendCoordinate(table, u'u', u'x', &State::x, &LinePlace::x);
         appendCoordinate(table, u'v', u'y', &State::y, &LinePlace::y);

@@ -69,7 +69,8 @@ void appendLine(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &nam
               .title = names.filled(QString::fromUtf16(name), line),
               .unit = {},
               .toolTip = names.filled(QString::fromUtf16(toolTip), line),
-              .formula = names.filled(formula, line)},
+              .formula = names.filled(formula, line),
+              .comparison = Comparison::WithExact},
              [line, member](const EdgeTestSetUpState &state) { return state.lines[line].*member; },
              [line, divisor](NumberDescription &number, const EdgeTestSetUpState &state) {
                  if (state.lines[line].passesOrigin())
@@ -152,7 +153,8 @@ void appendCramer(NumberTable<EdgeTestSetUpState> &table)
                       .title = QStringLiteral("D"),
                       .unit = unit::squarePx(),
                       .toolTip = QStringLiteral("The determinant |A − C, B − C|."),
-                      .formula = QStringLiteral("D = x_AC·y_BC − x_BC·y_AC")},
+                      .formula = QStringLiteral("D = x_AC·y_BC − x_BC·y_AC"),
+                      .comparison = Comparison::WithExact},
                      std::mem_fn(&EdgeTestSetUpState::determinant)});
 }
 
@@ -175,7 +177,8 @@ void appendRates(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &na
                       + QChar(axis) + u'.',
                   .formula = names.filled(
                       QStringLiteral("Δ{w}_%1 = %2{l}/f{opp}").arg(QChar(axis)).arg(coefficient),
-                      line)},
+                      line),
+                  .comparison = Comparison::WithExact},
                  [line, rates](const EdgeTestSetUpState &state) { return (state.*rates)[line]; }});
         }
     }
@@ -188,7 +191,8 @@ void appendRates(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &na
                         .unit = QStringLiteral("levels/px"),
                         .toolTip = QStringLiteral("Change of % for each step of ") + axis + u'.',
                         .formula = QStringLiteral("Δ%_{} = Δα_{}·%_a + Δβ_{}·%_b + Δγ_{}·%_c")
-                                       .replace(QStringLiteral("{}"), axis)},
+                                       .replace(QStringLiteral("{}"), axis),
+                        .comparison = Comparison::WithExact},
                        [rates](const EdgeTestSetUpState &state, std::size_t channel) {
                            return (state.*rates)[channel];
                        });

@@ -61,7 +61,8 @@ void appendSides(NumberTable<State> &table, const EdgeTestNames &names, std::siz
               .toolTip = filled(u"The edge function of {edge} at vertex {facing}, which faces it."),
               .formula = atFacing + QStringLiteral(" = ")
                   + valueFormula(names, line,
-                                 names.vertex(edgeEndsOf(names.form(), line).opposite))},
+                                 names.vertex(edgeEndsOf(names.form(), line).opposite)),
+              .comparison = Comparison::WithExact},
              [line](const State &state) {
                  const EdgeTestLineState &of = state.lines[line];
                  return of.atRulesPoint.isNone() ? Quantity() : of.atOpposite;
@@ -72,7 +73,8 @@ void appendSides(NumberTable<State> &table, const EdgeTestNames &names, std::siz
                       .unit = square,
                       .toolTip = filled(u"The edge function of {edge} at the off-screen point r."),
                       .formula = atPoint + QStringLiteral(" = ")
-                          + valueFormula(names, line, QStringLiteral("_r"))},
+                          + valueFormula(names, line, QStringLiteral("_r")),
+                      .comparison = Comparison::WithExact},
                      [line](const State &state) { return state.lines[line].atRulesPoint; }});
     table.push_back(
         {{.id = names.filledId(QStringLiteral("tie_product{l}"), line),
@@ -80,7 +82,8 @@ void appendSides(NumberTable<State> &table, const EdgeTestNames &names, std::siz
           .unit = {},
           .toolTip = filled(u"Above 0 where {facing} and r lie on the same side of edge {edge}: it "
                             u"owns a sample exactly on the edge."),
-          .formula = productTitle(names, line) + QStringLiteral(" = ") + atFacing + u'·' + atPoint},
+          .formula = productTitle(names, line) + QStringLiteral(" = ") + atFacing + u'·' + atPoint,
+          .comparison = Comparison::WithExact},
          [line](const State &state) { return state.lines[line].tieProduct; }});
 }
 

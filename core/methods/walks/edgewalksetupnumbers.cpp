@@ -137,7 +137,8 @@ NumberTable<EdgeWalkSetUpState> edgeWalkSetUpNumbers(const EdgeWalkForm &form)
           .title = QStringLiteral("A"),
           .unit = unit::squarePx(),
           .toolTip = QStringLiteral("Twice the area, positive where P₀ P₁ P₂ turn as from x to y."),
-          .formula = QStringLiteral("A = ") + doubledAreaText()},
+          .formula = QStringLiteral("A = ") + doubledAreaText(),
+          .comparison = Comparison::WithExact},
          [](const EdgeWalkSetUpState &state) {
              const std::array<Vertex, 3> &corners = state.walk.corners;
              return Quantity::rational(

@@ -101,7 +101,8 @@ void appendBoundColours(NumberTable<OutlineSpanState> &table, const QString &bou
          .toolTip = QStringLiteral("Level of % at the outline's pixel of the %1 y, along its edge.")
                         .replace(QStringLiteral("%1"), word),
          .formula = title + QStringLiteral(" = %_from + n·(%_to − %_from)/Δ"),
-         .group = Group::EdgeColours},
+         .group = Group::EdgeColours,
+         .comparison = Comparison::WithExact},
         [colour](const OutlineSpanState &state, std::size_t channel) {
             return (state.span.column.*colour)[channel];
         },
@@ -132,7 +133,8 @@ void appendRamp(NumberTable<OutlineSpanState> &table)
          .unit = QStringLiteral("levels/row"),
          .toolTip = QStringLiteral("Change of % from row to row; none in a column of one pixel."),
          .formula = QStringLiteral("Δ% = (%_high − %_low)/(y_high − y_low)"),
-         .group = Group::ColourRates},
+         .group = Group::ColourRates,
+         .comparison = Comparison::WithExact},
         [](const OutlineSpanState &state, std::size_t channel) {
             return state.hasRate() ? state.span.column.colourRate[channel] : Quantity();
         });
@@ -144,7 +146,8 @@ void appendRamp(NumberTable<OutlineSpanState> &table)
          .unit = unit::levels(),
          .toolTip = QStringLiteral("Level of % at y_start, the column's first drawn pixel."),
          .formula = startFormula(title, true),
-         .group = Group::FirstColour},
+         .group = Group::FirstColour,
+         .comparison = Comparison::WithExact},
         [](const OutlineSpanState &state, std::size_t channel) {
             return state.drawnSamples() > 0 ? state.span.column.firstColour[channel] : Quantity();
         },
@@ -219,7 +222,8 @@ const NumberTable<OutlineSampleState> &outlineSampleNumbers()
              .toolTip = QStringLiteral("Level of % at the pixel."),
              .formula = QStringLiteral("% ← %′ + Δ%"),
              .startFormula = startFormula(title, true),
-             .group = Group::FirstColour},
+             .group = Group::FirstColour,
+             .comparison = Comparison::WithExact},
             [](const State &state, std::size_t channel) { return state.colour[channel]; },
             [title](NumberDescription &number, const State &state) {
                 if (state.isFirst)
