@@ -214,6 +214,13 @@ std::vector<SampleRow> sampleRows(const TracedScene &traced, std::size_t span)
         return rows;
     const std::vector<SampleRecord> samples = trace.samples(span);
     std::vector<ExactSample> exact = exactSamplesOf(traced, span, samples);
+    // A shape has no plane of levels; those of an exact run are the exact ones.
+    const bool areExact = traced.scene.settings.arithmetic == Arithmetic::Exact
+        && !traced.primitives.isTriangle(trace.primitiveOf(span));
+    for (std::size_t index = 0; areExact && index < samples.size(); ++index) {
+        if (std::ranges::all_of(samples[index].colour, &Quantity::isRational))
+            exact[index].colour = samples[index].colour;
+    }
     for (std::size_t index = 0; index < std::min(visited, samples.size()); ++index) {
         const std::size_t sample = first + index;
         rows.push_back({trace.indexOfSample(sample), trace.primitiveOf(span), samples[index],

@@ -24,6 +24,15 @@ NumberDescription strokeNumber(const QString &name, const QString &unit, const Q
     return plainNumber(name, name, unit, toolTip, formula, group);
 }
 
+/// A fraction: its exact one stands beside it.
+NumberDescription strokeFraction(const QString &name, const QString &unit, const QString &toolTip,
+                                 const QString &formula, Group group)
+{
+    NumberDescription number = strokeNumber(name, unit, toolTip, formula, group);
+    number.comparison = Comparison::WithExact;
+    return number;
+}
+
 bool isLineStroke(const StrokeSetUp &setUp) { return setUp.shape.kind == PrimitiveKind::Line; }
 
 bool isRoundStroke(const StrokeSetUp &setUp)
@@ -90,17 +99,17 @@ void appendDistances(NumberTable<StrokeSampleState> &table)
 {
     const auto whole = QStringLiteral("((x₁ − x₀)·h_y − (y₁ − y₀)·h_x)");
     table.push_back(
-        {strokeNumber("d_across", "half widths",
-                      "How far the sample lies from a line, which covers it from −1 to 1.",
-                      QStringLiteral("d_across = ((x₁ − x₀)·(y − y₀) − (y₁ − y₀)·(x − x₀))/")
-                          + whole,
-                      Group::Decision),
+        {strokeFraction("d_across", "half widths",
+                        "How far the sample lies from a line, which covers it from −1 to 1.",
+                        QStringLiteral("d_across = ((x₁ − x₀)·(y − y₀) − (y₁ − y₀)·(x − x₀))/")
+                            + whole,
+                        Group::Decision),
          [](const StrokeSampleState &state) { return state.across(); }});
     table.push_back(
-        {strokeNumber("d_along", "lengths",
-                      "How far along a line the sample lies; from 0 to 1 the line covers it.",
-                      QStringLiteral("d_along = ((x − x₀)·h_y − (y − y₀)·h_x)/") + whole,
-                      Group::Decision),
+        {strokeFraction("d_along", "lengths",
+                        "How far along a line the sample lies; from 0 to 1 the line covers it.",
+                        QStringLiteral("d_along = ((x − x₀)·h_y − (y − y₀)·h_x)/") + whole,
+                        Group::Decision),
          [](const StrokeSampleState &state) { return state.along(); }});
 }
 
@@ -120,10 +129,10 @@ void appendStrokeBytes(NumberTable<StrokeSampleState> &table, QChar letter, cons
 
 void appendStrokeSource(NumberTable<StrokeSampleState> &table)
 {
-    table.push_back({strokeNumber("t", {},
-                                  "How far along a line the pixel's sample lies, from 0 at its "
-                                  "first end to 1 at the other.",
-                                  {}, Group::FirstColour),
+    table.push_back({strokeFraction("t", {},
+                                    "How far along a line the pixel's sample lies, from 0 at its "
+                                    "first end to 1 at the other.",
+                                    {}, Group::FirstColour),
                      [](const StrokeSampleState &state) { return state.place(); },
                      [](NumberDescription &number, const StrokeSampleState &state) {
                          const StrokeColour::Place &place = state.sample.place;
@@ -138,8 +147,8 @@ void appendStrokeSource(NumberTable<StrokeSampleState> &table)
                      }});
     appendChannels(
         table,
-        plainNumber("%", "%", unit::levels(), "% of the stroke at the sample.", {},
-                    Group::FirstColour),
+        comparedNumber("%", "%", unit::levels(), "% of the stroke at the sample.", {},
+                       Group::FirstColour),
         [](const StrokeSampleState &state, std::size_t channel) { return state.level(channel); },
         [](NumberDescription &number, const StrokeSampleState &state) {
             number.formula = state.isOnLine() ? QStringLiteral("% = %₀ + t·(%₁ − %₀)")

@@ -50,10 +50,10 @@ const NumberTable<SlopeInterceptSetUpState> &slopeInterceptSetUpNumbers()
                                 [](const State &setUp) { return pixels(setUp.end.position.x); }),
                endNumber<State>(u'y', 1, right,
                                 [](const State &setUp) { return pixels(setUp.end.position.y); }),
-               {plainNumber("m", "m", "px/column", "The slope.", "m = (y₁ − y₀)/(x₁ − x₀)"),
+               {comparedNumber("m", "m", "px/column", "The slope.", "m = (y₁ − y₀)/(x₁ − x₀)"),
                 [](const State &setUp) { return setUp.slope; }},
-               {plainNumber("b", "b", unit::px(), "Where the line meets the column 0.",
-                            "b = y₀ − m·x₀"),
+               {comparedNumber("b", "b", unit::px(), "Where the line meets the column 0.",
+                               "b = y₀ − m·x₀"),
                 [](const State &setUp) { return setUp.intercept; }}};
         appendEndColours(table, 0, &State::start);
         appendEndColours(table, 1, &State::end);
@@ -106,16 +106,16 @@ const NumberTable<DdaSetUpState> &ddaSetUpNumbers()
                                 [](const State &setUp) { return pixels(setUp.end.position.x); }),
                endNumber<State>(u'v', 1, second + across,
                                 [](const State &setUp) { return pixels(setUp.end.position.y); }),
-               {plainNumber("m", "m", "px/step", "Δy/Δx; Δx/Δy where the line is steep.",
-                            "m = (v₁ − v₀)/(u₁ − u₀)"),
+               {comparedNumber("m", "m", "px/step", "Δy/Δx; Δx/Δy where the line is steep.",
+                               "m = (v₁ − v₀)/(u₁ − u₀)"),
                 [](const State &setUp) { return setUp.isPoint() ? Quantity() : setUp.slope; },
                 specifyDivisor}};
         appendEndColours(table, 0, &State::start);
         appendEndColours(table, 1, &State::end);
         appendChannels(
             table,
-            plainNumber("delta_%", "Δ%", "levels/step", "Change of % for each step.",
-                        "Δ% = (%₁ − %₀)/(u₁ − u₀)", Group::ColourRates),
+            comparedNumber("delta_%", "Δ%", "levels/step", "Change of % for each step.",
+                           "Δ% = (%₁ − %₀)/(u₁ − u₀)", Group::ColourRates),
             [](const State &setUp, std::size_t channel) {
                 return setUp.isPoint() ? Quantity() : setUp.colourRate[channel];
             },

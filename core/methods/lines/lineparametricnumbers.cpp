@@ -67,7 +67,7 @@ const NumberTable<ParametricLineState> &parametricLineNumbers()
         NumberTable<State> table
             = {{plainNumber("i", "i", {}, "The step's number, from 0 at t = 0."),
                 [](const State &step) { return Quantity::integer(step.number); }},
-               {plainNumber("t", "t", {}, "The parameter.", "t = i/N", NumberGroup::Decision),
+               {comparedNumber("t", "t", {}, "The parameter.", "t = i/N", NumberGroup::Decision),
                 [](const State &step) { return step.t; }}};
         appendCoordinate(table, u'u', u'x', &State::x, &LinePlace::x);
         appendCoordinate(table, u'v', u'y', &State::y, &LinePlace::y);

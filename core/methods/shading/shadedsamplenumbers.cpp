@@ -135,6 +135,7 @@ void appendDepth(Table &table, const ShadedScope &scope)
     appendPlain(
         table, "z_near", "The nearest depth so far at the pixel; none where nothing stands.", {},
         [](const State &state) { return state.nearest; }, Group::Span);
+    table.back().description.comparison = Comparison::WithExact;
     if (!hasLevels)
         return;
     table.push_back(
@@ -212,11 +213,13 @@ NumberTable<ShadedSampleState> shadedSampleNumbers(const ShadedScope &scope)
             appendQuotient(table, scope, channel);
     }
     if (effects.perspective && effects.texture) {
-        for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t i = 0; i < 2; ++i) {
             appendPlain(table, i == 0 ? QStringLiteral("u_affine") : QStringLiteral("v_affine"),
                         QStringLiteral("What %1 would be without perspective.")
                             .arg(i == 0 ? QStringLiteral("u") : QStringLiteral("v")),
                         {}, [i](const State &state) { return state.affine[i]; });
+            table.back().description.comparison = Comparison::WithExact;
+        }
     }
     if (effects.depth != DepthTest::None)
         appendDepth(table, scope);

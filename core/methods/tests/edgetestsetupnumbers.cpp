@@ -61,10 +61,10 @@ void appendLine(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &nam
     const auto add = [&](const char16_t *name, const char16_t *toolTip, const QString &formula,
                          Quantity EdgeTestLineState::*member) {
         table.push_back(
-            {plainNumber(names.filledId(QString::fromUtf16(name), line),
-                         names.filled(QString::fromUtf16(name), line), {},
-                         names.filled(QString::fromUtf16(toolTip), line),
-                         names.filled(formula, line)),
+            {comparedNumber(names.filledId(QString::fromUtf16(name), line),
+                            names.filled(QString::fromUtf16(name), line), {},
+                            names.filled(QString::fromUtf16(toolTip), line),
+                            names.filled(formula, line)),
              [line, member](const EdgeTestSetUpState &state) { return state.lines[line].*member; },
              [line, divisor](NumberDescription &number, const EdgeTestSetUpState &state) {
                  if (state.lines[line].passesOrigin())
@@ -136,8 +136,8 @@ void appendCramer(NumberTable<EdgeTestSetUpState> &table)
     append(u'y', u'A', &EdgeTestSetUpState::yAC);
     append(u'x', u'B', &EdgeTestSetUpState::xBC);
     append(u'y', u'B', &EdgeTestSetUpState::yBC);
-    table.push_back({plainNumber("D", "D", unit::squarePx(), "The determinant |A − C, B − C|.",
-                                 "D = x_AC·y_BC − x_BC·y_AC"),
+    table.push_back({comparedNumber("D", "D", unit::squarePx(), "The determinant |A − C, B − C|.",
+                                    "D = x_AC·y_BC − x_BC·y_AC"),
                      std::mem_fn(&EdgeTestSetUpState::determinant)});
 }
 
@@ -150,7 +150,7 @@ void appendRates(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &na
             = axis == u'x' ? &EdgeTestSetUpState::weightPerX : &EdgeTestSetUpState::weightPerY;
         for (std::size_t line = 0; line < 3; ++line) {
             table.push_back(
-                {plainNumber(
+                {comparedNumber(
                      names.filledId("delta_{w}_", line) + QChar(axis),
                      names.filled("Δ{w}_", line) + QChar(axis), {},
                      names.filled("Change of the weight of vertex {facing} for each step of ", line)
@@ -165,11 +165,11 @@ void appendRates(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &na
         const auto rates
             = axis == u'x' ? &EdgeTestSetUpState::colourPerX : &EdgeTestSetUpState::colourPerY;
         appendChannels(table,
-                       plainNumber(QStringLiteral("delta_%_") + axis, QStringLiteral("Δ%_") + axis,
-                                   "levels/px",
-                                   QStringLiteral("Change of % for each step of ") + axis + u'.',
-                                   QStringLiteral("Δ%_{} = Δα_{}·%_a + Δβ_{}·%_b + Δγ_{}·%_c")
-                                       .replace(QStringLiteral("{}"), axis)),
+                       comparedNumber(QStringLiteral("delta_%_") + axis,
+                                      QStringLiteral("Δ%_") + axis, "levels/px",
+                                      QStringLiteral("Change of % for each step of ") + axis + u'.',
+                                      QStringLiteral("Δ%_{} = Δα_{}·%_a + Δβ_{}·%_b + Δγ_{}·%_c")
+                                          .replace(QStringLiteral("{}"), axis)),
                        [rates](const EdgeTestSetUpState &state, std::size_t channel) {
                            return (state.*rates)[channel];
                        });

@@ -54,20 +54,22 @@ void appendSides(NumberTable<State> &table, const EdgeTestNames &names, std::siz
     const QString atFacing = names.form().isBarycentric() ? filled(u"f{opp}") : filled(u"F{l}");
     if (isCramer)
         table.push_back(
-            {plainNumber(names.filledId("f{opp}", line), atFacing, square,
-                         filled(u"The edge function of {edge} at vertex {facing}, which faces it."),
-                         atFacing + QStringLiteral(" = ")
-                             + valueFormula(names, line,
-                                            names.vertex(edgeEndsOf(names.form(), line).opposite))),
+            {comparedNumber(
+                 names.filledId("f{opp}", line), atFacing, square,
+                 filled(u"The edge function of {edge} at vertex {facing}, which faces it."),
+                 atFacing + QStringLiteral(" = ")
+                     + valueFormula(names, line,
+                                    names.vertex(edgeEndsOf(names.form(), line).opposite))),
              [line](const State &state) {
                  const EdgeTestLineState &of = state.lines[line];
                  return of.atRulesPoint.isNone() ? Quantity() : of.atOpposite;
              }});
     const QString atPoint = filled(u"{value}(r)");
-    table.push_back({plainNumber(names.filledId("{value}_r", line), atPoint, square,
-                                 filled(u"The edge function of {edge} at the off-screen point r."),
-                                 atPoint + QStringLiteral(" = ") + valueFormula(names, line, "_r")),
-                     [line](const State &state) { return state.lines[line].atRulesPoint; }});
+    table.push_back(
+        {comparedNumber(names.filledId("{value}_r", line), atPoint, square,
+                        filled(u"The edge function of {edge} at the off-screen point r."),
+                        atPoint + QStringLiteral(" = ") + valueFormula(names, line, "_r")),
+         [line](const State &state) { return state.lines[line].atRulesPoint; }});
     table.push_back(
         {plainNumber(names.filledId("tie_product{l}", line), productTitle(names, line), {},
                      filled(u"Above 0 where {facing} and r lie on the same side of edge {edge}: it "

@@ -118,9 +118,9 @@ NumberTable<EdgeWalkSetUpState> edgeWalkSetUpNumbers(const EdgeWalkForm &form)
     NumberTable<EdgeWalkSetUpState> table;
     for (std::size_t corner = 0; corner < 3; ++corner)
         appendCorner(table, corner);
-    table.push_back({plainNumber("A", "A", unit::squarePx(),
-                                 "Twice the area, positive where P₀ P₁ P₂ turn as from x to y.",
-                                 QStringLiteral("A = ") + doubledAreaText()),
+    table.push_back({comparedNumber("A", "A", unit::squarePx(),
+                                    "Twice the area, positive where P₀ P₁ P₂ turn as from x to y.",
+                                    QStringLiteral("A = ") + doubledAreaText()),
                      [](const EdgeWalkSetUpState &state) {
                          const std::array<Vertex, 3> &corners = state.walk.corners;
                          return Quantity::rational(doubledArea(corners[0].position,

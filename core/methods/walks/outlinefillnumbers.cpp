@@ -121,9 +121,9 @@ void appendRamp(NumberTable<OutlineSpanState> &table)
     const QString title = "first % = ";
     appendChannels(
         table,
-        plainNumber("first_%", "first %", unit::levels(),
-                    "Level of % at y_start, the column's first drawn pixel.",
-                    startFormula(title, true), Group::FirstColour),
+        comparedNumber("first_%", "first %", unit::levels(),
+                       "Level of % at y_start, the column's first drawn pixel.",
+                       startFormula(title, true), Group::FirstColour),
         [](const OutlineSpanState &state, std::size_t channel) {
             return state.drawnSamples() > 0 ? state.span.column.firstColour[channel] : Quantity();
         },
@@ -194,7 +194,8 @@ const NumberTable<OutlineSampleState> &outlineSampleNumbers()
              .toolTip = "Level of % at the pixel.",
              .formula = "% ← %′ + Δ%",
              .startFormula = startFormula(title, true),
-             .group = Group::FirstColour},
+             .group = Group::FirstColour,
+             .comparison = Comparison::WithExact},
             [](const State &state, std::size_t channel) { return state.colour[channel]; },
             [title](NumberDescription &number, const State &state) {
                 if (state.isFirst)

@@ -233,7 +233,7 @@ private slots:
         scene.triangles = {triangleAt(-40000, 0, 40, 3, 3, 40)};
         const auto traced = traceScene(scene);
         QCOMPARE(traced->trace->setUp(0).rejection, PrimitiveRejection::NotRepresentable);
-        QVERIFY(explainStep(*traced, 0).sentence.contains(u"does not fit"));
+        QVERIFY(explainStep(*traced, 0).sentence.contains(u"more than these settings hold"));
     }
 
     void chooses128BitsOnlyBeyondTheProvedDomain()

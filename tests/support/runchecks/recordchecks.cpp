@@ -2,6 +2,8 @@
 #include "tests/support/runchecks/runcheck.h"
 #include "tests/support/spread.h"
 
+#include <QStringList>
+
 #include <algorithm>
 
 namespace pixelplumb {
@@ -105,13 +107,45 @@ QString indexFault(const CheckedRun &run)
     return samples == trace.sampleCount() ? QString() : QStringLiteral("%1 samples").arg(samples);
 }
 
+/// The numbers without an exact counterpart in files that a double cannot hold.
+QStringList lossyNumbers(const std::vector<NumberDescription> &numbers,
+                         const std::vector<Quantity> &cells)
+{
+    QStringList lossy;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const bool isAlone = numbers[i].comparison == Comparison::None && cells[i].isRational();
+        if (isAlone && errorOf(Quantity::of(cells[i].toDouble()), cells[i]) != 0)
+            lossy.append(numbers[i].id);
+    }
+    return lossy;
+}
+
+/// Fixed point has its own fractions, which end in a file's decimals.
+QString lossFault(const CheckedRun &run)
+{
+    const ScanTrace &trace = *run.traced->trace;
+    if (trace.settings().arithmetic != Arithmetic::Exact)
+        return {};
+    QStringList lossy;
+    for (std::size_t i = 0; i < trace.primitiveCount(); ++i)
+        lossy += lossyNumbers(trace.numbers().setUp, trace.setUp(i).cells);
+    for (std::size_t span = 0; span < trace.spanCount(); ++span) {
+        lossy += lossyNumbers(trace.numbers().span, trace.span(span).cells);
+        for (const SampleRecord &sample : trace.samples(span))
+            lossy += lossyNumbers(trace.numbers().sample, sample.cells);
+    }
+    lossy.removeDuplicates();
+    return lossy.join(QStringLiteral(", "));
+}
+
 } // namespace
 
 std::vector<RunCheck> recordChecks()
 {
     return {{QStringLiteral("every record has a cell and words for each number"), cellFault},
             {QStringLiteral("the samples of a span are its changes, in their order"), sampleFault},
-            {QStringLiteral("the index of a step leads back to the step"), indexFault}};
+            {QStringLiteral("the index of a step leads back to the step"), indexFault},
+            {QStringLiteral("what a double cannot hold has its exact number"), lossFault}};
 }
 
 } // namespace pixelplumb
