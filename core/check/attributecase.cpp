@@ -17,10 +17,10 @@ Quantity fraction(JsonReader &json, const JsonNode &node)
     bool isNumerator = false;
     bool isDenominator = false;
     const qint64 numerator = parts.front().toLongLong(&isNumerator);
-    const qint64 denominator = parts.value(1, QStringLiteral("1")).toLongLong(&isDenominator);
+    const qint64 denominator = parts.value(1, "1").toLongLong(&isDenominator);
     if (isNumerator && isDenominator && denominator > 0 && parts.size() <= 2)
         return Quantity::rational(numerator, denominator);
-    json.fail(node, describe(node), QStringLiteral("a fraction such as “85/42”"));
+    json.fail(node, describe(node), "a fraction such as “85/42”");
     return {};
 }
 
@@ -96,8 +96,7 @@ std::map<QString, Quantity> readExpectedValues(JsonReader &json, const JsonNode 
             values[title] = fraction(json, node[title]);
         else
             json.fail(node[title], QStringLiteral("“%1”").arg(title),
-                      QStringLiteral("a title of what is interpolated: R, G, B, z, u, v, N_x, "
-                                     "N_y, N_z"));
+                      "a title of what is interpolated: R, G, B, z, u, v, N_x, N_y, N_z");
     }
     return values;
 }

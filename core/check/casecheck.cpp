@@ -159,7 +159,7 @@ ContenderVerdict verdictOn(const Contender &contender, const HardCase &hardCase)
     ContenderVerdict verdict{contender, CaseOutcome::Passed, {}};
     if (!hardCase.facts.contains(contender.settings.fillRule)) {
         verdict.outcome = CaseOutcome::Skipped;
-        verdict.remarks = {QStringLiteral("the case has no facts under this rule")};
+        verdict.remarks = {"the case has no facts under this rule"};
         return verdict;
     }
     const QString refusal = refusalOf(contender, hardCase);
@@ -236,7 +236,7 @@ CaseReport checkCase(const HardCase &hardCase, const std::vector<Contender> &con
     if (hardCase.kind == HardCaseKind::Invalid) {
         if (hardCase.refusal.isEmpty()) {
             report.outcome = CaseOutcome::FellShort;
-            report.remarks = {QStringLiteral("its coordinates are accepted")};
+            report.remarks = {"its coordinates are accepted"};
         } else {
             report.remarks = {QStringLiteral("refused: ") + hardCase.refusal};
         }

@@ -35,7 +35,7 @@ void CaseCoordinates::readScale(const JsonNode &node)
     const JsonNode scale = member(node, "scale");
     m_scale = wholeText(scale);
     if (scale.toDouble(0) < 1)
-        m_json.fail(scale, describe(scale), QStringLiteral("the units in a pixel, 1 or more"));
+        m_json.fail(scale, describe(scale), "the units in a pixel, 1 or more");
 }
 
 void CaseCoordinates::readOptionalScale(const JsonNode &node)

@@ -52,7 +52,7 @@ public:
 private:
     JsonReader &m_json;
     HardCase &m_case;
-    QString m_scale = QStringLiteral("1");
+    QString m_scale = "1";
 };
 
 } // namespace pixelplumb

@@ -27,18 +27,18 @@ void compare(QStringList &shortfalls, const QString &what, std::int64_t found,
 
 void comparePicture(QStringList &shortfalls, const ExpectedFacts &facts, const CasePicture &picture)
 {
-    compare(shortfalls, QStringLiteral("pixel count"), picture.pixelCount(), facts.pixelCount);
+    compare(shortfalls, "pixel count", picture.pixelCount(), facts.pixelCount);
     if (!facts.spanHash.isEmpty())
-        compare(shortfalls, QStringLiteral("span hash"), QString::fromLatin1(picture.spanHash()),
+        compare(shortfalls, "span hash", QString::fromLatin1(picture.spanHash()),
                 QString::fromLatin1(facts.spanHash));
     if (!facts.pixelHash.isEmpty())
-        compare(shortfalls, QStringLiteral("pixel hash"), QString::fromLatin1(picture.pixelHash()),
+        compare(shortfalls, "pixel hash", QString::fromLatin1(picture.pixelHash()),
                 QString::fromLatin1(facts.pixelHash));
     if (!facts.colourHash.isEmpty())
-        compare(shortfalls, QStringLiteral("colour hash"),
-                QString::fromLatin1(picture.colourHash()), QString::fromLatin1(facts.colourHash));
+        compare(shortfalls, "colour hash", QString::fromLatin1(picture.colourHash()),
+                QString::fromLatin1(facts.colourHash));
     if (facts.channelSums)
-        compare(shortfalls, QStringLiteral("channel sums"), numbersText(picture.channelSums()),
+        compare(shortfalls, "channel sums", numbersText(picture.channelSums()),
                 numbersText(*facts.channelSums));
 }
 
@@ -64,7 +64,7 @@ void compareHistogram(QStringList &shortfalls, const std::map<int, std::int64_t>
             parts.append(QStringLiteral("%1×%2").arg(times).arg(count));
         return parts.isEmpty() ? QStringLiteral("nothing") : parts.join(u' ');
     };
-    compare(shortfalls, QStringLiteral("coverage (times×pixels)"), text(found), text(expected));
+    compare(shortfalls, "coverage (times×pixels)", text(found), text(expected));
 }
 
 } // namespace pixelplumb

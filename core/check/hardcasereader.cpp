@@ -157,7 +157,7 @@ private:
             const CasePixel moved = pixel(m_json, offset);
             if (!staysWithinRange(moved[0], moved[1])) {
                 m_json.fail(offset, QStringLiteral("the case leaves ±%1 px").arg(largestPixel),
-                            QStringLiteral("a smaller offset"));
+                            "a smaller offset");
             }
             m_case.offsets.push_back(moved);
         }
@@ -264,7 +264,7 @@ Result<std::vector<HardCase>> readHardCases(const QByteArray &text)
     JsonReader json(text);
     std::vector<HardCase> cases;
     if (!json.hasFailed() && !json.root().isObject())
-        json.fail(json.root(), describe(json.root()), QStringLiteral("an object"));
+        json.fail(json.root(), describe(json.root()), "an object");
     if (!json.hasFailed())
         json.integer(member(json.root(), "version"), 1, 1);
     if (!json.hasFailed()) {
@@ -281,7 +281,7 @@ Result<std::vector<HardCase>> readHardCases(const QByteArray &text)
 
 Result<std::vector<HardCase>> builtInHardCases()
 {
-    QFile file(QStringLiteral(":/cases/hard_cases.json"));
+    QFile file(":/cases/hard_cases.json");
     if (!file.open(QIODevice::ReadOnly))
         return std::vector<HardCase>();
     return readHardCases(file.readAll());

@@ -113,7 +113,7 @@ void readLineCase(JsonReader &json, const JsonNode &node, HardCase &hardCase)
     line.vertices = {{coordinates.position(ends[0]), {{255, 0, 0}}},
                      {coordinates.position(ends[1]), {{0, 0, 255}}}};
     if (!hardCase.displacements.isEmpty())
-        json.fail(member(node, "endpoints"), QStringLiteral("ends off the lattice"),
+        json.fail(member(node, "endpoints"), "ends off the lattice",
                   QStringLiteral("multiples of 1/%1 px").arg(unitsPerPixel));
     hardCase.shapes = {line};
     const CasePixel a = pixelOf(line.vertices[0]);
@@ -123,7 +123,7 @@ void readLineCase(JsonReader &json, const JsonNode &node, HardCase &hardCase)
         = {absolute(b[0] - a[0]) + 1 + 2 * margin, absolute(b[1] - a[1]) + 1 + 2 * margin};
     const CasePixel first = {std::min(a[0], b[0]) - margin, std::min(a[1], b[1]) - margin};
     if (std::max(size[0], size[1]) > largestFrameSide || size[0] * size[1] > largestFrameArea)
-        json.fail(member(node, "endpoints"), QStringLiteral("a line that no frame holds"),
+        json.fail(member(node, "endpoints"), "a line that no frame holds",
                   QStringLiteral("at most %1 px on a side and %2 px in area")
                       .arg(largestFrameSide - 2 * margin)
                       .arg(largestFrameArea));

@@ -26,15 +26,14 @@ void readPolygon(JsonReader &json, const JsonNode &node, CaseCoordinates &coordi
     for (const JsonNode &contour : json.array(node)) {
         const std::vector<JsonNode> vertices = json.array(contour);
         if (vertices.size() < 3 && !json.hasFailed())
-            json.fail(contour, QStringLiteral("%1 vertices").arg(vertices.size()),
-                      QStringLiteral("3 or more"));
+            json.fail(contour, QStringLiteral("%1 vertices").arg(vertices.size()), "3 or more");
         if (!polygon.vertices.empty())
             polygon.laterContours.push_back(polygon.vertices.size());
         for (const JsonNode &vertex : vertices)
             polygon.vertices.push_back({coordinates.position(vertex), shapeColour});
     }
     if (polygon.vertices.empty() && !json.hasFailed())
-        json.fail(node, QStringLiteral("no contour"), QStringLiteral("1 or more"));
+        json.fail(node, "no contour", "1 or more");
 }
 
 /// How many pixels the shapes cover once, twice, … when each is drawn alone.
@@ -82,7 +81,7 @@ void readPolygonCase(JsonReader &json, const JsonNode &node, CaseCoordinates &co
         hardCase.shapes.push_back(std::move(polygon));
     }
     if (hardCase.shapes.empty() && !json.hasFailed())
-        json.fail(polygonsNode, QStringLiteral("no polygon"), QStringLiteral("1 or more"));
+        json.fail(polygonsNode, "no polygon", "1 or more");
 }
 
 QStringList shapeShortfalls(const HardCase &hardCase, const ScanSettings &settings,

@@ -146,9 +146,8 @@ QStringList sequenceShortfalls(const HardCase &hardCase, const ScanSettings &set
     const ExpectedFacts facts = factsOf(hardCase, settings);
     const SequenceTally tally = tallyOfSequence(hardCase, settings, drawing);
     QStringList shortfalls;
-    compare(shortfalls, QStringLiteral("pixel counts"), numbersText(tally.counts),
-            numbersText(facts.frameCounts));
-    compare(shortfalls, QStringLiteral("toggles"), tally.toggles, facts.toggles);
+    compare(shortfalls, "pixel counts", numbersText(tally.counts), numbersText(facts.frameCounts));
+    compare(shortfalls, "toggles", tally.toggles, facts.toggles);
     return shortfalls;
 }
 
@@ -179,8 +178,7 @@ QStringList translationShortfalls(const HardCase &hardCase, const ScanSettings &
         });
         pictures.insert(std::move(pixels));
     }
-    compare(shortfalls, QStringLiteral("distinct pictures"), std::int64_t(pictures.size()),
-            facts.distinctPictures);
+    compare(shortfalls, "distinct pictures", std::int64_t(pictures.size()), facts.distinctPictures);
     return shortfalls;
 }
 

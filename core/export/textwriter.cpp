@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t rowsOfABlock = 1000;
 constexpr int decimals = 6; ///< more where needed to tell a number from a whole one
-const QString gap = QStringLiteral("  ");
+const QString gap = "  ";
 
 /// A cell in two parts that meet at the same place in all rows: the whole number, right-aligned,
 /// and what follows it.

@@ -102,16 +102,16 @@ std::vector<PreambleMember> preambleOf(const TracedScene &traced, const TraceExp
             + ", \"meaning\": " + jsonString(number.toolTip) + '}';
     }
     std::vector<PreambleMember> members
-        = {{QStringLiteral("pixelplumbTrace"), "2"},
-           {QStringLiteral("level"), jsonString(nameOf(options.level))},
-           {QStringLiteral("method"), jsonString(traced.method->id)},
-           {QStringLiteral("arithmetic"), jsonName(nameOf(settings.arithmetic))},
-           {QStringLiteral("fillRule"), jsonName(nameOf(settings.fillRule))},
-           {QStringLiteral("rounding"), jsonName(nameOf(settings.rounding))},
-           {QStringLiteral("variants"), variantsJson(settings.variants)},
-           {QStringLiteral("coordinates"), jsonString(coordinatesText(traced))},
-           {QStringLiteral("cut"), traced.trace->isCut() ? "true" : "false"},
-           {QStringLiteral("columns"), columns + (columns.size() == 1 ? "]" : "\n  ]")}};
+        = {{"pixelplumbTrace", "2"},
+           {"level", jsonString(nameOf(options.level))},
+           {"method", jsonString(traced.method->id)},
+           {"arithmetic", jsonName(nameOf(settings.arithmetic))},
+           {"fillRule", jsonName(nameOf(settings.fillRule))},
+           {"rounding", jsonName(nameOf(settings.rounding))},
+           {"variants", variantsJson(settings.variants)},
+           {"coordinates", jsonString(coordinatesText(traced))},
+           {"cut", traced.trace->isCut() ? "true" : "false"},
+           {"columns", columns + (columns.size() == 1 ? "]" : "\n  ]")}};
     if (options.frame)
         members.insert(members.begin() + 1,
                        {motionFrameColumn, QByteArray::number(*options.frame)});

@@ -39,9 +39,9 @@ QString valueOf(const QString &path, const QString &key)
 
 QStringList cachesOfFirstProcessor()
 {
-    const QString folder = QStringLiteral("/sys/devices/system/cpu/cpu0/cache/");
+    const QString folder = "/sys/devices/system/cpu/cpu0/cache/";
     QStringList caches;
-    const QStringList entries = QDir(folder).entryList({QStringLiteral("index*")}, QDir::Dirs);
+    const QStringList entries = QDir(folder).entryList({"index*"}, QDir::Dirs);
     for (const QString &entry : entries) {
         const QString place = folder + entry + u'/';
         const QString type = contentOf(place + QStringLiteral("type"));
@@ -72,11 +72,10 @@ QString compilerName()
 MachineConditions thisMachine()
 {
     MachineConditions machine;
-    machine.processor = valueOf(QStringLiteral("/proc/cpuinfo"), QStringLiteral("model name"));
+    machine.processor = valueOf("/proc/cpuinfo", "model name");
     machine.processors = int(std::thread::hardware_concurrency());
     machine.caches = cachesOfFirstProcessor();
-    machine.governor
-        = contentOf(QStringLiteral("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor"));
+    machine.governor = contentOf("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
     machine.system
         = QSysInfo::prettyProductName() + QStringLiteral(", kernel ") + QSysInfo::kernelVersion();
     machine.compiler = compilerName();

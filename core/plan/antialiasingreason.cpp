@@ -21,7 +21,7 @@ QString antialiasedWord(const NeedsTally &tally)
 QString nothingAntialiased(const Primitives &primitives)
 {
     const bool hasStrokes = std::ranges::any_of(primitives.shapes, isStroke);
-    const QString strokes = QStringLiteral("line or curve one pixel wide");
+    const QString strokes = "line or curve one pixel wide";
     if (primitives.triangles.empty())
         return hasStrokes ? QStringLiteral("no %1 is drawn in the frame").arg(strokes)
                           : QStringLiteral("only triangles, and lines and curves one pixel wide, "
@@ -49,10 +49,10 @@ QString antialiasingReason(const Primitives &primitives, const NeedsTally &tally
         return nothingAntialiased(primitives);
     if (!isCalledFor)
         return antialiasing == Antialiasing::Area
-            ? QStringLiteral("no edge parts a pixel of the frame: each is covered whole or not at "
-                             "all")
-            : QStringLiteral("no edge of a %1 meets a pixel of the frame: each is drawn once, at "
-                             "its centre")
+            ? QStringLiteral(
+                "no edge parts a pixel of the frame: each is covered whole or not at all")
+            : QStringLiteral(
+                  "no edge of a %1 meets a pixel of the frame: each is drawn once, at its centre")
                   .arg(tally.askedTriangles == 0 ? QStringLiteral("stroke")
                                                  : QStringLiteral("triangle with an area"));
     switch (antialiasing) {

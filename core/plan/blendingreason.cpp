@@ -45,8 +45,7 @@ QString blendingReason(const Primitives &primitives, const NeedsTally &tally,
             + ofEnds(tally);
     const QString reason
         = QStringLiteral("%1 an alpha below 255, the lowest is %2")
-              .arg(countedWords(blended, tally.drawnTriangles, QStringLiteral("triangle"),
-                                QStringLiteral("has"), QStringLiteral("have")))
+              .arg(countedWords(blended, tally.drawnTriangles, "triangle", "has", "have"))
               .arg(tally.lowestAlpha)
         + ofEnds(tally);
     const bool sharesEdges = where.rule == FillRule::Closed

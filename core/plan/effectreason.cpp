@@ -60,7 +60,7 @@ QString onlyOfTriangles(Effect effect)
 
 QString has(std::size_t count, std::size_t all, const QString &noun)
 {
-    return countedWords(count, all, noun, QStringLiteral("has"), QStringLiteral("have"));
+    return countedWords(count, all, noun, "has", "have");
 }
 
 QString smoothColourReason(const NeedsTally &tally, const Appearance &appearance,
@@ -76,9 +76,9 @@ QString smoothColourReason(const NeedsTally &tally, const Appearance &appearance
     if (smooth > 0)
         return QStringLiteral("%1 %2 that differ")
                    .arg(has(smooth, tally.drawn, noun), QString(colours).remove(u','))
-            + (isFlatLit ? QStringLiteral("; flat light gives each triangle that it falls on one "
-                                          "colour")
-                         : QString());
+            + (isFlatLit
+                   ? QStringLiteral("; flat light gives each triangle that it falls on one colour")
+                   : QString());
     if (tally.drawnTriangles == 0 && tally.ownColours == 0)
         return (tally.drawn == 1 ? QStringLiteral("the %1 has one colour")
                                  : QStringLiteral("each %1 has one colour"))
@@ -107,8 +107,7 @@ QString clippingReason(const NeedsTally &tally, const QString &noun, Antialiasin
 {
     QStringList reasons;
     if (tally.cutAtNear > 0)
-        reasons.append(countedWords(tally.cutAtNear, tally.drawn, noun, QStringLiteral("is"),
-                                    QStringLiteral("are"))
+        reasons.append(countedWords(tally.cutAtNear, tally.drawn, noun, "is", "are")
                        + QStringLiteral(" of a face that the near plane cuts"));
     if (tally.crossing > 0)
         reasons.append((antialiasing == Antialiasing::Area
@@ -119,9 +118,8 @@ QString clippingReason(const NeedsTally &tally, const QString &noun, Antialiasin
         return reasons.join(QStringLiteral("; "));
     if (tally.mayCross > 0)
         return QStringLiteral("%1 beyond the frame, as far as bounding boxes tell")
-            .arg(countedWords(tally.mayCross, tally.drawn, noun, QStringLiteral("may go on"),
-                              QStringLiteral("may go on")));
-    const QString within = QStringLiteral("what is drawn lies within the frame");
+            .arg(countedWords(tally.mayCross, tally.drawn, noun, "may go on", "may go on"));
+    const QString within = "what is drawn lies within the frame";
     if (tally.outside == 0)
         return within;
     return within

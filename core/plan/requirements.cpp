@@ -38,11 +38,10 @@ EffectVerdict depthVerdict(const Primitives &primitives, const NeedsTally &tally
     }
     switch (primitives.appearance.depth) {
     case DepthUse::Off:
-        verdict.reason = QStringLiteral("the scene says so: what is drawn later covers what was "
-                                        "drawn before");
+        verdict.reason = "the scene says so: what is drawn later covers what was drawn before";
         return verdict;
     case DepthUse::On:
-        verdict.reason = QStringLiteral("the scene says so, for all triangles");
+        verdict.reason = "the scene says so, for all triangles";
         verdict.verdict = Verdict::CalledFor;
         verdict.primitives = tally.drawnTriangles;
         verdict.pixels = pixelsOf(where.frame);

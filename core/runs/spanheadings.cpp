@@ -27,9 +27,9 @@ QString placeText(const SpanPlace &place)
 QString countedPart(const ScanTrace &trace)
 {
     const auto has = [&trace](const QString &id) { return hasNumber(trace.numbers().span, id); };
-    if (has(QStringLiteral("polygon")) && has(QStringLiteral("triangle")))
+    if (has("polygon") && has("triangle"))
         return QStringLiteral("triangle");
-    return has(QStringLiteral("edge")) ? QStringLiteral("edge") : QString();
+    return has("edge") ? QStringLiteral("edge") : QString();
 }
 
 } // namespace

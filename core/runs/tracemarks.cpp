@@ -117,7 +117,7 @@ std::set<std::int64_t> tieRowsOf(const Shape &polygon, const FrameSpec &frame)
 bool hasDecisions(const ScanTrace &trace)
 {
     const auto &numbers = trace.numbers().span;
-    return hasNumber(numbers, QStringLiteral("p_k")) || hasNumber(numbers, QStringLiteral("p_low"));
+    return hasNumber(numbers, "p_k") || hasNumber(numbers, "p_low");
 }
 
 /// The first and last span of each part, those at vertices, and the spans with a tie.

@@ -65,7 +65,7 @@ Result<CoverageMask> parseAsciiRaster(QStringView text)
 {
     const QList<QStringView> lines = linesOf(text);
     if (lines.isEmpty() || lines.front().isEmpty())
-        return unexpected(0, QStringLiteral("nothing"), QStringLiteral("a line of # and ."));
+        return unexpected(0, "nothing", "a line of # and .");
     const qsizetype width = lines.front().size();
     if (width > largestFrameSide || lines.size() > largestFrameSide
         || width * lines.size() > largestFrameArea) {
@@ -90,7 +90,7 @@ Result<CoverageMask> parseAsciiRaster(QStringView text)
             else if (character != uncovered)
                 return InputError{
                     QStringLiteral("line %1, column %2").arg(line + 1).arg(column + 1),
-                    QStringLiteral("“%1”").arg(character), QStringLiteral("# or .")};
+                    QStringLiteral("“%1”").arg(character), "# or ."};
         }
     }
     return coverage;

@@ -84,13 +84,13 @@ std::vector<NamedSetting> namedSettings(const ScanSettings &settings, const Open
 {
     std::vector<NamedSetting> named;
     if (!open.fillRule)
-        named.push_back({QStringLiteral("the fill rule"), nameOf(settings.fillRule), std::nullopt,
-                         &OpenSettings::fillRule});
+        named.push_back(
+            {"the fill rule", nameOf(settings.fillRule), std::nullopt, &OpenSettings::fillRule});
     if (!open.arithmetic)
-        named.push_back({QStringLiteral("the arithmetic"), nameOf(settings.arithmetic),
-                         std::nullopt, &OpenSettings::arithmetic});
+        named.push_back({"the arithmetic", nameOf(settings.arithmetic), std::nullopt,
+                         &OpenSettings::arithmetic});
     for (const Variant variant : variantsIn(settings.variants))
-        named.push_back({QStringLiteral("the variant"), nameOf(variant), variant});
+        named.push_back({"the variant", nameOf(variant), variant});
     return named;
 }
 

@@ -197,7 +197,7 @@ private slots:
         add("a folder without place", scan, "#include \"core/elsewhere/thing.h\"\n", false);
         add("no full path", scan, "#include \"edgeline.h\"\n", false);
         add("its own room", rows, "#include \"core/methods/lines/linestate.h\"\n", true);
-        add("a room below", rows, "#include \"core/methods/words/units.h\"\n", true);
+        add("a room below", rows, "#include \"core/methods/words/rejectiontext.h\"\n", true);
         add("a room above", rows, "#include \"core/methods/polygons/text.h\"\n", false);
         add("a room without place", rows, "#include \"core/methods/elsewhere/text.h\"\n", false);
     }

@@ -49,9 +49,9 @@ inline ScanPicture drawn(const Triangle &triangle, FillRule rule, const FrameSpe
 {
     ScanPicture drawing(frame);
     if (rule == FillRule::TopLeft)
-        drawing.drawByOracle(triangle, {Arithmetic::Exact, rule});
+        drawing.drawTruth(triangle, {Arithmetic::Exact, rule});
     else
-        drawing.drawByMethod(triangle, {Arithmetic::Exact, rule});
+        drawing.draw(columnScan(), triangle, {Arithmetic::Exact, rule});
     return drawing;
 }
 

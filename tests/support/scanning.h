@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/frame/framebuffer.h"
-#include "core/methods/method.h"
-#include "core/oracle/oracle.h"
 #include "core/scene/scene.h"
 #include "tests/support/colours.h"
-#include "tests/support/framespec.h"
+#include "tests/support/scanpicture.h"
 
 #include <ostream>
 
@@ -30,76 +27,11 @@ inline Triangle triangleAtUnits(LatticePoint a, LatticePoint b, LatticePoint c)
 
 inline const Method &columnScan() { return *methodNamed(u"column-scan"); }
 
-/// A picture on a background that no kernel writes (alpha 0), so that coverage shows.
-class ScanPicture {
-public:
-    explicit ScanPicture(const FrameSpec &spec)
-        : m_frame(spec)
-    {
-        clear();
-    }
-
-    void clear()
-    {
-        const FrameView view = m_frame.view();
-        for (std::int64_t y = view.firstRow; y < view.endRow(); ++y) {
-            for (std::int64_t x = view.firstColumn; x < view.endColumn(); ++x)
-                *view.at(x, y) = 0;
-        }
-    }
-    /// Draws with anything that accepts a FrameView.
-    template <class Drawer>
-    void draw(const Drawer &drawer)
-    {
-        drawer(m_frame.view());
-    }
-    void drawByMethod(const Triangle &triangle, const ScanSettings &settings)
-    {
-        const FrameView frame = m_frame.view();
-        Run(&columnScan(), {{triangle}, {}}, settings, frame, Kernels::Plain).draw(frame);
-    }
-    void drawByOracle(const Triangle &triangle, const ScanSettings &settings)
-    {
-        oracle::draw(triangle, settings.fillRule, settings.rounding, m_frame.view());
-    }
-    QRgb at(std::int64_t x, std::int64_t y) const { return *m_frame.view().at(x, y); }
-    const FrameSpec &spec() const { return m_frame.spec(); }
-
-    /// The coverage: `#` covered, `.` not; the highest row first.
-    QString text() const
-    {
-        QString text;
-        const FrameView view = m_frame.view();
-        for (std::int64_t y = view.endRow() - 1; y >= view.firstRow; --y) {
-            for (std::int64_t x = view.firstColumn; x < view.endColumn(); ++x)
-                text += at(x, y) != 0 ? u'#' : u'.';
-            text += u'\n';
-        }
-        return text;
-    }
-    std::int64_t count() const { return text().count(u'#'); }
-
-    friend bool operator==(const ScanPicture &a, const ScanPicture &b)
-    {
-        const FrameView view = a.m_frame.view();
-        for (std::int64_t y = view.firstRow; y < view.endRow(); ++y) {
-            for (std::int64_t x = view.firstColumn; x < view.endColumn(); ++x) {
-                if (a.at(x, y) != b.at(x, y))
-                    return false;
-            }
-        }
-        return true;
-    }
-
-private:
-    FrameBuffer m_frame;
-};
-
 inline QString coverageText(const Triangle &triangle, const FrameSpec &spec,
                             const ScanSettings &settings = {})
 {
     ScanPicture drawing(spec);
-    drawing.drawByMethod(triangle, settings);
+    drawing.draw(columnScan(), triangle, settings);
     return drawing.text();
 }
 

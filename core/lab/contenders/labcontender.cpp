@@ -10,8 +10,8 @@ namespace pixelplumb {
 
 namespace {
 
-const QString fastWord = QStringLiteral("fast");
-const QString peerWord = QStringLiteral("peer");
+const QString fastWord = "fast";
+const QString peerWord = "peer";
 
 /// What core/fast has kernels for; for the rest it uses the plain one.
 bool isFastIn(const Method &method, Arithmetic arithmetic)

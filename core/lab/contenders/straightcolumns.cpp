@@ -34,10 +34,10 @@ void drawExact(const Triangle &triangle, RawFrame frame)
     StraightQuotient rate[3];
     for (std::size_t i = 0; i < 3; ++i)
         rate[i] = StraightQuotient(plane.perY[i] * unitsPerPixel, area);
-    walkTriangleEdges<rule, StraightExactEdge>(
+    walkTriangleEdges<rule, QuotientEdge>(
         triangle,
-        [&](std::int64_t x, std::int64_t first, std::int64_t end, const StraightExactEdge &,
-            const StraightExactEdge &) {
+        [&](std::int64_t x, std::int64_t first, std::int64_t end, const QuotientEdge &,
+            const QuotientEdge &) {
             const std::int64_t along = x * unitsPerPixel - p0.position.x;
             const std::int64_t up = first * unitsPerPixel - p0.position.y;
             StraightQuotient level[3];

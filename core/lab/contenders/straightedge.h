@@ -31,10 +31,10 @@ struct StraightQuotient {
 };
 
 /// Where an edge meets the columns, exactly, px.
-struct StraightExactEdge {
+struct QuotientEdge {
     static constexpr bool mayCross = false;
 
-    StraightExactEdge(const Vertex &from, const Vertex &to, std::int64_t column)
+    QuotientEdge(const Vertex &from, const Vertex &to, std::int64_t column)
     {
         const LatticePoint &a = from.position, &b = to.position;
         const std::int64_t width = b.x - a.x, rise = b.y - a.y;

@@ -149,28 +149,28 @@ template <class Colours, StraightRule rule>
 void drawEachSample(const Triangle &triangle, RawFrame frame)
 {
     const Colours colours(triangle);
-    walkTriangleEdges<rule, StraightExactEdge>(
-        triangle,
-        [&](std::int64_t x, std::int64_t first, std::int64_t end, const StraightExactEdge &,
-            const StraightExactEdge &) {
-            QRgb *pixel = frame.at(x, first);
-            for (std::int64_t y = first; y < end; ++y, pixel += frame.perV)
-                *pixel = colours.pixel(x, y);
-        });
+    walkTriangleEdges<rule, QuotientEdge>(triangle,
+                                          [&](std::int64_t x, std::int64_t first, std::int64_t end,
+                                              const QuotientEdge &, const QuotientEdge &) {
+                                              QRgb *pixel = frame.at(x, first);
+                                              for (std::int64_t y = first; y < end;
+                                                   ++y, pixel += frame.perV)
+                                                  *pixel = colours.pixel(x, y);
+                                          });
 }
 
 /// Coverage is exact, the levels along the edge are not.
 template <class N>
-struct BilinearEdge : StraightExactEdge {
+struct BilinearEdge : QuotientEdge {
     BilinearEdge(const Vertex &a, const Vertex &b, std::int64_t column)
-        : StraightExactEdge(a, b, column)
+        : QuotientEdge(a, b, column)
         , m_values(a, b, column)
     {
     }
     const RoundedEdge<N, 3> &values() const { return m_values; }
     void step()
     {
-        StraightExactEdge::step();
+        QuotientEdge::step();
         m_values.step();
     }
 

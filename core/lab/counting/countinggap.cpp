@@ -7,9 +7,8 @@ namespace {
 
 const QString &endOfLines()
 {
-    static const QString words = QStringLiteral(
-        " All other operations are the colour's, whose R, G and B are numbers between the ends', "
-        "even where these are the same.");
+    static const QString words = " All other operations are the colour's, whose R, G and B are "
+                                 "numbers between the ends', even where these are the same.";
     return words;
 }
 
@@ -19,18 +18,19 @@ QString lineWords(const QString &id, Arithmetic arithmetic)
     const bool isExact = arithmetic == Arithmetic::Exact;
     if (id == QLatin1String("line-slope-intercept"))
         return QStringLiteral("For the places of the pixels, the set-up: ")
-            + (isExact ? QStringLiteral("no division, m and b stay fractions; each step: y as a "
-                                        "fraction, and one division that rounds it.")
-                       : QStringLiteral("one division for m, one multiplication and one addition "
-                                        "for b; each step: one multiplication and one addition "
-                                        "for m·x + b, and one rounding."));
+            + (isExact
+                   ? QStringLiteral("no division, m and b stay fractions; each step: y as a "
+                                    "fraction, and one division that rounds it.")
+                   : QStringLiteral(
+                       "one division for m, one multiplication and one addition for b; each step: "
+                       "one multiplication and one addition for m·x + b, and one rounding."));
     if (id == QLatin1String("line-dda"))
         return QStringLiteral("For the places of the pixels, the set-up: ")
-            + (isExact ? QStringLiteral("one division for m and one for the first v, whose "
-                                        "remainders are kept; each step: additions and comparisons "
-                                        "of quotients and remainders, no division.")
-                       : QStringLiteral("one division for m; each step: one addition for v + m "
-                                        "and one rounding."));
+            + (isExact ? QStringLiteral(
+                   "one division for m and one for the first v, whose remainders are kept; each "
+                   "step: additions and comparisons of quotients and remainders, no division.")
+                       : QStringLiteral("one division for m; each step: one addition for v + m and "
+                                        "one rounding."));
     if (id == QLatin1String("line-bresenham"))
         return QStringLiteral(
             "For the places of the pixels, the set-up: 2 multiplications (2Δx and 2Δy), 4 "
@@ -44,10 +44,8 @@ QString lineWords(const QString &id, Arithmetic arithmetic)
             "For the places of the pixels, the set-up: 1 division, which finds the first pixel "
             "from ends that need not be whole, with 15 multiplications, 10 additions and 2 "
             "comparisons; each step: 1 comparison (p with 0) and 1 addition (to p), as in the form "
-            "with whole-pixel "
-            "ends. They take no rounding and no floating point. Sorting the ends and comparing "
-            "|Δx| "
-            "with |Δy| are not counted.");
+            "with whole-pixel ends. They take no rounding and no floating point. Sorting the ends "
+            "and comparing |Δx| with |Δy| are not counted.");
     return {};
 }
 
@@ -57,17 +55,16 @@ QString countingGap(const Method &method, Arithmetic arithmetic)
 {
     if (method.id == QLatin1String("stroke-coverage"))
         return QStringLiteral(
-            "Not counted: an area takes as many steps as its polygon has corners, "
-            "in floating point and, where a byte depends on it, in fractions.");
+            "Not counted: an area takes as many steps as its polygon has corners, in floating "
+            "point and, where a byte depends on it, in fractions.");
     if (method.id == QLatin1String("bezier-subdivision"))
         return QStringLiteral("Not counted: it computes in integers that grow with every cut, so "
                               "that one operation is not like another.");
     if (!isCounted(method))
         return QStringLiteral("Not counted.");
     if (method.id == QLatin1String("column-scan-bias") && arithmetic == Arithmetic::Float64)
-        return QStringLiteral(
-            "Annotated step by step, not counted by its numbers; what integers compute "
-            "outside the proved domain is not counted.");
+        return QStringLiteral("Annotated step by step, not counted by its numbers; what integers "
+                              "compute outside the proved domain is not counted.");
     if (const QString words = lineWords(method.id, arithmetic); !words.isEmpty())
         return words + endOfLines();
     if (method.id == QLatin1String("polygon-fan") || method.id == QLatin1String("polygon-delaunay")

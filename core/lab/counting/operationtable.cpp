@@ -27,7 +27,7 @@ std::vector<OperationTableRow> operationTable(const OperationCounts &counts)
     const OperationRow totals = counts.totals();
     std::vector<OperationTableRow> rows;
     OperationTableRow sum;
-    sum.name = QStringLiteral(QT_TRANSLATE_NOOP("core", "all"));
+    sum.name = QT_TRANSLATE_NOOP("core", "all");
     for (const Operation operation : allOperations) {
         OperationTableRow row;
         row.name = QString::fromLatin1(nameOf(operation).data());
@@ -52,12 +52,10 @@ QString operationText(double each)
 QString countsText(const OperationCounts &counts)
 {
     QStringList texts
-        = {countOf(counts.primitives, QStringLiteral("set-up"), QStringLiteral("set-ups")),
-           countOf(counts.spans, QStringLiteral("span"), QStringLiteral("spans")),
-           countOf(counts.pixels, QStringLiteral("pixel"), QStringLiteral("pixels")),
-           countOf(counts.refused, QStringLiteral("sample refused"),
-                   QStringLiteral("samples refused")),
-           countOf(counts.total(), QStringLiteral("operation"), QStringLiteral("operations"))};
+        = {countOf(counts.primitives, "set-up", "set-ups"), countOf(counts.spans, "span", "spans"),
+           countOf(counts.pixels, "pixel", "pixels"),
+           countOf(counts.refused, "sample refused", "samples refused"),
+           countOf(counts.total(), "operation", "operations")};
     if (counts.edgesOfRows > 0)
         texts.append(QStringLiteral(QT_TRANSLATE_NOOP("core", "%1 of %2 edges looked at"))
                          .arg(counts.edgesLookedAt)
@@ -67,9 +65,7 @@ QString countsText(const OperationCounts &counts)
 
 QStringList operationTableText(const OperationCounts &counts)
 {
-    QStringList lines = {tableLine({},
-                                   {QStringLiteral("a set-up"), QStringLiteral("a span"),
-                                    QStringLiteral("a sample"), QStringLiteral("all")})};
+    QStringList lines = {tableLine({}, {"a set-up", "a span", "a sample", "all"})};
     for (const OperationTableRow &row : operationTable(counts)) {
         QStringList cells;
         for (const double each : row.each)

@@ -96,9 +96,9 @@ std::vector<StandardExample> standardExamplesFor(const Method &method)
     if (method.kinds.front() != PrimitiveKind::Triangle)
         return {{inFrame(exampleShapeName(method.kinds.front())), {{}, {exampleShape(method)}}}};
     const LatticePoint highest = {53 * unitsPerPixel / 2, 44 * unitsPerPixel};
-    return {{inFrame(QStringLiteral("the triangle (4, 5) (58, 12) (53/2, 44)")),
+    return {{inFrame("the triangle (4, 5) (58, 12) (53/2, 44)"),
              {{exampleTriangle(latticePixel(4, 5), latticePixel(58, 12), highest)}, {}}},
-            {inFrame(QStringLiteral("the triangle (4, 5) (8, 6) (5, 8)")),
+            {inFrame("the triangle (4, 5) (8, 6) (5, 8)"),
              {{exampleTriangle(latticePixel(4, 5), latticePixel(8, 6), latticePixel(5, 8))}, {}}}};
 }
 

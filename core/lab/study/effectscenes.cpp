@@ -43,7 +43,7 @@ Group antialiasing()
         scene.triangles.push_back(flat({latticePixel(4, 4), tip(0.3), tip(0.6)},
                                        {{255, 255, std::uint8_t(blade % 2 * 255)}}));
     }
-    Group group{QStringLiteral("antialiasing"), {}, scene};
+    Group group{"antialiasing", {}, scene};
     group.truth.appearance.antialiasing = Antialiasing::Area;
     const auto add = [&](const char *name, Antialiasing antialiasing) {
         Way &way = group.ways.emplace_back(Way{QLatin1String(name), scene});
@@ -73,7 +73,7 @@ Group depthBuffer()
             vertex.z = attributeOne / 2 + random.between(-600, 600);
         scene.attributes.push_back(attributes);
     }
-    Group group{QStringLiteral("depth buffer"), {}, scene};
+    Group group{"depth buffer", {}, scene};
     const auto add = [&](const char *name, DepthUse use, DepthFormat format) {
         Way &way = group.ways.emplace_back(Way{QLatin1String(name), scene});
         way.scene.appearance.depth = use;
@@ -117,10 +117,10 @@ Scene board()
 
 Group perspective()
 {
-    Group group{QStringLiteral("perspective"), {}, board()};
-    Way &affine = group.ways.emplace_back(Way{QStringLiteral("affine"), board()});
+    Group group{"perspective", {}, board()};
+    Way &affine = group.ways.emplace_back(Way{"affine", board()});
     affine.scene.appearance.forced[Effect::Perspective] = Forcing::Off;
-    group.ways.push_back({QStringLiteral("perspective"), board()});
+    group.ways.push_back({"perspective", board()});
     return group;
 }
 
@@ -153,7 +153,7 @@ Group segments(const QString &name, const MakeSolid &solidOf, const DistanceOf &
 Group sphere()
 {
     return segments(
-        QStringLiteral("sphere"),
+        "sphere",
         [](int count) {
             Solid solid;
             solid.kind = SolidKind::Sphere;
@@ -167,7 +167,7 @@ Group sphere()
 Group patch()
 {
     return segments(
-        QStringLiteral("patch"),
+        "patch",
         [](int count) {
             Solid solid;
             solid.kind = SolidKind::Patch;
@@ -195,8 +195,8 @@ Group neutralEffects()
         };
         scene.triangles.push_back(flat({anywhere(), anywhere(), anywhere()}, random.colour()));
     }
-    Group group{QStringLiteral("neutral effects"), {}, scene};
-    group.ways.push_back({QStringLiteral("as called for"), scene});
+    Group group{"neutral effects", {}, scene};
+    group.ways.push_back({"as called for", scene});
     for (const Effect effect :
          {Effect::SmoothColour, Effect::Depth, Effect::Perspective, Effect::Blending}) {
         Way &way = group.ways.emplace_back(
@@ -275,8 +275,8 @@ std::vector<Group> all()
             sphere(),
             patch(),
             neutralEffects(),
-            lines(QStringLiteral("lines, Bresenham"), "line-bresenham", Antialiasing::None),
-            lines(QStringLiteral("lines, exact area"), "stroke-coverage", Antialiasing::Area)};
+            lines("lines, Bresenham", "line-bresenham", Antialiasing::None),
+            lines("lines, exact area", "stroke-coverage", Antialiasing::Area)};
 }
 
 } // namespace pixelplumb::effectscenes

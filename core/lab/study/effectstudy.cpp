@@ -18,8 +18,8 @@ namespace {
 constexpr double sampleNanoseconds = 1e6;
 constexpr std::array arithmetics = {Arithmetic::Exact, Arithmetic::Float32};
 
-const QString kernelGroup = QStringLiteral("kernel of ");
-const QString kernelWay = QStringLiteral("kernel");
+const QString kernelGroup = "kernel of ";
+const QString kernelWay = "kernel";
 
 /// A way with its row, and what it is timed by.
 struct Entry {
@@ -129,7 +129,7 @@ void addKernel(const EffectLoop &loop, std::vector<Entry> &entries)
     const auto add = [&](const QString &way, const std::function<void(FrameView)> &draw) {
         entries.emplace_back(group, way, Arithmetic::Float32, scene.frame, draw);
     };
-    add(QStringLiteral("straight loop"),
+    add("straight loop",
         [scene, loop](FrameView frame) { loop.draw(scene.run.primitives, frame); });
     add(kernelWay, [scene](FrameView frame) { scene.run.draw(frame); });
     for (std::size_t i = entries.size() - 2; i < entries.size(); ++i) {

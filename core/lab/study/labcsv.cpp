@@ -89,10 +89,10 @@ CsvLine lineOf(const Study &study, const LabRow &row, CsvLine::Kind kind)
     CsvLine line(kind);
     line.add(QString(), row);
     const StudyContender *contender = study.contender(row.contender);
-    line.add(QStringLiteral("kernel"), contender ? contender->kernel : kernelOf(row.contender));
-    line.add(QStringLiteral("proved"), contender && contender->isProved);
-    line.add(QStringLiteral("nsPerPixel"), study.perPixel(row));
-    line.add(QStringLiteral("missesStraight"), row.missesStraight());
+    line.add("kernel", contender ? contender->kernel : kernelOf(row.contender));
+    line.add("proved", contender && contender->isProved);
+    line.add("nsPerPixel", study.perPixel(row));
+    line.add("missesStraight", row.missesStraight());
     return line;
 }
 

@@ -27,8 +27,8 @@ QString SceneCost::details() const
 {
     const auto number = [](double value) { return QString::number(value, 'f', 2); };
     return QStringLiteral("The time is that of the plain kernel, the one that is stepped through, "
-                          "on one thread:\nmedian of %1 rounds %2 ns a pixel, the middle half "
-                          "%3 … %4, over %5 px of triangles, each as often as it is written.")
+                          "on one thread:\nmedian of %1 rounds %2 ns a pixel, the middle half %3 … "
+                          "%4, over %5 px of triangles, each as often as it is written.")
         .arg(rounds)
         .arg(number(perPixel.median), number(perPixel.lower), number(perPixel.upper))
         .arg(pixels);
@@ -42,7 +42,7 @@ std::optional<SceneCost> costOf(const std::shared_ptr<const Scene> &scene,
         return std::nullopt;
     FamilyRequest request;
     request.ownScene = scene;
-    const auto family = makeFamily(*labFamilyNamed(QStringLiteral("own-scene")), request);
+    const auto family = makeFamily(*labFamilyNamed("own-scene"), request);
     if (!family)
         return std::nullopt;
     const TimedFamily part = timedPartOf(*family, {});

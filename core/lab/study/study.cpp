@@ -49,7 +49,7 @@ namespace {
 /// A path as one word of a shell command, and never an option.
 QString quoted(const QString &path)
 {
-    static const QRegularExpression plain(QStringLiteral("^[A-Za-z0-9_@%+:,./-]+\\z"));
+    static const QRegularExpression plain("^[A-Za-z0-9_@%+:,./-]+\\z");
     QString text = path;
     if (text.startsWith(u'-') && text.size() > 1)
         text.prepend(QStringLiteral("./"));
@@ -63,7 +63,7 @@ QString commandFor(const StudySettings &settings)
 {
     if (settings.ownScene && settings.ownSceneName.isEmpty())
         return {};
-    QStringList words = {QStringLiteral("pixelplumb-cli lab")};
+    QStringList words = {"pixelplumb-cli lab"};
     if (settings.ownScene)
         words << quoted(settings.ownSceneName);
     words << QStringLiteral("--") + nameOf(settings.extent)
@@ -179,7 +179,7 @@ private:
             if (row.outcome != LabOutcome::Measured)
                 continue;
             if (drawsNothing(*row.accuracy)) {
-                row.remark = QStringLiteral("not timed: it draws none of these pixels");
+                row.remark = "not timed: it draws none of these pixels";
                 tellRow(index);
                 continue;
             }

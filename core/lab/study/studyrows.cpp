@@ -104,21 +104,20 @@ QStringList warningsOf(const Study &study)
         missing += row.missesStraight() ? 1 : 0;
     }
     if (timed > 0 && study.rounds == 0)
-        warnings << QStringLiteral("Not everyone was timed; who was, was timed once or a few "
-                                   "times.");
+        warnings << QStringLiteral(
+            "Not everyone was timed; who was, was timed once or a few times.");
     else if (timed > 0 && study.rounds < enoughRounds)
-        warnings << QStringLiteral("Only %1 rounds were timed; medians of fewer than %2 say "
-                                   "little.")
+        warnings << QStringLiteral(
+                        "Only %1 rounds were timed; medians of fewer than %2 say little.")
                         .arg(study.rounds)
                         .arg(enoughRounds);
     if (wide > 0)
-        warnings << sentence(QStringLiteral("In %1 of %2 rows the middle half of the times spans "
-                                            "more than a fifth of their median."),
+        warnings << sentence("In %1 of %2 rows the middle half of the times spans more than a "
+                             "fifth of their median.",
                              wide, timed);
     if (missing > 0)
-        warnings << sentence(QStringLiteral("%1 of %2 rows that have a straight loop take more "
-                                            "than 1.3 of its time: what they cost is partly the "
-                                            "kernel's own."),
+        warnings << sentence("%1 of %2 rows that have a straight loop take more than 1.3 of its "
+                             "time: what they cost is partly the kernel's own.",
                              missing, vouched);
     return warnings;
 }

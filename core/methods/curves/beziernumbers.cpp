@@ -38,9 +38,7 @@ bool hasCoordinates(const BezierPiece &piece)
 /// An end of a piece: deep down in the curve a double does not hold it.
 NumberDescription parameter(const char *id, const QString &toolTip)
 {
-    NumberDescription number = curveNumber(id, QString::fromUtf8(id), "", toolTip);
-    number.comparison = Comparison::WithExact;
-    return number;
+    return comparedNumber(id, id, {}, toolTip, {}, Group::Span);
 }
 
 /// One coordinate of a control point, if the piece has that many.
@@ -89,8 +87,8 @@ void appendSquares(NumberTable<BezierStep> &table, QChar coordinate,
                             std::int64_t DiamondExtent::*square, const auto &formula) {
         const QString name = coordinate + QString::fromUtf8(end);
         table.push_back(
-            {curveNumber(
-                 name.toUtf8().constData(), name, "",
+            {plainNumber(
+                 name, name, {},
                  QStringLiteral("The %1 square that the piece may meet along %2; squares begin at "
                                 "whole numbers, and every second one is the diamond of a pixel.")
                      .arg(which, sum),
@@ -135,11 +133,12 @@ Quantity dyadic(BigInteger numerator, int power)
 const NumberTable<BezierSetUp> &bezierSetUpNumbers()
 {
     static const NumberTable<BezierSetUp> numbers
-        = {{curveNumber("degree", "n", "", "The degree: 2 quadratic, 3 cubic."),
+        = {{plainNumber("degree", "n", {}, "The degree: 2 quadratic, 3 cubic.", {}, Group::Span),
             [](const BezierSetUp &setUp) { return Quantity::integer(Int128(setUp.count) - 1); }},
-           {curveNumber("deepest", "depth_max", "",
+           {plainNumber("deepest", "depth_max", {},
                         "After so many halvings the two borders that a piece still meets are met "
-                        "at one point: numerics.md, 3.6."),
+                        "at one point: numerics.md, 3.6.",
+                        {}, Group::Span),
             [](const BezierSetUp &setUp) { return Quantity::integer(setUp.deepest); }}};
     return numbers;
 }
@@ -148,10 +147,10 @@ const NumberTable<BezierStep> &bezierNumbers()
 {
     static const auto numbers = [] {
         NumberTable<BezierStep> table = {
-            {curveNumber("i", "i", "", "The piece's number, from 0 for the whole curve.", {},
-                         Group::Position),
+            {plainNumber("i", "i", {}, "The piece's number, from 0 for the whole curve."),
              [](const BezierStep &step) { return Quantity::integer(step.number); }},
-            {curveNumber("depth", "depth", "", "How often the curve was halved to get this piece."),
+            {plainNumber("depth", "depth", {}, "How often the curve was halved to get this piece.",
+                         {}, Group::Span),
              [](const BezierStep &step) { return Quantity::integer(step.piece.depth); }},
             {parameter("t_from",
                        "The parameter at which the piece begins; none where it takes more than 120 "
@@ -159,7 +158,7 @@ const NumberTable<BezierStep> &bezierNumbers()
              [](const BezierStep &step) { return dyadic(step.piece.part, step.piece.depth); }},
             {parameter("t_to", "The parameter at which it ends, likewise."),
              [](const BezierStep &step) { return dyadic(step.piece.part + 1, step.piece.depth); }},
-            {curveNumber("decided", "decided", "",
+            {plainNumber("decided", "decided", {},
                          "1: it has no pixels but those of its ends (and of a corner that it "
                          "passes); 0: halved.",
                          {}, Group::Decision),

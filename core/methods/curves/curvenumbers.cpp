@@ -6,21 +6,11 @@
 
 namespace pixelplumb {
 
-NumberDescription curveNumber(const char *id, const QString &title, const char *unit,
-                              const QString &toolTip, const QString &formula, NumberGroup group)
-{
-    return plainNumber(QString::fromUtf8(id), title, QString::fromUtf8(unit), toolTip, formula,
-                       group);
-}
-
 namespace {
 
 using Group = NumberGroup;
 
-NumberDescription counter(const QString &toolTip)
-{
-    return curveNumber("i", "i", "", toolTip, {}, Group::Position);
-}
+NumberDescription counter(const QString &toolTip) { return plainNumber("i", "i", {}, toolTip); }
 
 /// The exact root is rounded down to 1/256 px.
 void specifyRoot(NumberDescription &description, const CircleExplicitState &step)
@@ -40,11 +30,11 @@ void specifyRoot(NumberDescription &description, const CircleExplicitState &step
 const NumberTable<PointSetUp> &pointSetUpNumbers()
 {
     static const NumberTable<PointSetUp> numbers
-        = {{curveNumber("width", "width", "px", "Pixels in a row of the frame."),
+        = {{plainNumber("width", "width", "px", "Pixels in a row of the frame.", {}, Group::Span),
             [](const PointSetUp &setUp) { return Quantity::integer(setUp.width); }},
-           {curveNumber("x_0", "x₀", "px", "The frame's first column."),
+           {plainNumber("x_0", "x₀", "px", "The frame's first column.", {}, Group::Span),
             [](const PointSetUp &setUp) { return Quantity::integer(setUp.firstColumn); }},
-           {curveNumber("y_0", "y₀", "px", "The frame's first row."),
+           {plainNumber("y_0", "y₀", "px", "The frame's first row.", {}, Group::Span),
             [](const PointSetUp &setUp) { return Quantity::integer(setUp.firstRow); }}};
     return numbers;
 }
@@ -56,7 +46,7 @@ const NumberTable<PointStep> &pointNumbers()
             [](const PointStep &step) { return Quantity::integer(step.number); }},
            {pixelX(), [](const PointStep &step) { return Quantity::integer(step.x); }},
            {pixelY(), [](const PointStep &step) { return Quantity::integer(step.y); }},
-           {curveNumber("addr", "addr", "px",
+           {plainNumber("addr", "addr", "px",
                         "The pixel's address in the frame, counted in pixels from its first one; "
                         "none outside the frame.",
                         "addr = (y − y₀)·width + (x − x₀)", Group::Decision),
@@ -69,13 +59,17 @@ const NumberTable<PointStep> &pointNumbers()
 const NumberTable<Round> &roundSetUpNumbers()
 {
     static const NumberTable<Round> numbers
-        = {{curveNumber("x_c", "x_c", "px", "The centre's x, from the centre of pixel (0, 0)."),
+        = {{plainNumber("x_c", "x_c", "px", "The centre's x, from the centre of pixel (0, 0).", {},
+                        Group::Span),
             [](const Round &round) { return pixels(round.centre.x); }},
-           {curveNumber("y_c", "y_c", "px", "The centre's y, from the centre of pixel (0, 0)."),
+           {plainNumber("y_c", "y_c", "px", "The centre's y, from the centre of pixel (0, 0).", {},
+                        Group::Span),
             [](const Round &round) { return pixels(round.centre.y); }},
-           {curveNumber("r_x", "r_x", "px", "The radius along x: r of a circle, a of an ellipse."),
+           {plainNumber("r_x", "r_x", "px", "The radius along x: r of a circle, a of an ellipse.",
+                        {}, Group::Span),
             [](const Round &round) { return pixels(round.radiusX); }},
-           {curveNumber("r_y", "r_y", "px", "The radius along y: r of a circle, b of an ellipse."),
+           {plainNumber("r_y", "r_y", "px", "The radius along y: r of a circle, b of an ellipse.",
+                        {}, Group::Span),
             [](const Round &round) { return pixels(round.radiusY); }}};
     return numbers;
 }
@@ -98,26 +92,28 @@ const NumberTable<CircleFillState> &circleFillNumbers()
 {
     using State = CircleFillState;
     static const NumberTable<State> numbers
-        = {{curveNumber("y", "y", "px", "The row.", {}, Group::Position),
+        = {{plainNumber("y", "y", "px", "The row."),
             [](const State &state) { return Quantity::integer(state.row.y); }},
-           {curveNumber("x_L", "x_L", "px",
+           {plainNumber("x_L", "x_L", "px",
                         "Where the row meets the curve on the left, up to the next 1/256 px: the "
-                        "first lattice point inside."),
+                        "first lattice point inside.",
+                        {}, Group::Span),
             [](const State &state) { return pixels(state.row.left); },
             [](NumberDescription &description, const State &state) {
                 specifyChordEnd(description, state, u'−');
             }},
-           {curveNumber("x_R", "x_R", "px",
+           {plainNumber("x_R", "x_R", "px",
                         "Where the row meets the curve on the right, down to the next 1/256 px: "
-                        "the last lattice point inside."),
+                        "the last lattice point inside.",
+                        {}, Group::Span),
             [](const State &state) { return pixels(state.row.right); },
             [](NumberDescription &description, const State &state) {
                 specifyChordEnd(description, state, u'+');
             }},
-           {curveNumber("first", "x_first", "px", "The first covered column.", "x_first = ⌈x_L⌉",
+           {plainNumber("first", "x_first", "px", "The first covered column.", "x_first = ⌈x_L⌉",
                         Group::Span),
             [](const State &state) { return Quantity::integer(state.row.firstSample); }},
-           {curveNumber("last", "x_last", "px", "The last covered column.", "x_last = ⌊x_R⌋",
+           {plainNumber("last", "x_last", "px", "The last covered column.", "x_last = ⌊x_R⌋",
                         Group::Span),
             [](const State &state) { return Quantity::integer(state.row.endSample - 1); }}};
     return numbers;
@@ -128,18 +124,18 @@ const NumberTable<CircleExplicitState> &circleExplicitNumbers()
     static const NumberTable<CircleExplicitState> numbers
         = {{scannedNumber(),
             [](const CircleExplicitState &step) { return Quantity::integer(step.x); }},
-           {curveNumber("d", "d", "px", "The column from the centre.", "d = x − x_c"),
+           {plainNumber("d", "d", "px", "The column from the centre.", "d = x − x_c", Group::Span),
             [](const CircleExplicitState &step) { return pixels(step.distance); }},
-           {curveNumber("h", "h", "px",
+           {plainNumber("h", "h", "px",
                         "√(r² − d²); of unequal radii, (b/a)·√(a² − d²). Exact arithmetic has no "
                         "root: it takes the root down to 1/256 px, which decides every rounding as "
                         "the root itself would.",
                         "h = r_y/r_x·√(r_x² − d²)", Group::Decision),
             [](const CircleExplicitState &step) { return step.root; }, specifyRoot},
-           {curveNumber("y_above", "y_T", "px", "The pixel of larger y, to the nearest row.",
+           {plainNumber("y_above", "y_T", "px", "The pixel of larger y, to the nearest row.",
                         "y_T = ⌊y_c + h + ½⌋", Group::Span),
             [](const CircleExplicitState &step) { return Quantity::integer(step.above); }},
-           {curveNumber("y_below", "y_B", "px", "The pixel of smaller y, to the nearest row.",
+           {plainNumber("y_below", "y_B", "px", "The pixel of smaller y, to the nearest row.",
                         "y_B = ⌈y_c − h − ½⌉", Group::Span),
             [](const CircleExplicitState &step) { return Quantity::integer(step.below); }}};
     return numbers;
@@ -155,10 +151,10 @@ const NumberTable<CircleParametricSetUpState> &circleParametricSetUpNumbers()
                      return read(setUp.round);
                  }});
         table.push_back(
-            {curveNumber(
+            {plainNumber(
                  "delta_theta", "Δθ", "rad",
                  "The step of the angle: one over the radius (the larger one), one pixel of arc.",
-                 "Δθ = 1/max(r_x, r_y)"),
+                 "Δθ = 1/max(r_x, r_y)", Group::Span),
              [](const CircleParametricSetUpState &setUp) { return setUp.angleStep; },
              [](NumberDescription &description, const CircleParametricSetUpState &setUp) {
                  if (setUp.angleStep.toDouble() == 0)
@@ -174,15 +170,15 @@ const NumberTable<CircleParametricState> &circleParametricNumbers()
     static const NumberTable<CircleParametricState> numbers
         = {{counter("The step's number, from 0 at θ = 0."),
             [](const CircleParametricState &step) { return Quantity::integer(step.number); }},
-           {curveNumber("theta", "θ", "rad", "The angle.", "θ = i·Δθ", Group::Decision),
+           {plainNumber("theta", "θ", "rad", "The angle.", "θ = i·Δθ", Group::Decision),
             [](const CircleParametricState &step) { return step.angle; }},
-           {curveNumber("u", "u", "px", "The point's x.", "u = x_c + r_x·cos θ", Group::Decision),
+           {plainNumber("u", "u", "px", "The point's x.", "u = x_c + r_x·cos θ", Group::Decision),
             [](const CircleParametricState &step) { return step.curveX; }},
-           {curveNumber("v", "v", "px", "The point's y.", "v = y_c + r_y·sin θ", Group::Decision),
+           {plainNumber("v", "v", "px", "The point's y.", "v = y_c + r_y·sin θ", Group::Decision),
             [](const CircleParametricState &step) { return step.curveY; }},
-           {curveNumber("x", "x", "px", "The nearest pixel's x.", "x = ⌊u + ½⌋", Group::Span),
+           {plainNumber("x", "x", "px", "The nearest pixel's x.", "x = ⌊u + ½⌋", Group::Span),
             [](const CircleParametricState &step) { return Quantity::integer(step.x); }},
-           {curveNumber("y", "y", "px", "The nearest pixel's y.", "y = ⌊v + ½⌋", Group::Span),
+           {plainNumber("y", "y", "px", "The nearest pixel's y.", "y = ⌊v + ½⌋", Group::Span),
             [](const CircleParametricState &step) { return Quantity::integer(step.y); }}};
     return numbers;
 }

@@ -6,12 +6,8 @@
 #include "core/scan/curves/pointaddress.h"
 #include "core/trace/numberrow.h"
 
-/// The numbers of the methods of points and circles, and how those of all curves are described.
+/// The numbers of the methods of points and circles.
 namespace pixelplumb {
-
-NumberDescription curveNumber(const char *id, const QString &title, const char *unit,
-                              const QString &toolTip, const QString &formula = {},
-                              NumberGroup group = NumberGroup::Span);
 
 const NumberTable<PointSetUp> &pointSetUpNumbers();
 const NumberTable<PointStep> &pointNumbers();

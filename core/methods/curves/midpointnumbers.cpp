@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/curves/curvenumbers.h"
+#include "core/methods/words/placenumbers.h"
 
 /// The numbers of circles and ellipses by the midpoint algorithm.
 namespace pixelplumb {
@@ -84,7 +85,7 @@ const NumberTable<MidpointSetUp> &midpointSetUpNumbers()
                                   setUp.radiusX * unitsPerPixel,
                                   setUp.radiusY * unitsPerPixel});
                  }});
-        table.push_back({curveNumber("p_0", "p₀", "",
+        table.push_back({plainNumber("p_0", "p₀", {},
                                      toolTip(ofOthers + QStringLiteral(", of equal radii ")
                                              + ofEqualRadii + u','),
                                      "p₀ = r_y² − r_x²·r_y + r_x²/4", Group::Decision),
@@ -107,40 +108,40 @@ const NumberTable<MidpointSetUp> &midpointSetUpNumbers()
 const NumberTable<MidpointStep> &circleMidpointNumbers()
 {
     const NumberDescription decision
-        = curveNumber("p_k", "p_k", "",
+        = plainNumber("p_k", "p_k", {},
                       "F at x_k, midway between the y_k of the step before and the one inwards: "
                       "positive outside, so that the inner one is nearer.",
                       "p_k ← p_k₊₁′", Group::Decision);
-    const NumberDescription next = curveNumber(
-        "p_next", "p_k₊₁", "", "F at x_k + 1, midway between this y_k and the one inwards.",
+    const NumberDescription next = plainNumber(
+        "p_next", "p_k₊₁", {}, "F at x_k + 1, midway between this y_k and the one inwards.",
         "p_k₊₁ = p_k + Δp", Group::Decision);
-    static const NumberTable<MidpointStep> numbers
-        = {{curveNumber("arc", "arc", "",
-                        "1: x_k along x, of equal radii mirrored into all octants; 2: x_k along y.",
-                        {}, Group::Position),
-            [](const MidpointStep &step) { return Quantity::integer(step.arc + 1); }},
-           {decision,
-            [](const MidpointStep &step) {
-                return step.hasDecision ? decisionIn(step, step.decision) : Quantity();
-            },
-            specifyMidpoint},
-           {curveNumber("x_k", "x_k", "px", "From the centre along the arc.", {}, Group::Position),
-            [](const MidpointStep &step) { return Quantity::integer(step.x); }},
-           {curveNumber("y_k", "y_k", "px", "From the centre across the arc."),
-            [](const MidpointStep &step) { return Quantity::integer(step.y); }},
-           {curveNumber("increment", "Δp", "",
-                        "2x_k + 1 where y_k stays, less 2y_k where it goes one inwards; of unequal "
-                        "radii times their squares."),
-            [](const MidpointStep &step) {
-                return step.hasDecision ? decisionIn(step, step.nextDecision - step.decision)
-                                        : Quantity();
-            },
-            specifyMidpointIncrement},
-           {next,
-            [](const MidpointStep &step) {
-                return isOnePixel(step) ? Quantity() : decisionIn(step, step.nextDecision);
-            },
-            specifyNextMidpoint}};
+    static const NumberTable<MidpointStep> numbers = {
+        {plainNumber("arc", "arc", {},
+                     "1: x_k along x, of equal radii mirrored into all octants; 2: x_k along y."),
+         [](const MidpointStep &step) { return Quantity::integer(step.arc + 1); }},
+        {decision,
+         [](const MidpointStep &step) {
+             return step.hasDecision ? decisionIn(step, step.decision) : Quantity();
+         },
+         specifyMidpoint},
+        {plainNumber("x_k", "x_k", "px", "From the centre along the arc."),
+         [](const MidpointStep &step) { return Quantity::integer(step.x); }},
+        {plainNumber("y_k", "y_k", "px", "From the centre across the arc.", {}, Group::Span),
+         [](const MidpointStep &step) { return Quantity::integer(step.y); }},
+        {plainNumber("increment", "Δp", {},
+                     "2x_k + 1 where y_k stays, less 2y_k where it goes one inwards; of unequal "
+                     "radii times their squares.",
+                     {}, Group::Span),
+         [](const MidpointStep &step) {
+             return step.hasDecision ? decisionIn(step, step.nextDecision - step.decision)
+                                     : Quantity();
+         },
+         specifyMidpointIncrement},
+        {next,
+         [](const MidpointStep &step) {
+             return isOnePixel(step) ? Quantity() : decisionIn(step, step.nextDecision);
+         },
+         specifyNextMidpoint}};
     return numbers;
 }
 

@@ -8,7 +8,6 @@
 #include "core/methods/words/formulatext.h"
 #include "core/methods/words/placenumbers.h"
 #include "core/methods/words/samplesums.h"
-#include "core/methods/words/units.h"
 
 #include <bit>
 
@@ -62,7 +61,7 @@ void appendHalfWidth(NumberTable<StrokeSetUp> &table)
 {
     const auto append = [&](QChar letter, const QString &whole, StrokeUnit StrokePoint::*axis) {
         table.push_back(
-            {strokeNumber(QStringLiteral("h_") + letter, unit::px(),
+            {strokeNumber(QStringLiteral("h_") + letter, "px",
                           QStringLiteral("Half of a line's width, ½ px square to it: %1 of "
                                          "%2/(2·√(Δx² + Δy²)), to the nearest 2⁻¹⁶ px.")
                               .arg(letter)
@@ -82,7 +81,7 @@ void appendStrokeColours(NumberTable<StrokeSetUp> &table)
     for (const std::size_t end : {0, 1})
         appendChannels(table,
                        plainNumber(QStringLiteral("%_") + QString::number(end),
-                                   u'%' + QString(QChar(char16_t(u'₀' + end))), unit::levels(),
+                                   u'%' + QString(QChar(char16_t(u'₀' + end))), "levels",
                                    end == 0
                                        ? QStringLiteral("% of a line's first end, or of the curve.")
                                        : QStringLiteral("% of a line's other end.")),
@@ -147,7 +146,7 @@ void appendStrokeSource(NumberTable<StrokeSampleState> &table)
                      }});
     appendChannels(
         table,
-        comparedNumber("%", "%", unit::levels(), "% of the stroke at the sample.", {},
+        comparedNumber("%", "%", "levels", "% of the stroke at the sample.", {},
                        Group::FirstColour),
         [](const StrokeSampleState &state, std::size_t channel) { return state.level(channel); },
         [](NumberDescription &number, const StrokeSampleState &state) {
@@ -207,10 +206,10 @@ const NumberTable<StrokeColumn> &strokeColumnNumbers()
 {
     static const NumberTable<StrokeColumn> numbers = {
         {scannedNumber(), [](const StrokeColumn &column) { return Quantity::integer(column.x); }},
-        {strokeNumber("y_first", unit::px(), "The first row whose square the stroke meets.", {},
+        {strokeNumber("y_first", "px", "The first row whose square the stroke meets.", {},
                       Group::Span),
          [](const StrokeColumn &column) { return Quantity::integer(column.firstRow); }},
-        {strokeNumber("y_last", unit::px(), "The last row whose square it meets.", {}, Group::Span),
+        {strokeNumber("y_last", "px", "The last row whose square it meets.", {}, Group::Span),
          [](const StrokeColumn &column) { return Quantity::integer(column.endRow - 1); }}};
     return numbers;
 }
@@ -221,8 +220,8 @@ NumberTable<StrokeSampleState> strokeSampleNumbers(Antialiasing antialiasing)
         = {{pixelY(), [](const StrokeSampleState &state) { return Quantity::integer(state.y); }}};
     if (antialiasing == Antialiasing::Area) {
         table.push_back(
-            {comparedNumber("area", "area", unit::squarePx(),
-                            "What of the pixel's square the stroke covers.", {}, Group::Decision),
+            {comparedNumber("area", "area", "px²", "What of the pixel's square the stroke covers.",
+                            {}, Group::Decision),
              [](const StrokeSampleState &state) { return state.sample.area; }});
         table.push_back(
             {strokeNumber("a", {}, "That area as an opacity, a byte.", "a = ⌊255·area + ½⌋",

@@ -2,7 +2,6 @@
 #include "core/methods/lines/lineendnumbers.h"
 #include "core/methods/lines/linenumbers.h"
 #include "core/methods/words/placenumbers.h"
-#include "core/methods/words/units.h"
 
 /// The numbers of lines led by the sign of a decision parameter.
 namespace pixelplumb {
@@ -22,10 +21,10 @@ NumberTable<DecisionSetUpState> decisionSetUpTable()
         endNumber<State>(u'y', 0, first, [](const State &setUp) { return setUp.startY; }),
         endNumber<State>(u'x', 1, second, [](const State &setUp) { return setUp.endX; }),
         endNumber<State>(u'y', 1, second, [](const State &setUp) { return setUp.endY; }),
-        {plainNumber("delta_x", "Δx", unit::px(),
+        {plainNumber("delta_x", "Δx", "px",
                      "Length along the line, x and y exchanged where it is steep.", "Δx = x₁ − x₀"),
          [](const State &setUp) { return setUp.deltaX; }},
-        {plainNumber("delta_y", "Δy", unit::px(),
+        {plainNumber("delta_y", "Δy", "px",
                      "Length across, without its sign, x and y exchanged where the line is steep.",
                      "Δy = max(y₁ − y₀, y₀ − y₁)"),
          [](const State &setUp) { return setUp.deltaY; }},
@@ -50,10 +49,10 @@ void appendDistances(NumberTable<DecisionState> &table)
     const auto row = [&](const QString &id, const QString &title, const QString &toolTip,
                          const QString &either, const QString &rising, const QString &falling,
                          const NumberRow<State>::Read &read) {
-        table.push_back({comparedNumber(id, title, unit::px(), toolTip, either, Group::Decision),
-                         read, specified(rising, falling)});
+        table.push_back({comparedNumber(id, title, "px", toolTip, either, Group::Decision), read,
+                         specified(rising, falling)});
     };
-    table.push_back({plainNumber("x_k", "x_k", unit::px(),
+    table.push_back({plainNumber("x_k", "x_k", "px",
                                  "The column before this pixel's; the row before it where the line "
                                  "is steep. No pixel is before the first.",
                                  {}, Group::Decision),
@@ -62,7 +61,7 @@ void appendDistances(NumberTable<DecisionState> &table)
                                                 : Quantity::integer(step.place.along - 1);
                      }});
     table.push_back(
-        {plainNumber("y_k", "y_k", unit::px(),
+        {plainNumber("y_k", "y_k", "px",
                      "The row of the pixel before; its column where the line is steep. No pixel is "
                      "before the first: where p begins there, it is that one's own.",
                      {}, Group::Decision),

@@ -4,7 +4,6 @@
 #include "core/geometry/triangle.h"
 #include "core/methods/words/channelnumbers.h"
 #include "core/methods/words/placenumbers.h"
-#include "core/methods/words/units.h"
 
 /// The numbers of a line's two ends, with which the set-ups of line methods begin.
 namespace pixelplumb {
@@ -14,7 +13,7 @@ template <class State, class Read>
 NumberRow<State> endNumber(QChar letter, int end, const QString &toolTip, const Read &read)
 {
     return {plainNumber(QStringLiteral("%1_%2").arg(letter).arg(end),
-                        QString(letter) + QChar(char16_t(u'₀' + end)), unit::px(),
+                        QString(letter) + QChar(char16_t(u'₀' + end)), "px",
                         letter + u' ' + toolTip),
             read};
 }
@@ -26,7 +25,7 @@ void appendEndColours(NumberTable<State> &table, int end, Vertex SetUp::*vertex)
     const QString digit = QString::number(end);
     appendChannels(table,
                    plainNumber(QStringLiteral("%_") + digit,
-                               u'%' + QString(QChar(char16_t(u'₀' + end))), unit::levels(),
+                               u'%' + QString(QChar(char16_t(u'₀' + end))), "levels",
                                end == 0 ? QStringLiteral("% of the end that is stored first.")
                                         : QStringLiteral("% of the other end.")),
                    [vertex](const State &setUp, std::size_t channel) {

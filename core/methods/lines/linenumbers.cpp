@@ -5,7 +5,6 @@
 #include "core/methods/words/channelnumbers.h"
 #include "core/methods/words/formulatext.h"
 #include "core/methods/words/placenumbers.h"
-#include "core/methods/words/units.h"
 
 namespace pixelplumb {
 
@@ -41,20 +40,19 @@ const NumberTable<SlopeInterceptSetUpState> &slopeInterceptSetUpNumbers()
     static const auto numbers = [] {
         const QString left = QStringLiteral("of the left end, which is stored first.");
         const QString right = "of the right end.";
-        NumberTable<State> table
-            = {endNumber<State>(u'x', 0, left,
-                                [](const State &setUp) { return pixels(setUp.start.position.x); }),
-               endNumber<State>(u'y', 0, left,
-                                [](const State &setUp) { return pixels(setUp.start.position.y); }),
-               endNumber<State>(u'x', 1, right,
-                                [](const State &setUp) { return pixels(setUp.end.position.x); }),
-               endNumber<State>(u'y', 1, right,
-                                [](const State &setUp) { return pixels(setUp.end.position.y); }),
-               {comparedNumber("m", "m", "px/column", "The slope.", "m = (y₁ − y₀)/(x₁ − x₀)"),
-                [](const State &setUp) { return setUp.slope; }},
-               {comparedNumber("b", "b", unit::px(), "Where the line meets the column 0.",
-                               "b = y₀ − m·x₀"),
-                [](const State &setUp) { return setUp.intercept; }}};
+        NumberTable<State> table = {
+            endNumber<State>(u'x', 0, left,
+                             [](const State &setUp) { return pixels(setUp.start.position.x); }),
+            endNumber<State>(u'y', 0, left,
+                             [](const State &setUp) { return pixels(setUp.start.position.y); }),
+            endNumber<State>(u'x', 1, right,
+                             [](const State &setUp) { return pixels(setUp.end.position.x); }),
+            endNumber<State>(u'y', 1, right,
+                             [](const State &setUp) { return pixels(setUp.end.position.y); }),
+            {comparedNumber("m", "m", "px/column", "The slope.", "m = (y₁ − y₀)/(x₁ − x₀)"),
+             [](const State &setUp) { return setUp.slope; }},
+            {comparedNumber("b", "b", "px", "Where the line meets the column 0.", "b = y₀ − m·x₀"),
+             [](const State &setUp) { return setUp.intercept; }}};
         appendEndColours(table, 0, &State::start);
         appendEndColours(table, 1, &State::end);
         return table;
@@ -68,16 +66,16 @@ const NumberTable<SlopeInterceptState> &slopeInterceptNumbers()
         NumberTable<SlopeInterceptState> table = {
             {scannedNumber(),
              [](const SlopeInterceptState &step) { return Quantity::integer(step.place.along); }},
-            {comparedNumber("y", "y", unit::px(), "Where the line meets the column.", "y = m·x + b",
+            {comparedNumber("y", "y", "px", "Where the line meets the column.", "y = m·x + b",
                             Group::Decision),
              [](const SlopeInterceptState &step) { return step.ordinate; }},
             {comparedNumber(
-                 "y_r", "y_r", unit::px(),
+                 "y_r", "y_r", "px",
                  "The pixel's row: the cast to int drops the fraction, also of a negative number.",
                  "y_r = (int)(y + ½)", Group::Span),
              [](const SlopeInterceptState &step) { return Quantity::integer(step.place.across); }}};
         appendChannels(table,
-                       comparedNumber("%", "%", unit::levels(), "Level of % at this column.",
+                       comparedNumber("%", "%", "levels", "Level of % at this column.",
                                       "% = %₀ + (x − x₀)·((%₁ − %₀)/(x₁ − x₀))",
                                       Group::EdgeColours),
                        [](const SlopeInterceptState &step, std::size_t channel) {
@@ -131,13 +129,12 @@ const NumberTable<DdaState> &ddaNumbers()
         NumberTable<DdaState> table = {
             {pixelX(), [](const DdaState &step) { return Quantity::integer(step.place.x()); }},
             {pixelY(), [](const DdaState &step) { return Quantity::integer(step.place.y()); }},
-            {plainNumber("u", "u", unit::px(),
-                         "Along the line: the column; the row where it is steep.", {},
-                         Group::Position),
+            {plainNumber("u", "u", "px", "Along the line: the column; the row where it is steep.",
+                         {}, Group::Position),
              [](const DdaState &step) { return Quantity::integer(step.place.along); }},
             {{.id = "v",
               .title = "v",
-              .unit = unit::px(),
+              .unit = "px",
               .toolTip = "Across the line: y; x where it is steep.",
               .formula = "v ← v′ + m",
               .startFormula = "v = v₀ + (u − u₀)·m",
@@ -145,7 +142,7 @@ const NumberTable<DdaState> &ddaNumbers()
               .comparison = Comparison::WithExact},
              [](const DdaState &step) { return step.ordinate; },
              specifyStart},
-            {comparedNumber("v_r", "v_r", unit::px(),
+            {comparedNumber("v_r", "v_r", "px",
                             "The pixel's place across the line, to the nearest; from the middle to "
                             "the larger one.",
                             "v_r = ⌊v + ½⌋", Group::Span),
@@ -154,7 +151,7 @@ const NumberTable<DdaState> &ddaNumbers()
             table,
             {.id = "%",
              .title = "%",
-             .unit = unit::levels(),
+             .unit = "levels",
              .toolTip = "Level of % at this step.",
              .formula = "% ← %′ + Δ%",
              .startFormula = "% = %₀ + (u − u₀)·Δ%",

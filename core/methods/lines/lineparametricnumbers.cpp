@@ -4,7 +4,6 @@
 #include "core/methods/words/channelnumbers.h"
 #include "core/methods/words/formulatext.h"
 #include "core/methods/words/placenumbers.h"
-#include "core/methods/words/units.h"
 
 /// The numbers of a line in its parametric form.
 namespace pixelplumb {
@@ -17,12 +16,12 @@ void appendCoordinate(NumberTable<ParametricLineState> &table, QChar point, QCha
                       std::int64_t (LinePlace::*pixel)() const)
 {
     table.push_back(
-        {comparedNumber(point, point, unit::px(), QStringLiteral("The point's %1.").arg(axis),
+        {comparedNumber(point, point, "px", QStringLiteral("The point's %1.").arg(axis),
                         QStringLiteral("%1 = %2₀ + k·i·((%2₁ − %2₀)/N)").arg(point, axis),
                         NumberGroup::Decision),
          [value](const ParametricLineState &step) { return step.*value; }});
     table.push_back(
-        {comparedNumber(axis, axis, unit::px(), QStringLiteral("The nearest pixel's %1.").arg(axis),
+        {comparedNumber(axis, axis, "px", QStringLiteral("The nearest pixel's %1.").arg(axis),
                         QStringLiteral("%1 = ⌊%2 + ½⌋").arg(axis, point), NumberGroup::Span),
          [pixel](const ParametricLineState &step) {
              return Quantity::integer((step.place.*pixel)());
@@ -72,7 +71,7 @@ const NumberTable<ParametricLineState> &parametricLineNumbers()
         appendCoordinate(table, u'u', u'x', &State::x, &LinePlace::x);
         appendCoordinate(table, u'v', u'y', &State::y, &LinePlace::y);
         appendChannels(table,
-                       comparedNumber("%", "%", unit::levels(), "Level of % at the point.",
+                       comparedNumber("%", "%", "levels", "Level of % at the point.",
                                       "% = %₀ + k·i·((%₁ − %₀)/N)", NumberGroup::EdgeColours),
                        [](const State &step, std::size_t channel) { return step.colour[channel]; });
         return table;

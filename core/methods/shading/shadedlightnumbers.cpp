@@ -2,7 +2,6 @@
 #include "core/methods/shading/interpolationnames.h"
 #include "core/methods/shading/shadednumbers.h"
 #include "core/methods/words/placenumbers.h"
-#include "core/methods/words/units.h"
 #include "core/space/materialcolour.h"
 
 #include <QStringList>
@@ -187,7 +186,7 @@ void appendColour(NumberTable<ShadedSetUpState> &table, const QString &name, con
                   const std::function<Colour(const ShadedSetUpState &)> &read)
 {
     for (std::size_t i = 0; i < 3; ++i)
-        appendGiven(table, name + QChar(channelLetters[i]), unit::levels(),
+        appendGiven(table, name + QChar(channelLetters[i]), "levels",
                     QStringLiteral("%1: its %2.").arg(what, QChar(channelLetters[i])),
                     [=](const ShadedSetUpState &state) {
                         return Quantity::integer(read(state).channels[i]);

@@ -2,7 +2,6 @@
 #include "core/methods/edgewalknames.h"
 #include "core/methods/shading/interpolationnames.h"
 #include "core/methods/shading/shadednumbers.h"
-#include "core/methods/words/units.h"
 
 namespace pixelplumb {
 
@@ -44,7 +43,7 @@ QString planeSlope(QChar axis) { return planeSlope(axis, u'(' + doubledAreaText(
 
 QString unitOf(Channel channel, const QString &per)
 {
-    return isLevel(channel) ? unit::levels() + per : QString();
+    return isLevel(channel) ? QStringLiteral("levels") + per : QString();
 }
 
 } // namespace pixelplumb

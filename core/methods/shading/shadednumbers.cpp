@@ -5,7 +5,6 @@
 #include "core/methods/shading/interpolationnames.h"
 #include "core/methods/words/formulatext.h"
 #include "core/methods/words/placenumbers.h"
-#include "core/methods/words/units.h"
 
 #include <utility>
 
@@ -31,10 +30,10 @@ void appendVertices(NumberTable<ShadedSetUpState> &table, const ShadedScope &sco
                  }});
         };
         const QString fromCentre = ", from the centre of pixel (0, 0).";
-        row("x", unit::px(), fromCentre, [](const ShadedSetUpState &state, std::size_t vertex) {
+        row("x", "px", fromCentre, [](const ShadedSetUpState &state, std::size_t vertex) {
             return pixels(state.position[vertex].x);
         });
-        row("y", unit::px(), fromCentre, [](const ShadedSetUpState &state, std::size_t vertex) {
+        row("y", "px", fromCentre, [](const ShadedSetUpState &state, std::size_t vertex) {
             return pixels(state.position[vertex].y);
         });
         if (scope.effects.perspective)

@@ -2,7 +2,6 @@
 #include "core/methods/shading/interpolationnames.h"
 #include "core/methods/shading/shadednumbers.h"
 #include "core/methods/words/placenumbers.h"
-#include "core/methods/words/units.h"
 
 #include <array>
 #include <functional>
@@ -124,7 +123,7 @@ void appendNormal(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
             {comparedNumber(QStringLiteral("normal_") + title, title,
                             components[i].unit
                                 ? unitOf(channel.which, QString::fromUtf16(components[i].unit))
-                                : unit::squarePx(),
+                                : "px²",
                             i < 3 ? QString::fromUtf16(components[i].name)
                                     + QStringLiteral(" of the normal N = (P₁ − P₀) × (P₂ − P₀) of "
                                                      "the plane through the three values of ")

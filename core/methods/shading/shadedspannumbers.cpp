@@ -3,7 +3,6 @@
 #include "core/methods/shading/interpolationnames.h"
 #include "core/methods/shading/shadednumbers.h"
 #include "core/methods/words/placenumbers.h"
-#include "core/methods/words/units.h"
 
 namespace pixelplumb {
 
@@ -40,7 +39,7 @@ void appendBounds(NumberTable<ShadedSpanState> &table, const ShadedScope &scope)
     const auto bound = [&](SpanBound side, const QString &title, const QString &edge,
                            Quantity ShadedSpanState::*value) {
         appendWalked(table, scope, side,
-                     comparedNumber(title, title, unit::px(),
+                     comparedNumber(title, title, "px",
                                     QStringLiteral("Where the %1 edge meets the {span}.").arg(edge),
                                     {}, Group::Span),
                      walkNames(scope.form).filled("{a}"), "m",
@@ -109,7 +108,7 @@ void appendCovered(NumberTable<ShadedSpanState> &table, const ShadedScope &scope
                              "whose square the triangle has a part.")
             : QStringLiteral("The %1 covered {across}; exact in every arithmetic.");
         table.push_back({names.filled(plainNumber(which + QStringLiteral("_{across}"),
-                                                  QStringLiteral("{a}_") + which, unit::px(),
+                                                  QStringLiteral("{a}_") + which, "px",
                                                   toolTip.arg(which), {}, Group::Span)),
                          [read](const ShadedSpanState &state) {
                              return state.isBounded ? Quantity::integer(read(state)) : Quantity();

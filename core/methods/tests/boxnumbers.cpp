@@ -3,7 +3,6 @@
 
 #include "core/methods/tests/edgetestnames.h"
 #include "core/methods/words/placenumbers.h"
-#include "core/methods/words/units.h"
 
 #include <algorithm>
 
@@ -43,7 +42,7 @@ NumberRow<EdgeTestSetUpState> cornerRow(const EdgeTestNames &names, QChar axis, 
     QStringList of;
     for (std::size_t vertex = 0; vertex < 3; ++vertex)
         of.append(axis + names.vertex(vertex));
-    return {plainNumber(title, title, unit::px(),
+    return {plainNumber(title, title, "px",
                         QStringLiteral("The %1 %2 of the vertices: a side of their box.")
                             .arg(isLeast ? QStringLiteral("least") : QStringLiteral("greatest"))
                             .arg(axis),

@@ -3,7 +3,6 @@
 
 #include "core/methods/tests/edgeteststeps.h"
 #include "core/methods/words/placenumbers.h"
-#include "core/methods/words/units.h"
 #include "core/trace/numberrow.h"
 
 namespace pixelplumb {
@@ -32,7 +31,7 @@ void appendExtent(NumberTable<State> &table, const EdgeTestForm &form, QChar axi
     const auto row
         = [&](const QString &end, const QString &toolTip, const auto &value, auto formula) {
               table.push_back(
-                  {plainNumber(axis + end, axis + end, unit::px(), toolTip.arg(noun), {}, group),
+                  {plainNumber(axis + end, axis + end, "px", toolTip.arg(noun), {}, group),
                    [=](const State &state) { return Quantity::integer(value(extentOf(state))); },
                    [=, isBox = form.visited == VisitedSamples::BoundingBox](
                        NumberDescription &number, const State &state) {

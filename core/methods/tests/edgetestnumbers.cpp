@@ -6,7 +6,6 @@
 #include "core/methods/words/channelnumbers.h"
 #include "core/methods/words/formulatext.h"
 #include "core/methods/words/placenumbers.h"
-#include "core/methods/words/units.h"
 #include "core/scan/degeneratesegment.h"
 
 namespace pixelplumb {
@@ -22,7 +21,7 @@ NumberRow<EdgeTestSampleState> segmentNumber()
     const auto segmentOf
         = [](const State &state) { return DegenerateSegment(Triangle{state.vertices}); };
     return {plainNumber(
-                "segment", "d", unit::squarePx(),
+                "segment", "d", "px²",
                 "Twice the area that the sample makes with the segment of a triangle without an "
                 "area: 0 where the segment's line passes through it. None of other triangles.",
                 {}, Group::Span),
@@ -81,7 +80,7 @@ NumberTable<EdgeTestSpanState> edgeTestSpanNumbers(const EdgeTestForm &form)
     NumberTable<EdgeTestSpanState> table
         = {{triangleNumber(),
             [](const State &state) { return Quantity::integer(Int128(state.primitive)); }},
-           {plainNumber(across, across, unit::px(),
+           {plainNumber(across, across, "px",
                         isRow ? QStringLiteral("The row.") : QStringLiteral("The column.")),
             [](const State &state) { return Quantity::integer(state.coordinate); }}};
     appendExtent(table, form, along, "sample", Group::Span);
@@ -92,7 +91,7 @@ NumberTable<EdgeTestSpanState> edgeTestSpanNumbers(const EdgeTestForm &form)
             table.push_back(
                 {{.id = names.filledId("e{l}", line),
                   .title = names.filled("e{l}", line),
-                  .unit = unit::squarePx(),
+                  .unit = "px²",
                   .toolTip
                   = names.filled("The edge function of {edge} at the row's first sample.", line),
                   .formula = names.filled("e{l} ← e{l}′ + b{l}", line),
@@ -116,7 +115,7 @@ NumberTable<EdgeTestSpanState> edgeTestSpanNumbers(const EdgeTestForm &form)
     appendChannels(table,
                    {.id = "%_s",
                     .title = "%_s",
-                    .unit = unit::levels(),
+                    .unit = "levels",
                     .toolTip = "Level of % at the column's first sample.",
                     .formula = "%_s ← %_s′ + Δ%_x",
                     .startFormula = "%_s = α_s·%_a + β_s·%_b + γ_s·%_c",
@@ -139,7 +138,7 @@ NumberTable<EdgeTestSampleState> edgeTestSampleNumbers(const EdgeTestForm &form)
         table.push_back(
             {{.id = names.filledId("{value}", line),
               .title = names.filled("{value}", line),
-              .unit = form.line == LineForm::Solved ? QString() : unit::squarePx(),
+              .unit = form.line == LineForm::Solved ? QString() : "px²",
               .toolTip = names.filled("The edge function of {edge} at the sample.", line),
               .formula = hasIncrements
                   ? names.filled("E{l} ← E{l}′ + a{l}", line)
@@ -170,7 +169,7 @@ NumberTable<EdgeTestSampleState> edgeTestSampleNumbers(const EdgeTestForm &form)
         table,
         {.id = "%",
          .title = "%",
-         .unit = unit::levels(),
+         .unit = "levels",
          .toolTip = "Level of % at the sample.",
          .formula = names.levelFormula(),
          .startFormula = stepsColours ? QStringLiteral("% ← %_s") : QString(),

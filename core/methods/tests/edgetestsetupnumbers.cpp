@@ -4,7 +4,6 @@
 #include "core/methods/tests/edgetestnumbers.h"
 #include "core/methods/words/channelnumbers.h"
 #include "core/methods/words/placenumbers.h"
-#include "core/methods/words/units.h"
 
 #include <functional>
 #include <utility>
@@ -20,7 +19,7 @@ void appendVertices(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames 
              {std::pair(u'x', &EdgeTestSetUpState::x), std::pair(u'y', &EdgeTestSetUpState::y)})
             table.push_back(
                 {plainNumber(QChar(axis) + names.vertexId(vertex),
-                             QChar(axis) + names.vertex(vertex), unit::px(),
+                             QChar(axis) + names.vertex(vertex), "px",
                              QStringLiteral("%1 of vertex %2, from the centre of pixel (0, 0).")
                                  .arg(QChar(axis))
                                  .arg(names.vertexName(vertex))),
@@ -35,7 +34,7 @@ void appendColours(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &
     for (std::size_t vertex = 0; vertex < 3; ++vertex)
         appendChannels(
             table,
-            plainNumber(u'%' + names.vertexId(vertex), u'%' + names.vertex(vertex), unit::levels(),
+            plainNumber(u'%' + names.vertexId(vertex), u'%' + names.vertex(vertex), "levels",
                         QStringLiteral("Level of % at vertex ") + names.vertexName(vertex) + u'.'),
             [vertex](const EdgeTestSetUpState &state, std::size_t channel) {
                 return Quantity::integer(state.vertices[vertex].colour.channels[channel]);
@@ -127,8 +126,7 @@ void appendCramer(NumberTable<EdgeTestSetUpState> &table)
     const auto append = [&table](QChar axis, QChar vertex, Quantity EdgeTestSetUpState::*member) {
         const QString name = QStringLiteral("%1_%2C").arg(axis).arg(vertex);
         table.push_back(
-            {plainNumber(name, name, unit::px(),
-                         QStringLiteral("%1 of %2 − C.").arg(axis).arg(vertex),
+            {plainNumber(name, name, "px", QStringLiteral("%1 of %2 − C.").arg(axis).arg(vertex),
                          QStringLiteral("%1 = %2_%3 − %2_C").arg(name).arg(axis).arg(vertex)),
              std::mem_fn(member)});
     };
@@ -136,7 +134,7 @@ void appendCramer(NumberTable<EdgeTestSetUpState> &table)
     append(u'y', u'A', &EdgeTestSetUpState::yAC);
     append(u'x', u'B', &EdgeTestSetUpState::xBC);
     append(u'y', u'B', &EdgeTestSetUpState::yBC);
-    table.push_back({comparedNumber("D", "D", unit::squarePx(), "The determinant |A − C, B − C|.",
+    table.push_back({comparedNumber("D", "D", "px²", "The determinant |A − C, B − C|.",
                                     "D = x_AC·y_BC − x_BC·y_AC"),
                      std::mem_fn(&EdgeTestSetUpState::determinant)});
 }

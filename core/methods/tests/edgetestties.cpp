@@ -2,7 +2,6 @@
 #include "core/methods/tests/edgetestnames.h"
 #include "core/methods/tests/edgetestnumbers.h"
 #include "core/methods/words/placenumbers.h"
-#include "core/methods/words/units.h"
 
 #include <functional>
 
@@ -39,7 +38,7 @@ NumberRow<State> pointNumber(QChar axis, Quantity State::*coordinate)
 {
     return {
         plainNumber(
-            axis + QStringLiteral("_r"), axis + QStringLiteral("_r"), unit::px(),
+            axis + QStringLiteral("_r"), axis + QStringLiteral("_r"), "px",
             axis + QStringLiteral(" of the off-screen point r, from the centre of pixel (0, 0).")),
         std::mem_fn(coordinate)};
 }
@@ -49,7 +48,7 @@ void appendSides(NumberTable<State> &table, const EdgeTestNames &names, std::siz
 {
     const auto filled
         = [&](const char16_t *text) { return names.filled(QString::fromUtf16(text), line); };
-    const QString square = names.form().line == LineForm::Solved ? QString() : unit::squarePx();
+    const QString square = names.form().line == LineForm::Solved ? QString() : "px²";
     const bool isCramer = names.form().inside == InsideTest::Cramer;
     const QString atFacing = names.form().isBarycentric() ? filled(u"f{opp}") : filled(u"F{l}");
     if (isCramer)
@@ -71,10 +70,11 @@ void appendSides(NumberTable<State> &table, const EdgeTestNames &names, std::siz
                         atPoint + QStringLiteral(" = ") + valueFormula(names, line, "_r")),
          [line](const State &state) { return state.lines[line].atRulesPoint; }});
     table.push_back(
-        {plainNumber(names.filledId("tie_product{l}", line), productTitle(names, line), {},
-                     filled(u"Above 0 where {facing} and r lie on the same side of edge {edge}: it "
-                            u"owns a sample exactly on the edge."),
-                     productTitle(names, line) + QStringLiteral(" = ") + atFacing + u'·' + atPoint),
+        {comparedNumber(
+             names.filledId("tie_product{l}", line), productTitle(names, line), {},
+             filled(u"Above 0 where {facing} and r lie on the same side of edge {edge}: it "
+                    u"owns a sample exactly on the edge."),
+             productTitle(names, line) + QStringLiteral(" = ") + atFacing + u'·' + atPoint),
          [line](const State &state) { return state.lines[line].tieProduct; }});
 }
 

@@ -3,7 +3,6 @@
 
 #include "core/methods/words/channelnumbers.h"
 #include "core/methods/words/placenumbers.h"
-#include "core/methods/words/units.h"
 
 namespace pixelplumb {
 
@@ -27,7 +26,7 @@ void appendBoundColours(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNam
         table,
         names.filled({.id = title,
                       .title = title,
-                      .unit = unit::levels(),
+                      .unit = "levels",
                       .toolTip = QStringLiteral("Level of % where the ") + word
                           + QStringLiteral(" edge meets the {span}."),
                       .formula = isDirect
@@ -148,7 +147,7 @@ void appendRamp(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &name
     appendChannels(
         table,
         names.filled(comparedNumber(
-            "first_%", "first %", unit::levels(),
+            "first_%", "first %", "levels",
             "Level of % at {a}_start, the {span}'s first drawn pixel.",
             startFormula(names, {.hasPlane = true, .isClipped = true}, title), Group::FirstColour)),
         [](const EdgeWalkSpanState &state, std::size_t channel) {
@@ -177,7 +176,7 @@ NumberTable<EdgeWalkSampleState> edgeWalkSampleNumbers(const EdgeWalkForm &form)
         table,
         {.id = "%",
          .title = "%",
-         .unit = unit::levels(),
+         .unit = "levels",
          .toolTip = "Level of % at the sample.",
          .formula = "% ← %′ + Δ%",
          .startFormula = startFormula(names, {.hasPlane = true}, title),
@@ -194,7 +193,7 @@ NumberTable<EdgeWalkSampleState> edgeWalkSampleNumbers(const EdgeWalkForm &form)
         });
     if (form.walk == WalkForm::Direct)
         table.push_back(
-            {plainNumber("bias_colour", colourBiasTitle(), unit::levels(),
+            {plainNumber("bias_colour", colourBiasTitle(), "levels",
                          "A quarter of the distance between the values that a level can have, "
                          "added before it is cut to a byte; 0 where it is computed in integers.",
                          {}, Group::FirstColour),

@@ -4,7 +4,6 @@
 #include "core/methods/edgewalknames.h"
 #include "core/methods/walks/edgewalkcolours.h"
 #include "core/methods/words/placenumbers.h"
-#include "core/methods/words/units.h"
 
 namespace pixelplumb {
 
@@ -20,7 +19,7 @@ void appendPlace(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &nam
          [](const EdgeWalkSpanState &state) {
              return Quantity::integer(Int128(state.primitive));
          }});
-    table.push_back({names.filled(plainNumber("{c}", "{c}", unit::px(), "The {span}.")),
+    table.push_back({names.filled(plainNumber("{c}", "{c}", "px", "The {span}.")),
                      [isRow](const EdgeWalkSpanState &state) {
                          return Quantity::integer(isRow ? -state.column.x : state.column.x);
                      }});
@@ -49,7 +48,7 @@ void appendBound(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &nam
     table.push_back(
         {names.filled({.id = title,
                        .title = title,
-                       .unit = unit::px(),
+                       .unit = "px",
                        .toolTip = QStringLiteral("Where the %1 edge meets the {span}.").arg(word),
                        .formula = isDirect ? fromVertex : QStringLiteral("%1 ← %1′ + m").arg(title),
                        .startFormula = isDirect ? QString() : fromVertex,
@@ -83,7 +82,7 @@ void appendCoveredSample(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNa
     NumberDescription description
         = names.filled({.id = word + QStringLiteral("_{across}"),
                         .title = {},
-                        .unit = unit::px(),
+                        .unit = "px",
                         .toolTip = QStringLiteral("The %1 covered {across}.").arg(word),
                         .group = Group::Span,
                         .comparison = Comparison::WithExact,
@@ -111,7 +110,7 @@ void appendPixelCount(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames
 /// The first sample in the frame, from which the colours start.
 void appendStart(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names)
 {
-    table.push_back({names.filled(plainNumber("first_drawn_{across}", "{a}_start", unit::px(),
+    table.push_back({names.filled(plainNumber("first_drawn_{across}", "{a}_start", "px",
                                               "The first drawn {across}, where the colours start: "
                                               "the first covered one, or the frame's.",
                                               "{a}_start = max(first {across}, {a}_frame)",
@@ -147,7 +146,7 @@ void appendBiases(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &na
         table.push_back(
             {names.filled(plainNumber(
                  isLower ? QStringLiteral("bias_{lo}") : QStringLiteral("bias_{hi}"),
-                 isLower ? QStringLiteral("β_{lo}") : QStringLiteral("β_{hi}"), unit::px(),
+                 isLower ? QStringLiteral("β_{lo}") : QStringLiteral("β_{hi}"), "px",
                  QStringLiteral("Half the distance between the values that ")
                      + (isLower ? QStringLiteral("{a}_{lo}") : QStringLiteral("{a}_{hi}"))
                      + QStringLiteral(" can have; 0 where the edge is computed in integers."),

@@ -3,7 +3,6 @@
 #include "core/methods/walks/edgewalknumbers.h"
 #include "core/methods/words/channelnumbers.h"
 #include "core/methods/words/placenumbers.h"
-#include "core/methods/words/units.h"
 
 namespace pixelplumb {
 
@@ -18,7 +17,7 @@ void appendCorner(NumberTable<EdgeWalkSetUpState> &table, std::size_t corner)
     const auto position = [&](QChar axis, Lattice LatticePoint::*coordinate) {
         table.push_back(
             {plainNumber(
-                 axis + QStringLiteral("_") + id, QString(axis) + digit, unit::px(),
+                 axis + QStringLiteral("_") + id, QString(axis) + digit, "px",
                  QStringLiteral("%1 of the sorted vertex P%2, from the centre of pixel (0, 0).")
                      .arg(axis)
                      .arg(digit)),
@@ -30,7 +29,7 @@ void appendCorner(NumberTable<EdgeWalkSetUpState> &table, std::size_t corner)
     position(u'y', &LatticePoint::y);
     appendChannels(
         table,
-        plainNumber(QStringLiteral("%_") + id, u'%' + QString(digit), unit::levels(),
+        plainNumber(QStringLiteral("%_") + id, u'%' + QString(digit), "levels",
                     QStringLiteral("% of the sorted vertex P") + digit
                         + QStringLiteral(", with material and light where there are any.")),
         [corner](const EdgeWalkSetUpState &state, std::size_t channel) {
@@ -118,7 +117,7 @@ NumberTable<EdgeWalkSetUpState> edgeWalkSetUpNumbers(const EdgeWalkForm &form)
     NumberTable<EdgeWalkSetUpState> table;
     for (std::size_t corner = 0; corner < 3; ++corner)
         appendCorner(table, corner);
-    table.push_back({comparedNumber("A", "A", unit::squarePx(),
+    table.push_back({comparedNumber("A", "A", "px²",
                                     "Twice the area, positive where P₀ P₁ P₂ turn as from x to y.",
                                     QStringLiteral("A = ") + doubledAreaText()),
                      [](const EdgeWalkSetUpState &state) {
@@ -128,11 +127,11 @@ NumberTable<EdgeWalkSetUpState> edgeWalkSetUpNumbers(const EdgeWalkForm &form)
                                                                corners[2].position),
                                                    Int128(unitsPerPixel) * unitsPerPixel);
                      }});
-    table.push_back({names.filled(plainNumber("{a}_frame", "{a}_frame", unit::px(),
-                                              "The frame's first {across}.")),
-                     [](const EdgeWalkSetUpState &state) {
-                         return Quantity::integer(state.walk.firstOfFrame);
-                     }});
+    table.push_back(
+        {names.filled(plainNumber("{a}_frame", "{a}_frame", "px", "The frame's first {across}.")),
+         [](const EdgeWalkSetUpState &state) {
+             return Quantity::integer(state.walk.firstOfFrame);
+         }});
     for (const SortedEdge edge : {SortedEdge::L01, SortedEdge::L12, SortedEdge::L02})
         appendSlope(table, names, edge);
     for (const SortedEdge edge : {SortedEdge::L01, SortedEdge::L12, SortedEdge::L02})

@@ -5,7 +5,6 @@
 #include "core/methods/words/channelnumbers.h"
 #include "core/methods/words/formulatext.h"
 #include "core/methods/words/placenumbers.h"
-#include "core/methods/words/units.h"
 
 #include <QStringList>
 
@@ -30,7 +29,7 @@ void appendDecision(NumberTable<OutlineSpanState> &table, const QString &bound, 
             .arg(parameter, shorter, bound, length, across);
     };
     table.push_back(
-        {plainNumber(across, across, unit::px(),
+        {plainNumber(across, across, "px",
                      QStringLiteral("How far across the line had gone before the decision that led "
                                     "to the pixel of the %1 y.")
                          .arg(word),
@@ -63,7 +62,7 @@ void appendBound(NumberTable<OutlineSpanState> &table, const QString &bound, con
                              return Quantity::integer(read(state.span.*pixel));
                          }});
     };
-    row("y", unit::px(), QStringLiteral("The outline's pixel of the %1 y in the column.").arg(word),
+    row("y", "px", QStringLiteral("The outline's pixel of the %1 y in the column.").arg(word),
         [](const OutlinePixel &at) { return at.row; });
     row("edge", {},
         QStringLiteral("Whose the pixel of the %1 y is: 0 is P₀P₁, 1 is P₁P₂, 2 is P₂P₀.")
@@ -84,10 +83,11 @@ void appendBoundColours(NumberTable<OutlineSpanState> &table, const QString &bou
     const QString title = QStringLiteral("%_") + bound;
     appendChannels(
         table,
-        plainNumber(title, title, unit::levels(),
-                    QStringLiteral("Level of % at the outline's pixel of the %1 y, along its edge.")
-                        .replace(QStringLiteral("%1"), word),
-                    title + QStringLiteral(" = %_from + n·(%_to − %_from)/Δ"), Group::EdgeColours),
+        comparedNumber(
+            title, title, "levels",
+            QStringLiteral("Level of % at the outline's pixel of the %1 y, along its edge.")
+                .replace(QStringLiteral("%1"), word),
+            title + QStringLiteral(" = %_from + n·(%_to − %_from)/Δ"), Group::EdgeColours),
         [colour](const OutlineSpanState &state, std::size_t channel) {
             return (state.span.column.*colour)[channel];
         },
@@ -112,16 +112,16 @@ QString startFormula(const QString &title, bool hasRate)
 void appendRamp(NumberTable<OutlineSpanState> &table)
 {
     appendChannels(table,
-                   plainNumber("delta_%", "Δ%", "levels/row",
-                               "Change of % from row to row; none in a column of one pixel.",
-                               "Δ% = (%_high − %_low)/(y_high − y_low)", Group::ColourRates),
+                   comparedNumber("delta_%", "Δ%", "levels/row",
+                                  "Change of % from row to row; none in a column of one pixel.",
+                                  "Δ% = (%_high − %_low)/(y_high − y_low)", Group::ColourRates),
                    [](const OutlineSpanState &state, std::size_t channel) {
                        return state.hasRate() ? state.span.column.colourRate[channel] : Quantity();
                    });
     const QString title = "first % = ";
     appendChannels(
         table,
-        comparedNumber("first_%", "first %", unit::levels(),
+        comparedNumber("first_%", "first %", "levels",
                        "Level of % at y_start, the column's first drawn pixel.",
                        startFormula(title, true), Group::FirstColour),
         [](const OutlineSpanState &state, std::size_t channel) {
@@ -165,7 +165,7 @@ const NumberTable<OutlineSpanState> &outlineSpanNumbers()
                          }});
         table.push_back(
             {plainNumber(
-                 "first_drawn_row", "y_start", unit::px(),
+                 "first_drawn_row", "y_start", "px",
                  "The first drawn row, where the colours start: y_low, or the frame's first.", {},
                  Group::Span),
              [](const State &state) {
@@ -190,7 +190,7 @@ const NumberTable<OutlineSampleState> &outlineSampleNumbers()
             table,
             {.id = "%",
              .title = "%",
-             .unit = unit::levels(),
+             .unit = "levels",
              .toolTip = "Level of % at the pixel.",
              .formula = "% ← %′ + Δ%",
              .startFormula = startFormula(title, true),

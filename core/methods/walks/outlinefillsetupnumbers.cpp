@@ -5,7 +5,6 @@
 #include "core/methods/words/channelnumbers.h"
 #include "core/methods/words/formulatext.h"
 #include "core/methods/words/placenumbers.h"
-#include "core/methods/words/units.h"
 
 namespace pixelplumb {
 
@@ -28,7 +27,7 @@ const NumberTable<OutlineFillSetUp> &outlineSetUpNumbers()
             appendChannels(
                 table,
                 plainNumber(QStringLiteral("%_") + QString::number(corner),
-                            QString(u'%') + vertexDigits[corner], unit::levels(),
+                            QString(u'%') + vertexDigits[corner], "levels",
                             QStringLiteral("Level of % at P") + vertexDigits[corner] + u'.'),
                 [corner](const State &setUp, std::size_t channel) {
                     return Quantity::integer(setUp.corners[corner].colour.channels[channel]);
@@ -45,7 +44,7 @@ const NumberTable<OutlineFillSetUp> &outlineSetUpNumbers()
             const QString alongX = QStringLiteral("max(%1, %2)").arg(along(u'x'), back(u'x'));
             const QString alongY = QStringLiteral("max(%1, %2)").arg(along(u'y'), back(u'y'));
             table.push_back(
-                {plainNumber(QStringLiteral("steps_%1").arg(edge), lengthTitle(edge), unit::px(),
+                {plainNumber(QStringLiteral("steps_%1").arg(edge), lengthTitle(edge), "px",
                              QStringLiteral(
                                  "The steps of the midpoint algorithm along %1: its longer side.")
                                  .arg(outlineEdgeName(edge)),
@@ -55,7 +54,7 @@ const NumberTable<OutlineFillSetUp> &outlineSetUpNumbers()
                      return Quantity::integer(setUp.edges[edge].line.deltaX);
                  }});
             table.push_back(
-                {plainNumber(QStringLiteral("across_%1").arg(edge), acrossTitle(edge), unit::px(),
+                {plainNumber(QStringLiteral("across_%1").arg(edge), acrossTitle(edge), "px",
                              QStringLiteral("How far %1 goes across: its shorter side.")
                                  .arg(outlineEdgeName(edge)),
                              acrossTitle(edge)

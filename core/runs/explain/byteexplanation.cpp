@@ -67,8 +67,7 @@ Quantity byteOf(const Quantity &level, ByteRounding rounding)
 /// did.
 QString lastStage(const std::vector<NumberDescription> &columns, const std::vector<Quantity> &used)
 {
-    for (const QString &stage : {QStringLiteral("mean"), QStringLiteral("r"), QStringLiteral("s"),
-                                 QStringLiteral("mod")}) {
+    for (const char *stage : {"mean", "r", "s", "mod"}) {
         if (!numberTitled(stage + QStringLiteral("_R"), columns, used).isNone())
             return stage;
     }

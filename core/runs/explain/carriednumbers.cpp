@@ -7,9 +7,7 @@ namespace pixelplumb {
 
 std::vector<std::size_t> carriedNumbers(const TracedScene &traced, std::size_t primitive)
 {
-    static const QStringList ids
-        = {QStringLiteral("z"),   QStringLiteral("w"),   QStringLiteral("u"),  QStringLiteral("v"),
-           QStringLiteral("N_x"), QStringLiteral("N_y"), QStringLiteral("N_z")};
+    static const QStringList ids = {"z", "w", "u", "v", "N_x", "N_y", "N_z"};
     const Primitives &primitives = traced.primitives;
     // Effects compute what they call for on every triangle; u and v of lines and circles differ.
     const bool isGiven = primitives.isTriangle(primitive)

@@ -33,8 +33,8 @@ struct TestedExtent {
 };
 TestedExtent testedExtentOf(const PixelAttempt &attempt, const ScanTrace &trace)
 {
-    const QString rows = QStringLiteral("rows");
-    const QString columns = QStringLiteral("columns");
+    const QString rows = "rows";
+    const QString columns = "columns";
     if (attempt.span)
         return {attempt.span->place.axis == SpanAxis::Row ? columns : rows,
                 Quantity::integer(attempt.span->firstDrawn),
@@ -164,12 +164,10 @@ QString triangleRefusalText(const PixelAttempt &attempt, const TracedScene &trac
         || isDecidedByOutline(attempt, *traced.trace);
     const QString untested = isBesideBox ? untestedText(attempt, traced) : QString();
     if (attempt.verdict.zeroArea)
-        return segmentRefusalText(attempt, traced, x, y,
-                                  isOfTruthAlone
-                                      ? untested
-                                          + QStringLiteral("The triangle has no area. In truth, "
-                                                           "%1.")
-                                      : QStringLiteral("The triangle has no area, and %1."));
+        return segmentRefusalText(
+            attempt, traced, x, y,
+            isOfTruthAlone ? untested + QStringLiteral("The triangle has no area. In truth, %1.")
+                           : QStringLiteral("The triangle has no area, and %1."));
     if (!noPartText(traced).isEmpty() && !attempt.isCentreRefused())
         return noPartText(traced);
     const std::size_t index = refusingEdge(attempt.verdict);

@@ -190,8 +190,8 @@ Explanation explainSample(const TracedScene &traced, const TraceStep &step)
     const StepWords words = trace.sampleWords(step.span, place);
     const FormulaNames ofSpan = spanNames(traced, spans);
     FormulaNames names = ofSpan;
-    names.add(QStringLiteral("x"), Quantity::integer(sample.x));
-    names.add(QStringLiteral("y"), Quantity::integer(sample.y));
+    names.add("x", Quantity::integer(sample.x));
+    names.add("y", Quantity::integer(sample.y));
     // The step of a line or a circle is its one sample: the numbers are in the span.
     const bool isStep = traced.trace->numbers().sample.empty() && samples.size() == 1;
     for (std::size_t channel = 0; channel < 3 && !isStep; ++channel)

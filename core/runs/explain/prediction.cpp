@@ -118,7 +118,7 @@ void addPixelCount(std::vector<Prediction> &predictions,
                    const std::vector<NumberDescription> &numbers, const ScanTrace &trace,
                    std::size_t span)
 {
-    const auto count = std::ranges::find(numbers, QStringLiteral("pixels"), &NumberDescription::id);
+    const auto count = std::ranges::find(numbers, "pixels", &NumberDescription::id);
     const auto isBound = [](const Prediction &each) { return isRounding(each.rule); };
     const auto first = std::ranges::find_if(predictions, isBound);
     const auto last

@@ -127,17 +127,17 @@ QString tieText(const TracedScene &traced, std::size_t triangle, const oracle::E
                    : placeText(traced, traced.primitives.triangles[triangle], edge));
     };
     if (edge.accepts)
-        return givenTo(QStringLiteral("this side"));
+        return givenTo("this side");
     const Triangle neighbour = acrossEdge(traced.primitives.triangles[triangle], edge);
     const auto isSame = [&](const oracle::EdgeVerdict &other) {
         return other.from == edge.from && other.to == edge.to;
     };
     const oracle::SampleVerdict there = verdictOn(neighbour, traced, x, y);
     if (std::ranges::find_if(there.edges, isSame)->accepts)
-        return givenTo(QStringLiteral("the other side"));
+        return givenTo("the other side");
     if (rule == FillRule::OffScreenPoint)
-        return QStringLiteral("the off-screen point lies on this edge's line too: neither side "
-                              "owns it");
+        return QStringLiteral(
+            "the off-screen point lies on this edge's line too: neither side owns it");
     return QStringLiteral("the rule %1 gives it to neither side").arg(nameText(nameOf(rule)));
 }
 

@@ -49,9 +49,8 @@ QString tieOfLineText(const Shape &line, std::int64_t x, std::int64_t y)
     if (across != greater && across != greater - 1)
         return {};
     const QString axis = truth.isSteep() ? QStringLiteral("x") : QStringLiteral("y");
-    return QStringLiteral(
-               " A tie: the line passes exactly midway between %1 = %2 and %1 = %3 here, "
-               "and the truth takes the greater one.")
+    return QStringLiteral(" A tie: the line passes exactly midway between %1 = %2 and %1 = %3 "
+                          "here, and the truth takes the greater one.")
         .arg(axis)
         .arg(greater - 1)
         .arg(greater);
@@ -207,15 +206,13 @@ QString spanText(const ScanTrace &trace, std::size_t span)
 
 bool isDecidedByOutline(const PixelAttempt &attempt, const ScanTrace &trace)
 {
-    return attempt.kind == PrimitiveKind::Triangle
-        && hasNumber(trace.numbers().span, QStringLiteral("edge_low"));
+    return attempt.kind == PrimitiveKind::Triangle && hasNumber(trace.numbers().span, "edge_low");
 }
 
 bool isUntested(const PixelAttempt &attempt, const ScanTrace &trace)
 {
     const auto &numbers = trace.numbers().span;
-    const bool isOfBox = hasNumber(numbers, QStringLiteral("x_min"))
-        || hasNumber(numbers, QStringLiteral("y_min"));
+    const bool isOfBox = hasNumber(numbers, "x_min") || hasNumber(numbers, "y_min");
     return !attempt.sample && !trace.isCut() && isOfBox;
 }
 
@@ -244,7 +241,7 @@ QString stepBesideText(const PixelAttempt &attempt, const ScanTrace &trace, std:
     if (trace.isCut())
         return {};
     // The lines of an outline go along columns and rows.
-    return axis == SpanAxis::Row && !hasNumber(trace.numbers().span, QStringLiteral("p_k"))
+    return axis == SpanAxis::Row && !hasNumber(trace.numbers().span, "p_k")
         ? noRowText(attempt, trace, y)
         : stepsNextToText(trace, attempt.primitive, x, y);
 }
@@ -287,8 +284,8 @@ QString approximationText(const ScanTrace &trace, std::size_t primitive)
                               "most, and tilt the edges that meet there.")
             .arg(moved.toDouble(), 0, 'g', 3);
     if (!numbers[QStringLiteral("curves")].isNone())
-        return QStringLiteral(" What was filled are its chords, which leave the curves by 1/32 px "
-                              "at most.");
+        return QStringLiteral(
+            " What was filled are its chords, which leave the curves by 1/32 px at most.");
     return {};
 }
 

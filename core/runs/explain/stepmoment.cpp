@@ -61,11 +61,11 @@ VariantSet variantsFor(const TracedScene &traced, std::size_t primitive)
 Pseudocode litCode(Pseudocode code, const TracedScene &traced)
 {
     if (traced.shading() && traced.shading()->vertexLight)
-        code.insert(code.begin(),
-                    {0,
-                     QStringLiteral("R, G, B of the vertices ← ambient and, of each light, the "
-                                    "diffuse and specular term"),
-                     {Moment::SetUp}});
+        code.insert(
+            code.begin(),
+            {0,
+             "R, G, B of the vertices ← ambient and, of each light, the diffuse and specular term",
+             {Moment::SetUp}});
     return code;
 }
 

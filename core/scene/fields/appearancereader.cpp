@@ -20,12 +20,12 @@ Light readLight(JsonReader &json, NumberReader &numbers, const JsonNode &node)
         json.fail(node,
                   direction.isMissing() ? QStringLiteral("a light without direction and position")
                                         : QStringLiteral("both direction and position"),
-                  QStringLiteral("one of the two"));
+                  "one of the two");
     light.kind = direction.isMissing() ? Light::Kind::Positional : Light::Kind::Directional;
     const JsonNode &at = direction.isMissing() ? position : direction;
     light.at = numbers.attributes<3>(at);
     if (light.kind == Light::Kind::Directional && light.at == std::array<Attribute, 3>{})
-        json.fail(at, QStringLiteral("a direction of length 0"),
+        json.fail(at, "a direction of length 0",
                   QStringLiteral("a component of ±1/%1 or more").arg(attributeOne));
     if (!colour.isMissing())
         light.colour = readColour(json, colour);
@@ -76,8 +76,7 @@ private:
     void read(const JsonNode &node, std::vector<Material> &materials)
     {
         if (!node.isObject())
-            m_json.fail(node, describe(node),
-                        QStringLiteral("an object with a material for each name"));
+            m_json.fail(node, describe(node), "an object with a material for each name");
         for (const QString &name : node.keys()) {
             m_json.expectObject(node[name], fieldNames<Material>());
             readFields(node[name], materials.emplace_back());

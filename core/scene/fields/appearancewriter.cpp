@@ -147,9 +147,9 @@ std::vector<FieldText> fieldTexts(const Light &light)
 {
     const bool isDirectional = light.kind == Light::Kind::Directional;
     const QString at = QString::fromUtf8(jsonAttributeText(light.at));
-    return {{QStringLiteral("direction"), isDirectional ? at : QString(), {}},
-            {QStringLiteral("position"), isDirectional ? QString() : at, {}},
-            {QStringLiteral("color"), colourText(light.colour), colourText(Light().colour)}};
+    return {{"direction", isDirectional ? at : QString(), {}},
+            {"position", isDirectional ? QString() : at, {}},
+            {"color", colourText(light.colour), colourText(Light().colour)}};
 }
 
 std::vector<FieldText> fieldTexts(const Material &material, const QString &folder)

@@ -10,11 +10,11 @@ namespace pixelplumb {
 
 namespace {
 
-const QString depthKey = QStringLiteral("z");
-const QString divisorKey = QStringLiteral("w");
-const QString textureKey = QStringLiteral("uv");
-const QString normalsKey = QStringLiteral("normals");
-const QString materialKey = QStringLiteral("material");
+const QString depthKey = "z";
+const QString divisorKey = "w";
+const QString textureKey = "uv";
+const QString normalsKey = "normals";
+const QString materialKey = "material";
 
 using Vertices = std::array<VertexAttributes, 3>;
 
@@ -64,7 +64,7 @@ TriangleAttributes readAttributes(JsonReader &json, NumberReader &numbers, const
     readEach(json, triangle[normalsKey], vertices, [&](const JsonNode &node, auto &vertex) {
         vertex.normal = numbers.attributes<3>(node);
         if (vertex.normal == std::array<Attribute, 3>{})
-            json.fail(node, QStringLiteral("a normal of length 0"),
+            json.fail(node, "a normal of length 0",
                       QStringLiteral("a component of ±1/%1 or more").arg(attributeOne));
     });
     attributes.material = readMaterialName(json, triangle[materialKey], materials);

@@ -36,15 +36,13 @@ void checkDirections(JsonReader &json, const JsonNode &node, const Camera &camer
     const Vector upwards(camera.up);
     const JsonNode up = node["up"];
     if (sight.isZero())
-        json.fail(node, QStringLiteral("eye and target are one point"),
-                  QStringLiteral("two points, between which the camera looks"));
+        json.fail(node, "eye and target are one point",
+                  "two points, between which the camera looks");
     if (upwards.isZero())
-        json.fail(up, QStringLiteral("a direction of length 0"),
-                  QStringLiteral("the direction that is up"));
+        json.fail(up, "a direction of length 0", "the direction that is up");
     if (lengthOf(cross(sight, upwards)) <= smallestSine * lengthOf(sight) * lengthOf(upwards))
-        json.fail(up.isMissing() ? node : up,
-                  QStringLiteral("up is parallel to the view from eye to target"),
-                  QStringLiteral("a direction across it"));
+        json.fail(up.isMissing() ? node : up, "up is parallel to the view from eye to target",
+                  "a direction across it");
 }
 
 } // namespace
@@ -80,7 +78,7 @@ Camera readCamera(JsonReader &json, NumberReader &numbers, const JsonNode &node)
     if (camera.far <= camera.near)
         json.fail(far.isMissing() ? node : far,
                   QStringLiteral("near %1 and far %2").arg(camera.near).arg(camera.far),
-                  QStringLiteral("a far plane behind the near one"));
+                  "a far plane behind the near one");
     checkDirections(json, node, camera);
     return camera;
 }

@@ -35,12 +35,12 @@ public:
         bool isNumber = false;
         value = m_json.string(node).toULongLong(&isNumber);
         if (!isNumber)
-            m_json.fail(node, describe(node), QStringLiteral("a whole number as text"));
+            m_json.fail(node, describe(node), "a whole number as text");
     }
     void read(const JsonNode &node, double &value)
     {
         if (!node.isNumber())
-            m_json.fail(node, describe(node), QStringLiteral("a number"));
+            m_json.fail(node, describe(node), "a number");
         value = node.toDouble(0);
     }
     void read(const JsonNode &node, QString &value) { value = m_json.string(node); }

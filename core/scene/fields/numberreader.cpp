@@ -74,8 +74,7 @@ double NumberReader::positive(const JsonNode &node, const QString &what)
 {
     const double value = real(node);
     if (value <= 0)
-        m_json.fail(node, QStringLiteral("%1 of %2").arg(what, describe(node)),
-                    QStringLiteral("more than 0"));
+        m_json.fail(node, QStringLiteral("%1 of %2").arg(what, describe(node)), "more than 0");
     return value;
 }
 

@@ -17,10 +17,10 @@ constexpr std::array allKinds = {
     PrimitiveKind::Triangle, PrimitiveKind::Point,  PrimitiveKind::Line,    PrimitiveKind::Circle,
     PrimitiveKind::Ellipse,  PrimitiveKind::Bezier, PrimitiveKind::Polygon, PrimitiveKind::Text};
 
-const QString colourKey = QStringLiteral("color");
-const QString coloursKey = QStringLiteral("colors");
-const QString fillKey = QStringLiteral("fill");
-const QString hiddenKey = QStringLiteral("hidden");
+const QString colourKey = "color";
+const QString coloursKey = "colors";
+const QString fillKey = "fill";
+const QString hiddenKey = "hidden";
 
 } // namespace
 
@@ -93,7 +93,7 @@ PrimitiveKind PrimitiveReader::kindOf(const JsonNode &primitive)
     }
     // Reports a misspelt key before the missing primitive.
     expectKeys(primitive, primitiveKeys() + QStringList{colourKey, coloursKey, fillKey});
-    m_json.fail(primitive, QStringLiteral("no primitive is named"),
+    m_json.fail(primitive, "no primitive is named",
                 QStringLiteral("one of ") + primitiveKeys().join(QStringLiteral(", ")));
     return PrimitiveKind::Triangle;
 }
@@ -103,8 +103,8 @@ void PrimitiveReader::readTriangle(const JsonNode &primitive)
     const QString key = keyOf(PrimitiveKind::Triangle);
     expectKeys(primitive, QStringList{key, coloursKey} + attributeKeys());
     if (hasShapes() || !m_scene.solids.empty())
-        m_json.fail(primitive[key], QStringLiteral("a triangle after another primitive"),
-                    QStringLiteral("all triangles first: they are drawn before the others"));
+        m_json.fail(primitive[key], "a triangle after another primitive",
+                    "all triangles first: they are drawn before the others");
     Triangle triangle;
     TriangleAttributes attributes
         = readAttributes(m_json, m_numbers, primitive, m_scene.appearance.materials);
@@ -133,10 +133,10 @@ void PrimitiveReader::readSolid(const JsonNode &primitive, SolidKind kind)
     const JsonNode node = primitive[key];
     if (hasShapes())
         m_json.fail(node, QStringLiteral("a %1 after a shape of the frame").arg(key),
-                    QStringLiteral("triangles, then what is seen through the camera, then shapes"));
+                    "triangles, then what is seen through the camera, then shapes");
     if (!m_scene.camera)
         m_json.fail(node, QStringLiteral("a %1 in a scene without a camera").arg(key),
-                    QStringLiteral("a key \"camera\" of the scene: { \"eye\": [0, 0, 5], … }"));
+                    "a key \"camera\" of the scene: { \"eye\": [0, 0, 5], … }");
     Solid solid = SolidReader(m_json, m_numbers, m_current.files, m_scene.appearance.materials)
                       .read(primitive, kind);
     solid.isHidden = isHidden(primitive);
@@ -167,17 +167,16 @@ void PrimitiveReader::readRound(const JsonNode &primitive, Shape &shape)
     const LatticePoint centre = m_numbers.position(node["centre"]);
     LatticePoint radii;
     if (isCircle) {
-        radii.x = radii.y = m_numbers.length(node[radiusKey], QStringLiteral("a radius"));
+        radii.x = radii.y = m_numbers.length(node[radiusKey], "a radius");
     } else {
         const std::vector<JsonNode> both = m_json.array(node[radiusKey], 2);
-        radii = {m_numbers.length(both[0], QStringLiteral("a radius")),
-                 m_numbers.length(both[1], QStringLiteral("a radius"))};
+        radii = {m_numbers.length(both[0], "a radius"), m_numbers.length(both[1], "a radius")};
     }
     const LatticePoint corner = {centre.x + radii.x, centre.y + radii.y};
     if (!isWithinRange(corner) || !isWithinRange({centre.x - radii.x, centre.y - radii.y}))
         m_json.fail(node,
                     QStringLiteral("the %1 leaves ±%2 px").arg(key, QString::number(largestPixel)),
-                    QStringLiteral("a smaller radius or another centre"));
+                    "a smaller radius or another centre");
     shape.vertices = {{centre, {}}, {corner, {}}};
     shape.fill = fill(primitive[fillKey], shape.kind);
     readColourOfAll(primitive, shape);
@@ -185,18 +184,17 @@ void PrimitiveReader::readRound(const JsonNode &primitive, Shape &shape)
 
 void PrimitiveReader::readBezier(const JsonNode &primitive, Shape &shape)
 {
-    readContours(primitive, QStringLiteral("path"), QStringLiteral("no piece"), {3, 4}, shape);
+    readContours(primitive, "path", "no piece", {3, 4}, shape);
     const JsonNode node = primitive[keyOf(shape.kind)];
     if (node.isObject() && shape.fill == ShapeFill::Outline)
-        m_json.fail(node, QStringLiteral("a path that is not filled"),
-                    QStringLiteral("\"fill\": \"even-odd\" or \"non-zero\"; without it, one "
-                                   "curve of three or four points"));
+        m_json.fail(node, "a path that is not filled",
+                    "\"fill\": \"even-odd\" or \"non-zero\"; without it, one curve of three or "
+                    "four points");
 }
 
 void PrimitiveReader::readPolygon(const JsonNode &primitive, Shape &shape)
 {
-    readContours(primitive, QStringLiteral("contours"), QStringLiteral("no contour"),
-                 {3, PointCount::any}, shape);
+    readContours(primitive, "contours", "no contour", {3, PointCount::any}, shape);
 }
 
 /// Points, or arrays of them under a key.
@@ -224,7 +222,7 @@ void PrimitiveReader::readText(const JsonNode &primitive, Shape &shape)
     countVertices(primitive[key], text.size() * qsizetype(verticesOfCharacter));
     shape.text = text.toStdString();
     shape.vertices = {{m_numbers.position(primitive["at"]), {}}};
-    shape.textHeight = m_numbers.length(primitive["height"], QStringLiteral("a height"));
+    shape.textHeight = m_numbers.length(primitive["height"], "a height");
     // Fonts are drawn for this rule: the outlines of a letter may overlap.
     shape.fill = ShapeFill::NonZero;
     readColourOfAll(primitive, shape);
@@ -251,7 +249,7 @@ void PrimitiveReader::appendParts(const JsonNode &node, const QString &none, Poi
 {
     const std::vector<JsonNode> parts = m_json.array(node);
     if (parts.empty())
-        m_json.fail(node, none, QStringLiteral("one or more arrays of points"));
+        m_json.fail(node, none, "one or more arrays of points");
     for (const JsonNode &part : parts) {
         if (m_json.hasFailed())
             return;

@@ -49,18 +49,17 @@ Result<Texture> readTexture(const QString &path)
         return content.error();
     PictureReader reader(*content);
     if (!reader.fault().isEmpty())
-        return InputError{path, QStringLiteral("no picture: ") + reader.fault(),
-                          QStringLiteral("a whole file")};
+        return InputError{path, QStringLiteral("no picture: ") + reader.fault(), "a whole file"};
     if (const QByteArray format = reader.format(); !format.isEmpty() && !isTextureFormat(format))
         return InputError{
             path, QStringLiteral("a picture of the kind %1").arg(QString::fromLatin1(format)),
-            QStringLiteral("a picture such as PNG or JPEG")};
+            "a picture such as PNG or JPEG"};
     if (const QSize size = reader.size(); size.isValid() && !isWithinLimits(size))
         return tooLarge(path, size);
     const QImage picture = reader.read().convertToFormat(QImage::Format_RGB32);
     if (picture.isNull())
         return InputError{path, QStringLiteral("no picture: ") + reader.errorString(),
-                          QStringLiteral("a picture such as PNG or JPEG")};
+                          "a picture such as PNG or JPEG"};
     if (!isWithinLimits(picture.size()))
         return tooLarge(path, picture.size());
     Texture texture{path.toStdString(), picture.width(), picture.height(), {}};

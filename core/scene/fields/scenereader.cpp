@@ -99,13 +99,11 @@ private:
     {
         const JsonNode format = root["pixelplumb"];
         if (const JsonNode other = root["pixelplumbAssignment"]; !other.isMissing()) {
-            m_json.fail(other,
-                        QStringLiteral("this is an assignment, by which submissions are graded"),
-                        QStringLiteral("a scene"));
+            m_json.fail(other, "this is an assignment, by which submissions are graded", "a scene");
             return;
         }
         if (!root.isObject() || format.isMissing()) {
-            m_json.fail(format, QStringLiteral("no format number: this is no Pixelplumb scene"),
+            m_json.fail(format, "no format number: this is no Pixelplumb scene",
                         QStringLiteral("\"pixelplumb\": %1").arg(sceneFormat));
             return;
         }
@@ -143,7 +141,7 @@ private:
     {
         constexpr qsizetype betweenProgress = 1024;
         if (!node.isArray())
-            m_json.fail(node, describe(node), QStringLiteral("an array"));
+            m_json.fail(node, describe(node), "an array");
         const QString path = node.path();
         qsizetype index = 0;
         node.visitElements([&](const JsonNode &primitive) {

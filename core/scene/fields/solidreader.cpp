@@ -16,10 +16,10 @@ namespace pixelplumb {
 
 namespace {
 
-const QString solidColourKey = QStringLiteral("color");
-const QString solidColoursKey = QStringLiteral("colors");
-const QString solidMaterialKey = QStringLiteral("material");
-const QString segmentsKey = QStringLiteral("segments");
+const QString solidColourKey = "color";
+const QString solidColoursKey = "colors";
+const QString solidMaterialKey = "material";
+const QString segmentsKey = "segments";
 
 QStringList keysOf(SolidKind kind)
 {
@@ -80,7 +80,7 @@ void SolidReader::readCorners(const JsonNode &primitive, Solid &solid)
     const bool isTriangle = solid.kind == SolidKind::Triangle3;
     const std::vector<JsonNode> corners = isTriangle ? m_json.array(node, 3) : m_json.array(node);
     if (corners.size() < 3)
-        m_json.fail(node, describe(node), QStringLiteral("an array of 3 points or more"));
+        m_json.fail(node, describe(node), "an array of 3 points or more");
     for (const JsonNode &corner : corners) {
         if (m_json.hasFailed())
             return;
@@ -102,8 +102,7 @@ void SolidReader::readCorners(const JsonNode &primitive, Solid &solid)
         for (std::size_t i = 0; i < directions.size() && !m_json.hasFailed(); ++i) {
             solid.corners[i].normal = m_numbers.vector(directions[i]);
             if (solid.corners[i].normal == Vector3())
-                m_json.fail(directions[i], QStringLiteral("a normal of length 0"),
-                            QStringLiteral("a direction"));
+                m_json.fail(directions[i], "a normal of length 0", "a direction");
         }
     }
     // The corners carry the colour instead.
@@ -117,8 +116,7 @@ void SolidReader::readCornerColours(const JsonNode &primitive, Solid &solid)
     if (node.isMissing())
         return;
     if (!primitive[solidColourKey].isMissing())
-        m_json.fail(node, QStringLiteral("both color and colors"),
-                    QStringLiteral("one of the two"));
+        m_json.fail(node, "both color and colors", "one of the two");
     const std::vector<JsonNode> colours = m_json.array(node, qsizetype(solid.corners.size()));
     for (std::size_t i = 0; i < colours.size() && !m_json.hasFailed(); ++i) {
         const BlendedColour colour = readBlendedColour(m_json, colours[i]);
@@ -135,16 +133,14 @@ void SolidReader::checkPolygon(const JsonNode &node, const Solid &solid)
     case PolygonShape::Convex:
         break;
     case PolygonShape::Flattened:
-        m_json.fail(node, QStringLiteral("corners on one line"),
-                    QStringLiteral("a polygon with an area"));
+        m_json.fail(node, "corners on one line", "a polygon with an area");
         break;
     case PolygonShape::Bent:
-        m_json.fail(node, QStringLiteral("corners that are not in one plane"),
-                    QStringLiteral("a polygon in one plane"));
+        m_json.fail(node, "corners that are not in one plane", "a polygon in one plane");
         break;
     case PolygonShape::Concave:
-        m_json.fail(node, QStringLiteral("a polygon that is not convex"),
-                    QStringLiteral("a convex one; others are made of several"));
+        m_json.fail(node, "a polygon that is not convex",
+                    "a convex one; others are made of several");
         break;
     }
 }
@@ -156,15 +152,14 @@ void SolidReader::readPlane(const JsonNode &primitive, Solid &solid)
     for (const JsonNode &point : points)
         solid.corners.push_back({m_numbers.vector(point)});
     if (!m_json.hasFailed() && shapeOf(solid.corners) == PolygonShape::Flattened)
-        m_json.fail(node, QStringLiteral("three points on one line"),
-                    QStringLiteral("three that span a plane"));
+        m_json.fail(node, "three points on one line", "three that span a plane");
 }
 
 void SolidReader::readSphere(const JsonNode &primitive, Solid &solid)
 {
     const JsonNode node = primitive[nameText(nameOf(solid.kind))];
     solid.corners = {{m_numbers.vector(node)}};
-    solid.radius = m_numbers.positive(primitive["radius"], QStringLiteral("a radius"));
+    solid.radius = m_numbers.positive(primitive["radius"], "a radius");
     readSegments(primitive[segmentsKey], {3, 2}, solid);
     checkReach(node, solid.corners.front().position, solid.radius);
 }
@@ -206,7 +201,7 @@ void SolidReader::readMesh(const JsonNode &primitive, Solid &solid)
     if (const JsonNode at = primitive["at"]; !at.isMissing())
         solid.at = m_numbers.vector(at);
     if (const JsonNode scale = primitive["scale"]; !scale.isMissing())
-        solid.scale = m_numbers.positive(scale, QStringLiteral("a scale"));
+        solid.scale = m_numbers.positive(scale, "a scale");
     if (const JsonNode rotate = primitive["rotate"]; !rotate.isMissing())
         solid.rotate = m_numbers.vector(rotate);
     double radius = 0;

@@ -57,7 +57,7 @@ Result<QByteArray> readFile(const QString &path, qint64 most)
         return InputError{path, QStringLiteral("cannot be read: ") + why, {}};
     };
     if (QFileInfo(filePath(path)).isDir())
-        return refusal(QStringLiteral("it is a folder"));
+        return refusal("it is a folder");
     if (auto objection = noteInput(path))
         return *objection;
     QFile file(filePath(path));
@@ -70,8 +70,7 @@ Result<QByteArray> readRegularFile(const QString &path, qint64 most)
 {
     const QFileInfo file(filePath(path));
     if (file.exists() && !file.isFile() && !file.isDir())
-        return InputError{path, QStringLiteral("cannot be read: it is a pipe or a device"),
-                          QStringLiteral("a file")};
+        return InputError{path, "cannot be read: it is a pipe or a device", "a file"};
     return readFile(path, most);
 }
 
@@ -83,7 +82,7 @@ InputError errorIn(const QString &path, InputError error)
 
 InputError readingCancelled(const QString &place)
 {
-    return {place, QStringLiteral("the reading was cancelled"), {}};
+    return {place, "the reading was cancelled", {}};
 }
 
 std::optional<InputError> writeFile(const QString &path, const QByteArray &content, WrittenAs as)

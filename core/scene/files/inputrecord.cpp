@@ -113,11 +113,10 @@ bool isInInputFolder(const QString &path)
 
 InputError wouldReplace(const QString &place)
 {
-    return {place, QStringLiteral("is the input, which it would replace"),
-            QStringLiteral("another file")};
+    return {place, "is the input, which it would replace", "another file"};
 }
 
-InputError standardOutputWouldReplace() { return wouldReplace(QStringLiteral("standard output")); }
+InputError standardOutputWouldReplace() { return wouldReplace("standard output"); }
 
 std::optional<InputError> refusalToRead(const std::optional<FileIdentity> &file)
 {
@@ -202,10 +201,9 @@ std::optional<InputError> refusalToWrite(const QString &path)
         return std::nullopt;
     if (isInput(identityOf(path)) || isPathOfInput(path))
         return wouldReplace(path);
-    return InputError{path,
-                      QStringLiteral("lies in a folder that is shown to a program, or graded, and "
-                                     "may have been read"),
-                      QStringLiteral("a new file, or one elsewhere")};
+    return InputError{
+        path, "lies in a folder that is shown to a program, or graded, and may have been read",
+        "a new file, or one elsewhere"};
 }
 
 std::optional<InputError> refusalToPrint()

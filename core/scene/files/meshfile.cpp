@@ -58,7 +58,7 @@ public:
     {
         take(m_normals, 3);
         if (!hasFailed() && !m_wasCancelled && m_normals.back() == Vector3())
-            fail(QStringLiteral("a normal of length 0"), QStringLiteral("a direction"));
+            fail("a normal of length 0", "a direction");
     }
     void takeFace(const tinyobj::index_t *corners, int count);
 
@@ -73,8 +73,8 @@ public:
     Mesh takeMesh() { return std::move(m_mesh); }
     void failWithoutFaces()
     {
-        m_found = QStringLiteral("no face");
-        m_expected = QStringLiteral("a Wavefront OBJ file with lines such as “f 1 2 3”");
+        m_found = "no face";
+        m_expected = "a Wavefront OBJ file with lines such as “f 1 2 3”";
     }
 
 private:
@@ -202,11 +202,11 @@ void MeshBuilder::takeFace(const tinyobj::index_t *corners, int count)
     if (wrong != words.end()) {
         fail(QStringLiteral("a face with a corner “%1”")
                  .arg(QString::fromUtf8(wrong->first(qMin<qsizetype>(wrong->size(), 40)))),
-             QStringLiteral("1, 1/2, 1//3 or 1/2/3"));
+             "1, 1/2, 1//3 or 1/2/3");
         return;
     }
     if (count < 3) {
-        fail(QStringLiteral("a face of %1").arg(count), QStringLiteral("3 corners or more"));
+        fail(QStringLiteral("a face of %1").arg(count), "3 corners or more");
         return;
     }
     if (m_mesh.faces.size() + std::size_t(count) - 2 > mostSolidTriangles) {

@@ -34,10 +34,10 @@ bool isIn(const QString &path, const QString &folder)
 
 std::optional<InputError> refusalOfFolder(const QString &folder)
 {
-    const QString expected = QStringLiteral("a folder");
+    const QString expected = "a folder";
     const QFileInfo there(filePath(folder));
     if (there.exists() && !there.isDir())
-        return InputError{folder, QStringLiteral("is a file"), expected};
+        return InputError{folder, "is a file", expected};
     if (!there.exists() && there.isSymbolicLink())
         return InputError{
             folder,
@@ -50,8 +50,7 @@ std::optional<InputError> refusalOfFolder(const QString &folder)
         return InputError{
             folder, QStringLiteral("cannot be made: ") + qt_error_string(error.value()), expected};
     if (!QFileInfo(filePath(folder)).isWritable())
-        return InputError{folder, QStringLiteral("cannot be written to"),
-                          QStringLiteral("a folder in which files can be made")};
+        return InputError{folder, "cannot be written to", "a folder in which files can be made"};
     return std::nullopt;
 }
 

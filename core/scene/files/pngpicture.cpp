@@ -57,7 +57,7 @@ QImage PngPicture::read()
     const bool isTransparent = (m_image.format & PNG_FORMAT_FLAG_ALPHA) != 0;
     QImage picture(m_size, isTransparent ? QImage::Format_ARGB32 : QImage::Format_RGB32);
     if (picture.isNull()) {
-        m_fault = QStringLiteral("no memory for its pixels");
+        m_fault = "no memory for its pixels";
         return {};
     }
     m_image.format // QRgb in memory

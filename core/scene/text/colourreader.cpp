@@ -19,7 +19,7 @@ Colour readColour(JsonReader &json, const JsonNode &node)
         json.fail(node,
                   QStringLiteral("“%1” is not opaque, and only triangles are blended")
                       .arg(node.toString()),
-                  QStringLiteral("alpha ff, or #rrggbb without alpha"));
+                  "alpha ff, or #rrggbb without alpha");
     return colour.colour;
 }
 

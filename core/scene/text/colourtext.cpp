@@ -31,7 +31,7 @@ Result<BlendedColour> parseColour(QStringView text)
     if (!isColour) {
         return InputError{{},
                           QStringLiteral("“%1” is no colour").arg(shortened(text.toString())),
-                          QStringLiteral("#rrggbb or #rrggbbaa in hexadecimal digits")};
+                          "#rrggbb or #rrggbbaa in hexadecimal digits"};
     }
     const auto byte = [text](std::size_t index) {
         return std::uint8_t(text.sliced(1 + 2 * qsizetype(index), 2).toInt(nullptr, 16));
@@ -46,7 +46,7 @@ Result<BlendedColour> parseColour(QStringView text)
 
 QString colourText(const Colour &colour)
 {
-    QString text = QStringLiteral("#");
+    QString text = "#";
     for (const std::uint8_t channel : colour.channels)
         text += byteText(channel);
     return text;

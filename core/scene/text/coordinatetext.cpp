@@ -147,13 +147,13 @@ QString rangeText(const NumberFormat &format)
 Result<WrittenValue> parseWithin(QStringView text, const NumberFormat &format)
 {
     if (text.size() > longestNumberText)
-        return refusal(text, QStringLiteral("“%1” is longer than 400 characters"), format);
+        return refusal(text, "“%1” is longer than 400 characters", format);
     const QStringView trimmed = text.trimmed();
     const auto value = parseValue(trimmed);
     if (!value)
         return refusal(trimmed, QStringLiteral("“%1” is no ") + QLatin1String(format.name), format);
     if (value->denominator == 0)
-        return refusal(trimmed, QStringLiteral("%1 divides by zero"), format);
+        return refusal(trimmed, "%1 divides by zero", format);
     if (format.largest * value->denominator < value->numerator)
         return refusal(trimmed, QStringLiteral("%1 is outside ") + rangeText(format), format);
     return *value;

@@ -121,18 +121,17 @@ private:
             m_inElement = 0;
         if (m_hasRepeatedKey) {
             m_hasRepeatedKey = false;
-            fault = JsonFault{offset, openPath(), QStringLiteral("the key is there twice"),
-                              QStringLiteral("every key once")};
+            fault = JsonFault{offset, openPath(), "the key is there twice", "every key once"};
         }
     }
     bool keep(const JsonValue &value)
     {
         const std::size_t before = isKept() ? m_json.values.size() : m_inElement++;
         if (before >= mostValues) {
-            fault = JsonFault{value.offset, openPath(), QStringLiteral("a value too many"),
-                              QStringLiteral("at most %1 in a file without primitives, or in one "
-                                             "primitive")
-                                  .arg(mostValues)};
+            fault = JsonFault{
+                value.offset, openPath(), "a value too many",
+                QStringLiteral("at most %1 in a file without primitives, or in one primitive")
+                    .arg(mostValues)};
             return false;
         }
         if (isKept())
@@ -208,7 +207,7 @@ Result<JsonText> parseJson(const QByteArray &text, QByteArrayView folded)
     constexpr QByteArrayView byteOrderMark = "\xef\xbb\xbf";
     const auto size = std::size_t(text.size());
     if (size > std::numeric_limits<quint32>::max())
-        return InputError{{}, QStringLiteral("more than 4 GiB"), {}};
+        return InputError{{}, "more than 4 GiB", {}};
     rapidjson::MemoryStream stream(text.constData(), size);
     if (text.startsWith(byteOrderMark))
         stream.src_ += byteOrderMark.size();
@@ -217,7 +216,7 @@ Result<JsonText> parseJson(const QByteArray &text, QByteArrayView folded)
     rapidjson::Reader reader;
     const rapidjson::ParseResult parsed = reader.Parse<flags>(stream, collector);
     if (parsed.Code() == rapidjson::kParseErrorDocumentEmpty && stream.Tell() == size)
-        return InputError{{}, QStringLiteral("the input is empty"), QStringLiteral("JSON")};
+        return InputError{{}, "the input is empty", "JSON"};
     std::optional<JsonFault> fault = collector.fault;
     if (parsed.IsError() && parsed.Code() != rapidjson::kParseErrorTermination) {
         const auto offset = parsed.Code() == rapidjson::kParseErrorValueInvalid
@@ -230,7 +229,7 @@ Result<JsonText> parseJson(const QByteArray &text, QByteArrayView folded)
                           json->values.empty() ? QStringLiteral("JSON")
                                                : expectedAt(parsed.Code(), found)};
     } else if (stream.Tell() < size && !parsed.IsError()) { // RapidJSON takes a byte 0 for the end
-        fault = JsonFault{quint32(stream.Tell()), {}, {}, QStringLiteral("the text's end")};
+        fault = JsonFault{quint32(stream.Tell()), {}, {}, "the text's end"};
     }
     if (!fault)
         return json;

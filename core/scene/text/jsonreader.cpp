@@ -39,7 +39,7 @@ void JsonReader::fail(const InputError &error)
 void JsonReader::expectObject(const JsonNode &node, const QStringList &keys)
 {
     if (!node.isObject()) {
-        fail(node, describe(node), QStringLiteral("an object"));
+        fail(node, describe(node), "an object");
         return;
     }
     if (node.hasOnly(keys))
@@ -58,18 +58,17 @@ void JsonReader::expectObject(const JsonNode &node, const QStringList &keys)
 QString JsonReader::string(const JsonNode &node)
 {
     if (!node.isString())
-        fail(node, describe(node), QStringLiteral("a string"));
+        fail(node, describe(node), "a string");
     const QString text = node.toString();
     if (text.contains(QChar(0))) // a file's name would end there
-        fail(node, QStringLiteral("a string with the character U+0000"),
-             QStringLiteral("one without it"));
+        fail(node, "a string with the character U+0000", "one without it");
     return text;
 }
 
 bool JsonReader::boolean(const JsonNode &node)
 {
     if (!node.isBoolean())
-        fail(node, describe(node), QStringLiteral("true or false"));
+        fail(node, describe(node), "true or false");
     return node.isTrue();
 }
 
@@ -88,7 +87,7 @@ qint64 JsonReader::integer(const JsonNode &node, qint64 first, qint64 last)
 std::vector<JsonNode> JsonReader::array(const JsonNode &node)
 {
     if (!node.isArray())
-        fail(node, describe(node), QStringLiteral("an array"));
+        fail(node, describe(node), "an array");
     return node.elements();
 }
 

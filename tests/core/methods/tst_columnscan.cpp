@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/methods/walks/columnscan.h"
+#include "core/methods/methodrows.h"
 #include "core/runs/explain/formulaexplanation.h"
 #include "core/runs/tracedscene.h"
 #include "tests/support/numbernamed.h"
@@ -96,8 +96,8 @@ private slots:
     {
         // In float64 L₁₂ falls to a little below y₂ = 4, and L₀₂ rises to a little above.
         ScanPicture drawing(frameOf(48, 40));
-        drawing.drawByMethod(triangleAt(24, 0, 42, 4, 10, 37),
-                             {Arithmetic::Float64, FillRule::Closed, ByteRounding::Nearest});
+        drawing.draw(columnScan(), triangleAt(24, 0, 42, 4, 10, 37),
+                     {Arithmetic::Float64, FillRule::Closed, ByteRounding::Nearest});
         QVERIFY(drawing.at(42, 4) != 0);
     }
 
@@ -140,13 +140,13 @@ private slots:
     {
         const Triangle triangle = triangleAt(2, 1, 29, 11, 13, 27);
         ScanPicture expected(frameOf(32, 32));
-        expected.drawByMethod(triangle, {});
+        expected.draw(columnScan(), triangle, {});
         std::array<std::size_t, 3> order = {0, 1, 2};
         do {
             const Triangle permuted = {{triangle.vertices[order[0]], triangle.vertices[order[1]],
                                         triangle.vertices[order[2]]}};
             ScanPicture drawing(frameOf(32, 32));
-            drawing.drawByMethod(permuted, {});
+            drawing.draw(columnScan(), permuted, {});
             QVERIFY(drawing == expected);
         } while (std::ranges::next_permutation(order).found);
     }
@@ -162,8 +162,8 @@ private slots:
             if (doubledArea(v[0].position, v[1].position, v[2].position) == 0)
                 continue; // the plain loop does not know which of three collinear points is last
             ScanPicture drawing(spec);
-            drawing.drawByMethod(triangle,
-                                 {Arithmetic::Float32, FillRule::Closed, ByteRounding::Nearest});
+            drawing.draw(columnScan(), triangle,
+                         {Arithmetic::Float32, FillRule::Closed, ByteRounding::Nearest});
             ScanPicture expected(spec);
             expected.draw([&](FrameView frame) {
                 plain::drawTriangle({plainVertex(v[0]), plainVertex(v[1]), plainVertex(v[2])},
@@ -187,8 +187,8 @@ private slots:
     {
         for (const Arithmetic arithmetic : allArithmetics) {
             ScanPicture drawing(frameOf(32, 32));
-            drawing.drawByMethod(triangleAt(2, 1, 29, 11, 13, 27),
-                                 {arithmetic, FillRule::Closed, ByteRounding::Nearest});
+            drawing.draw(columnScan(), triangleAt(2, 1, 29, 11, 13, 27),
+                         {arithmetic, FillRule::Closed, ByteRounding::Nearest});
             QCOMPARE(drawing.at(2, 1), packed(red));
             if (arithmetic == Arithmetic::Exact) {
                 QCOMPARE(drawing.at(29, 11), packed(green));
@@ -202,9 +202,9 @@ private slots:
         // The same triangle in a frame that shows all of it and in a window far inside.
         const Triangle triangle = triangleAtUnits({-5000, 311}, {39000, 7001}, {9111, 27777});
         ScanPicture whole(frameOf(200, 128, -32, -8));
-        whole.drawByMethod(triangle, {});
+        whole.draw(columnScan(), triangle, {});
         ScanPicture window(frameOf(17, 13, 40, 30));
-        window.drawByMethod(triangle, {});
+        window.draw(columnScan(), triangle, {});
         for (std::int64_t y = 30; y < 43; ++y) {
             for (std::int64_t x = 40; x < 57; ++x)
                 QCOMPARE(window.at(x, y), whole.at(x, y));
@@ -249,10 +249,10 @@ private slots:
             vertex.colour = {{0, 0, 0}};
         triangle.vertices[1].colour = {{2, 0, 0}}; // 2/3 level per column
         ScanPicture nearest(frameOf(4, 4));
-        nearest.drawByMethod(triangle, {});
+        nearest.draw(columnScan(), triangle, {});
         ScanPicture truncated(frameOf(4, 4));
-        truncated.drawByMethod(triangle,
-                               {Arithmetic::Exact, FillRule::Closed, ByteRounding::Truncate});
+        truncated.draw(columnScan(), triangle,
+                       {Arithmetic::Exact, FillRule::Closed, ByteRounding::Truncate});
         QCOMPARE(qRed(nearest.at(1, 0)), 1);
         QCOMPARE(qRed(truncated.at(1, 0)), 0);
     }

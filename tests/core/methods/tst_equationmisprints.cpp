@@ -95,7 +95,7 @@ private slots:
         // guidelines", keeps E >= 0: the closed rule. Under E > 0 no boundary sample is drawn,
         // under E >= 0 all are: Pick's count A + B/2 + 1 against A − B/2 + 1.
         const Triangle triangle = triangleAt(0, 0, 8, 0, 0, 8);
-        WindowPicture closed(10, 10);
+        ScanPicture closed(frameOf(10, 10));
         closed.draw(*methodNamed(u"edge-equations"), triangle, {});
         int weak = 0, strict = 0;
         for (std::int64_t y = 0; y < 10; ++y) {

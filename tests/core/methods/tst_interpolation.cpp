@@ -21,9 +21,9 @@ constexpr std::array forms
     = {"interpolate-bilinear", "interpolate-plane", "interpolate-barycentric"};
 constexpr std::array rules = {FillRule::Closed, FillRule::HalfOpenColumn};
 
-VertexAttributes anyAttributes(Dice &dice, Attribute largest)
+VertexAttributes anyAttributes(SeededRandom &dice, Attribute largest)
 {
-    const auto any = [&] { return dice.in(-largest, largest); };
+    const auto any = [&] { return dice.between(-largest, largest); };
     VertexAttributes attributes;
     attributes.z = any();
     attributes.texture = {any(), any()};
@@ -31,13 +31,13 @@ VertexAttributes anyAttributes(Dice &dice, Attribute largest)
     return attributes;
 }
 
-Triangle triangleOf(Dice &dice, const std::array<LatticePoint, 3> &corners)
+Triangle triangleOf(SeededRandom &dice, const std::array<LatticePoint, 3> &corners)
 {
     Triangle triangle;
     for (std::size_t i = 0; i < 3; ++i) {
         triangle.vertices[i].position = corners[i];
         for (std::uint8_t &channel : triangle.vertices[i].colour.channels)
-            channel = std::uint8_t(dice.in(0, 255));
+            channel = std::uint8_t(dice.between(0, 255));
     }
     return triangle;
 }
@@ -46,16 +46,17 @@ Triangle triangleOf(Dice &dice, const std::array<LatticePoint, 3> &corners)
 /// whole pixels, where vertices and edges meet samples.
 Scene anyScene(std::uint32_t seed)
 {
-    Dice dice(seed);
+    SeededRandom dice(seed);
     const Lattice grid = seed % 5 == 0 ? 256 : 1;
     const auto point = [&]() -> LatticePoint {
-        return {dice.in(-4, 24 * 256 / grid) * grid, dice.in(-4, 24 * 256 / grid) * grid};
+        return {dice.between(-4, 24 * 256 / grid) * grid, dice.between(-4, 24 * 256 / grid) * grid};
     };
     std::array<LatticePoint, 3> corners = {point(), point(), point()};
     if (seed % 4 == 0) {
-        const Lattice part = dice.in(0, 16);
-        corners[1] = {corners[0].x + (corners[2].x - corners[0].x) * part / 16 + dice.in(-3, 3),
-                      corners[0].y + (corners[2].y - corners[0].y) * part / 16 + dice.in(-3, 3)};
+        const Lattice part = dice.between(0, 16);
+        corners[1]
+            = {corners[0].x + (corners[2].x - corners[0].x) * part / 16 + dice.between(-3, 3),
+               corners[0].y + (corners[2].y - corners[0].y) * part / 16 + dice.between(-3, 3)};
     }
     Scene scene;
     scene.frame = frameOf(24, 24);
@@ -164,13 +165,13 @@ private slots:
     void theyAreEqualAcrossTheWholeRange()
     {
         for (std::uint32_t seed = 0; seed < 60; ++seed) {
-            Dice dice(seed);
+            SeededRandom dice(seed);
             Scene scene;
             scene.frame = frameOf(9, 9, -4, -4);
             std::array<LatticePoint, 3> corners;
             const Lattice largest = seed % 2 == 0 ? largestCoordinate : largestNarrowCoordinate;
             for (LatticePoint &corner : corners)
-                corner = {dice.in(-largest, largest), dice.in(-largest, largest)};
+                corner = {dice.between(-largest, largest), dice.between(-largest, largest)};
             // Around the frame.
             corners[2]
                 = {-corners[0].x / 2 - corners[1].x / 2, -corners[0].y / 2 - corners[1].y / 2};
@@ -203,7 +204,7 @@ private slots:
     {
         QFETCH(std::int64_t, toX);
         QFETCH(std::int64_t, toY);
-        Dice dice(7);
+        SeededRandom dice(7);
         Scene scene = anyScene(1);
         scene.triangles = {triangleOf(dice,
                                       {latticePixel(2, 3), latticePixel(2 + toX, 3 + toY),
@@ -254,7 +255,7 @@ private slots:
 
     void attributesAreTheVerticesOwnAtTheVertices()
     {
-        Dice dice(3);
+        SeededRandom dice(3);
         Scene scene = anyScene(1);
         const std::array<LatticePoint, 3> corners
             = {latticePixel(2, 3), latticePixel(20, 5), latticePixel(9, 21)};

@@ -35,7 +35,7 @@ MeshFaults faultsOf(const TriangleMesh &mesh, const Method &method, const ScanSe
     const auto first = [](Lattice coordinate) { return std::int32_t(floorPixel(coordinate)) - 1; };
     const std::int32_t left = first(mesh.lowest.x), low = first(mesh.lowest.y);
     const auto side = std::int32_t(ceilPixel(mesh.highest.x)) + 2 - left;
-    WindowPicture picture(side, side, left, low);
+    ScanPicture picture(frameOf(side, side, left, low));
     std::vector<int> counts(picture.pixels().size(), 0);
     for (const Triangle &triangle : mesh.triangles) {
         picture.clear();

@@ -15,13 +15,13 @@ using namespace pixelplumb;
 
 namespace {
 
-Shape anyPolygon(Dice &dice, std::int64_t side, Lattice grid)
+Shape anyPolygon(SeededRandom &dice, std::int64_t side, Lattice grid)
 {
     std::vector<Contour> contours;
-    const std::int64_t count = dice.in(1, 3);
+    const std::int64_t count = dice.between(1, 3);
     for (std::int64_t i = 0; i < count; ++i)
         contours.push_back(anyContour(dice, side, grid));
-    return polygonOf(contours, fills[std::size_t(dice.in(0, 1))]);
+    return polygonOf(contours, fills[std::size_t(dice.between(0, 1))]);
 }
 
 /// Whether the line between two points has a pixel, tested by inequalities alone: it is the one
@@ -95,9 +95,9 @@ private slots:
     void exactRowsAreTheTruthForAnyContours()
     {
         for (std::uint32_t seed = 0; seed < std::uint32_t(fewerIfSanitized(3000)); ++seed) {
-            Dice dice(seed);
+            SeededRandom dice(seed);
             constexpr std::array<Lattice, 4> grids = {256, 128, 16, 1};
-            const Lattice grid = grids[std::size_t(dice.in(0, 3))];
+            const Lattice grid = grids[std::size_t(dice.between(0, 3))];
             const Shape shape = anyPolygon(dice, 24 * 256 / grid, grid);
             const Scene scene = sceneOf({shape}, frameOf(24, 24), "polygon-parity");
             if (drawn(scene) != truthOf(scene))
@@ -108,8 +108,8 @@ private slots:
     void farAwayTheRowsAreStillTheTruth()
     {
         for (std::uint32_t seed = 0; seed < std::uint32_t(fewerIfSanitized(300)); ++seed) {
-            Dice dice(seed);
-            const std::int32_t far = std::int32_t(dice.in(-1, 1) * (largestPixel - 40));
+            SeededRandom dice(seed);
+            const std::int32_t far = std::int32_t(dice.between(-1, 1) * (largestPixel - 40));
             const Shape shape
                 = moved(anyPolygon(dice, 24 * 256, 1), latticePixel(far, -std::int64_t(far)));
             const Scene scene = sceneOf({shape}, frameOf(24, 24, far, -far), "polygon-parity");
@@ -121,11 +121,11 @@ private slots:
     void edgesAcrossTheWholeRangeAreExact()
     {
         for (std::uint32_t seed = 0; seed < std::uint32_t(fewerIfSanitized(300)); ++seed) {
-            Dice dice(seed);
+            SeededRandom dice(seed);
             Contour contour;
             for (int i = 0; i < 7; ++i)
-                contour.push_back({dice.in(-largestCoordinate, largestCoordinate),
-                                   dice.in(-largestCoordinate, largestCoordinate)});
+                contour.push_back({dice.between(-largestCoordinate, largestCoordinate),
+                                   dice.between(-largestCoordinate, largestCoordinate)});
             const Shape shape = polygonOf({contour}, fills[seed % 2]);
             const Scene scene = sceneOf({shape}, frameOf(20, 20, -10, -10), "polygon-parity");
             if (drawn(scene) != truthOf(scene))
@@ -151,14 +151,15 @@ private slots:
     void polygonsThatShareEdgesCoverEachSampleOnce()
     {
         for (std::uint32_t seed = 0; seed < std::uint32_t(fewerIfSanitized(400)); ++seed) {
-            Dice dice(seed);
+            SeededRandom dice(seed);
             // A square cut in two by a random chain from its left to its right side.
             const Lattice side = 20 * 256;
             const Lattice grid = seed % 2 == 0 ? 256 : 1;
-            Contour cut = {{0, dice.in(0, side / grid) * grid}};
+            Contour cut = {{0, dice.between(0, side / grid) * grid}};
             for (int i = 0; i < 6; ++i)
-                cut.push_back({dice.in(0, side / grid) * grid, dice.in(0, side / grid) * grid});
-            cut.push_back({side, dice.in(0, side / grid) * grid});
+                cut.push_back(
+                    {dice.between(0, side / grid) * grid, dice.between(0, side / grid) * grid});
+            cut.push_back({side, dice.between(0, side / grid) * grid});
             Contour below = {{side, 0}, {0, 0}};
             below.insert(below.end(), cut.begin(), cut.end());
             Contour above = {{0, side}, {side, side}};
@@ -200,7 +201,7 @@ private slots:
     void anOutlineIsTheLinesOfItsEdges()
     {
         for (std::uint32_t seed = 0; seed < std::uint32_t(fewerIfSanitized(400)); ++seed) {
-            Dice dice(seed);
+            SeededRandom dice(seed);
             const Lattice grid = seed % 2 == 0 ? 256 : 1;
             Shape shape = anyPolygon(dice, 24 * 256 / grid, grid);
             shape.fill = ShapeFill::Outline;

@@ -30,7 +30,7 @@ void addStableRows()
 
 /// Compares the method's picture with the oracle's; the message names the triangle.
 bool drawsTheTruth(const Method &method, const Triangle &triangle, const ScanSettings &settings,
-                   WindowPicture &drawn, WindowPicture &truth)
+                   ScanPicture &drawn, ScanPicture &truth)
 {
     drawn.clear();
     truth.clear();
@@ -87,7 +87,7 @@ private slots:
         QFETCH(QString, id);
         QFETCH(ScanSettings, settings);
         const Method &method = *methodNamed(id);
-        WindowPicture drawn(5, 5), truth(5, 5);
+        ScanPicture drawn(frameOf(5, 5)), truth(frameOf(5, 5));
         constexpr std::int64_t side = 5;
         const auto point
             = [](std::int64_t index) { return latticePixel(index % side, index / side); };
@@ -108,7 +108,7 @@ private slots:
         QFETCH(QString, id);
         QFETCH(ScanSettings, settings);
         const Method &method = *methodNamed(id);
-        WindowPicture drawn(8, 8), truth(8, 8);
+        ScanPicture drawn(frameOf(8, 8)), truth(frameOf(8, 8));
         // Every 37th of the 64³ triangles of whole vertices; with sanitizers every 299th.
         for (std::int64_t index = 0; index < 64 * 64 * 64; index += isSanitized ? 299 : 37) {
             const auto point = [&](std::int64_t divisor) {
@@ -130,7 +130,8 @@ private slots:
         std::mt19937_64 random(seed);
         for (const Lattice step : {256, 16, 1}) {
             for (const std::int32_t origin : {0, 16384, -16384, 1 << 20, -(1 << 20)}) {
-                WindowPicture drawn(24, 20, origin, -origin), truth(24, 20, origin, -origin);
+                ScanPicture drawn(frameOf(24, 20, origin, -origin)),
+                    truth(frameOf(24, 20, origin, -origin));
                 for (int i = 0; i < fewerIfSanitized(60); ++i) {
                     const Triangle triangle = randomTriangle(random, drawn.spec(), step);
                     settings.rounding = i % 4 == 0 ? ByteRounding::Truncate : ByteRounding::Nearest;
@@ -160,7 +161,7 @@ private slots:
                 points[0] = {near(random), near(random)};
             if (i % 3 == 0)
                 points[1] = {-points[2].x, -points[2].y};
-            WindowPicture drawn(12, 10, -5, -5), truth(12, 10, -5, -5);
+            ScanPicture drawn(frameOf(12, 10, -5, -5)), truth(frameOf(12, 10, -5, -5));
             QVERIFY2(drawsTheTruth(method, triangleOf(points), settings, drawn, truth),
                      qPrintable(QStringLiteral("seed %1").arg(seed)));
         }
@@ -193,9 +194,9 @@ private slots:
         std::mt19937_64 random(20261123);
         int beyondTheTruth = 0;
         for (int round = 0; round < 400; ++round) {
-            WindowPicture drawn(24, 20, -3, 2);
-            WindowPicture lines(24, 120, -3, -46); // with all rows that a triangle can reach
-            WindowPicture truth(24, 20, -3, 2);
+            ScanPicture drawn(frameOf(24, 20, -3, 2));
+            ScanPicture lines(frameOf(24, 120, -3, -46)); // with all rows that a triangle can reach
+            ScanPicture truth(frameOf(24, 20, -3, 2));
             const Triangle triangle
                 = randomTriangle(random, drawn.spec(), round % 2 == 0 ? 256 : 37);
             drawn.draw(fill, triangle, {});

@@ -55,9 +55,9 @@ bool agree(const Triangle &triangle, const FrameSpec &spec, FillRule rule, ByteR
 {
     const ScanSettings settings{Arithmetic::Exact, rule, rounding};
     ScanPicture byScan(spec);
-    byScan.drawByMethod(triangle, settings);
+    byScan.draw(columnScan(), triangle, settings);
     ScanPicture byOracle(spec);
-    byOracle.drawByOracle(triangle, settings);
+    byOracle.drawTruth(triangle, settings);
     return byScan == byOracle;
 }
 
@@ -87,9 +87,9 @@ private slots:
             const Triangle triangle = triangleAt(code & 7, code >> 3 & 7, code >> 6 & 7,
                                                  code >> 9 & 7, code >> 12 & 7, code >> 15 & 7);
             byScan.clear();
-            byScan.drawByMethod(triangle, settings);
+            byScan.draw(columnScan(), triangle, settings);
             byOracle.clear();
-            byOracle.drawByOracle(triangle, settings);
+            byOracle.drawTruth(triangle, settings);
             ++compared;
             if (!(byScan == byOracle) && ++disagreements <= 4) {
                 std::ostringstream name;
@@ -180,7 +180,7 @@ private slots:
             const auto area
                 = std::int64_t(absolute(doubledArea(triangle))) / (unitsPerPixel * unitsPerPixel);
             ScanPicture drawing(frameOf(61, 61, -30, -30));
-            drawing.drawByMethod(triangle, {});
+            drawing.draw(columnScan(), triangle, {});
             RC_ASSERT(2 * drawing.count() == area + boundary + 2);
         });
         QVERIFY(held);

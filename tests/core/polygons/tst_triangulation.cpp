@@ -16,11 +16,11 @@ namespace {
 
 /// A contour around the centre of a square, its vertices ordered by direction: concave, and simple
 /// unless they leave a gap of half a turn.
-Contour starContour(Dice &dice, Lattice side, std::int64_t count)
+Contour starContour(SeededRandom &dice, Lattice side, std::int64_t count)
 {
     Contour contour;
     for (std::int64_t i = 0; i < count; ++i)
-        contour.push_back({dice.in(0, side), dice.in(0, side)});
+        contour.push_back({dice.between(0, side), dice.between(0, side)});
     std::ranges::sort(contour, {}, [side](const LatticePoint &point) {
         return std::atan2(double(2 * point.y - side), double(2 * point.x - side));
     });
@@ -87,9 +87,9 @@ private slots:
     {
         int drawnPolygons = 0;
         for (std::uint32_t seed = 0; seed < 3000; ++seed) {
-            Dice dice(seed);
+            SeededRandom dice(seed);
             const Lattice grid = seed % 2 == 0 ? 256 : 8;
-            Contour contour = starContour(dice, 20 * 256 / grid, dice.in(3, 6));
+            Contour contour = starContour(dice, 20 * 256 / grid, dice.between(3, 6));
             for (LatticePoint &point : contour)
                 point = {point.x * grid, point.y * grid};
             const Shape shape = polygonOf({contour});
@@ -149,20 +149,20 @@ private slots:
         int drawnPolygons = 0;
         int refused = 0;
         for (std::uint32_t seed = 0; seed < 2000; ++seed) {
-            Dice dice(seed);
+            SeededRandom dice(seed);
             // Every third polygon has arbitrary vertices on a coarse grid, where contours touch and
             // overlap.
             const Lattice grid = seed % 3 == 0 ? 512 : seed % 3 == 1 ? 256 : 1;
             const Lattice side = 20 * 256 / grid;
             std::vector<Contour> contours;
-            const std::int64_t count = dice.in(1, 2);
+            const std::int64_t count = dice.between(1, 2);
             for (std::int64_t i = 0; i < count; ++i) {
                 contours.push_back(seed % 3 == 0 ? anyContour(dice, side, 1)
-                                                 : starContour(dice, side, dice.in(3, 9)));
+                                                 : starContour(dice, side, dice.between(3, 9)));
                 for (LatticePoint &point : contours.back())
                     point = {point.x * grid, point.y * grid};
             }
-            const Shape shape = polygonOf(contours, fills[std::size_t(dice.in(0, 1))]);
+            const Shape shape = polygonOf(contours, fills[std::size_t(dice.between(0, 1))]);
             const auto rejection = rejectionOf(shape, "polygon-delaunay");
             if (rejection == PrimitiveRejection::SelfCrossing) {
                 QVERIFY2(namesACrossing(shape, *rejection), qPrintable(contoursText(shape)));
@@ -214,7 +214,7 @@ private slots:
         constexpr double farthest = 0.0028; // √2/512
         int crossings = 0, wrong = 0;
         for (std::uint32_t seed = 0; seed < 400; ++seed) {
-            Dice dice(seed);
+            SeededRandom dice(seed);
             const Shape shape = polygonOf(
                 {anyContour(dice, 20 * 256, 1), anyContour(dice, 20 * 256, 1)}, fills[seed % 2]);
             const auto traced
@@ -262,8 +262,8 @@ private slots:
     void withoutCrossingsATessellationIsTheDelaunayTriangulation()
     {
         for (std::uint32_t seed = 0; seed < 200; ++seed) {
-            Dice dice(seed);
-            const Shape shape = polygonOf({starContour(dice, 20 * 256, dice.in(3, 9))});
+            SeededRandom dice(seed);
+            const Shape shape = polygonOf({starContour(dice, 20 * 256, dice.between(3, 9))});
             if (rejectionOf(shape, "polygon-delaunay"))
                 continue;
             QCOMPARE(tessellationOf(contoursOf(shape)).triangles,
@@ -275,8 +275,8 @@ private slots:
     {
         for (const char *method : {"polygon-fan", "polygon-delaunay"}) {
             for (std::uint32_t seed = 0; seed < 300; ++seed) {
-                Dice dice(seed);
-                const Shape shape = polygonOf({starContour(dice, 20 * 256, dice.in(3, 5))});
+                SeededRandom dice(seed);
+                const Shape shape = polygonOf({starContour(dice, 20 * 256, dice.between(3, 5))});
                 const auto traced = traceScene(sceneOf({shape}, frameOf(22, 22), method));
                 std::vector<std::pair<std::int64_t, std::int64_t>> written;
                 for (std::size_t i = 0; i < traced->trace->sampleCount(); ++i) {
@@ -298,8 +298,8 @@ private slots:
     void trianglesFarAwayAreTheTruth()
     {
         for (std::uint32_t seed = 0; seed < 200; ++seed) {
-            Dice dice(seed);
-            const std::int32_t far = std::int32_t(dice.in(-1, 1) * (largestPixel - 40));
+            SeededRandom dice(seed);
+            const std::int32_t far = std::int32_t(dice.between(-1, 1) * (largestPixel - 40));
             const Shape shape = moved(polygonOf({starContour(dice, 20 * 256, 7)}),
                                       latticePixel(far, -std::int64_t(far)));
             const Scene scene = sceneOf({shape}, frameOf(22, 22, far, -far), "polygon-delaunay");

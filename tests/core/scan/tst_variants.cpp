@@ -27,10 +27,10 @@ ScanSettings settingsWith(VariantSet variants, Arithmetic arithmetic = Arithmeti
     return {arithmetic, rule, ByteRounding::Nearest, variants};
 }
 
-WindowPicture pictureOf(const char16_t *method, const Triangle &triangle,
-                        const ScanSettings &settings)
+ScanPicture pictureOf(const char16_t *method, const Triangle &triangle,
+                      const ScanSettings &settings)
 {
-    WindowPicture picture(24, 20);
+    ScanPicture picture(frameOf(24, 20));
     picture.draw(*methodNamed(method), triangle, settings);
     return picture;
 }
@@ -53,11 +53,6 @@ QRgb pixelAt(const QImage &image, int x, int y) { return image.pixel(x, image.he
 QRgb colourOf(const Colour &colour)
 {
     return qRgb(colour.channels[0], colour.channels[1], colour.channels[2]);
-}
-
-int countOf(const WindowPicture &picture)
-{
-    return int(std::ranges::count_if(picture.pixels(), [](QRgb pixel) { return pixel != 0; }));
 }
 
 } // namespace
@@ -139,8 +134,8 @@ private slots:
             const Shape line = lineAt(at(random), at(random), at(random), at(random));
             Primitives primitives;
             primitives.shapes = {line};
-            WindowPicture whole(160, 160, -60, -60);
-            WindowPicture part(20, 20);
+            ScanPicture whole(frameOf(160, 160, -60, -60));
+            ScanPicture part(frameOf(20, 20));
             const Method *bresenham = methodNamed(u"line-bresenham");
             const ScanSettings settings = settingsWith(only(Variant::StayAtZero));
             Run(bresenham, primitives, settings, whole.view()).draw(whole.view());
@@ -243,8 +238,7 @@ private slots:
         const Triangle triangle
             = triangleOf({latticePixel(1, 1), latticePixel(1, 18), latticePixel(17, 9)});
         const auto heightAt = [&](VariantSet variants, int x) {
-            const WindowPicture picture
-                = pictureOf(u"column-scan", triangle, settingsWith(variants));
+            const ScanPicture picture = pictureOf(u"column-scan", triangle, settingsWith(variants));
             int count = 0;
             for (int y = 0; y < 20; ++y)
                 count += picture.at(x, y) != 0 ? 1 : 0;
@@ -336,16 +330,16 @@ private slots:
     {
         const Triangle triangle = unevenTriangle();
         for (const char16_t *method : {u"column-scan", u"row-walk"}) {
-            const WindowPicture right = pictureOf(method, triangle, settingsWith({}));
-            const WindowPicture unsorted
+            const ScanPicture right = pictureOf(method, triangle, settingsWith({}));
+            const ScanPicture unsorted
                 = pictureOf(method, triangle, settingsWith(only(Variant::UnsortedColours)));
-            QCOMPARE(countOf(unsorted), countOf(right));
+            QCOMPARE(int(unsorted.count()), int(right.count()));
             QVERIFY(!(unsorted == right));
         }
         // Sorted by x the order is 1, 0, 2: the left corner gets the first colour.
         const Triangle whole
             = triangleOf({latticePixel(9, 2), latticePixel(1, 4), latticePixel(20, 15)});
-        const WindowPicture drawn
+        const ScanPicture drawn
             = pictureOf(u"column-scan", whole, settingsWith(only(Variant::UnsortedColours)));
         QCOMPARE(drawn.at(1, 4), colourOf(whole.vertices[0].colour));
         QCOMPARE(drawn.at(9, 2), colourOf(whole.vertices[1].colour));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/seededrandom.h"
 #include "core/oracle/polygonoracle.h"
 #include "core/runs/tracedscene.h"
 #include "tests/support/colours.h"
@@ -90,33 +91,17 @@ inline QString contoursText(const Shape &shape)
     return text;
 }
 
-/// Random numbers that are the same on every machine.
-class Dice {
-public:
-    explicit Dice(std::uint32_t seed)
-        : m_engine(seed)
-    {
-    }
-
-    std::int64_t in(std::int64_t first, std::int64_t last)
-    {
-        return first + std::int64_t(m_engine() % std::uint64_t(last - first + 1));
-    }
-
-private:
-    std::mt19937_64 m_engine;
-};
-
 inline constexpr std::array fills = {ShapeFill::EvenOdd, ShapeFill::NonZero};
 
 /// A contour of arbitrary vertices: concave, self-intersecting, touching, running back on itself.
 /// The grid makes vertices on samples, horizontal edges and collinear runs frequent.
-inline Contour anyContour(Dice &dice, std::int64_t side, Lattice grid)
+inline Contour anyContour(SeededRandom &dice, std::int64_t side, Lattice grid)
 {
     Contour contour;
-    const std::int64_t count = dice.in(3, 12);
+    const std::int64_t count = dice.between(3, 12);
     for (std::int64_t i = 0; i < count; ++i)
-        contour.push_back({dice.in(-side / 4, side) * grid, dice.in(-side / 4, side) * grid});
+        contour.push_back(
+            {dice.between(-side / 4, side) * grid, dice.between(-side / 4, side) * grid});
     return contour;
 }
 
