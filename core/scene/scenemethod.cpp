@@ -103,7 +103,7 @@ bool isDrawnWithout(const std::vector<NamedSetting> &dropped, const Scene &scene
     return std::ranges::any_of(methods(), [&](const Method &method) {
         const ScanSettings settled = settledFor(method, settings, open);
         // Effects are never run with variants.
-        const bool shades = (settled.variants.isEmpty() || !mayRunMore(method, scene))
+        const bool shades = (settled.isRight() || !mayRunMore(method, scene))
             && canEffects(method, scene, settled);
         return drawsFirst(method, scene) && method.objection(settled).isEmpty() && shades;
     });

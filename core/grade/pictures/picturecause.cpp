@@ -11,12 +11,11 @@ namespace pixelplumb {
 
 namespace {
 
-auto recolour(const std::function<Colour(const Colour &)> &change)
+PixelRule recolour(const std::function<Colour(const Colour &)> &change)
 {
-    return [=](const Picture &expected, const Colour &) {
-        Picture picture = expected;
-        std::ranges::transform(picture.colours, picture.colours.begin(), change);
-        return picture;
+    return [=](const Picture &expected, int x, int line, const Colour &) {
+        const std::size_t place = expected.placeOf(x, line);
+        return ChangedPixel{change(expected.colours[place]), expected.covered[place]};
     };
 }
 
@@ -109,17 +108,14 @@ void appendLevels(std::vector<PictureChange> &changes)
 
 PictureChange ofBackground(const QString &name, const Colour &colour)
 {
-    return {name,
-            [colour](const Picture &expected, const Colour &) {
-                Picture picture = expected;
-                for (std::size_t i = 0; i < picture.size(); ++i) {
-                    if (picture.covered[i] == 0)
-                        picture.colours[i] = colour;
-                    picture.covered[i] = 1; // it is not the scene's background
-                }
-                return picture;
-            },
-            QStringLiteral("background")};
+    return {
+        name,
+        [colour](const Picture &expected, int x, int line, const Colour &) {
+            const std::size_t place = expected.placeOf(x, line);
+            // What is covered is not the scene's background.
+            return ChangedPixel{expected.covered[place] == 0 ? colour : expected.colours[place], 1};
+        },
+        QStringLiteral("background")};
 }
 
 constexpr Colour blackFrame{{0, 0, 0}};
@@ -137,19 +133,31 @@ void appendBackgrounds(const Colour &background, std::vector<PictureChange> &cha
 /// The change that draws only a mask.
 void appendMask(std::vector<PictureChange> &changes)
 {
-    changes.push_back({QStringLiteral("drawn in white alone"),
-                       [](const Picture &expected, const Colour &) {
-                           Picture picture = expected;
-                           for (std::size_t i = 0; i < picture.size(); ++i) {
-                               if (picture.covered[i] != 0)
-                                   picture.colours[i] = whiteFrame;
-                           }
-                           return picture;
-                       },
-                       QStringLiteral("mask")});
+    changes.push_back(
+        {QStringLiteral("drawn in white alone"),
+         [](const Picture &expected, int x, int line, const Colour &) {
+             const std::size_t place = expected.placeOf(x, line);
+             const std::uint8_t covered = expected.covered[place];
+             return ChangedPixel{covered != 0 ? whiteFrame : expected.colours[place], covered};
+         },
+         QStringLiteral("mask")});
 }
 
 } // namespace
+
+Picture changed(const Picture &expected, const PixelRule &rule, const Colour &background)
+{
+    Picture picture = expected;
+    std::size_t place = 0;
+    for (int line = 0; line < expected.height; ++line) {
+        for (int x = 0; x < expected.width; ++x, ++place) {
+            const ChangedPixel pixel = rule(expected, x, line, background);
+            picture.colours[place] = pixel.colour;
+            picture.covered[place] = pixel.covered;
+        }
+    }
+    return picture;
+}
 
 QString nameOf(const Colour &colour)
 {

@@ -59,15 +59,13 @@ struct LevelBytes {
 /// and from ⌊y_min⌋ to ⌈y_max⌉.
 enum class VisitedBox { OfScene, Outward };
 
-struct ProgramEdgeTest;
-
 struct Redrawing {
     std::function<void(TriangleRuns &triangle)> change;
     LevelOverflow overflow = LevelOverflow::Clamps;
     Repainting repainting = Repainting::Over;
     LevelBytes bytes = {};
     std::shared_ptr<const ScanBugs> walk = {}; ///< set if the change is only a walk with these
-    std::shared_ptr<const ProgramEdgeTest> edgeTest = {}; ///< set if the change is only this test
+    std::shared_ptr<const EdgeTestBugs> edgeTest = {}; ///< set if the change is only this test
     VisitedBox box = VisitedBox::OfScene;
 };
 

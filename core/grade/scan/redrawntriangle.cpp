@@ -156,7 +156,7 @@ Colour RedrawnTriangle::colourAt(const SampleRun &run, std::int64_t place, std::
     const bool isOwn = run.levels.empty() && right().covered[index] != 0;
     if (isOwn && m_bytes.isRight())
         return right().colours[index];
-    const bool isOfPlane = m_runs.settings.variants.isEmpty();
+    const bool isOfPlane = m_runs.settings.isRight();
     const WholeLevels levels = !run.levels.empty()
         ? run.levels[std::size_t(place - run.firstLevelled)]
         : isOwn && !isOfPlane ? levelsOf(right().colours[index])

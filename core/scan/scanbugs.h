@@ -9,7 +9,7 @@
 #include <string_view>
 
 /// The mistakes of a program that walks along a triangle's edges, as settings of the mistaken scan
-/// (mistakenscan.h).
+/// (mistakes/mistakenscan.h).
 namespace pixelplumb {
 
 /// In which order a triangle's spans are visited: as the method does, or from one end.
