@@ -4,7 +4,9 @@
 #include "core/number/integer.h"
 #include "core/number/wideinteger.h"
 
+#include <bit>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -46,13 +48,34 @@ public:
     std::int64_t floor() const
     {
         if (!m_wide)
-            return std::int64_t(floorDivide(m_above, m_below));
+            return floorOf(m_above, m_below);
         const BigInteger quotient = numerator(*m_wide) / denominator(*m_wide); // toward 0
         const bool isCutUpward
             = *m_wide < 0 && quotient * denominator(*m_wide) != numerator(*m_wide);
         return std::int64_t(quotient) - (isCutUpward ? 1 : 0);
     }
-    std::int64_t ceil() const { return -(-*this).floor(); }
+    std::int64_t ceil() const { return m_wide ? -(-*this).floor() : -floorOf(-m_above, m_below); }
+    /// ⌊value + ½⌋
+    std::int64_t nearest() const
+    {
+        constexpr Int128 most = Int128(1) << 124;
+        const bool isShort = !m_wide && m_below < most && m_above < most && m_above > -most;
+        return isShort ? floorOf(2 * m_above + m_below, 2 * m_below)
+                       : (*this + Fraction(1, 2)).floor();
+    }
+
+    /// Over the same denominator, but for the twos that both have in common.
+    friend void putOverOneDenominator(Fraction &a, Fraction &b)
+    {
+        const auto both = overOneDenominator(a, b);
+        if (!both)
+            return;
+        const auto bits = UInt128(both->first.m_above) | UInt128(both->second.m_above)
+            | UInt128(both->first.m_below);
+        const int twos = std::countr_zero(std::uint64_t(bits) | std::uint64_t(1) << 63);
+        a = Fraction(both->first.m_above >> twos, both->first.m_below >> twos);
+        b = Fraction(both->second.m_above >> twos, both->second.m_below >> twos);
+    }
 
     Fraction operator-() const
     {
@@ -60,19 +83,53 @@ public:
     }
     friend Fraction operator+(const Fraction &a, const Fraction &b)
     {
-        return combined(a, b, narrowSum, [](const BigRational &x, const BigRational &y) {
-            return BigRational(x + y);
-        });
+        Fraction sum;
+        if (!a.m_wide && !b.m_wide && sum.addUp(a, b, b.m_above))
+            return sum;
+        return combined(
+            a, b,
+            [](const Fraction &x, const Fraction &y, Fraction &result) {
+                return result.addUp(x, y, y.m_above);
+            },
+            [](const BigRational &x, const BigRational &y) { return BigRational(x + y); });
     }
-    friend Fraction operator-(const Fraction &a, const Fraction &b) { return a + -b; }
+    friend Fraction operator-(const Fraction &a, const Fraction &b)
+    {
+        Fraction sum;
+        if (!a.m_wide && !b.m_wide && sum.addUp(a, b, -b.m_above))
+            return sum;
+        return a + -b;
+    }
+    /// In place where both have one denominator, as the steps of a walk do.
+    Fraction &operator+=(const Fraction &step)
+    {
+        Int128 above = 0;
+        const bool isHeld = !m_wide && !step.m_wide && m_below == step.m_below
+            && !__builtin_add_overflow(m_above, step.m_above, &above);
+        if (isHeld)
+            m_above = above;
+        else
+            *this = *this + step;
+        return *this;
+    }
     friend Fraction operator*(const Fraction &a, const Fraction &b)
     {
-        return combined(a, b, narrowProduct, [](const BigRational &x, const BigRational &y) {
-            return BigRational(x * y);
-        });
+        Fraction product;
+        if (!a.m_wide && !b.m_wide && product.multiply(a, b))
+            return product;
+        return combined(
+            a, b,
+            [](const Fraction &x, const Fraction &y, Fraction &result) {
+                return result.multiply(x, y);
+            },
+            [](const BigRational &x, const BigRational &y) { return BigRational(x * y); });
     }
     /// b ≠ 0.
-    friend Fraction operator/(const Fraction &a, const Fraction &b) { return a * b.inverse(); }
+    friend Fraction operator/(const Fraction &a, const Fraction &b)
+    {
+        const bool isShared = !a.m_wide && !b.m_wide && a.m_below == b.m_below;
+        return isShared ? Fraction(a.m_above, b.m_above) : a * b.inverse();
+    }
     friend bool operator==(const Fraction &a, const Fraction &b) { return signOf(a - b) == 0; }
     friend bool operator<(const Fraction &a, const Fraction &b) { return signOf(a - b) < 0; }
 
@@ -80,21 +137,68 @@ public:
     friend std::optional<std::pair<Fraction, Fraction>> overOneDenominator(const Fraction &a,
                                                                            const Fraction &b)
     {
-        const Fraction sum = a + b;
+        if (a.m_wide || b.m_wide)
+            return std::nullopt;
+        const Factors factors = factorsOf(a.m_below, b.m_below);
         Int128 ofA = 0;
         Int128 ofB = 0;
-        const bool isHeld = sum.isNarrow() && a.isNarrow() && b.isNarrow()
-            && sum.m_below % a.m_below == 0 && sum.m_below % b.m_below == 0
-            && !__builtin_mul_overflow(a.m_above, sum.m_below / a.m_below, &ofA)
-            && !__builtin_mul_overflow(b.m_above, sum.m_below / b.m_below, &ofB);
-        if (!isHeld)
+        Int128 below = 0;
+        const bool overflows = __builtin_mul_overflow(a.m_above, factors.ofA, &ofA)
+            | __builtin_mul_overflow(b.m_above, factors.ofB, &ofB)
+            | __builtin_mul_overflow(a.m_below, factors.ofA, &below);
+        if (overflows)
             return std::nullopt;
-        return std::pair(Fraction(ofA, sum.m_below), Fraction(ofB, sum.m_below));
+        return std::pair(Fraction(ofA, below), Fraction(ofB, below));
     }
 
 private:
-    using Narrow = std::optional<Fraction>;
+    static bool is64(Int128 value) { return value == std::int64_t(value); }
+    /// Most are short, and divided much faster as such.
+    static std::int64_t floorOf(Int128 above, Int128 below)
+    {
+        if (is64(above) && is64(below))
+            return floorDivide(std::int64_t(above), std::int64_t(below));
+        const Int128 quotient = above / below;
+        return std::int64_t(quotient) - (quotient * below > above ? 1 : 0);
+    }
+    /// a/b, if b divides a; else 0.
+    static Int128 multipleOf(Int128 a, Int128 b)
+    {
+        if (is64(a)) {
+            const auto quotient = std::int64_t(a) / std::int64_t(b);
+            return quotient * std::int64_t(b) == std::int64_t(a) ? quotient : 0;
+        }
+        const Int128 quotient = a / b;
+        return quotient * b == a ? quotient : 0;
+    }
 
+    /// What two denominators are multiplied by to be one.
+    struct Factors {
+        Int128 ofA, ofB;
+    };
+    /// One that is a multiple of the other, or short ones multiplied, are had without the greatest
+    /// common divisor, which takes longer than all else.
+    static Factors factorsOf(Int128 a, Int128 b)
+    {
+        constexpr Int128 shortest = Int128(1) << 12;
+        constexpr Int128 half = Int128(1) << 31;
+        if (a == b)
+            return {1, 1};
+        if (b == 1)
+            return {1, a};
+        if (a == 1)
+            return {b, 1};
+        if (const Int128 times = b < a ? multipleOf(a, b) : 0; times != 0)
+            return {1, times};
+        if (const Int128 times = a < b ? multipleOf(b, a) : 0; times != 0)
+            return {times, 1};
+        if (a < shortest || b < shortest || (a < half && b < half))
+            return {b, a};
+        const Int128 shared = is64(a) && is64(b)
+            ? Int128(std::gcd(std::int64_t(a), std::int64_t(b)))
+            : greatestCommonDivisor(a, b);
+        return {b / shared, a / shared};
+    }
     static int signOf(const Fraction &value)
     {
         if (value.m_wide)
@@ -111,53 +215,35 @@ private:
         return {m_above / divisor, m_below / divisor};
     }
 
-    template <class InWide>
-    static Fraction combined(const Fraction &a, const Fraction &b,
-                             Narrow (*narrow)(const Fraction &a, const Fraction &b),
-                             const InWide &inWide)
+    /// What 128 bits do not hold as it is: in lowest terms, or in wide integers.
+    template <class Narrow, class InWide>
+    [[gnu::noinline]] static Fraction combined(const Fraction &a, const Fraction &b,
+                                               const Narrow &narrow, const InWide &inWide)
     {
-        if (!a.m_wide && !b.m_wide) {
-            if (const Narrow found = narrow(a, b))
-                return *found;
-            if (const Narrow found = narrow(a.reduced(), b.reduced()))
-                return *found;
-        }
+        Fraction result;
+        if (!a.m_wide && !b.m_wide && narrow(a.reduced(), b.reduced(), result))
+            return result;
         return Fraction(inWide(a.wide(), b.wide()));
     }
-    /// None where 128 bits do not hold it.
-    static Narrow checked(bool overflows, Int128 above, Int128 below)
+    /// Becomes a plus aboveB over b's denominator; false where 128 bits do not hold it.
+    bool addUp(const Fraction &a, const Fraction &b, Int128 aboveB)
     {
-        return overflows ? Narrow() : Narrow(std::in_place, above, below);
-    }
-    static Narrow narrowSum(const Fraction &a, const Fraction &b)
-    {
-        Int128 above = 0;
         if (a.m_below == b.m_below) {
-            const bool overflows = __builtin_add_overflow(a.m_above, b.m_above, &above);
-            return checked(overflows, above, a.m_below);
+            m_below = a.m_below;
+            return !__builtin_add_overflow(a.m_above, aboveB, &m_above);
         }
-        // Over the least common denominator: sums of one walk's numbers stay short.
-        const Int128 shared = a.m_below == 1 || b.m_below == 1
-            ? Int128(1)
-            : greatestCommonDivisor(a.m_below, b.m_below);
-        const Int128 ofA = b.m_below / shared;
-        const Int128 ofB = a.m_below / shared;
+        const Factors factors = factorsOf(a.m_below, b.m_below);
         Int128 first = 0;
         Int128 second = 0;
-        Int128 below = 0;
-        const bool overflows = __builtin_mul_overflow(a.m_above, ofA, &first)
-            | __builtin_mul_overflow(b.m_above, ofB, &second)
-            | __builtin_mul_overflow(a.m_below, ofA, &below)
-            | __builtin_add_overflow(first, second, &above);
-        return checked(overflows, above, below);
+        return !(__builtin_mul_overflow(a.m_above, factors.ofA, &first)
+                 | __builtin_mul_overflow(aboveB, factors.ofB, &second)
+                 | __builtin_mul_overflow(a.m_below, factors.ofA, &m_below)
+                 | __builtin_add_overflow(first, second, &m_above));
     }
-    static Narrow narrowProduct(const Fraction &a, const Fraction &b)
+    bool multiply(const Fraction &a, const Fraction &b)
     {
-        Int128 above = 0;
-        Int128 below = 0;
-        const bool overflows = __builtin_mul_overflow(a.m_above, b.m_above, &above)
-            | __builtin_mul_overflow(a.m_below, b.m_below, &below);
-        return checked(overflows, above, below);
+        return !(__builtin_mul_overflow(a.m_above, b.m_above, &m_above)
+                 | __builtin_mul_overflow(a.m_below, b.m_below, &m_below));
     }
 
     Int128 m_above = 0;

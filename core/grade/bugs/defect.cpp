@@ -101,15 +101,15 @@ QString questionOf(const QString &kind)
 void appendPictures(std::vector<Defect> &defects, const Scene &scene)
 {
     // Comes first: another background is still possible with it.
-    defects.push_back({.id = QStringLiteral("nothing-drawn"),
-                       .forStudent = QStringLiteral(
-                           "Is the picture that is written the one that was drawn into?"),
-                       .forAssistant = QStringLiteral("Nothing of the scene is drawn."),
-                       .changePicture =
-                           [](const Picture &, int, int, const Colour &background) {
-                               return ChangedPixel{background, 0};
-                           },
-                       .leavesOut = true});
+    defects.push_back(
+        {.id = QStringLiteral("nothing-drawn"),
+         .forStudent
+         = QStringLiteral("Is the picture that is written the one that was drawn into?"),
+         .forAssistant = QStringLiteral("Nothing of the scene is drawn."),
+         .changePicture = ruleOf([](const Picture &, int, int, const Colour &background) {
+             return ChangedPixel{background, 0};
+         }),
+         .leavesOut = true});
     const Picture ofItsSize{scene.frame.width, scene.frame.height, {}, {}};
     for (const PictureChange &change : pictureChangesFor(ofItsSize, scene.frame.background)) {
         const QString id = QString(change.name).toLower().replace(u' ', u'-');

@@ -173,8 +173,9 @@ bool DefectPictures::isBeyond(std::size_t scene, const DefectSet &set, const Pic
     double differing = 0;
     for (std::size_t place = stride / 2; place < found.size(); place += stride) {
         const auto width = std::size_t(found.width);
-        const ChangedPixel pixel = change->changePicture(*base.picture, int(place % width),
-                                                         int(place / width), base.background);
+        ChangedPixel pixel;
+        change->changePicture(*base.picture, int(place % width), int(place / width),
+                              base.background, std::span(&pixel, 1));
         const bool isSame = found.hasColours ? pixel.colour == found.colours[place]
                                              : pixel.covered == found.covered[place];
         differing += isSame ? 0 : 1;
@@ -240,8 +241,8 @@ bool DefectPictures::Drawn::isKnownToDiffer(const Picture &found) const
                             : coverageHash != hashOf(found.covered);
 }
 
-bool DefectPictures::isRefusedAtOnce(std::size_t scene, const DefectSet &set,
-                                     const Picture &found) const
+bool DefectPictures::isRefusedAtOnce(std::size_t scene, const DefectSet &set, const Picture &found,
+                                     std::int64_t limit) const
 {
     const std::vector<Defect> defects = ownDefectsIn(set, scene);
     const bool isOfPictures
@@ -250,20 +251,49 @@ bool DefectPictures::isRefusedAtOnce(std::size_t scene, const DefectSet &set,
     if (!redrawing || !redrawing->redrawing)
         return false;
     const Scene drawn = withDefects(sceneIn(scene, set), defects);
-    return objectionTo(drawn).isEmpty() && differsAtOnce(drawn, *redrawing->redrawing, found);
+    return objectionTo(drawn).isEmpty()
+        && differsAtOnce(drawn, *redrawing->redrawing, found, limit);
 }
 
-bool DefectPictures::isKnownToDiffer(std::size_t scene, const DefectSet &set, const Picture &found)
+/// Of a set with a change of the finished picture, which is not made where too much differs.
+bool DefectPictures::isRefusedWhenChanged(std::size_t scene, const DefectSet &set,
+                                          const Picture &found, std::int64_t limit)
+{
+    if (limit == 1)
+        return isBeyond(scene, set, found, 1);
+    const Base base = baseOf(scene, set);
+    const Defect *change = own(scene, *set.second);
+    if (!base.picture || !change || base.picture->size() != found.size())
+        return false;
+    std::int64_t differing = 0;
+    std::size_t place = 0;
+    std::vector<ChangedPixel> pixels(std::size_t(found.width));
+    for (int line = 0; line < found.height && differing < limit; ++line) {
+        change->changePicture(*base.picture, 0, line, base.background, pixels);
+        for (const ChangedPixel &pixel : pixels) {
+            const bool isSame = found.hasColours ? isEqual(pixel.colour, found.colours[place])
+                                                 : pixel.covered == found.covered[place];
+            differing += isSame ? 0 : 1;
+            ++place;
+        }
+    }
+    return differing >= limit;
+}
+
+bool DefectPictures::isKnownToDiffer(std::size_t scene, const DefectSet &set, const Picture &found,
+                                     std::int64_t limit)
 {
     {
         const std::lock_guard lock(m_mutex);
         const auto known = m_drawn.find({scene, set});
-        if (known != m_drawn.end())
-            return known->second.isKnownToDiffer(found);
+        if (known != m_drawn.end() && (limit == 1 || known->second.picture))
+            return limit == 1 && known->second.isKnownToDiffer(found);
+        if (known != m_drawn.end() && !known->second.canBeDrawn)
+            return false;
     }
     if (set.second && m_defects[*set.second].changePicture)
-        return isBeyond(scene, set, found, 1);
-    return isRefusedAtOnce(scene, set, found);
+        return isRefusedWhenChanged(scene, set, found, limit);
+    return isRefusedAtOnce(scene, set, found, limit);
 }
 
 } // namespace pixelplumb

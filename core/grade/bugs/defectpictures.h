@@ -67,9 +67,11 @@ public:
     /// What programs with these defects draw by the margin; none where unknown. The set's own
     /// arithmetic is ignored.
     SharedRange range(std::size_t scene, const DefectSet &set, const Margin &margin);
-    /// Whether the picture is known to differ from the one found: by its hash if it was drawn
-    /// before and not kept, or, if it was never drawn, at once (differsAtOnce).
-    bool isKnownToDiffer(std::size_t scene, const DefectSet &set, const Picture &found);
+    /// Whether as many pixels as the limit are known to differ from the picture found: one by the
+    /// hash of a picture that was drawn before and not kept, or some without drawing it whole
+    /// (differsAtOnce).
+    bool isKnownToDiffer(std::size_t scene, const DefectSet &set, const Picture &found,
+                         std::int64_t limit);
     /// Whether some pixels spread over the picture tell that at least `limit` differ: of sets with
     /// a change of the finished picture. For a limit of 1 that is certain.
     bool isBeyond(std::size_t scene, const DefectSet &set, const Picture &found,
@@ -102,7 +104,10 @@ private:
     };
 
     Base baseOf(std::size_t scene, const DefectSet &set);
-    bool isRefusedAtOnce(std::size_t scene, const DefectSet &set, const Picture &found) const;
+    bool isRefusedAtOnce(std::size_t scene, const DefectSet &set, const Picture &found,
+                         std::int64_t limit) const;
+    bool isRefusedWhenChanged(std::size_t scene, const DefectSet &set, const Picture &found,
+                              std::int64_t limit);
     SharedPicture scenePicture(std::size_t scene, const Scene &drawn);
     Scene sceneIn(std::size_t scene, const DefectSet &set) const; ///< in the set's arithmetic
     SharedPicture draw(std::size_t scene, const DefectSet &set);

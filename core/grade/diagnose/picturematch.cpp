@@ -51,15 +51,18 @@ std::int64_t PictureMatcher::distance(const DefectSet &set, std::int64_t limit)
           });
     if (isBeyond)
         return limit;
-    const bool isKnown = limit == 1 && std::ranges::any_of(m_found, [&](const FoundPicture &each) {
-                             return m_pictures.isKnownToDiffer(each.scene, set, each.picture);
-                         });
-    if (isKnown)
+    const auto isKnown = [&](const FoundPicture &each, std::int64_t upTo) {
+        return upTo != unknown && m_pictures.isKnownToDiffer(each.scene, set, each.picture, upTo);
+    };
+    if (limit == 1
+        && std::ranges::any_of(m_found, [&](const auto &each) { return isKnown(each, 1); }))
         return limit;
     std::int64_t distance = 0;
     for (const FoundPicture &each : m_found) {
         if (distance >= limit)
             break;
+        if (limit != 1 && isKnown(each, limit - distance))
+            return limit;
         const auto picture = m_pictures.picture(each.scene, set);
         if (!picture)
             return unknown;

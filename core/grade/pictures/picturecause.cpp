@@ -11,12 +11,13 @@ namespace pixelplumb {
 
 namespace {
 
-PixelRule recolour(const std::function<Colour(const Colour &)> &change)
+template <class Change>
+PixelRule recolour(const Change &change)
 {
-    return [=](const Picture &expected, int x, int line, const Colour &) {
+    return ruleOf([=](const Picture &expected, int x, int line, const Colour &) {
         const std::size_t place = expected.placeOf(x, line);
         return ChangedPixel{change(expected.colours[place]), expected.covered[place]};
-    };
+    });
 }
 
 void appendChannels(std::vector<PictureChange> &changes)
@@ -109,12 +110,11 @@ void appendLevels(std::vector<PictureChange> &changes)
 PictureChange ofBackground(const QString &name, const Colour &colour)
 {
     return {
-        name,
-        [colour](const Picture &expected, int x, int line, const Colour &) {
+        name, ruleOf([colour](const Picture &expected, int x, int line, const Colour &) {
             const std::size_t place = expected.placeOf(x, line);
             // What is covered is not the scene's background.
             return ChangedPixel{expected.covered[place] == 0 ? colour : expected.colours[place], 1};
-        },
+        }),
         QStringLiteral("background")};
 }
 
@@ -135,11 +135,11 @@ void appendMask(std::vector<PictureChange> &changes)
 {
     changes.push_back(
         {QStringLiteral("drawn in white alone"),
-         [](const Picture &expected, int x, int line, const Colour &) {
+         ruleOf([](const Picture &expected, int x, int line, const Colour &) {
              const std::size_t place = expected.placeOf(x, line);
              const std::uint8_t covered = expected.covered[place];
              return ChangedPixel{covered != 0 ? whiteFrame : expected.colours[place], covered};
-         },
+         }),
          QStringLiteral("mask")});
 }
 
@@ -149,11 +149,12 @@ Picture changed(const Picture &expected, const PixelRule &rule, const Colour &ba
 {
     Picture picture = expected;
     std::size_t place = 0;
+    std::vector<ChangedPixel> pixels(std::size_t(expected.width));
     for (int line = 0; line < expected.height; ++line) {
-        for (int x = 0; x < expected.width; ++x, ++place) {
-            const ChangedPixel pixel = rule(expected, x, line, background);
+        rule(expected, 0, line, background, pixels);
+        for (const ChangedPixel &pixel : pixels) {
             picture.colours[place] = pixel.colour;
-            picture.covered[place] = pixel.covered;
+            picture.covered[place++] = pixel.covered;
         }
     }
     return picture;

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 
 namespace pixelplumb {
 
@@ -14,10 +15,21 @@ struct ChangedPixel {
     std::uint8_t covered = 0;
 };
 
-/// The pixel that a change leaves at (x, line) of any picture drawn on that background, which fills
-/// what a shift leaves empty.
-using PixelRule = std::function<ChangedPixel(const Picture &expected, int x, int line,
-                                             const Colour &background)>;
+/// The pixels that a change leaves from (x, line) on of any picture drawn on that background, which
+/// fills what a shift leaves empty.
+using PixelRule = std::function<void(const Picture &expected, int x, int line,
+                                     const Colour &background, std::span<ChangedPixel> pixels)>;
+
+/// The rule that has the pixel pixelAt(expected, x, line, background).
+template <class PixelAt>
+PixelRule ruleOf(const PixelAt &pixelAt)
+{
+    return [=](const Picture &expected, int x, int line, const Colour &background,
+               std::span<ChangedPixel> pixels) {
+        for (ChangedPixel &pixel : pixels)
+            pixel = pixelAt(expected, x++, line, background);
+    };
+}
 
 /// The whole picture after the change.
 Picture changed(const Picture &expected, const PixelRule &rule, const Colour &background);

@@ -15,15 +15,16 @@ constexpr int farthestShift = 4; // px
 /// The pixel of the expected picture that is found at (x, line).
 using PlaceMap = std::function<std::pair<int, int>(const Picture &expected, int x, int line)>;
 
-PixelRule moving(const PlaceMap &source)
+template <class Source>
+PixelRule moving(const Source &source)
 {
-    return [=](const Picture &expected, int x, int line, const Colour &background) {
+    return ruleOf([=](const Picture &expected, int x, int line, const Colour &background) {
         const auto [fromX, fromLine] = source(expected, x, line);
         if (!expected.contains(fromX, fromLine))
             return ChangedPixel{background, 0};
         const std::size_t from = expected.placeOf(fromX, fromLine);
         return ChangedPixel{expected.colours[from], expected.covered[from]};
-    };
+    });
 }
 
 QString shiftName(int right, int down)
@@ -58,7 +59,7 @@ void appendFlips(std::vector<PictureChange> &changes)
 {
     const auto right = [](const Picture &picture) { return picture.width - 1; };
     const auto bottom = [](const Picture &picture) { return picture.height - 1; };
-    const auto add = [&](const QString &name, const PlaceMap &source) {
+    const auto add = [&](const QString &name, const auto &source) {
         changes.push_back({name, moving(source), QStringLiteral("flip")});
     };
     add(QStringLiteral("upside down"),

@@ -19,8 +19,8 @@ struct RunKeeper {
     bool walked(const MistakenSpan<Numbers> &span)
     {
         triangle.runs.push_back({order == SpanOrder::Ascending ? span.span : -span.span,
-                                 span.samples.firstDrawn, span.samples.endDrawn, span.levels.whole,
-                                 span.samples.firstDrawn});
+                                 span.samples.firstDrawn, span.samples.endDrawn,
+                                 std::move(span.levels.whole), span.samples.firstDrawn});
         triangle.isRefused
             = span.isFinal && triangle.mayBe && !triangle.mayBe(triangle.runs.back());
         return !triangle.isRefused;

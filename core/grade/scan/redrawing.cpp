@@ -95,14 +95,15 @@ Picture redrawn(const Scene &scene, const Redrawing &redrawing)
     return picture;
 }
 
-bool differsAtOnce(const Scene &scene, const Redrawing &redrawing, const Picture &found)
+bool differsAtOnce(const Scene &scene, const Redrawing &redrawing, const Picture &found,
+                   std::int64_t limit)
 {
     const bool isSeen
         = redrawing.walk && redrawing.repainting == Repainting::Over && !scene.triangles.empty();
     if (!isSeen)
         return false;
     const Scene last = triangleAlone(scene, scene.triangles.size() - 1);
-    return RedrawnTriangle(last, redrawing, found).isRefused();
+    return RedrawnTriangle(last, redrawing, found, limit).isRefused();
 }
 
 PictureRange redrawnRange(const Scene &scene, const Redrawing &redrawing, Arithmetic arithmetic)

@@ -5,6 +5,8 @@
 #include "core/number/mixednumber.h"
 #include "core/scan/roundedarithmetic.h"
 
+#include <type_traits>
+
 /// What a program's walk computes in when it is exact: fractions, which no mistake makes too wide.
 namespace pixelplumb {
 
@@ -31,6 +33,23 @@ inline MixedNumber<Int128> mixedNumber(const Fraction &value)
     return {whole, Int128((rest * Fraction(unit, 1)).floor()), unit};
 }
 
+template <class Value>
+void stepBy(Value &value, const Value &step)
+{
+    if constexpr (std::is_same_v<Value, Fraction>)
+        value += step;
+    else
+        RoundedArithmetic<Value>::advance(value, step);
+}
+template <class Value>
+std::int64_t wholeLevel(const Value &value, ByteRounding rounding)
+{
+    if constexpr (std::is_same_v<Value, Fraction>)
+        return rounding == ByteRounding::Nearest ? value.nearest() : value.floor();
+    else
+        return RoundedArithmetic<Value>::level(value, rounding);
+}
+
 /// Whole levels at samples one after another, ⌊level⌋, ⌊level + step⌋ …: quotient and remainder are
 /// stepped separately, without a division at each sample.
 template <class Store>
@@ -54,7 +73,12 @@ void storeFloors(const Fraction &level, const Fraction &step, std::size_t sample
     const Fraction restStep = step - wholeStep;
     if (const auto common = overOneDenominator(rest, restStep);
         common && common->first.below() < Int128(1) << 126) {
-        add(common->first.above(), common->second.above(), common->first.below());
+        const Int128 below = common->first.below();
+        if (below < Int128(1) << 62)
+            add(std::int64_t(common->first.above()), std::int64_t(common->second.above()),
+                std::int64_t(below));
+        else
+            add(common->first.above(), common->second.above(), below);
         return;
     }
     const BigRational at = rest.wide();

@@ -23,8 +23,7 @@ Value leftOf(const Value &value, Truncation kept)
     if (kept == Truncation::Down)
         return NumberTraits<Value>::fromInteger(RoundedArithmetic<Value>::floor(value));
     if (kept == Truncation::Nearest)
-        return NumberTraits<Value>::fromInteger(
-            RoundedArithmetic<Value>::level(value, ByteRounding::Nearest));
+        return NumberTraits<Value>::fromInteger(wholeLevel(value, ByteRounding::Nearest));
     return kept == Truncation::TowardZero ? cast(value) : value;
 }
 
@@ -61,18 +60,25 @@ public:
             m_rates[i] = bugs.unsteppedAlongEdges.contains(i)
                 ? Traits::fromInteger(0)
                 : rates[sourceOf(i, bugs.stepsAlongEdgesOf)];
+        if constexpr (std::is_same_v<Value, Fraction>) { // steps are then added at once
+            putOverOneDenominator(m_along, m_slope);
+            for (std::size_t i = 0; i < 3; ++i)
+                putOverOneDenominator(m_levels[i], m_rates[i]);
+        }
     }
 
     void stepPlace()
     {
-        A::advance(m_along, m_slope);
-        m_along = leftOf(m_along, m_bugs.edgePlaces);
+        stepBy(m_along, m_slope);
+        if (m_bugs.edgePlaces != Truncation::All)
+            m_along = leftOf(m_along, m_bugs.edgePlaces);
     }
     void stepColour()
     {
         for (std::size_t i = 0; i < 3; ++i) {
-            A::advance(m_levels[i], m_rates[i]);
-            m_levels[i] = leftOf(m_levels[i], m_bugs.edgeLevels);
+            stepBy(m_levels[i], m_rates[i]);
+            if (m_bugs.edgeLevels != Truncation::All)
+                m_levels[i] = leftOf(m_levels[i], m_bugs.edgeLevels);
         }
     }
 
@@ -97,7 +103,7 @@ public:
     bool isBelow(const MistakenEdge &other) const { return m_along < other.m_along; }
     std::int64_t floor() const { return A::floor(m_along); }
     std::int64_t ceil() const { return A::ceil(m_along); }
-    std::int64_t nearest() const { return A::level(m_along, ByteRounding::Nearest); }
+    std::int64_t nearest() const { return wholeLevel(m_along, ByteRounding::Nearest); }
 
     const Value &place() const { return m_along; } ///< px
     const Value &slope() const { return m_slope; } ///< px per span

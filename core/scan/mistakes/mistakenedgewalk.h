@@ -46,6 +46,19 @@ WalkedTriangle walkedTriangleOf(const Triangle &triangle, const ScanSettings &se
     return walked;
 }
 
+/// The triangle with the colours that its walk gives to the vertices.
+inline Triangle walkedColours(const Triangle &triangle, const WalkedTriangle &walked)
+{
+    const ScanBugs &bugs = walked.settings.bugs;
+    const SpanOrder order = orderOf(bugs, walked.order);
+    const bool areUnsorted = bugs.vertexColours == VertexColours::AsGiven
+        || variantsFrom(order, walked).contains(Variant::UnsortedColours);
+    if (!areUnsorted)
+        return triangle;
+    return withUnsortedColours(triangle,
+                               vertexOrderOf(seenFrom(walked, order).triangle, bugs.vertices));
+}
+
 /// Paints the spans of a mistaken scan, and announces them as those of a column scan.
 template <class A, SpanAxis axis, class Observer>
 class MistakenPainter {
@@ -178,11 +191,12 @@ void walkMistakenEdges(const Triangle &triangle, const ScanSettings &settings, F
         else
             painter.refuse(PrimitiveRejection::NotRepresentable);
     };
+    const Triangle coloured = walkedColours(triangle, walked);
     if constexpr (std::is_same_v<Observer, NullObserver>)
         scan(observer); // nobody listens
     else
         scan(EdgeWalkListener<A, axis, Observer>(
-            triangle, axis == SpanAxis::Row ? rowIntervals({settings, frame}) : walked.intervals,
+            coloured, axis == SpanAxis::Row ? rowIntervals({settings, frame}) : walked.intervals,
             walked.firstSample, observer));
 }
 

@@ -72,7 +72,7 @@ struct MistakenNumbers {
             if (bugs.spanStoring != Storing::BehindSteps)
                 ramp.level = leftOf(ramp.level, bugs.levels);
             if (bugs.spanStepping == Stepping::BeforeDrawing)
-                A::advance(ramp.level, ramp.step);
+                stepBy(ramp.level, ramp.step);
             behind.levels[i] = carriedOn(stored(ramp, reached, span, program, levels, i));
         }
         if (goesOn)
@@ -84,8 +84,7 @@ private:
     static Value carriedOn(const Value &level)
     {
         if constexpr (std::is_same_v<Value, Fraction>)
-            return Value(A::level(level * Value(std::int64_t(1) << 32), ByteRounding::Nearest),
-                         Int128(1) << 32);
+            return Value((level * Value(std::int64_t(1) << 32)).nearest(), Int128(1) << 32);
         return level;
     }
 
@@ -159,7 +158,7 @@ private:
             = bugs.spanStoring == Storing::FirstAlone ? Truncation::All : bugs.levels;
         Value level = ramp.level;
         std::int64_t place = reached;
-        if (kept == Truncation::All && !goesOn) {
+        if (kept == Truncation::All && !goesOn && reached != span.firstDrawn) {
             level = level + Traits::fromInteger(span.firstDrawn - reached) * ramp.step;
             place = span.firstDrawn;
         }
@@ -176,12 +175,14 @@ private:
                 levels.first[channel] = level;
             if (place >= span.firstDrawn && place < span.endDrawn) {
                 const auto sample = std::size_t(place - span.firstDrawn);
-                levels.whole[sample][channel] = A::level(level + ramp.error, program.rounding());
+                levels.whole[sample][channel] = wholeLevel(
+                    std::is_same_v<Value, double> ? level + ramp.error : level, program.rounding());
                 if (levels.hasNumbers)
                     levels.own[sample][channel] = level;
             }
-            A::advance(level, ramp.step);
-            level = leftOf(level, kept);
+            stepBy(level, ramp.step);
+            if (kept != Truncation::All)
+                level = leftOf(level, kept);
         }
         return level;
     }

@@ -22,7 +22,7 @@ struct MistakenSpan {
     bool isFinal = false; ///< nothing paints over it later
     WalkedSpan samples;
     const typename Numbers::Bounds &bounds;
-    const SpanLevels<typename Numbers::Number> &levels; ///< of the samples to be drawn
+    SpanLevels<typename Numbers::Number> &levels; ///< of the samples to be drawn; may be taken
 };
 
 /// Walks a triangle's spans from the first vertex to the last, in one number type. The receiver has

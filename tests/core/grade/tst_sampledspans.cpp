@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/seededrandom.h"
 #include "core/grade/diagnose/diagnosis.h"
 #include "core/grade/diagnose/sampledspans.h"
 #include "tests/support/casestorun.h"
@@ -42,7 +43,7 @@ void addMethods()
 
 } // namespace
 
-/// A large picture is searched by some of its spans.
+/// A large picture is searched by some of its spans, and any is refused before it is drawn whole.
 class TestSampledSpans : public QObject {
     Q_OBJECT
 
@@ -85,6 +86,34 @@ private slots:
         found.colours[found.placeOf(20, 20)] = {};
         const std::vector<FoundPicture> all = {{0, found}};
         QVERIFY(!SampledSpans(pictures, all).areSampled());
+    }
+
+    void whatIsRefusedDiffersByTheLimit_data() { addMethods(); }
+    void whatIsRefusedDiffersByTheLimit()
+    {
+        QFETCH(QString, method);
+        const Scene scene = largeScene(method, 64, 48);
+        DefectPictures whole({scene});
+        DefectPictures refused({scene});
+        const auto most = std::int64_t(whole.defects().size()) - 1;
+        SeededRandom random(5);
+        const auto any = [&] { return std::size_t(random.between(0, most)); };
+        std::vector<FoundPicture> found = {{0, *whole.picture(0, {any()})}};
+        for (std::size_t place = 0; place < found[0].picture.size(); place += 3)
+            found[0].picture.colours[place].channels[1] ^= 9;
+        PictureMatcher matcher(refused, found, {});
+        for (int i = 0; i < 600; ++i) {
+            const std::size_t one = any();
+            const std::size_t other = any();
+            const DefectSet set{std::min(one, other), std::max(one, other)};
+            const bool isPair
+                = one != other && canBeTogether(whole.defects()[one], whole.defects()[other]);
+            const auto picture = isPair ? whole.picture(0, set) : nullptr;
+            const std::int64_t limit = random.between(1, 2000);
+            if (picture)
+                QCOMPARE(matcher.distance(set, limit),
+                         differingPixels(*picture, found[0].picture, limit));
+        }
     }
 
     /// The work is counted: less than drawing each defect once, and a thousandth of all pairs.
