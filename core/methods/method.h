@@ -58,10 +58,7 @@ struct Method {
     bool shadesIn(Arithmetic arithmetic) const;
     bool supports(Variant variant) const;
     /// Whether it walks between two edges, and so can make the mistakes of such a walk.
-    bool walksEdges() const
-    {
-        return spanAxis != SpanAxis::Free && supports(Variant::NoEdgePreStep);
-    }
+    bool walksEdges() const;
     bool draws(PrimitiveKind kind) const;
     bool draws(const Shape &shape) const;
     /// True where every picture under the arithmetic is the truth, by proof, without variants.

@@ -57,10 +57,8 @@ struct ScanSettings {
     FillRule fillRule = FillRule::Closed;
     ByteRounding rounding = ByteRounding::Nearest;
     VariantSet variants = {}; ///< departures that the method accepts
-    ScanBugs bugs = {}; ///< what a program does wrong that a walk between two edges imitates
-
-    EdgeTestBugs testBugs = {}; ///< likewise of one that tests edges
-
+    ScanBugs bugs = {}; ///< of a program that walks between two edges
+    EdgeTestBugs testBugs = {}; ///< of one that tests edges
     /// Whether the method's own algorithm is asked for.
     bool isRight() const { return variants.isEmpty() && bugs.isRight() && testBugs.isRight(); }
 
