@@ -126,7 +126,7 @@ private slots:
     void aLargePictureTakesFewPictures()
     {
         QFETCH(int, every);
-        const Scene scene = largeScene(QStringLiteral("column-scan"), 800, 600);
+        const Scene scene = largeScene(QStringLiteral("column-scan"), 256, 144);
         Picture found = pictureOf(scene);
         for (std::size_t place = 0; place < found.size(); ++place) {
             if (found.covered[place] != 0 && place % std::size_t(every) == 0)
