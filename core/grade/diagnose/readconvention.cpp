@@ -94,10 +94,13 @@ std::optional<Left> leftBy(std::span<const Scene> scenes, std::span<const FoundP
     return left;
 }
 
-/// Whether conventions explain much that the scenes' own do not.
+/// Whether conventions explain much that the scenes' own do not: half of what is wrong, or nearly
+/// all of the coverage that is, if that is more than a few pixels beside wrong colours.
 bool areRead(const Left &left, const Left &asAsked)
 {
-    return 2 * left.pixels <= asAsked.pixels || 4 * left.coverage < asAsked.coverage;
+    const bool isMuchCoverage = 20 * (asAsked.coverage - left.coverage) >= asAsked.pixels;
+    return 2 * left.pixels <= asAsked.pixels
+        || (isMuchCoverage && 4 * left.coverage < asAsked.coverage);
 }
 
 bool isNearer(const Left &one, const Left &other)
