@@ -144,7 +144,9 @@ QJsonObject diagnosisJson(const Diagnosis &diagnosis, std::span<const Submission
                        {QStringLiteral("transparencyIgnored"), isTransparent},
                        {QStringLiteral("differing"), qint64(diagnosis.differing)},
                        {QStringLiteral("undecidable"), qint64(diagnosis.undecidable)},
-                       {QStringLiteral("candidates"), candidates}};
+                       {QStringLiteral("candidates"), candidates},
+                       {QStringLiteral("picturesDrawn"), qint64(diagnosis.work.pictures)},
+                       {QStringLiteral("pixelsDrawn"), qint64(diagnosis.work.pixels)}};
     if (diagnosis.failure)
         object.insert(QStringLiteral("searchError"), *diagnosis.failure);
     return object;

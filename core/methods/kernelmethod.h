@@ -62,6 +62,8 @@ void drawGeometry(const Geometry &geometry, const ScanSettings &settings, FrameV
     });
 }
 
+using DrawFunction = bool(const Run &, FrameView, const ProgressListener &);
+
 /// False if the listener ended it.
 template <class Kernel>
 bool drawWith(const Run &run, FrameView frame, const ProgressListener &listener)

@@ -37,6 +37,11 @@ bool Method::supports(Variant variant) const
     return std::ranges::find(variants, variant) != variants.end();
 }
 
+bool Method::walksEdges() const
+{
+    return spanAxis != SpanAxis::Free && supports(Variant::NoEdgePreStep);
+}
+
 bool Method::draws(PrimitiveKind kind) const
 {
     return std::ranges::find(kinds, kind) != kinds.end();

@@ -44,6 +44,7 @@ struct Method {
     TraceNumbers numbers = {};
 
     bool hasFastKernels = false; ///< untraced pictures come from core/fast
+    bool testsEdges = false; ///< and can make the mistakes of a program that does
 
     /// Behind Run::draw() and Run::trace().
     bool (*draw)(const Run &run, FrameView frame, const ProgressListener &listener);
@@ -56,6 +57,8 @@ struct Method {
     /// Whether it has in this arithmetic all effects that it supports.
     bool shadesIn(Arithmetic arithmetic) const;
     bool supports(Variant variant) const;
+    /// Whether it walks between two edges, and so can make the mistakes of such a walk.
+    bool walksEdges() const;
     bool draws(PrimitiveKind kind) const;
     bool draws(const Shape &shape) const;
     /// True where every picture under the arithmetic is the truth, by proof, without variants.
@@ -63,7 +66,7 @@ struct Method {
     /// Like isStableIn(), for settings, which may have variants.
     bool isStableUnder(const ScanSettings &settings) const
     {
-        return settings.variants.isEmpty() && isStableIn(settings.arithmetic);
+        return settings.isRight() && isStableIn(settings.arithmetic);
     }
     /// Why the method cannot draw under these settings, to be read after its name: "does not
     /// compute in …"; empty when it can.

@@ -84,7 +84,7 @@ QString ableText(const std::vector<Effect> &effects, const ScanSettings &setting
     if (!isAny)
         return QStringLiteral("no method can");
     // Effects are never run with variants.
-    if (!settings.variants.isEmpty())
+    if (!settings.isRight())
         hindrances += QStringLiteral("with variants");
     const QString text = QStringLiteral("%1 can").arg(able.join(QStringLiteral(", ")));
     return hindrances.isEmpty()
@@ -134,7 +134,7 @@ QString smoothColourObjection(const Method &method, const EffectPlan &plan,
     const bool isLeftOut = plan.verdicts[Effect::SmoothColour].verdict == Verdict::CalledFor
         && !plan.runs(Effect::SmoothColour);
     const bool shades = method.supports(Effect::Blending) && method.shadesIn(settings.arithmetic);
-    if (!isLeftOut || (shades && settings.variants.isEmpty()))
+    if (!isLeftOut || (shades && settings.isRight()))
         return {};
     return QStringLiteral("cannot leave out smooth colour, which is forced off; %1")
         .arg(ableText({Effect::Blending}, settings, drawsTriangles));
@@ -157,6 +157,10 @@ QString Method::objection(const ScanSettings &settings) const
         if (!supports(variant))
             objections += unknownVariantText(*this, variant, settings);
     }
+    if (!settings.bugs.isRight() && !walksEdges())
+        objections += QStringLiteral("has none of the mistakes of a walk between two edges");
+    if (!settings.testBugs.isRight() && !testsEdges)
+        objections += QStringLiteral("has none of the mistakes of a program that tests edges");
     return joinedObjections(objections);
 }
 
@@ -176,7 +180,7 @@ QString Method::objection(const EffectPlan &plan, const ScanSettings &settings) 
                         ableText(missing, settings, drawsTriangles));
     QStringList hindrances;
     QStringList ways;
-    if (!settings.variants.isEmpty() && !run.empty()) {
+    if (!settings.isRight() && !run.empty()) {
         hindrances += QStringLiteral("with variants, which depart from its colours alone");
         ways += QStringLiteral("without them");
     }
@@ -221,6 +225,10 @@ ScanSettings Method::adapted(const ScanSettings &settings) const
         if (!supports(variant))
             drawn.variants = drawn.variants.without(variant);
     }
+    if (!walksEdges())
+        drawn.bugs = {};
+    if (!testsEdges)
+        drawn.testBugs = {};
     return drawn;
 }
 

@@ -102,7 +102,7 @@ SampledFrame sampledFrame(const FrameView &frame, const ScanSettings &settings,
                           Antialiasing antialiasing)
 {
     return {frame, settings.fillRule, antialiasing,
-            settings.arithmetic == Arithmetic::Exact && settings.variants.isEmpty()};
+            settings.arithmetic == Arithmetic::Exact && settings.isRight()};
 }
 
 SampleBox reachOf(const Triangle &triangle, const SampledFrame &where,

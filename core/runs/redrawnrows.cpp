@@ -56,7 +56,7 @@ bool isDrawnByRows(const Scene &scene, const Method &method)
 {
     // These reach any row: what wraps, and edges that run past their ends.
     const bool leaves
-        = scene.settings.arithmetic == Arithmetic::Fixed16 || !scene.settings.variants.isEmpty();
+        = scene.settings.arithmetic == Arithmetic::Fixed16 || !scene.settings.isRight();
     return method.hasFastKernels && !leaves && scene.shapes.empty() && !mayCallForEffects(scene)
         && scene.triangles.size() <= mostCompared
         && std::ranges::all_of(scene.triangles, staysNearItsBox);

@@ -23,7 +23,7 @@ bool isDrawnWhateverItCallsFor(const Method &method, const Scene &scene)
     if (!mayCallForEffects(scene))
         return true;
     const ScanSettings kept = method.adapted(scene.settings);
-    return method.draws(PrimitiveKind::Triangle) && scene.hasTriangles() && kept.variants.isEmpty()
+    return method.draws(PrimitiveKind::Triangle) && scene.hasTriangles() && kept.isRight()
         && std::ranges::all_of(allEffects,
                                [&method](Effect effect) { return method.supports(effect); })
         && method.shadesIn(kept.arithmetic);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/scan/edgetestbugs.h"
+#include "core/scan/scanbugs.h"
 #include "core/scan/variants.h"
 
 #include <array>
@@ -55,6 +57,10 @@ struct ScanSettings {
     FillRule fillRule = FillRule::Closed;
     ByteRounding rounding = ByteRounding::Nearest;
     VariantSet variants = {}; ///< departures that the method accepts
+    ScanBugs bugs = {}; ///< of a program that walks between two edges
+    EdgeTestBugs testBugs = {}; ///< of one that tests edges
+    /// Whether the method's own algorithm is asked for.
+    bool isRight() const { return variants.isEmpty() && bugs.isRight() && testBugs.isRight(); }
 
     friend bool operator==(const ScanSettings &, const ScanSettings &) = default;
 };

@@ -116,7 +116,7 @@ bool isDrawnWithout(const std::vector<NamedSetting> &dropped, Scene scene, OpenS
     const auto drawsAll = [&](const Method &method) {
         const ScanSettings settled = settledFor(method, scene.settings, open);
         // Effects are never run with variants.
-        const bool shades = (settled.variants.isEmpty() || !mayRunMore(method, scene))
+        const bool shades = (settled.isRight() || !mayRunMore(method, scene))
             && canEffects(method, scene, settled);
         return drawsFirst(method, scene) && method.objection(settled).isEmpty() && shades;
     };

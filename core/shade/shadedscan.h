@@ -190,7 +190,7 @@ private:
         column.longEdge = m_setUp.longEdge;
         if constexpr (A::boundsMayCross)
             column.longEdge = sideOfLongEdge(column.longEdge, m_intervals.rows, shortEdge.bound.y,
-                                             longEdge.bound.y, std::less<>());
+                                             longEdge.bound.y);
         const bool longAbove = column.longEdge == LongEdge::Above;
         const Walker &bottom = longAbove ? shortEdge : longEdge;
         const Walker &top = longAbove ? longEdge : shortEdge;

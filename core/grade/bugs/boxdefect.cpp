@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/bugs/edgetestdefect.h"
-#include "core/grade/scan/boxredrawings.h"
+#include "core/grade/scan/keptsamples.h"
+
+#include <algorithm>
 
 namespace pixelplumb {
 
@@ -9,6 +11,37 @@ namespace {
 constexpr const char *edgesQuestion = "Are all three edges tested alike?";
 constexpr const char *boxQuestion
     = "Which samples of the bounding box are tested, and which are inside?";
+
+/// Draws all of the box.
+void fillBox(TriangleRuns &triangle)
+{
+    if (doubledArea(triangle.triangle) == 0) // has no plane of colours
+        return;
+    const SampleBox &box = triangle.visited;
+    triangle.runs.clear();
+    for (std::int64_t row = std::max(box.firstY, triangle.firstSpan);
+         row < std::min(box.endY, triangle.endSpan); ++row)
+        triangle.runs.push_back({row, box.firstX, box.endX});
+}
+
+/// Whether a sample lies in the box of the edge from that vertex to the next.
+bool isInBoxOf(std::size_t vertex, const SpanGeometry &of, const RunSample &sample)
+{
+    Triangle edge = of.triangle;
+    edge.vertices[(vertex + 2) % 3] = edge.vertices[vertex];
+    const SampleBox box = boundingBoxOf(exchanged(edge));
+    return sample.span >= box.firstY && sample.span < box.endY && sample.place >= box.firstX
+        && sample.place < box.endX;
+}
+
+/// Whether a sample lies exactly on the line of that edge.
+bool isOn(std::size_t vertex, const SpanGeometry &of, const RunSample &sample)
+{
+    const auto &vertices = of.triangle.vertices;
+    return doubledArea(vertices[vertex].position, vertices[(vertex + 1) % 3].position,
+                       latticePixel(sample.span, sample.place))
+        == 0;
+}
 
 QString vertexText(std::size_t vertex) { return QString::number(vertex % 3); }
 
@@ -25,28 +58,34 @@ std::vector<Defect> boxDefects()
         = [&](const char *id, const char *forAssistant, const Redrawing &redrawing) {
               add(QString::fromLatin1(id), boxQuestion, QString::fromUtf8(forAssistant), redrawing);
           };
+    const auto addThatKeeps
+        = [&](const char *id, const char *forAssistant, const KeepsSample &keeps) {
+              addOfBox(id, forAssistant, redrawingThatKeeps(keeps));
+          };
+    using T = SpanGeometry;
+    using S = RunSample;
+    const KeepsSample lastRow = [](const T &t, const S &s) { return s.span != t.box.endY - 1; };
+    const KeepsSample lastColumn = [](const T &t, const S &s) { return s.place != t.box.endX - 1; };
+    const KeepsSample firstRow = [](const T &t, const S &s) { return s.span != t.box.firstY; };
+    const KeepsSample firstColumn = [](const T &t, const S &s) { return s.place != t.box.firstX; };
     addOfBox("box-filled", "The whole bounding box is drawn: no sample is tested.", {fillBox});
-    addOfBox("box-last-row-missing", "The box' last row is left out: < in place of ≤.",
-             {omitLastRowOfBox});
-    addOfBox("box-last-column-missing", "The box' last column is left out: < in place of ≤.",
-             {omitLastColumnOfBox});
-    addOfBox("box-ends-missing",
-             "The box' last row and its last column are left out: < in place of ≤.",
-             {[](TriangleRuns &triangle) {
-                 omitLastRowOfBox(triangle);
-                 omitLastColumnOfBox(triangle);
-             }});
-    addOfBox("box-open-at-greatest",
-             "Samples at x_max or y_max itself are left out: < in place of ≤.",
-             {omitGreatestOfBox});
-    addOfBox("box-first-row-missing", "The box' first row is left out.", {omitFirstRowOfBox});
-    addOfBox("box-first-column-missing", "The box' first column is left out.",
-             {omitFirstColumnOfBox});
-    addOfBox("box-starts-missing", "The box' first row and its first column are left out.",
-             {[](TriangleRuns &triangle) {
-                 omitFirstRowOfBox(triangle);
-                 omitFirstColumnOfBox(triangle);
-             }});
+    addThatKeeps("box-last-row-missing", "The box' last row is left out: < in place of ≤.",
+                 lastRow);
+    addThatKeeps("box-last-column-missing", "The box' last column is left out: < in place of ≤.",
+                 lastColumn);
+    addThatKeeps("box-ends-missing",
+                 "The box' last row and its last column are left out: < in place of ≤.",
+                 [=](const T &t, const S &s) { return lastRow(t, s) && lastColumn(t, s); });
+    addThatKeeps("box-open-at-greatest",
+                 "Samples at x_max or y_max itself are left out: < in place of ≤.",
+                 [](const T &t, const S &s) {
+                     const LatticePoint greatest = boundingCornersOf(exchanged(t.triangle)).second;
+                     return s.span < ceilPixel(greatest.y) && s.place < ceilPixel(greatest.x);
+                 });
+    addThatKeeps("box-first-row-missing", "The box' first row is left out.", firstRow);
+    addThatKeeps("box-first-column-missing", "The box' first column is left out.", firstColumn);
+    addThatKeeps("box-starts-missing", "The box' first row and its first column are left out.",
+                 [=](const T &t, const S &s) { return firstRow(t, s) && firstColumn(t, s); });
     add(QStringLiteral("levels-wrap"), "What becomes of a level that no byte holds?",
         QStringLiteral("Levels beyond 0 … 255 wrap in a byte. That alone is no mistake."),
         {[](TriangleRuns &) {}, LevelOverflow::Wraps});
@@ -54,7 +93,8 @@ std::vector<Defect> boxDefects()
     Redrawing outward{[](TriangleRuns &) {}};
     outward.box = VisitedBox::Outward;
     addOfBox("box-outward",
-             "The box is rounded outward, ⌊x_min⌋ … ⌈x_max⌉ and ⌊y_min⌋ … ⌈y_max⌉: samples beside "
+             "The box is rounded outward, ⌊x_min⌋ … ⌈x_max⌉ and ⌊y_min⌋ … "
+             "⌈y_max⌉: samples beside "
              "the triangle are tested, too. That alone is no mistake.",
              outward);
     defects.back().isRightAlone = true;
@@ -63,21 +103,22 @@ std::vector<Defect> boxDefects()
         const QString to = vertexText(edge + 1);
         add(QStringLiteral("box-of-vertices-%1-and-%2").arg(from, to), boxQuestion,
             QStringLiteral("The box is that of the vertices %1 and %2 alone.").arg(from, to),
-            {[edge](TriangleRuns &triangle) { omitBesideBoxOfEdge(triangle, edge); }});
+            redrawingThatKeeps([edge](const T &t, const S &s) { return isInBoxOf(edge, t, s); }));
         add(QStringLiteral("strict-at-edge-%1").arg(edge), edgesQuestion,
-            QStringLiteral("The edge from vertex %1 to vertex %2 is tested by > in place of ≥, the "
+            QStringLiteral("The edge from vertex %1 to vertex %2 is tested by > in "
+                           "place of ≥, the "
                            "others are not.")
                 .arg(from, to),
-            {[edge](TriangleRuns &triangle) { omitOnEdge(triangle, edge); }});
+            redrawingThatKeeps([edge](const T &t, const S &s) { return !isOn(edge, t, s); }));
         defects.back().choice = QString::fromLatin1(ruleChoice);
         add(QStringLiteral("strict-but-at-edge-%1").arg(edge), edgesQuestion,
-            QStringLiteral("Two edges are tested by > in place of ≥, that from vertex %1 to vertex "
+            QStringLiteral("Two edges are tested by > in place of ≥, that from "
+                           "vertex %1 to vertex "
                            "%2 is not.")
                 .arg(from, to),
-            {[edge](TriangleRuns &triangle) {
-                omitOnEdge(triangle, (edge + 1) % 3);
-                omitOnEdge(triangle, (edge + 2) % 3);
-            }});
+            redrawingThatKeeps([edge](const T &t, const S &s) {
+                return !isOn((edge + 1) % 3, t, s) && !isOn((edge + 2) % 3, t, s);
+            }));
         defects.back().choice = QString::fromLatin1(ruleChoice);
     }
     return defects;

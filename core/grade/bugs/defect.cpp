@@ -101,18 +101,15 @@ QString questionOf(const QString &kind)
 void appendPictures(std::vector<Defect> &defects, const Scene &scene)
 {
     // Comes first: another background is still possible with it.
-    defects.push_back({.id = QStringLiteral("nothing-drawn"),
-                       .forStudent = QStringLiteral(
-                           "Is the picture that is written the one that was drawn into?"),
-                       .forAssistant = QStringLiteral("Nothing of the scene is drawn."),
-                       .changePicture =
-                           [](const Picture &right, const Colour &background) {
-                               Picture picture = right;
-                               std::ranges::fill(picture.colours, background);
-                               std::ranges::fill(picture.covered, std::uint8_t(0));
-                               return picture;
-                           },
-                       .leavesOut = true});
+    defects.push_back(
+        {.id = QStringLiteral("nothing-drawn"),
+         .forStudent
+         = QStringLiteral("Is the picture that is written the one that was drawn into?"),
+         .forAssistant = QStringLiteral("Nothing of the scene is drawn."),
+         .changePicture = ruleOf([](const Picture &, int, int, const Colour &background) {
+             return ChangedPixel{background, 0};
+         }),
+         .leavesOut = true});
     const Picture ofItsSize{scene.frame.width, scene.frame.height, {}, {}};
     for (const PictureChange &change : pictureChangesFor(ofItsSize, scene.frame.background)) {
         const QString id = QString(change.name).toLower().replace(u' ', u'-');
@@ -123,24 +120,26 @@ void appendPictures(std::vector<Defect> &defects, const Scene &scene)
                                : change.sentence,
                            {},
                            {},
-                           change.apply,
+                           change.pixel,
                            change.isFar,
                            change.kind});
+        defects.back().movesPixels = change.movesPixels;
     }
 }
 
-/// A scene that can have every defect of its method: two primitives, turned either way, with
-/// vertices between pixels, two in one column and two in one row, and a level of 255.
+/// A scene that can have every defect of its method: two primitives, turned either way, too large
+/// for edge functions of 16 bits, with vertices between pixels, two in one column and two in one
+/// row, and a level of 255.
 Scene proneScene(const Scene &conventions)
 {
     Scene scene = conventions;
-    scene.frame.width = 48;
-    scene.frame.height = 40;
+    scene.frame.width = 384;
+    scene.frame.height = 320;
     constexpr Lattice half = unitsPerPixel / 2;
     const std::array<Vertex, 4> vertices = {{{{5 * half, 7 * half}, {{255, 40, 10}}},
-                                             {{81 * half, 7 * half}, {{20, 200, 90}}},
-                                             {{81 * half, 61 * half}, {{60, 30, 240}}},
-                                             {{9 * half, 71 * half}, {{200, 100, 0}}}}};
+                                             {{649 * half, 7 * half}, {{20, 200, 90}}},
+                                             {{649 * half, 489 * half}, {{60, 30, 240}}},
+                                             {{9 * half, 571 * half}, {{200, 100, 0}}}}};
     const Method &method = *methodNamed(QString::fromStdString(scene.method));
     scene.triangles.clear();
     if (method.draws(PrimitiveKind::Triangle))

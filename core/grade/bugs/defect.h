@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/grade/pictures/picturecause.h"
 #include "core/grade/pictures/picturerange.h"
 
 #include <QString>
@@ -43,9 +44,8 @@ struct Defect {
     std::function<bool(Scene &scene)> changeScene = {};
     /// Set where no kernel draws so: our own program draws the scene with the mistake.
     std::function<Picture(const Scene &scene)> redraw = {};
-    /// Set for a mistake in the finished picture: changes the picture of a scene with that
-    /// background.
-    std::function<Picture(const Picture &right, const Colour &background)> changePicture = {};
+    /// Set for a mistake in the finished picture: a pixel of it, for a scene with that background.
+    PixelRule changePicture = {};
     bool standsAlone = false; ///< never combined with another
     QString choice = {}; ///< at most one defect of each choice is present; empty: of none
     /// What programs with other rounding redraw; missing where unknown.
@@ -54,6 +54,7 @@ struct Defect {
     std::shared_ptr<const Redrawing> redrawing = {};
     bool leavesOut = false; ///< it only draws less of a scene; what it draws is right
     bool isRightAlone = false; ///< alone it is no mistake, so it is tried only with another
+    bool movesPixels = false; ///< it takes pixels of the finished picture from other places
 
     DefectStage stage() const
     {

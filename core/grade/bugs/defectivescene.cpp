@@ -4,6 +4,7 @@
 #include "core/grade/pictures/picturediff.h"
 #include "core/grade/scan/redrawing.h"
 #include "core/runs/scenerun.h"
+#include "core/scan/scanbugs.h"
 
 #include <algorithm>
 
@@ -15,7 +16,7 @@ Picture finished(Picture picture, std::span<const Defect> defects, const Colour 
 {
     for (const Defect &defect : defects) {
         if (defect.changePicture)
-            picture = defect.changePicture(picture, background);
+            picture = changed(picture, defect.changePicture, background);
     }
     return picture;
 }
@@ -29,6 +30,25 @@ Scene withDefects(Scene scene, std::span<const Defect> defects)
             defect.changeScene(scene);
     }
     return scene;
+}
+
+Scene steppedWithDefects(const Scene &scene, std::span<const Defect> defects)
+{
+    Scene stepped = withDefects(scene, defects);
+    const auto redrawing = redrawingAmong(defects);
+    if (!redrawing || !redrawing->redrawing)
+        return stepped;
+    if (const auto &walk = redrawing->redrawing->walk)
+        stepped.settings.bugs = *walk;
+    const bool areTests = std::ranges::all_of(defects, [](const Defect &defect) {
+        return defect.stage() != DefectStage::Drawing
+            || (defect.redrawing && defect.redrawing->edgeTest);
+    });
+    const Method &method = *methodNamed(QString::fromStdString(stepped.method));
+    const bool isExact = stepped.settings.arithmetic == Arithmetic::Exact; // as its numbers are
+    if (areTests && isExact && method.testsEdges)
+        stepped.settings.testBugs = *redrawing->redrawing->edgeTest;
+    return stepped;
 }
 
 std::optional<Defect> redrawingAmong(std::span<const Defect> defects)

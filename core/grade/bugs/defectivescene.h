@@ -12,6 +12,10 @@ namespace pixelplumb {
 /// The scene changed by those of the defects that change scenes.
 Scene withDefects(Scene scene, std::span<const Defect> defects);
 
+/// Like withDefects(), with the bugs of a walk between two edges or of edge tests among them: its
+/// run makes their mistakes, step by step. Other redrawings leave it unchanged.
+Scene steppedWithDefects(const Scene &scene, std::span<const Defect> defects);
+
 /// The defect that is a redrawing, or two of them combined; none where kernels draw all.
 std::optional<Defect> redrawingAmong(std::span<const Defect> defects);
 

@@ -9,6 +9,7 @@
 #include <QSet>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pixelplumb {
 
@@ -32,6 +33,7 @@ std::size_t hashOf(const std::vector<T> &values)
 DefectPictures::DefectPictures(std::vector<Scene> scenes)
     : m_scenes(std::move(scenes))
     , m_lastScenePicture(m_scenes.size())
+    , m_lastBase(m_scenes.size())
 {
     QSet<QString> ids;
     for (const Scene &scene : m_scenes) {
@@ -127,7 +129,7 @@ DefectPictures::SharedPicture DefectPictures::draw(std::size_t scene, const Defe
     for (const Defect &defect : defects) {
         if (picture && defect.changePicture)
             picture = std::make_shared<const Picture>(
-                defect.changePicture(*picture, drawn.frame.background));
+                pixelplumb::changed(*picture, defect.changePicture, drawn.frame.background));
     }
     return picture;
 }
@@ -135,13 +137,54 @@ DefectPictures::SharedPicture DefectPictures::draw(std::size_t scene, const Defe
 /// The picture of the set's first defect, which many sets share, changed by the second.
 DefectPictures::SharedPicture DefectPictures::changed(std::size_t scene, const DefectSet &set)
 {
-    const DefectSet first{set.first, {}, set.arithmetic, set.choice};
-    const SharedPicture base = picture(scene, first);
+    const Base base = baseOf(scene, set);
     const Defect *change = own(scene, *set.second);
-    if (!base || !change)
-        return base;
+    if (!base.picture || !change)
+        return base.picture;
+    return std::make_shared<const Picture>(
+        pixelplumb::changed(*base.picture, change->changePicture, base.background));
+}
+
+/// The picture of the set without its change of the picture. The last one is kept: sets with one
+/// first defect follow one another.
+DefectPictures::Base DefectPictures::baseOf(std::size_t scene, const DefectSet &set)
+{
+    const DefectSet first{set.first, {}, set.arithmetic, set.choice};
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_lastBase[scene].set == first)
+            return m_lastBase[scene];
+    }
     const Scene drawn = withDefects(sceneIn(scene, set), ownDefectsIn(first, scene));
-    return std::make_shared<const Picture>(change->changePicture(*base, drawn.frame.background));
+    const Base base{first, picture(scene, first), drawn.frame.background};
+    const std::lock_guard lock(m_mutex);
+    return m_lastBase[scene] = base;
+}
+
+bool DefectPictures::isBeyond(std::size_t scene, const DefectSet &set, const Picture &found,
+                              std::int64_t limit)
+{
+    constexpr std::size_t asked = 1024; // pixels
+    const Defect *change = set.second ? own(scene, *set.second) : nullptr;
+    const Base base = change && change->changePicture ? baseOf(scene, set) : Base();
+    if (!base.picture || base.picture->size() != found.size())
+        return false;
+    const std::size_t stride = found.size() / asked + 1;
+    double differing = 0;
+    for (std::size_t place = stride / 2; place < found.size(); place += stride) {
+        const auto width = std::size_t(found.width);
+        ChangedPixel pixel;
+        change->changePicture(*base.picture, int(place % width), int(place / width),
+                              base.background, std::span(&pixel, 1));
+        const bool isSame = found.hasColours ? pixel.colour == found.colours[place]
+                                             : pixel.covered == found.covered[place];
+        differing += isSame ? 0 : 1;
+        // Three standard deviations less than as many as are seen.
+        const double least = (differing - 3 * std::sqrt(differing)) * double(stride);
+        if (!isSame && (limit == 1 || least >= double(limit)))
+            return true;
+    }
+    return false;
 }
 
 DefectPictures::SharedPicture DefectPictures::picture(std::size_t scene, const DefectSet &set)
@@ -154,6 +197,8 @@ DefectPictures::SharedPicture DefectPictures::picture(std::size_t scene, const D
             return found->second.picture;
     }
     SharedPicture picture = draw(scene, set);
+    m_pictures += picture ? 1 : 0;
+    m_pixels += picture ? std::int64_t(picture->size()) : 0;
     Drawn drawn;
     drawn.canBeDrawn = bool(picture);
     if (picture) {
@@ -196,8 +241,8 @@ bool DefectPictures::Drawn::isKnownToDiffer(const Picture &found) const
                             : coverageHash != hashOf(found.covered);
 }
 
-bool DefectPictures::isRefusedAtOnce(std::size_t scene, const DefectSet &set,
-                                     const Picture &found) const
+bool DefectPictures::isRefusedAtOnce(std::size_t scene, const DefectSet &set, const Picture &found,
+                                     std::int64_t limit) const
 {
     const std::vector<Defect> defects = ownDefectsIn(set, scene);
     const bool isOfPictures
@@ -206,19 +251,49 @@ bool DefectPictures::isRefusedAtOnce(std::size_t scene, const DefectSet &set,
     if (!redrawing || !redrawing->redrawing)
         return false;
     const Scene drawn = withDefects(sceneIn(scene, set), defects);
-    return objectionTo(drawn).isEmpty() && differsAtOnce(drawn, *redrawing->redrawing, found);
+    return objectionTo(drawn).isEmpty()
+        && differsAtOnce(drawn, *redrawing->redrawing, found, limit);
 }
 
-bool DefectPictures::isKnownToDiffer(std::size_t scene, const DefectSet &set,
-                                     const Picture &found) const
+/// Of a set with a change of the finished picture, which is not made where too much differs.
+bool DefectPictures::isRefusedWhenChanged(std::size_t scene, const DefectSet &set,
+                                          const Picture &found, std::int64_t limit)
+{
+    if (limit == 1)
+        return isBeyond(scene, set, found, 1);
+    const Base base = baseOf(scene, set);
+    const Defect *change = own(scene, *set.second);
+    if (!base.picture || !change || base.picture->size() != found.size())
+        return false;
+    std::int64_t differing = 0;
+    std::size_t place = 0;
+    std::vector<ChangedPixel> pixels(std::size_t(found.width));
+    for (int line = 0; line < found.height && differing < limit; ++line) {
+        change->changePicture(*base.picture, 0, line, base.background, pixels);
+        for (const ChangedPixel &pixel : pixels) {
+            const bool isSame = found.hasColours ? isEqual(pixel.colour, found.colours[place])
+                                                 : pixel.covered == found.covered[place];
+            differing += isSame ? 0 : 1;
+            ++place;
+        }
+    }
+    return differing >= limit;
+}
+
+bool DefectPictures::isKnownToDiffer(std::size_t scene, const DefectSet &set, const Picture &found,
+                                     std::int64_t limit)
 {
     {
         const std::lock_guard lock(m_mutex);
         const auto known = m_drawn.find({scene, set});
-        if (known != m_drawn.end())
-            return known->second.isKnownToDiffer(found);
+        if (known != m_drawn.end() && (limit == 1 || known->second.picture))
+            return limit == 1 && known->second.isKnownToDiffer(found);
+        if (known != m_drawn.end() && !known->second.canBeDrawn)
+            return false;
     }
-    return isRefusedAtOnce(scene, set, found);
+    if (set.second && m_defects[*set.second].changePicture)
+        return isRefusedWhenChanged(scene, set, found, limit);
+    return isRefusedAtOnce(scene, set, found, limit);
 }
 
 } // namespace pixelplumb

@@ -4,6 +4,7 @@
 #include "core/grade/bugs/defect.h"
 #include "core/grade/rounding/margin.h"
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -21,6 +22,21 @@ struct DefectSet {
     std::optional<std::size_t> choice = {};
 
     friend auto operator<=>(const DefectSet &, const DefectSet &) = default;
+};
+
+/// How much has been drawn, whatever it took: counted, it is the same on every machine.
+struct DrawnWork {
+    std::int64_t pictures = 0; ///< whole ones
+    std::int64_t pixels = 0; ///< of these and of parts
+
+    friend DrawnWork operator+(const DrawnWork &a, const DrawnWork &b)
+    {
+        return {a.pictures + b.pictures, a.pixels + b.pixels};
+    }
+    friend DrawnWork operator-(const DrawnWork &a, const DrawnWork &b)
+    {
+        return {a.pictures - b.pictures, a.pixels - b.pixels};
+    }
 };
 
 /// The pictures that programs with defects draw of some scenes, shared by all submissions. Each is
@@ -51,9 +67,19 @@ public:
     /// What programs with these defects draw by the margin; none where unknown. The set's own
     /// arithmetic is ignored.
     SharedRange range(std::size_t scene, const DefectSet &set, const Margin &margin);
-    /// Whether the picture is known to differ from the one found: by its hash if it was drawn
-    /// before and not kept, or, if it was never drawn, at once (differsAtOnce).
-    bool isKnownToDiffer(std::size_t scene, const DefectSet &set, const Picture &found) const;
+    /// Whether as many pixels as the limit are known to differ from the picture found: one by the
+    /// hash of a picture that was drawn before and not kept, or some without drawing it whole
+    /// (differsAtOnce).
+    bool isKnownToDiffer(std::size_t scene, const DefectSet &set, const Picture &found,
+                         std::int64_t limit);
+    /// Whether some pixels spread over the picture tell that at least `limit` differ: of sets with
+    /// a change of the finished picture. For a limit of 1 that is certain.
+    bool isBeyond(std::size_t scene, const DefectSet &set, const Picture &found,
+                  std::int64_t limit);
+
+    DrawnWork work() const { return {m_pictures, m_pixels}; }
+    /// Counts a part of a picture that is drawn elsewhere.
+    void countPart(std::size_t pixels) { m_pixels += std::int64_t(pixels); }
 
 private:
     struct Drawn {
@@ -70,7 +96,18 @@ private:
         SharedPicture picture;
     };
 
-    bool isRefusedAtOnce(std::size_t scene, const DefectSet &set, const Picture &found) const;
+    /// What a change of the picture is done to.
+    struct Base {
+        std::optional<DefectSet> set;
+        SharedPicture picture;
+        Colour background;
+    };
+
+    Base baseOf(std::size_t scene, const DefectSet &set);
+    bool isRefusedAtOnce(std::size_t scene, const DefectSet &set, const Picture &found,
+                         std::int64_t limit) const;
+    bool isRefusedWhenChanged(std::size_t scene, const DefectSet &set, const Picture &found,
+                              std::int64_t limit);
     SharedPicture scenePicture(std::size_t scene, const Scene &drawn);
     Scene sceneIn(std::size_t scene, const DefectSet &set) const; ///< in the set's arithmetic
     SharedPicture draw(std::size_t scene, const DefectSet &set);
@@ -89,7 +126,9 @@ private:
     std::map<std::tuple<Key, Leeway, Arithmetic>, SharedRange>
         m_ranges; ///< as far as there is room
     std::vector<LastPicture> m_lastScenePicture; ///< by scene
+    std::vector<Base> m_lastBase; ///< by scene
     std::size_t m_kept = 0; ///< bytes of pictures
+    std::atomic<std::int64_t> m_pictures = 0, m_pixels = 0; ///< drawn
 };
 
 } // namespace pixelplumb

@@ -7,7 +7,7 @@ namespace pixelplumb {
 
 /// Mistakes of a program that tests the three edges at the samples of the bounding box: in the
 /// test, in the edge functions and in the vertices' weights.
-std::vector<Defect> edgeTestDefects();
+std::vector<Defect> edgeTestDefectsFor(const Scene &scene);
 
 /// Mistakes of such a program in which samples it tests, and in which of those on an edge it leaves
 /// out.

@@ -10,15 +10,17 @@ std::optional<Redrawing> together(const Redrawing &one, const Redrawing &other)
         = [](const Redrawing &each) { return each.walk != nullptr || each.edgeTest != nullptr; };
     if (findsSamples(other) && !findsSamples(one))
         return together(other, one);
-    // A program finds its samples in one way; only two walks can be merged.
-    const bool areTwoWays = findsSamples(one) && findsSamples(other) && !(one.walk && other.walk);
+    // A program finds its samples in one way.
+    const bool areTwoWays = (one.walk && other.edgeTest) || (one.edgeTest && other.walk);
     if (areTwoWays)
         return std::nullopt;
     const bool isWrapping
         = one.overflow == LevelOverflow::Wraps || other.overflow == LevelOverflow::Wraps;
     const auto overflow = isWrapping ? LevelOverflow::Wraps : LevelOverflow::Clamps;
     // A walk rounds its own levels, as does a program with other weights of colours.
-    const bool roundsItself = one.walk || (one.edgeTest && one.edgeTest->changesColours());
+    const auto weighs
+        = [](const Redrawing &each) { return each.edgeTest && each.edgeTest->changesColours(); };
+    const bool roundsItself = one.walk || weighs(one) || weighs(other);
     const bool areTwoRoundings = (roundsItself || !one.bytes.isRight()) && !other.bytes.isRight();
     if (areTwoRoundings)
         return std::nullopt;
@@ -28,6 +30,11 @@ std::optional<Redrawing> together(const Redrawing &one, const Redrawing &other)
         if (!walk)
             return std::nullopt;
         both = redrawingBy(*walk);
+    } else if (one.edgeTest && other.edgeTest) {
+        const auto tests = together(*one.edgeTest, *other.edgeTest);
+        if (!tests)
+            return std::nullopt;
+        both = redrawingByTests(*tests);
     } else {
         both = {[one, other](TriangleRuns &triangle) {
                     one.change(triangle);
@@ -38,7 +45,8 @@ std::optional<Redrawing> together(const Redrawing &one, const Redrawing &other)
     const bool isToggling
         = one.repainting == Repainting::Toggles || other.repainting == Repainting::Toggles;
     both.repainting = isToggling ? Repainting::Toggles : Repainting::Over;
-    both.edgeTest = one.edgeTest;
+    if (!both.edgeTest)
+        both.edgeTest = one.edgeTest;
     both.box = one.box == VisitedBox::OfScene ? other.box : one.box;
     both.bytes = one.bytes.isRight() ? other.bytes : one.bytes;
     return both;

@@ -3,8 +3,8 @@
 
 #include "core/grade/bugs/edgetestdefect.h"
 #include "core/grade/bugs/walkdefect.h"
+#include "core/grade/scan/keptsamples.h"
 #include "core/grade/scan/programwalk.h"
-#include "core/grade/scan/spanredrawings.h"
 #include "core/runs/scenerun.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct SpanDefect {
     const char *id;
     const char *forStudent;
     const char *forAssistant; ///< %1 is a column or row, %2 the coordinate that its samples share
-    Redrawing redrawing;
+    KeepsSample keeps;
 };
 
 constexpr const char *endsQuestion = "From which to which sample does a span go?";
@@ -30,88 +30,69 @@ constexpr const char *alongQuestion
 
 const std::vector<SpanDefect> &omissions()
 {
+    using T = SpanGeometry;
+    using S = RunSample;
     static const std::vector<SpanDefect> rows = {
-        {"last-sample-missing",
-         endsQuestion,
-         "Each %1's last sample is left out: < in place of ≤.",
-         {omitLastSamples}},
-        {"first-sample-missing",
-         endsQuestion,
-         "Each %1's first sample is left out.",
-         {omitFirstSamples}},
-        {"last-span-missing",
-         spansQuestion,
+        {"last-sample-missing", endsQuestion, "Each %1's last sample is left out: < in place of ≤.",
+         [](const T &, const S &s) { return s.place != s.last; }},
+        {"first-sample-missing", endsQuestion, "Each %1's first sample is left out.",
+         [](const T &, const S &s) { return s.place != s.first; }},
+        {"last-span-missing", spansQuestion,
          "The %1 ⌊%2⌋ of the vertex with the greatest %2 is left out: < ⌊%2⌋ in place of ≤.",
-         {omitLastSpan}},
-        {"first-span-missing",
-         spansQuestion,
+         [](const T &t, const S &s) { return s.span != floorPixel(t.x2); }},
+        {"first-span-missing", spansQuestion,
          "The %1 ⌈%2⌉ of the vertex with the least %2 is left out: > ⌈%2⌉ in place of ≥.",
-         {omitFirstSpan}},
-        {"open-at-last-vertex",
-         spansQuestion,
+         [](const T &t, const S &s) { return s.span != ceilPixel(t.x0); }},
+        {"open-at-last-vertex", spansQuestion,
          "A %1 through the vertex with the greatest %2 is left out: < %2 in place of ≤.",
-         {omitSpanOfLastVertex}},
-        {"open-at-first-vertex",
-         spansQuestion,
+         [](const T &t, const S &s) { return !isAt(s, t.x2); }},
+        {"open-at-first-vertex", spansQuestion,
          "A %1 through the vertex with the least %2 is left out: > %2 in place of ≥.",
-         {omitSpanOfFirstVertex}},
-        {"middle-span-missing",
-         halvesQuestion,
+         [](const T &t, const S &s) { return !isAt(s, t.x0); }},
+        {"middle-span-missing", halvesQuestion,
          "The %1 ⌈%2⌉ of the middle vertex is in neither half.",
-         {omitSpanFromMiddle}},
-        {"middle-floor-span-missing",
-         halvesQuestion,
+         [](const T &t, const S &s) { return s.span != ceilPixel(t.x1); }},
+        {"middle-floor-span-missing", halvesQuestion,
          "The %1 ⌊%2⌋ of the middle vertex is in neither half.",
-         {omitSpanToMiddle}},
-        {"open-at-middle-vertex",
-         halvesQuestion,
+         [](const T &t, const S &s) { return s.span != floorPixel(t.x1); }},
+        {"open-at-middle-vertex", halvesQuestion,
          "A %1 through the middle vertex is in neither half: < %2 in the one, > %2 in the other.",
-         {omitSpanOfMiddleVertex}},
-        {"middle-span-truncated",
-         halvesQuestion,
+         [](const T &t, const S &s) { return !isAt(s, t.x1); }},
+        {"middle-span-truncated", halvesQuestion,
          "Where the middle vertex lies between two, the %1 ⌊%2⌋ is in neither half: < ⌊%2⌋ in the "
          "one, from ⌈%2⌉ in the other.",
-         {omitSpanBeforeMiddle}},
-        {"first-half-missing",
-         halvesQuestion,
+         [](const T &t, const S &s) { return s.span != floorPixel(t.x1) || isAt(s, t.x1); }},
+        {"first-half-missing", halvesQuestion,
          "The half with the lesser %2 is not drawn; a %1 through the middle vertex is.",
-         {omitFirstHalf}},
-        {"second-half-missing",
-         halvesQuestion,
+         [](const T &t, const S &s) { return s.span >= ceilPixel(t.x1); }},
+        {"second-half-missing", halvesQuestion,
          "The half with the greater %2 is not drawn, nor a %1 through the middle vertex.",
-         {omitSecondHalf}},
-        {"first-half-and-middle-missing",
-         halvesQuestion,
+         [](const T &t, const S &s) { return s.span < ceilPixel(t.x1); }},
+        {"first-half-and-middle-missing", halvesQuestion,
          "The half with the lesser %2 is not drawn, nor a %1 through the middle vertex.",
-         {omitToMiddle}},
-        {"second-half-behind-middle-missing",
-         halvesQuestion,
+         [](const T &t, const S &s) { return s.span > floorPixel(t.x1); }},
+        {"second-half-behind-middle-missing", halvesQuestion,
          "The half with the greater %2 is not drawn; a %1 through the middle vertex is.",
-         {omitBehindMiddle}},
-        {"first-edge-along-lost",
-         alongQuestion,
+         [](const T &t, const S &s) { return s.span <= floorPixel(t.x1); }},
+        {"first-edge-along-lost", alongQuestion,
          "Nothing is drawn of a triangle two vertices of which have its least %2: it is given up "
          "where an edge has no slope.",
-         {omitWithFirstEdgeAlong}},
-        {"last-edge-along-lost",
-         alongQuestion,
+         [](const T &t, const S &) { return t.x0 != t.x1; }},
+        {"last-edge-along-lost", alongQuestion,
          "Nothing is drawn of a triangle two vertices of which have its greatest %2: it is given "
          "up where an edge has no slope.",
-         {omitWithLastEdgeAlong}},
-        {"edge-along-lost",
-         alongQuestion,
+         [](const T &t, const S &) { return t.x1 != t.x2; }},
+        {"edge-along-lost", alongQuestion,
          "Nothing is drawn of a triangle two vertices of which have one %2: it is given up where "
          "an edge has no slope.",
-         {omitWithEdgeAlong}},
-        {"last-edge-along-missing",
-         alongQuestion,
+         [](const T &t, const S &) { return t.x0 != t.x1 && t.x1 != t.x2; }},
+        {"last-edge-along-missing", alongQuestion,
          "Where two vertices of a triangle have its greatest %2, the %1 through them is left out: "
          "the half that would be this %1 alone is not drawn.",
-         {omitLastEdgeAlong}},
-        {"outline-alone",
-         "What lies between the first and the last sample of a %1?",
+         [](const T &t, const S &s) { return t.x1 != t.x2 || !isAt(s, t.x2); }},
+        {"outline-alone", "What lies between the first and the last sample of a %1?",
          "Of each %1 only the first and the last sample are drawn.",
-         {omitBetweenEnds}},
+         [](const T &, const S &s) { return s.place == s.first || s.place == s.last; }},
     };
     return rows;
 }
@@ -119,24 +100,26 @@ const std::vector<SpanDefect> &omissions()
 /// A walk by rows may begin at either end.
 const SpanDefect &omissionAtLeastRow()
 {
-    static const SpanDefect row = {
-        "first-edge-along-missing",
-        alongQuestion,
-        "Where two vertices of a triangle have its least %2, the %1 through them is left out: the "
-        "half that would be this %1 alone is not drawn.",
-        {omitFirstEdgeAlong}};
+    using T = SpanGeometry;
+    using S = RunSample;
+    static const SpanDefect row
+        = {"first-edge-along-missing", alongQuestion,
+           "Where two vertices of a triangle have its least %2, the %1 through them is left out: "
+           "the half that would be this %1 alone is not drawn.",
+           [](const T &t, const S &s) { return t.x0 != t.x1 || !isAt(s, t.x0); }};
     return row;
 }
 
 /// Going down, ⌈y₁⌉ corresponds to ⌊x₁⌋ from left to right.
 const SpanDefect &omissionFromAbove()
 {
-    static const SpanDefect row = {
-        "middle-span-truncated-from-above",
-        halvesQuestion,
-        "Where the middle vertex lies between two, the %1 ⌈%2⌉ is in neither half: > ⌈%2⌉ in the "
-        "one, from ⌊%2⌋ down in the other.",
-        {omitSpanBehindMiddle}};
+    using T = SpanGeometry;
+    using S = RunSample;
+    static const SpanDefect row
+        = {"middle-span-truncated-from-above", halvesQuestion,
+           "Where the middle vertex lies between two, the %1 ⌈%2⌉ is in neither half: > ⌈%2⌉ in "
+           "the one, from ⌊%2⌋ down in the other.",
+           [](const T &t, const S &s) { return s.span != ceilPixel(t.x1) || isAt(s, t.x1); }};
     return row;
 }
 
@@ -185,7 +168,7 @@ std::vector<Defect> spanDefectsFor(const Scene &scene)
     if (!canBeRedrawn(scene))
         return {};
     const SpanAxis axis = method.spanAxis;
-    const bool walksEdges = method.supports(Variant::NoEdgePreStep);
+    const bool walksEdges = method.walksEdges();
     std::vector<Defect> defects;
     if (walksEdges && hasEdgeAlong(scene, axis))
         defects = flatEdgeChoicesFor(axis);
@@ -194,12 +177,12 @@ std::vector<Defect> spanDefectsFor(const Scene &scene)
         appendSamplesOnBounds(defects, scene, axis);
     }
     const auto add = [&](const SpanDefect &row) {
-        defects.push_back(redrawnDefect(QString::fromLatin1(row.id),
-                                        QString::fromUtf8(row.forStudent),
-                                        QString::fromUtf8(row.forAssistant), row.redrawing, axis));
+        defects.push_back(redrawnDefect(
+            QString::fromLatin1(row.id), QString::fromUtf8(row.forStudent),
+            QString::fromUtf8(row.forAssistant), redrawingThatKeeps(row.keeps), axis));
     };
     if (axis == SpanAxis::Free) {
-        defects = edgeTestDefects();
+        defects = edgeTestDefectsFor(scene);
         std::ranges::move(boxDefects(), std::back_inserter(defects));
     } else {
         std::ranges::for_each(omissions(), add);
@@ -209,10 +192,12 @@ std::vector<Defect> spanDefectsFor(const Scene &scene)
         add(omissionAtLeastRow());
     }
     const auto unchanged = [](TriangleRuns &) {};
-    add({"parity",
-         "What happens to a pixel that two triangles paint?",
-         "Pixels are toggled, not painted: what two triangles paint is background again.",
-         {unchanged, LevelOverflow::Clamps, Repainting::Toggles}});
+    defects.push_back(redrawnDefect(
+        QStringLiteral("parity"),
+        QStringLiteral("What happens to a pixel that two triangles paint?"),
+        QStringLiteral(
+            "Pixels are toggled, not painted: what two triangles paint is background again."),
+        {unchanged, LevelOverflow::Clamps, Repainting::Toggles}, axis));
     return defects;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/scan/mistakes/scanbugs.h"
+#include "core/scan/scanbugs.h"
 
 #include <vector>
 

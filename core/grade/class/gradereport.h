@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/grade/class/assignment.h"
-#include "core/grade/class/frameconvention.h"
 #include "core/grade/diagnose/diagnosis.h"
+#include "core/grade/diagnose/frameconvention.h"
 #include "core/grade/pictures/picturediff.h"
 
 #include <QStringList>

@@ -2,6 +2,7 @@
 #include "core/grade/diagnose/diagnosis.h"
 
 #include "core/grade/diagnose/defectsearch.h"
+#include "core/grade/diagnose/readconvention.h"
 #include "core/grade/diagnose/undecidable.h"
 #include "core/grade/pictures/picturecause.h"
 #include "core/grade/pictures/picturediff.h"
@@ -101,7 +102,7 @@ Defect drawnOnOther(const Colour &other, const QString &backgrounds)
     return {.id = QStringLiteral("drawn-on-%1-%2-%3").arg(red).arg(green).arg(blue),
             .forStudent = QStringLiteral("What is in the frame before anything is drawn?"),
             .forAssistant = QStringLiteral("Done to the whole picture: %1.").arg(change.name),
-            .changePicture = change.apply,
+            .changePicture = change.pixel,
             .choice = change.kind};
 }
 
@@ -128,6 +129,33 @@ bool diagnoseOnAnyBackground(DefectPictures &pictures, std::span<const FoundPict
     for (DiagnosisCandidate &candidate : beside.candidates)
         candidate.defects.push_back(drawnOnIt);
     diagnosis.candidates = std::move(beside.candidates);
+    return true;
+}
+
+/// Where nothing explains the pictures as the scenes ask for them, they are judged by the
+/// conventions that are read off them, which are told first. False where the listener ended it.
+bool diagnoseUnderAnyConvention(DefectPictures &pictures, std::span<const FoundPicture> found,
+                                const ProgressListener &listener, const Margin &margin,
+                                Diagnosis &diagnosis)
+{
+    if (!diagnoseOnAnyBackground(pictures, found, listener, margin, diagnosis))
+        return false;
+    const bool isUnexplained
+        = diagnosis.verdict == DiagnosisVerdict::Wrong && !diagnosis.isExplained();
+    auto read = isUnexplained ? readConvention(pictures, found) : std::nullopt;
+    if (!read)
+        return true;
+    DefectPictures readPictures(std::move(read->scenes));
+    Diagnosis beside;
+    if (!diagnoseOnItsBackground(readPictures, found, listener, margin, beside))
+        return false;
+    if (beside.candidates.empty())
+        beside.candidates.push_back(
+            {{}, beside.differing - beside.undecidable, beside.undecidable});
+    for (DiagnosisCandidate &candidate : beside.candidates)
+        candidate.defects.insert(candidate.defects.begin(), read->told.begin(), read->told.end());
+    diagnosis.candidates = std::move(beside.candidates);
+    diagnosis.work = readPictures.work();
     return true;
 }
 
@@ -206,9 +234,11 @@ std::optional<Diagnosis> diagnose(DefectPictures &pictures, std::span<const Foun
                                   const ProgressListener &listener, const Margin &margin)
 {
     Diagnosis diagnosis;
+    const DrawnWork before = pictures.work();
     bool isDone = true;
     diagnosis.failure = failureOf(
-        [&] { isDone = diagnoseOnAnyBackground(pictures, found, listener, margin, diagnosis); });
+        [&] { isDone = diagnoseUnderAnyConvention(pictures, found, listener, margin, diagnosis); });
+    diagnosis.work = diagnosis.work + (pictures.work() - before);
     return isDone ? std::optional(std::move(diagnosis)) : std::nullopt;
 }
 

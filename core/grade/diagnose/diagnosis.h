@@ -70,6 +70,7 @@ struct Diagnosis {
     std::vector<DiagnosisCandidate> candidates;
     /// The error that ended the search, leaving no candidates; none: it completed.
     std::optional<QString> failure = {};
+    DrawnWork work = {}; ///< what was drawn for it, besides what other submissions had drawn
 
     bool isExplained() const { return !candidates.empty() && candidates.front().distance == 0; }
 };

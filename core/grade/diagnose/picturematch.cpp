@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/diagnose/picturematch.h"
 
+#include "core/grade/diagnose/sampledspans.h"
 #include "core/grade/pictures/picturediff.h"
 
 #include <algorithm>
@@ -25,8 +26,11 @@ PictureMatcher::PictureMatcher(DefectPictures &pictures, std::span<const FoundPi
     : m_pictures(pictures)
     , m_found(found)
     , m_margin(margin)
+    , m_spans(std::make_unique<const SampledSpans>(pictures, found))
 {
 }
+
+PictureMatcher::~PictureMatcher() = default;
 
 bool PictureMatcher::isTolerated(Arithmetic arithmetic) const
 {
@@ -38,15 +42,27 @@ bool PictureMatcher::isTolerated(Arithmetic arithmetic) const
 
 std::int64_t PictureMatcher::distance(const DefectSet &set, std::int64_t limit)
 {
-    const bool isKnown = limit == 1 && std::ranges::any_of(m_found, [&](const FoundPicture &each) {
-                             return m_pictures.isKnownToDiffer(each.scene, set, each.picture);
-                         });
-    if (isKnown)
+    const auto inSpans = m_spans->distance(set, limit);
+    if (inSpans && *inSpans >= limit)
+        return *inSpans;
+    const bool isBeyond
+        = m_spans->areSampled() && std::ranges::any_of(m_found, [&](const FoundPicture &each) {
+              return m_pictures.isBeyond(each.scene, set, each.picture, limit);
+          });
+    if (isBeyond)
+        return limit;
+    const auto isKnown = [&](const FoundPicture &each, std::int64_t upTo) {
+        return upTo != unknown && m_pictures.isKnownToDiffer(each.scene, set, each.picture, upTo);
+    };
+    if (limit == 1
+        && std::ranges::any_of(m_found, [&](const auto &each) { return isKnown(each, 1); }))
         return limit;
     std::int64_t distance = 0;
     for (const FoundPicture &each : m_found) {
         if (distance >= limit)
             break;
+        if (limit != 1 && isKnown(each, limit - distance))
+            return limit;
         const auto picture = m_pictures.picture(each.scene, set);
         if (!picture)
             return unknown;

@@ -9,6 +9,8 @@
 
 namespace pixelplumb {
 
+class SampledSpans;
+
 /// A picture of one of several scenes.
 struct FoundPicture {
     std::size_t scene = 0; ///< its index among the scenes
@@ -31,9 +33,11 @@ public:
 
     PictureMatcher(DefectPictures &pictures, std::span<const FoundPicture> found,
                    const Margin &margin);
+    ~PictureMatcher();
 
     /// Differing pixels in all found pictures, up to a limit; unknown where a scene cannot be drawn
-    /// so. A limit of 1 only tests equality.
+    /// so. A limit of 1 only tests equality. What lies beyond the limit is estimated where pictures
+    /// are large (SampledSpans).
     std::int64_t distance(const DefectSet &set, std::int64_t limit = unknown);
     /// Pixels: more are never left open by rounding, and by samples on edges where these are open.
     std::int64_t mostOpen();
@@ -64,6 +68,7 @@ private:
     DefectPictures &m_pictures;
     std::span<const FoundPicture> m_found;
     Margin m_margin;
+    std::unique_ptr<const SampledSpans> m_spans;
 };
 
 } // namespace pixelplumb

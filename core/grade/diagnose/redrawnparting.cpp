@@ -137,8 +137,10 @@ std::optional<PartingStep> partingOfRedrawing(const Scene &scene, const Defect &
 
 std::optional<PartingStep> partingStepOf(const Scene &scene, std::span<const Defect> defects)
 {
-    const Scene defective = withDefects(scene, defects);
-    const auto redrawing = redrawingAmong(defects);
+    const Scene defective = steppedWithDefects(scene, defects);
+    const bool isStepped
+        = !defective.settings.bugs.isRight() || !defective.settings.testBugs.isRight();
+    const auto redrawing = isStepped ? std::nullopt : redrawingAmong(defects);
     Scene right = scene;
     right.settings.arithmetic = defective.settings.arithmetic;
     const bool isArithmeticAlone = right == defective && !redrawing;

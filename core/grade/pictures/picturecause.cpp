@@ -11,13 +11,13 @@ namespace pixelplumb {
 
 namespace {
 
-auto recolour(const std::function<Colour(const Colour &)> &change)
+template <class Change>
+PixelRule recolour(const Change &change)
 {
-    return [=](const Picture &expected, const Colour &) {
-        Picture picture = expected;
-        std::ranges::transform(picture.colours, picture.colours.begin(), change);
-        return picture;
-    };
+    return ruleOf([=](const Picture &expected, int x, int line, const Colour &) {
+        const std::size_t place = expected.placeOf(x, line);
+        return ChangedPixel{change(expected.colours[place]), expected.covered[place]};
+    });
 }
 
 void appendChannels(std::vector<PictureChange> &changes)
@@ -109,17 +109,13 @@ void appendLevels(std::vector<PictureChange> &changes)
 
 PictureChange ofBackground(const QString &name, const Colour &colour)
 {
-    return {name,
-            [colour](const Picture &expected, const Colour &) {
-                Picture picture = expected;
-                for (std::size_t i = 0; i < picture.size(); ++i) {
-                    if (picture.covered[i] == 0)
-                        picture.colours[i] = colour;
-                    picture.covered[i] = 1; // it is not the scene's background
-                }
-                return picture;
-            },
-            QStringLiteral("background")};
+    return {
+        name, ruleOf([colour](const Picture &expected, int x, int line, const Colour &) {
+            const std::size_t place = expected.placeOf(x, line);
+            // What is covered is not the scene's background.
+            return ChangedPixel{expected.covered[place] == 0 ? colour : expected.colours[place], 1};
+        }),
+        QStringLiteral("background")};
 }
 
 constexpr Colour blackFrame{{0, 0, 0}};
@@ -137,19 +133,32 @@ void appendBackgrounds(const Colour &background, std::vector<PictureChange> &cha
 /// The change that draws only a mask.
 void appendMask(std::vector<PictureChange> &changes)
 {
-    changes.push_back({QStringLiteral("drawn in white alone"),
-                       [](const Picture &expected, const Colour &) {
-                           Picture picture = expected;
-                           for (std::size_t i = 0; i < picture.size(); ++i) {
-                               if (picture.covered[i] != 0)
-                                   picture.colours[i] = whiteFrame;
-                           }
-                           return picture;
-                       },
-                       QStringLiteral("mask")});
+    changes.push_back(
+        {QStringLiteral("drawn in white alone"),
+         ruleOf([](const Picture &expected, int x, int line, const Colour &) {
+             const std::size_t place = expected.placeOf(x, line);
+             const std::uint8_t covered = expected.covered[place];
+             return ChangedPixel{covered != 0 ? whiteFrame : expected.colours[place], covered};
+         }),
+         QStringLiteral("mask")});
 }
 
 } // namespace
+
+Picture changed(const Picture &expected, const PixelRule &rule, const Colour &background)
+{
+    Picture picture = expected;
+    std::size_t place = 0;
+    std::vector<ChangedPixel> pixels(std::size_t(expected.width));
+    for (int line = 0; line < expected.height; ++line) {
+        rule(expected, 0, line, background, pixels);
+        for (const ChangedPixel &pixel : pixels) {
+            picture.colours[place] = pixel.colour;
+            picture.covered[place++] = pixel.covered;
+        }
+    }
+    return picture;
+}
 
 QString nameOf(const Colour &colour)
 {

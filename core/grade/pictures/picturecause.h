@@ -5,17 +5,43 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 
 namespace pixelplumb {
+
+/// A pixel of a changed picture.
+struct ChangedPixel {
+    Colour colour;
+    std::uint8_t covered = 0;
+};
+
+/// The pixels that a change leaves from (x, line) on of any picture drawn on that background, which
+/// fills what a shift leaves empty.
+using PixelRule = std::function<void(const Picture &expected, int x, int line,
+                                     const Colour &background, std::span<ChangedPixel> pixels)>;
+
+/// The rule that has the pixel pixelAt(expected, x, line, background).
+template <class PixelAt>
+PixelRule ruleOf(const PixelAt &pixelAt)
+{
+    return [=](const Picture &expected, int x, int line, const Colour &background,
+               std::span<ChangedPixel> pixels) {
+        for (ChangedPixel &pixel : pixels)
+            pixel = pixelAt(expected, x++, line, background);
+    };
+}
+
+/// The whole picture after the change.
+Picture changed(const Picture &expected, const PixelRule &rule, const Colour &background);
 
 /// A change that a program may have made to its whole picture, including the background.
 struct PictureChange {
     QString name; ///< describes the picture: "shifted by 1 up"
-    /// Changes any picture drawn on that background, which fills what a shift leaves empty.
-    std::function<Picture(const Picture &expected, const Colour &background)> apply;
+    PixelRule pixel;
     QString kind; ///< two changes of one kind make a third: "shift", "flip", "stride", …
     bool isFar = false; ///< a shift by more than 1 px
     QString sentence = {}; ///< what was done, where the name does not say it all
+    bool movesPixels = false; ///< it takes them from other places
 };
 
 /// The changes of pictures that match the expected one in size and in having colours: pixels in

@@ -43,7 +43,8 @@ void findCauses(const Picture &expected, const Picture &found, PictureDiff &diff
             changes.push_back(drawnOn(*other, nameOf(background)));
     }
     for (const PictureChange &change : changes) {
-        const std::int64_t left = differingPixels(change.apply(expected, background), found);
+        const std::int64_t left
+            = differingPixels(changed(expected, change.pixel, background), found);
         if (2 * left <= before)
             diff.causes.push_back({change.name, left});
     }

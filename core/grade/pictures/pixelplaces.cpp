@@ -15,27 +15,16 @@ constexpr int farthestShift = 4; // px
 /// The pixel of the expected picture that is found at (x, line).
 using PlaceMap = std::function<std::pair<int, int>(const Picture &expected, int x, int line)>;
 
-Picture moved(const Picture &expected, const PlaceMap &source, const Colour &background)
+template <class Source>
+PixelRule moving(const Source &source)
 {
-    Picture picture = expected;
-    for (int line = 0; line < expected.height; ++line) {
-        for (int x = 0; x < expected.width; ++x) {
-            const auto [fromX, fromLine] = source(expected, x, line);
-            const bool isInside = expected.contains(fromX, fromLine);
-            const std::size_t to = picture.placeOf(x, line);
-            const std::size_t from = isInside ? expected.placeOf(fromX, fromLine) : 0;
-            picture.colours[to] = isInside ? expected.colours[from] : background;
-            picture.covered[to] = isInside ? expected.covered[from] : std::uint8_t(0);
-        }
-    }
-    return picture;
-}
-
-auto moving(const PlaceMap &source)
-{
-    return [=](const Picture &expected, const Colour &background) {
-        return moved(expected, source, background);
-    };
+    return ruleOf([=](const Picture &expected, int x, int line, const Colour &background) {
+        const auto [fromX, fromLine] = source(expected, x, line);
+        if (!expected.contains(fromX, fromLine))
+            return ChangedPixel{background, 0};
+        const std::size_t from = expected.placeOf(fromX, fromLine);
+        return ChangedPixel{expected.colours[from], expected.covered[from]};
+    });
 }
 
 QString shiftName(int right, int down)
@@ -70,7 +59,7 @@ void appendFlips(std::vector<PictureChange> &changes)
 {
     const auto right = [](const Picture &picture) { return picture.width - 1; };
     const auto bottom = [](const Picture &picture) { return picture.height - 1; };
-    const auto add = [&](const QString &name, const PlaceMap &source) {
+    const auto add = [&](const QString &name, const auto &source) {
         changes.push_back({name, moving(source), QStringLiteral("flip")});
     };
     add(QStringLiteral("upside down"),
@@ -169,6 +158,8 @@ std::vector<PictureChange> placeChangesFor(const Picture &expected)
     appendFlips(changes);
     appendStrides(expected, changes);
     appendShifts(changes);
+    for (PictureChange &change : changes)
+        change.movesPixels = true;
     return changes;
 }
 

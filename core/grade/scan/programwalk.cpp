@@ -19,8 +19,8 @@ struct RunKeeper {
     bool walked(const MistakenSpan<Numbers> &span)
     {
         triangle.runs.push_back({order == SpanOrder::Ascending ? span.span : -span.span,
-                                 span.samples.firstDrawn, span.samples.endDrawn, span.levels.whole,
-                                 span.samples.firstDrawn});
+                                 span.samples.firstDrawn, span.samples.endDrawn,
+                                 std::move(span.levels.whole), span.samples.firstDrawn});
         triangle.isRefused
             = span.isFinal && triangle.mayBe && !triangle.mayBe(triangle.runs.back());
         return !triangle.isRefused;
@@ -44,18 +44,18 @@ bool walkIn(TriangleRuns &triangle, const ScanBugs &bugs)
 bool walkAs(TriangleRuns &triangle, const ScanBugs &bugs)
 {
     if (triangle.side)
-        return walkIn<RoundedWalk<double>>(triangle, bugs);
+        return walkIn<MistakenNumbers<double>>(triangle, bugs);
     switch (triangle.settings.arithmetic) {
     case Arithmetic::Exact:
-        return walkIn<ExactWalk>(triangle, bugs);
+        return walkIn<MistakenNumbers<Fraction>>(triangle, bugs);
     case Arithmetic::Float32:
-        return walkIn<RoundedWalk<float>>(triangle, bugs);
+        return walkIn<MistakenNumbers<float>>(triangle, bugs);
     case Arithmetic::Float64:
-        return walkIn<RoundedWalk<double>>(triangle, bugs);
+        return walkIn<MistakenNumbers<double>>(triangle, bugs);
     case Arithmetic::Fixed16:
-        return walkIn<RoundedWalk<FixedPoint16>>(triangle, bugs);
+        return walkIn<MistakenNumbers<FixedPoint16>>(triangle, bugs);
     case Arithmetic::Fixed32:
-        return walkIn<RoundedWalk<FixedPoint32>>(triangle, bugs);
+        return walkIn<MistakenNumbers<FixedPoint32>>(triangle, bugs);
     }
     return false;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/grade/scan/redrawing.h"
-#include "core/scan/mistakes/scanbugs.h"
+#include "core/scan/scanbugs.h"
 
 namespace pixelplumb {
 

@@ -19,7 +19,7 @@ Picture boundedPicture(const Scene &alone, const RoundingSide &side)
     const FrameSpec &frame = alone.frame;
     const Triangle triangle = primitivesOnSamples(alone).triangles.front();
     const ArithmeticBound bound = boundOn(side, triangle);
-    if (!bound.isProved() || !alone.settings.variants.isEmpty())
+    if (!bound.isProved() || !alone.settings.isRight())
         return pictureOf(alone);
     Picture picture = emptyPicture(alone.frame);
     const SampleBox box = bound.reachIn(frame);
@@ -46,11 +46,10 @@ Picture boundedPicture(const Scene &alone, const RoundingSide &side)
 Picture rightPicture(const Scene &alone, const RoundingSide &side)
 {
     const Method &method = *methodNamed(QString::fromStdString(alone.method));
-    const bool walksEdges = method.supports(Variant::NoEdgePreStep);
     const bool hasArea = doubledArea(alone.triangles.front()) != 0;
     if (!hasArea)
         return pictureOf(alone);
-    if (!walksEdges)
+    if (!method.walksEdges())
         return boundedPicture(alone, side);
     Picture picture = emptyPicture(alone.frame);
     RedrawnTriangle(
@@ -96,14 +95,15 @@ Picture redrawn(const Scene &scene, const Redrawing &redrawing)
     return picture;
 }
 
-bool differsAtOnce(const Scene &scene, const Redrawing &redrawing, const Picture &found)
+bool differsAtOnce(const Scene &scene, const Redrawing &redrawing, const Picture &found,
+                   std::int64_t limit)
 {
     const bool isSeen
         = redrawing.walk && redrawing.repainting == Repainting::Over && !scene.triangles.empty();
     if (!isSeen)
         return false;
     const Scene last = triangleAlone(scene, scene.triangles.size() - 1);
-    return RedrawnTriangle(last, redrawing, found).isRefused();
+    return RedrawnTriangle(last, redrawing, found, limit).isRefused();
 }
 
 PictureRange redrawnRange(const Scene &scene, const Redrawing &redrawing, Arithmetic arithmetic)

@@ -29,8 +29,7 @@ struct TriangleRuns : WalkedTriangle {
     SampleBox visited; ///< the bounding box as the program rounds it; x is a column
     std::vector<SampleRun> runs; ///< in painting order
     std::optional<RoundingSide> side = {}; ///< the walk's side of rounding; none: its own numbers
-    /// Whether a run that nothing paints over later is acceptable; none: all are. A walk ends at
-    /// the first that is not.
+    /// Whether the walk goes on after a run that nothing paints over later; none: always.
     std::function<bool(const SampleRun &run)> mayBe = {};
     bool isRefused = false; ///< the walk ended there
 };
@@ -59,15 +58,13 @@ struct LevelBytes {
 /// and from ⌊y_min⌋ to ⌈y_max⌉.
 enum class VisitedBox { OfScene, Outward };
 
-struct ProgramEdgeTest;
-
 struct Redrawing {
     std::function<void(TriangleRuns &triangle)> change;
     LevelOverflow overflow = LevelOverflow::Clamps;
     Repainting repainting = Repainting::Over;
     LevelBytes bytes = {};
     std::shared_ptr<const ScanBugs> walk = {}; ///< set if the change is only a walk with these
-    std::shared_ptr<const ProgramEdgeTest> edgeTest = {}; ///< set if the change is only this test
+    std::shared_ptr<const EdgeTestBugs> edgeTest = {}; ///< set if the change is only this test
     VisitedBox box = VisitedBox::OfScene;
 };
 
@@ -78,9 +75,10 @@ std::optional<Redrawing> together(const Redrawing &one, const Redrawing &other);
 /// The scene's triangles, each drawn by the scene's method and then changed.
 Picture redrawn(const Scene &scene, const Redrawing &redrawing);
 
-/// Whether the redrawn picture certainly differs from the one found, as far as that shows before
-/// drawing: in the last triangle of a walk, which nothing paints over.
-bool differsAtOnce(const Scene &scene, const Redrawing &redrawing, const Picture &found);
+/// Whether certainly as many pixels as the limit differ from the picture found, as far as that
+/// shows in the last triangle of a walk, which nothing paints over; drawn only until they do.
+bool differsAtOnce(const Scene &scene, const Redrawing &redrawing, const Picture &found,
+                   std::int64_t limit);
 
 /// What programs with this redrawing draw in arithmetic up to this one. The scene's own is ignored.
 PictureRange redrawnRange(const Scene &scene, const Redrawing &redrawing, Arithmetic arithmetic);

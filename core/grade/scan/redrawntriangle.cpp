@@ -47,13 +47,16 @@ RedrawnTriangle::RedrawnTriangle(const Scene &alone, const Redrawing &redrawing,
 }
 
 RedrawnTriangle::RedrawnTriangle(const Scene &alone, const Redrawing &redrawing,
-                                 const Picture &found)
+                                 const Picture &found, std::int64_t limit)
     : m_frame(alone.frame)
     , m_overflow(redrawing.overflow)
     , m_bytes(redrawing.bytes)
 {
     see(alone, redrawing.box);
-    m_runs.mayBe = [&](const SampleRun &run) { return isIn(found, run); };
+    m_runs.mayBe = [&, left = limit](const SampleRun &run) mutable {
+        left -= differingIn(found, run);
+        return left > 0;
+    };
     if (redrawing.walk)
         walkAs(m_runs, *redrawing.walk);
 }
@@ -79,33 +82,41 @@ void RedrawnTriangle::see(const Scene &alone, VisitedBox box)
     }
 }
 
-/// For a raster of characters, only checks that its samples are covered.
-bool RedrawnTriangle::isIn(const Picture &found, const SampleRun &run) const
+RedrawnTriangle::RunPlaces RedrawnTriangle::placesOf(const SampleRun &run) const
 {
-    const std::int64_t end = std::min(run.end, m_runs.endSample);
-    for (std::int64_t place = std::max(run.first, m_runs.firstSample); place < end; ++place) {
-        const auto index = indexOf(run.span, place);
-        const bool isThere = !index
-            || (found.hasColours ? found.colours[*index] == colourAt(run, place, *index)
-                                 : found.covered[*index] != 0);
-        if (!isThere)
-            return false;
+    RunPlaces places{std::max(run.first, m_runs.firstSample), std::min(run.end, m_runs.endSample)};
+    const auto index = places.first < places.end ? indexOf(run.span, places.first) : std::nullopt;
+    if (!index)
+        return {};
+    places.index = *index;
+    if (const auto next = indexOf(run.span, places.first + 1))
+        places.stride = *next - *index;
+    return places;
+}
+
+/// For a raster of characters, only checks that its samples are covered.
+std::int64_t RedrawnTriangle::differingIn(const Picture &found, const SampleRun &run) const
+{
+    std::int64_t differing = 0;
+    auto [place, end, index, stride] = placesOf(run);
+    for (; place < end; ++place, index += stride) {
+        const bool isThere = found.hasColours
+            ? isEqual(found.colours[index], colourAt(run, place, index))
+            : found.covered[index] != 0;
+        differing += isThere ? 0 : 1;
     }
-    return true;
+    return differing;
 }
 
 void RedrawnTriangle::paintOn(Picture &picture, Repainting repainting,
                               const Colour &background) const
 {
     for (const SampleRun &run : m_runs.runs) {
-        const std::int64_t end = std::min(run.end, m_runs.endSample);
-        for (std::int64_t place = std::max(run.first, m_runs.firstSample); place < end; ++place) {
-            const auto index = indexOf(run.span, place);
-            if (!index)
-                continue;
-            const bool isErased = repainting == Repainting::Toggles && picture.covered[*index] != 0;
-            picture.colours[*index] = isErased ? background : colourAt(run, place, *index);
-            picture.covered[*index] = isErased ? 0 : 1;
+        auto [place, end, index, stride] = placesOf(run);
+        for (; place < end; ++place, index += stride) {
+            const bool isErased = repainting == Repainting::Toggles && picture.covered[index] != 0;
+            picture.colours[index] = isErased ? background : colourAt(run, place, index);
+            picture.covered[index] = isErased ? 0 : 1;
         }
     }
 }
@@ -156,7 +167,7 @@ Colour RedrawnTriangle::colourAt(const SampleRun &run, std::int64_t place, std::
     const bool isOwn = run.levels.empty() && right().covered[index] != 0;
     if (isOwn && m_bytes.isRight())
         return right().colours[index];
-    const bool isOfPlane = m_runs.settings.variants.isEmpty();
+    const bool isOfPlane = m_runs.settings.isRight();
     const WholeLevels levels = !run.levels.empty()
         ? run.levels[std::size_t(place - run.firstLevelled)]
         : isOwn && !isOfPlane ? levelsOf(right().colours[index])

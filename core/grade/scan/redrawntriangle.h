@@ -15,15 +15,23 @@ public:
                     std::function<Picture()> drawRight,
                     const std::optional<RoundingSide> &side = {});
 
-    /// Draws only while it matches the picture found: a walk ends at the first run that does not.
-    RedrawnTriangle(const Scene &alone, const Redrawing &redrawing, const Picture &found);
+    /// Draws only until as many samples as the limit differ from the picture found.
+    RedrawnTriangle(const Scene &alone, const Redrawing &redrawing, const Picture &found,
+                    std::int64_t limit);
     bool isRefused() const { return m_runs.isRefused; }
 
     void paintOn(Picture &picture, Repainting repainting, const Colour &background) const;
 
 private:
     void see(const Scene &alone, VisitedBox box);
-    bool isIn(const Picture &found, const SampleRun &run) const;
+    /// A run's samples in the frame, and where the first one and each next one is in a picture.
+    struct RunPlaces {
+        std::int64_t first = 0, end = 0;
+        std::size_t index = 0;
+        std::size_t stride = 0; ///< modulo 2^64, as lines may ascend
+    };
+    RunPlaces placesOf(const SampleRun &run) const;
+    std::int64_t differingIn(const Picture &found, const SampleRun &run) const;
     const Picture &right() const;
     std::optional<std::size_t> indexOf(std::int64_t span, std::int64_t place) const;
     void readRuns();

@@ -9,9 +9,9 @@
 
 namespace pixelplumb {
 
-/// How the numbers of an edge test become records.
+/// How the numbers of an edge test become records, each sample's kept.
 template <class A, EdgeTestForm form>
-struct EdgeTestRecording : EdgeTestNumbers<A> {
+struct EdgeTestRecords : EdgeTestNumbers<A> {
     using typename EdgeTestNumbers<A>::SetUp;
     using typename EdgeTestNumbers<A>::Span;
     using typename EdgeTestNumbers<A>::Sample;
@@ -78,11 +78,16 @@ struct EdgeTestRecording : EdgeTestNumbers<A> {
         record.colour = edgeTestColourOf<A, form>(sample);
         record.level = sample.level;
     }
+};
 
-    static void walk(const SetUp &setUp, const Span &span, const ScanSettings &settings,
-                     ObserverOf<EdgeTestNumbers<A>> observer)
+/// Of a right test, whose samples are tested again from their span.
+template <class A, EdgeTestForm form>
+struct EdgeTestRecording : EdgeTestRecords<A, form> {
+    static void walk(const EdgeTestSetUp<A> &setUp, const EdgeTestSpan<A> &span,
+                     const ScanSettings &settings, ObserverOf<EdgeTestNumbers<A>> observer)
     {
-        const SpanPixels pixels(placeOf(span), span.firstTested, span.endTested);
+        const SpanPixels pixels(EdgeTestRecords<A, form>::placeOf(span), span.firstTested,
+                                span.endTested);
         if (!pixels.isEmpty())
             testSpan<A, form>(setUp, span, settings.rounding, pixels.view(), observer);
     }

@@ -52,8 +52,7 @@ Method columnScanMethod()
     method.hasFastKernels = true;
     constexpr ShadedMethod shaded = ShadedMethod::ColumnScan;
     method.draw = drawVaried<drawPlanned<shaded, drawColumnScan>, drawWith<VariedColumnScan>>;
-    method.trace = traceVaried<tracePlanned<shaded, traceWith<ColumnScanKernel>>,
-                               traceWith<VariedColumnScan>>;
+    method.trace = traceVaried<tracePlanned<shaded, traceWith<ColumnScanKernel>>, VariedColumnScan>;
     return method;
 }
 

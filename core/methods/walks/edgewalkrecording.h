@@ -8,9 +8,9 @@
 
 namespace pixelplumb {
 
-/// How the numbers of an edge walk become records.
+/// How the numbers of an edge walk become records, each sample's kept.
 template <class A, EdgeWalkForm form>
-struct EdgeWalkRecording : EdgeWalkNumbers<A> {
+struct EdgeWalkRecords : EdgeWalkNumbers<A> {
     using typename EdgeWalkNumbers<A>::SetUp;
     using typename EdgeWalkNumbers<A>::Span;
     using typename EdgeWalkNumbers<A>::Sample;
@@ -79,21 +79,26 @@ struct EdgeWalkRecording : EdgeWalkNumbers<A> {
         record.level = fragment.level;
     }
 
-    static void walk(const SetUp &, const Span &column, const ScanSettings &settings,
-                     ObserverOf<EdgeWalkNumbers<A>> observer)
+private:
+    static constexpr std::int64_t across(std::int64_t column) { return isRow ? -column : column; }
+};
+
+/// Of a right walk, whose samples are walked again from their span.
+template <class A, EdgeWalkForm form>
+struct EdgeWalkRecording : EdgeWalkRecords<A, form> {
+    static void walk(const EdgeWalkSetUp<A> &, const ColumnState<A> &column,
+                     const ScanSettings &settings, ObserverOf<EdgeWalkNumbers<A>> observer)
     {
-        const SpanPixels pixels(placeOf(column), column.firstDrawn, column.endDrawn);
+        const SpanPixels pixels(EdgeWalkRecords<A, form>::placeOf(column), column.firstDrawn,
+                                column.endDrawn);
         if (pixels.isEmpty())
             return;
-        using View = std::conditional_t<isRow, TurnedView, FrameView>;
+        using View = std::conditional_t<form.axis == SpanAxis::Row, TurnedView, FrameView>;
         const Triangle none;
         fillColumn(column, settings.rounding, View(pixels.view()),
                    EdgeWalkListener<A, form.axis, decltype(observer)>(none, {}, column.firstDrawn,
                                                                       observer));
     }
-
-private:
-    static constexpr std::int64_t across(std::int64_t column) { return isRow ? -column : column; }
 };
 
 } // namespace pixelplumb

@@ -20,7 +20,7 @@ Method rowWalkMethod()
     method.stableArithmetics = {Arithmetic::Exact};
     method.variants = edgeWalkVariants();
     method.draw = drawVaried<drawWith<RowWalk>, drawWith<VariedRowWalk>>;
-    method.trace = traceVaried<traceWith<RowWalk>, traceWith<VariedRowWalk>>;
+    method.trace = traceVaried<traceWith<RowWalk>, VariedRowWalk>;
     method.fillRules = {FillRule::Closed, FillRule::TopLeft, FillRule::Open};
     return method;
 }

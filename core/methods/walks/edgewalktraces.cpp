@@ -5,8 +5,10 @@ namespace pixelplumb {
 
 template TraceFunction traceWith<ColumnScanKernel>;
 template TraceFunction traceWith<VariedColumnScan>;
+template TraceFunction traceMistaken<VariedColumnScan>;
 template TraceFunction traceWith<RowWalk>;
 template TraceFunction traceWith<VariedRowWalk>;
+template TraceFunction traceMistaken<VariedRowWalk>;
 template TraceFunction traceWith<ConstantRateWalk<SpanAxis::Column>>;
 template TraceFunction traceWith<ConstantRateWalk<SpanAxis::Row>>;
 template TraceFunction traceWith<BiasScan>;

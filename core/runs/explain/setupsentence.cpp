@@ -62,6 +62,19 @@ QString variantText(Variant variant, SpanAxis axis)
              nameText(words.fault));
 }
 
+/// Which settings of the walk are not a right program's.
+QString bugsText(const ScanBugs &bugs)
+{
+    QStringList ids;
+    for (const ScanSetting &setting : scanSettings()) {
+        if (valueOf(setting, bugs) != 0)
+            ids += nameText(setting.id);
+    }
+    return ids.isEmpty() ? QString()
+                         : QStringLiteral(" A program's mistakes are imitated, in: %1.")
+                               .arg(ids.join(QStringLiteral(", ")));
+}
+
 } // namespace
 
 QString setUpSentence(const TracedScene &traced, std::size_t primitive, const QString &words)
@@ -71,6 +84,9 @@ QString setUpSentence(const TracedScene &traced, std::size_t primitive, const QS
         sentence = (placeOfPrimitive(traced, primitive) + u' ' + words).trimmed();
     for (const Variant variant : variantsIn(traced.scene.settings.variants))
         sentence += variantText(variant, traced.method->spanAxis);
+    sentence += bugsText(traced.scene.settings.bugs);
+    if (!traced.scene.settings.testBugs.isRight())
+        sentence += QStringLiteral(" A program's mistakes are imitated in its edge tests.");
     if (traced.scene.frame.pixelCentre == PixelCentre::Half)
         sentence += QStringLiteral(" All coordinates are counted from the centre of pixel (0, 0): "
                                    "½ px less than the scene's.");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/scan/lines/linestep.h"
+#include "core/scan/mistakes/variededge.h"
 #include "core/scan/walks/columnscan.h"
 
 /// The digital differential analyzer (Rasterization slides, "DDA Line-Drawing Algorithm"): walk the
@@ -49,7 +50,7 @@ void scanLineByDda(const Shape &line, const ScanSettings &settings, FrameView fr
         observer.primitiveRejected(PrimitiveRejection::NotRepresentable);
         return;
     }
-    const VariedScan::Edge walked = VariedScan{settings.variants}.edge(a, b);
+    const VariedEdge walked = variedEdge(a, b, edgeChangesOf(settings.variants));
     // The quotients that the walker starts with.
     if constexpr (readsNumbers<Observer>) {
         setUp.slope = A::edgeSlope(walked.a, walked.b);

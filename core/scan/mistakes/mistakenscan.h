@@ -2,9 +2,8 @@
 #pragma once
 
 #include "core/scan/columnstate.h"
-#include "core/scan/mistakes/exactwalk.h"
-#include "core/scan/mistakes/roundedwalk.h"
-#include "core/scan/mistakes/walkcorners.h"
+#include "core/scan/mistakes/mistakennumbers.h"
+#include "core/scan/mistakes/walkedends.h"
 
 #include <algorithm>
 #include <optional>
@@ -23,7 +22,7 @@ struct MistakenSpan {
     bool isFinal = false; ///< nothing paints over it later
     WalkedSpan samples;
     const typename Numbers::Bounds &bounds;
-    const SpanLevels<typename Numbers::Number> &levels; ///< of the samples to be drawn
+    SpanLevels<typename Numbers::Number> &levels; ///< of the samples to be drawn; may be taken
 };
 
 /// Walks a triangle's spans from the first vertex to the last, in one number type. The receiver has
@@ -41,6 +40,7 @@ public:
         , m_receiver(receiver)
         , m_bugs(program.bugs())
         , m_corners(seen.triangle, program)
+        , m_ends(m_corners, program, seen.intervals.columns)
         , m_p0(m_corners.p0())
         , m_p1(m_corners.p1())
         , m_p2(m_corners.p2())
@@ -49,21 +49,19 @@ public:
 
     void run()
     {
-        const std::int64_t firstSpan = firstOfTriangle();
-        const std::int64_t endSpan = endOfTriangle();
+        const std::int64_t firstSpan = m_ends.firstOfTriangle();
+        const std::int64_t endSpan = m_ends.endOfTriangle();
         const auto first = m_bugs.remembers() ? firstSpan : std::max(firstSpan, m_seen.firstSpan);
         const auto end = std::min(endSpan, m_seen.endSpan);
         if constexpr (Receiver::detail == LevelDetail::Numbers)
-            m_receiver.begun(m_corners.order(), {firstSpan, firstOfSecondHalf(), endSpan},
-                             {edge(WalkedEdges::First, m_corners.firstEdge(), firstSpan),
-                              edge(WalkedEdges::Second, m_corners.secondEdge(), firstSpan),
-                              edge(WalkedEdges::Long, m_corners.longEdge(), firstSpan)});
+            announce({firstSpan, m_ends.firstOfSecondHalf(), endSpan});
         const bool isSorted = m_corners.areSorted();
         if (isSorted && first >= end)
             return;
         const auto ofBoth
             = [&](std::int64_t span) { return isSorted ? std::clamp(span, first, end) : span; };
-        const std::int64_t middle = isBegunBeforeMiddle() ? first : ofBoth(firstOfSecondHalf());
+        const std::int64_t middle
+            = m_ends.isBegunBeforeMiddle() ? first : ofBoth(m_ends.firstOfSecondHalf());
         Edge across = edge(WalkedEdges::Long, m_corners.longEdge(), first);
         Edge along = edge(WalkedEdges::First, m_corners.firstEdge(), first);
         if (m_bugs.longPlacesBefore == LongEdgeBefore::Waits)
@@ -71,8 +69,8 @@ public:
         if (m_bugs.longColoursBefore == LongEdgeBefore::Waits)
             across.holdColour();
         m_endFinal = middle;
-        walkHalf(ColumnHalf::First, first, std::min(ofBoth(endOfFirstHalf()), m_seen.endSpan),
-                 along, across);
+        walkHalf(ColumnHalf::First, first,
+                 std::min(ofBoth(m_ends.endOfFirstHalf()), m_seen.endSpan), along, across);
         goOnAcross(middle, across);
         Edge behind = edgeBehind(middle, along);
         if (m_p1.position.x == m_p2.position.x)
@@ -84,69 +82,15 @@ public:
     }
 
 private:
-    std::int64_t spanOf(const Vertex &vertex) const { return m_program.spanOf(vertex.position.x); }
-    bool isByRule() const { return m_bugs.spans == EndRounding::ByRule; }
-
-    std::int64_t firstOfTriangle() const
+    /// The spans: the first, the first of the second half, and one past the last.
+    void announce(const std::array<std::int64_t, 3> &spans) const
     {
-        if (!isByRule())
-            return spanOf(m_p0);
-        const Lattice x = m_p0.position.x;
-        const std::int64_t byRule = firstSampleFrom(x, m_seen.intervals.columns);
-        switch (m_program.firstEnd()) {
-        case SpanEnd::ByRule:
-            break;
-        case SpanEnd::Outward:
-            return floorPixel(x);
-        case SpanEnd::Nearest:
-            return m_program.spanOf(x, EndRounding::Nearest);
-        case SpanEnd::OneMore:
-            return byRule - 1;
-        }
-        return byRule;
+        const std::array<Edge, 3> edges
+            = {edge(WalkedEdges::First, m_corners.firstEdge(), spans[0]),
+               edge(WalkedEdges::Second, m_corners.secondEdge(), spans[0]),
+               edge(WalkedEdges::Long, m_corners.longEdge(), spans[0])};
+        m_receiver.begun(m_corners.order(), spans, edges);
     }
-    std::int64_t endOfTriangle() const
-    {
-        const Interval columns = m_seen.intervals.columns;
-        const std::int64_t behind = ownsLast(columns) ? 1 : 0;
-        if (!isByRule())
-            return spanOf(m_p2) + behind;
-        const Lattice x = m_p2.position.x;
-        switch (m_program.lastEnd()) {
-        case SpanEnd::ByRule:
-            break;
-        case SpanEnd::Outward:
-            return ceilPixel(x) + behind;
-        case SpanEnd::Nearest:
-            return m_program.spanOf(x, EndRounding::Nearest) + behind;
-        case SpanEnd::OneMore:
-            return endSampleAt(x, columns) + 1;
-        }
-        return endSampleAt(x, columns);
-    }
-    /// Without a first half the second one begins with the triangle.
-    bool isBegunBeforeMiddle() const
-    {
-        return !m_corners.hasFirstHalf() && m_program.firstEnd() != SpanEnd::ByRule;
-    }
-
-    std::int64_t firstOfSecondHalf() const
-    {
-        if (isByRule() && m_bugs.middleSpan == MiddleSpan::FromSpanBefore)
-            return floorPixel(m_p1.position.x);
-        if (isByRule() && m_bugs.middleSpan == MiddleSpan::FromNearest)
-            return m_program.spanOf(m_p1.position.x, EndRounding::Nearest);
-        return spanOf(m_p1);
-    }
-    std::int64_t endOfFirstHalf() const
-    {
-        if (isBegunBeforeMiddle())
-            return firstOfTriangle();
-        if (m_bugs.middleSpan != MiddleSpan::InBothHalves)
-            return firstOfSecondHalf();
-        return (isByRule() ? floorPixel(m_p1.position.x) : spanOf(m_p1)) + 1;
-    }
-
     Edge edge(WalkedEdges which, const WalkedEdge &edge, std::int64_t span) const
     {
         return Edge(edge, m_program.bugsOf(which), span);
@@ -315,6 +259,7 @@ private:
     Receiver &m_receiver;
     const ScanBugs &m_bugs;
     WalkCorners m_corners;
+    WalkedEnds m_ends;
     const Vertex &m_p0, &m_p1, &m_p2;
     bool m_hasEnded = false;
     std::int64_t m_endFinal = 0; ///< earlier spans of the current half are painted only once

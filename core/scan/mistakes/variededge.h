@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry/triangle.h"
-#include "core/scan/mistakes/scanbugs.h"
+#include "core/scan/scanbugs.h"
 #include "core/scan/variants.h"
 
 #include <algorithm>

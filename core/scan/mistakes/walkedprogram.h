@@ -197,8 +197,9 @@ enum class LevelDetail { Whole, Numbers };
 template <class Number>
 struct SpanLevels {
     SpanLevels(std::size_t samples, LevelDetail detail)
-        : whole(samples)
-        , own(detail == LevelDetail::Numbers ? samples : 0)
+        : hasNumbers(detail == LevelDetail::Numbers)
+        , whole(samples)
+        , own(hasNumbers ? samples : 0)
     {
     }
     void reverse()
@@ -206,8 +207,8 @@ struct SpanLevels {
         std::ranges::reverse(whole);
         std::ranges::reverse(own);
     }
-    bool hasNumbers() const { return !own.empty(); }
 
+    bool hasNumbers;
     std::vector<WholeLevels> whole;
     std::vector<std::array<Number, 3>> own; ///< before rounding, if they are kept
     std::array<Number, 3> first = {}; ///< at the first sample in the frame, or where it would be

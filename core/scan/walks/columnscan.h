@@ -8,7 +8,6 @@
 #include "core/scan/roundedarithmetic.h"
 #include "core/scan/scanobserver.h"
 #include "core/scan/walks/columnwalk.h"
-#include "core/scan/walks/variedscan.h"
 #include "core/scan/workstage.h"
 
 #include <algorithm>
@@ -50,12 +49,10 @@ template <class A, class View, class Observer>
 }
 
 /// Scans one triangle into one frame under one fill rule. The view is a FrameView, or a turned
-/// view, whose columns are the frame's rows. The form is RightScan, or a VariedScan with its
-/// departures from the algorithm.
-template <class A, ScanObserver<ColumnScanNumbers<A>> Observer, class View = FrameView,
-          class Form = RightScan>
+/// view, whose columns are the frame's rows.
+template <class A, ScanObserver<ColumnScanNumbers<A>> Observer, class View = FrameView>
 class ColumnScan {
-    using Ramp = typename Form::template Ramp<A>;
+    using Ramp = typename A::ColourRamp;
     static constexpr bool walksColours = Ramp::readsEdges || readsNumbers<Observer>;
     /// For triangles that have area.
     using Walker
@@ -63,9 +60,8 @@ class ColumnScan {
 
 public:
     ColumnScan(const Triangle &triangle, ScanIntervals intervals, ByteRounding rounding, View frame,
-               Observer observer, Form form = {})
-        : m_form(form)
-        , m_intervals(intervals)
+               Observer observer)
+        : m_intervals(intervals)
         , m_range(columnRangeOf(triangle, intervals.columns))
         , m_p0(triangle.vertices[std::size_t(m_range.order[0])])
         , m_p1(triangle.vertices[std::size_t(m_range.order[1])])
@@ -92,8 +88,7 @@ public:
     static constexpr bool skipsEmptyHalf = false;
     [[gnu::always_inline]] Walker walkerOn(const SortedEnds &ends, std::int64_t column) const
     {
-        const auto edge = m_form.edge(at(ends[0]), at(ends[1]));
-        return Walker(edge.a, edge.b, column);
+        return Walker(at(ends[0]), at(ends[1]), column);
     }
     Interval rowsOf(const SortedEnds &) const { return m_intervals.rows; }
     template <class AnyWalker>
@@ -104,10 +99,8 @@ public:
         column.x = x;
         column.half = half;
         column.longEdge = m_range.longEdge;
-        if constexpr (Form::template boundsMayCross<A>)
-            column.longEdge
-                = sideOfLongEdge(column.longEdge, rows, shortEdge.y, longEdge.y,
-                                 [](const auto &a, const auto &b) { return Form::isBelow(a, b); });
+        if constexpr (A::boundsMayCross)
+            column.longEdge = sideOfLongEdge(column.longEdge, rows, shortEdge.y, longEdge.y);
         const bool longAbove = column.longEdge == LongEdge::Above;
         const AnyWalker &bottom = longAbove ? shortEdge : longEdge;
         const AnyWalker &top = longAbove ? longEdge : shortEdge;
@@ -117,7 +110,7 @@ public:
         top.showAt(column.colourTop);
         coverRows<A>(column, rows, bottom.y, top.y, m_frame);
         column.colourRate = m_ramp.rates(column);
-        column.firstColour = m_form.starts(m_ramp, column);
+        column.firstColour = m_ramp.starts(column, column.firstDrawn);
         m_observer.spanEntered(column);
         fillColumn(column, m_rounding, m_frame, m_observer);
     }
@@ -144,9 +137,8 @@ private:
 
     bool isRepresentable() const
     {
-        const auto isHeld
-            = [](const Vertex &vertex) { return Form::template represents<A>(vertex.position); };
-        return isHeld(m_p0) && isHeld(m_p1) && isHeld(m_p2);
+        return A::represents(m_p0.position) && A::represents(m_p1.position)
+            && A::represents(m_p2.position);
     }
 
     /// Includes the quotients that the walkers start with, if the observer reads numbers.
@@ -156,7 +148,8 @@ private:
         if constexpr (readsNumbers<Observer>) {
             constexpr std::array<SortedEnds, 3> edges = {{{0, 1}, {1, 2}, {0, 2}}};
             for (std::size_t edge = 0; edge < 3; ++edge) {
-                const auto [a, b] = m_form.edge(at(edges[edge][0]), at(edges[edge][1]));
+                const Vertex &a = at(edges[edge][0]);
+                const Vertex &b = at(edges[edge][1]);
                 setUp.slope[edge] = A::edgeSlope(a, b);
                 for (std::size_t channel = 0; channel < 3; ++channel)
                     setUp.colourRate[edge][channel] = A::edgeColourRate(a, b, channel);
@@ -165,7 +158,6 @@ private:
         return setUp;
     }
 
-    [[no_unique_address]] Form m_form;
     ScanIntervals m_intervals;
     ColumnRange m_range;
     const Vertex &m_p0;

@@ -142,15 +142,15 @@ template <class Scan, class View, class Observer>
 /// The assignment has y_B ≤ y_T in each column: where rounding makes the edges cross, as it does
 /// near the last vertex, the column still reaches from one to the other. Under the other rules such
 /// a column holds no sample.
-template <class Number, class IsBelow>
+template <class Number>
 LongEdge sideOfLongEdge(LongEdge ofTriangle, Interval rows, const Number &shortY,
-                        const Number &longY, const IsBelow &isBelow)
+                        const Number &longY)
 {
     if (rows != Interval::Closed)
         return ofTriangle;
-    if (isBelow(longY, shortY))
+    if (longY < shortY)
         return LongEdge::Below;
-    return isBelow(shortY, longY) ? LongEdge::Above : ofTriangle;
+    return shortY < longY ? LongEdge::Above : ofTriangle;
 }
 
 /// The row interval of the columns between the long edge and a short one.

@@ -61,9 +61,9 @@ template <class A, SpanAxis axis, class Observer>
 inline constexpr bool readsNumbers<EdgeWalkListener<A, axis, Observer>> = readsNumbers<Observer>;
 
 /// Walks a triangle's edges along the columns, or along the rows from the highest y to the lowest.
-template <class A, SpanAxis axis, class Form = RightScan, ScanObserver<EdgeWalkNumbers<A>> Observer>
+template <class A, SpanAxis axis, ScanObserver<EdgeWalkNumbers<A>> Observer>
 void walkEdges(const Triangle &triangle, const ScanSettings &settings, FrameView frame,
-               Observer observer, Form form = {})
+               Observer observer)
 {
     using View = std::conditional_t<axis == SpanAxis::Row, TurnedView, FrameView>;
     const Triangle seen = axis == SpanAxis::Row ? betweenExtremes(triangle) : triangle;
@@ -72,30 +72,14 @@ void walkEdges(const Triangle &triangle, const ScanSettings &settings, FrameView
     const ScanIntervals intervals = axis == SpanAxis::Row ? rowIntervals({settings, frame})
                                                           : columnIntervals(settings.fillRule);
     const auto scan = [&](auto listener) {
-        ColumnScan<A, decltype(listener), View, Form>(scanned, intervals, settings.rounding, view,
-                                                      listener, form)
+        ColumnScan<A, decltype(listener), View>(scanned, intervals, settings.rounding, view,
+                                                listener)
             .run();
     };
     if constexpr (std::is_same_v<Observer, NullObserver>)
         scan(observer); // nobody listens
     else
         scan(EdgeWalkListener<A, axis, Observer>(triangle, intervals, view.firstRow, observer));
-}
-
-/// Like walkEdges(), with the departures of the settings. A triangle of zero area has none.
-template <class A, SpanAxis axis, class Observer>
-void walkVariedEdges(const Triangle &triangle, const ScanSettings &settings, FrameView frame,
-                     Observer observer)
-{
-    if (doubledArea(triangle) == 0) {
-        walkEdges<A, axis>(triangle, settings, frame, observer);
-        return;
-    }
-    const std::array<int, 3> order
-        = sortedByColumn(axis == SpanAxis::Row ? turned(triangle) : triangle);
-    const bool isUnsorted = settings.variants.contains(Variant::UnsortedColours);
-    walkEdges<A, axis>(isUnsorted ? withUnsortedColours(triangle, order) : triangle, settings,
-                       frame, observer, VariedScan{settings.variants});
 }
 
 } // namespace pixelplumb

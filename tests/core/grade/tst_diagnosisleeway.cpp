@@ -102,7 +102,7 @@ private slots:
         Picture drawn = pictureOf(scene);
         dropTie(scene, drawn);
         const Defect defect = defectNamed(scene, id);
-        const Picture found = defect.changePicture(drawn, scene.frame.background);
+        const Picture found = changed(drawn, defect.changePicture, scene.frame.background);
         const auto diagnosis = diagnose(std::vector{Submission{scene, found}});
         QCOMPARE(diagnosis->verdict, DiagnosisVerdict::Wrong);
         QVERIFY(diagnosis->isExplained());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/diagnose/diagnosis.h"
 #include "core/scene/scenefile.h"
-#include "tests/support/programs/studentline.h"
+#include "tests/support/programs/mistakenprograms.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 
@@ -19,6 +19,16 @@ Scene sheet()
     return reading ? reading->scene : Scene();
 }
 
+/// What bresenham.py draws of a scene, with these mistakes.
+Picture drawn(const Scene &scene, const char *start, const char *tie,
+              const QStringList &mistakes = {})
+{
+    const std::vector<Picture> pictures = drawnByStudent(
+        QStringLiteral("bresenham"), {QString::fromLatin1(start), QString::fromLatin1(tie)},
+        mistakes, std::span(&scene, 1));
+    return pictures.empty() ? Picture() : pictures.front();
+}
+
 } // namespace
 
 /// The line defects match a program that was not written for them.
@@ -28,69 +38,41 @@ class TestLineDefects : public QObject {
 private slots:
     void aRightProgramIsRight()
     {
-        QCOMPARE(studentPicture(sheet(), LineMistake::None, LineEnds::LeftFirst).colours,
-                 pictureOf(sheet()).colours);
+        QCOMPARE(drawn(sheet(), "left", "crosses").colours, pictureOf(sheet()).colours);
     }
 
     void theSheetNamesTheMistakeOfAProgram_data()
     {
-        QTest::addColumn<int>("mistake");
-        QTest::addColumn<bool>("isSorted");
-        const auto row = [](const char *id, LineMistake mistake) {
-            QTest::newRow(id) << int(mistake) << true;
+        QTest::addColumn<QString>("mistake");
+        QTest::addColumn<QString>("start");
+        QTest::addColumn<QString>("id");
+        const auto add = [](const QString &mistake, const char *start, const QString &id) {
+            QTest::newRow(qPrintable(id)) << mistake << QString::fromLatin1(start) << id;
         };
-        const auto decision = [](const char *id, LineMistake mistake) {
-            QTest::newRow(id) << int(mistake) << false;
-            QTest::addRow("sorted-%s", id) << int(mistake) << true;
-        };
-        decision("decision-without-dx", LineMistake::TwiceRiseFirst);
-        decision("decision-from-difference", LineMistake::DifferenceFirst);
-        decision("decision-from-zero", LineMistake::ZeroFirst);
-        decision("decision-without-dy", LineMistake::MinusDxFirst);
-        decision("decision-of-exchanged-differences", LineMistake::ExchangedFirst);
-        decision("decision-stays-by-dy", LineMistake::OneRise);
-        decision("decision-crosses-by-dx", LineMistake::OneRun);
-        decision("decision-crosses-by-difference", LineMistake::OneDifference);
-        decision("decision-never-lowered", LineMistake::NeverLowered);
-        decision("decision-lowered-alone", LineMistake::LoweredAlone);
-        decision("decision-of-wrong-sign", LineMistake::WrongSign);
-        decision("decision-from-twice-difference", LineMistake::TwiceDifferenceFirst);
-        decision("decision-steps-halved", LineMistake::HalvedSteps);
-        decision("decision-steps-exchanged", LineMistake::ExchangedSteps);
-        decision("decision-stepped-twice", LineMistake::SteppedTwice);
-        decision("decision-stepped-before-test", LineMistake::SteppedBefore);
-        decision("decision-set-back", LineMistake::SetBack);
-        decision("one-pixel-too-many", LineMistake::OnePast);
-        decision("steps-across-backward", LineMistake::WrongWay);
-        decision("line-colours-by-pixels", LineMistake::DividedByPixels);
-        decision("line-colours-ahead", LineMistake::OneAhead);
-        decision("steepness-inverted", LineMistake::SteepnessInverted);
-        decision("line-slope-whole", LineMistake::WholeSlope);
-        QTest::newRow("descending-lines-lost") << int(LineMistake::UpwardLoop) << false;
-        row("sorted-falling-lines-level", LineMistake::NeverDown);
-        row("steep-lines-exchanged", LineMistake::NotExchangedBack);
-        row("steep-lines-lost", LineMistake::NoSteepLines);
-        QTest::newRow("falling-lines-level") << int(LineMistake::NeverDown) << false;
-        row("first-pixel-missing", LineMistake::NoFirstPixel);
-        row("least-pixel-missing", LineMistake::NoLeastPixel);
-        row("last-pixel-missing", LineMistake::NoLastPixel);
+        for (const ProgramMistake &mistake : mistakesOf(QStringLiteral("bresenham"))) {
+            const QString id = mistake.ids.front();
+            if (mistake.kind != QStringLiteral("left"))
+                add(id, "given", id);
+            if (mistake.kind != QStringLiteral("given"))
+                add(id, "left",
+                    mistake.kind == QStringLiteral("both") ? QStringLiteral("sorted-") + id : id);
+        }
     }
     void theSheetNamesTheMistakeOfAProgram()
     {
-        QFETCH(int, mistake);
-        QFETCH(bool, isSorted);
-        const LineEnds ends = isSorted ? LineEnds::LeftFirst : LineEnds::AsGiven;
+        QFETCH(QString, mistake);
+        QFETCH(QString, start);
+        QFETCH(QString, id);
         const Scene scene = sheet();
         const std::vector<Submission> submissions
-            = {{scene, studentPicture(scene, LineMistake(mistake), ends)}};
+            = {{scene, drawn(scene, qPrintable(start), "crosses", {mistake})}};
 
         const Diagnosis diagnosis = *diagnose(submissions);
 
         QCOMPARE(nameOf(diagnosis.verdict), QStringLiteral("wrong"));
         QVERIFY(diagnosis.isExplained());
         QCOMPARE(diagnosis.candidates.front().defects.size(), std::size_t(1));
-        QCOMPARE(diagnosis.candidates.front().defects.front().id,
-                 QString::fromLatin1(QTest::currentDataTag()));
+        QCOMPARE(diagnosis.candidates.front().defects.front().id, id);
         QVERIFY(partingStepOf(scene, diagnosis.candidates.front().defects));
     }
 
@@ -111,9 +93,8 @@ private slots:
         backward.vertices
             = {{latticePixel(46, 40), {{255, 0, 0}}}, {latticePixel(36, 45), {{0, 0, 255}}}};
         scene.shapes.push_back(backward);
-        const Picture picture = studentPicture(scene, LineMistake::None,
-                                               isSorted ? LineEnds::LeftFirst : LineEnds::AsGiven,
-                                               stays ? LineTie::Stays : LineTie::StepsAcross);
+        const Picture picture
+            = drawn(scene, isSorted ? "left" : "given", stays ? "stays" : "crosses");
         QVERIFY(picture.colours != pictureOf(scene).colours);
         const std::vector<Submission> submissions = {{scene, picture}};
 
@@ -136,9 +117,7 @@ private slots:
     {
         const Scene scene = sheet();
         const std::vector<Submission> submissions
-            = {{scene,
-                studentPicture(scene, LineMistake::NoLeastPixel, LineEnds::LeftFirst,
-                               LineTie::Stays)}};
+            = {{scene, drawn(scene, "left", "stays", {QStringLiteral("least-pixel-missing")})}};
 
         const Diagnosis diagnosis = *diagnose(submissions);
 

@@ -5,7 +5,6 @@
 #include "core/grade/diagnose/diagnosis.h"
 #include "core/grade/diagnose/undecidable.h"
 #include "core/grade/pictures/picturediff.h"
-#include "tests/support/programs/studentline.h"
 #include "tests/support/programs/textbookline.h"
 #include "tests/support/testprogram.h"
 
@@ -187,8 +186,10 @@ private slots:
                 return Vertex{latticePixel(random.between(0, 30), random.between(0, 30)), colour};
             };
             scene.triangles = {Triangle{{vertex(), vertex(), vertex()}}};
-            for (const LineTie tie : {LineTie::StepsAcross, LineTie::Stays}) {
+            for (const VariantSet tie : {VariantSet(), VariantSet().with(Variant::StayAtZero)}) {
                 Scene outline = scene;
+                outline.method = "line-bresenham";
+                outline.settings.variants = tie;
                 outline.triangles.clear();
                 for (std::size_t edge = 0; edge < 3; ++edge) {
                     Shape line;
@@ -196,7 +197,7 @@ private slots:
                                      scene.triangles[0].vertices[(edge + 1) % 3]};
                     outline.shapes.push_back(line);
                 }
-                Picture found = studentPicture(outline, LineMistake::None, LineEnds::AsGiven, tie);
+                Picture found = pictureOf(outline);
                 fillColumns(found, colour);
                 const PictureDiff diff = judged(scene, found, Arithmetic::Float32);
                 QCOMPARE(diff.differing(), std::int64_t(0));

@@ -264,7 +264,7 @@ private slots:
                  qPrintable(textOf(*diagnosis)));
     }
 
-    void aRedrawingPartsWhereItsFirstPixelDiffers()
+    void aDefectPartsAtItsFirstWrongNumberOrPixel()
     {
         const Scene scene = defaultScene(QStringLiteral("column-scan"));
         const std::vector<Defect> all = defectsFor(scene);
@@ -276,7 +276,7 @@ private slots:
         QCOMPARE(partingText("last-sample-missing"),
                  QStringLiteral("Pixel (4, 5): (4, 5) is left out"));
         QCOMPARE(partingText("ends-outward"),
-                 QStringLiteral("Column 5, first half: (5, 5) is drawn but should not be"));
+                 QStringLiteral("Column 5, first half: ⌈y_B⌉ is 5, should be 6"));
         QCOMPARE(partingText("upside-down"), QString()); // nothing is wrong in its run
     }
 };

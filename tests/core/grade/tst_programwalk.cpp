@@ -3,9 +3,14 @@
 #include "core/grade/bugs/defectivescene.h"
 #include "core/grade/scan/programwalk.h"
 #include "core/methods/method.h"
+#include "core/runs/explain/formulaexplanation.h"
+#include "core/runs/tracedscene.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/tracereplay.h"
 
 #include <QTest>
+
+#include <set>
 
 namespace tst_programwalk {
 
@@ -29,6 +34,18 @@ Scene randomScene(SeededRandom &random, const QString &method, FillRule rule)
                   random.colour()};
     scene.triangles = {triangle};
     return scene;
+}
+
+/// The run's steps paint that picture.
+void verifyReplay(const TracedScene &run, const Picture &picture, const QString &id)
+{
+    const QImage image = replayed(*run.trace, run.scene.frame);
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const auto &[red, green, blue] = picture.colours[picture.placeOf(x, y)].channels;
+            QVERIFY2(image.pixel(x, y) == qRgb(red, green, blue), qPrintable(id));
+        }
+    }
 }
 
 } // namespace
@@ -84,6 +101,84 @@ private slots:
                 for (const WalkOrder order : {WalkOrder::Ascending, WalkOrder::Descending})
                     QCOMPARE(redrawn(scene, redrawingBy({.order = order})), right);
             }
+        }
+    }
+
+    /// The run that is stepped, the picture that is drawn and the one that is searched for are one.
+    void everyMistakeOfAWalkCanBeStepped_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::newRow("columns") << QStringLiteral("column-scan");
+        QTest::newRow("rows") << QStringLiteral("row-walk");
+    }
+    void everyMistakeOfAWalkCanBeStepped()
+    {
+        QFETCH(QString, method);
+        SeededRandom random(10);
+        Scene scene = randomScene(random, method, FillRule::Closed);
+        std::size_t walks = 0;
+        for (const Defect &defect : defectsFor(scene)) {
+            if (!defect.redrawing || !defect.redrawing->walk)
+                continue;
+            ++walks;
+            for (const Arithmetic arithmetic : {Arithmetic::Exact, Arithmetic::Float32}) {
+                scene.settings.arithmetic = arithmetic;
+                const std::span only(&defect, 1);
+                const Scene stepped = steppedWithDefects(scene, only);
+                const Picture picture = pictureWith(scene, only);
+                QVERIFY2(!stepped.settings.bugs.isRight(), qPrintable(defect.id));
+                QVERIFY2(pictureOf(stepped) == picture, qPrintable(defect.id));
+                const auto run = traceScene(stepped);
+                verifyReplay(*run, picture, defect.id);
+                for (std::size_t i = 0; i < run->trace->stepCount(); i += 7)
+                    QVERIFY(!explainStep(*run, i).heading.isEmpty());
+            }
+        }
+        QVERIFY(walks > 150);
+    }
+
+    void everyMistakenEdgeTestCanBeStepped_data()
+    {
+        QTest::addColumn<QString>("method");
+        for (const Method &method : methods()) {
+            if (method.testsEdges)
+                QTest::newRow(qPrintable(method.id)) << method.id;
+        }
+    }
+    void everyMistakenEdgeTestCanBeStepped()
+    {
+        QFETCH(QString, method);
+        SeededRandom random(11);
+        Scene scene = randomScene(random, method, methodNamed(method)->fillRules.front());
+        int tests = 0;
+        for (const Defect &defect : defectsFor(scene)) {
+            if (!defect.redrawing || !defect.redrawing->edgeTest)
+                continue;
+            ++tests;
+            const std::span only(&defect, 1);
+            const Scene stepped = steppedWithDefects(scene, only);
+            QVERIFY2(!stepped.settings.testBugs.isRight(), qPrintable(defect.id));
+            const Picture picture = pictureWith(scene, only);
+            QVERIFY2(pictureOf(stepped) == picture, qPrintable(defect.id));
+            const auto run = traceScene(stepped);
+            verifyReplay(*run, picture, defect.id);
+            for (std::size_t i = 0; i < run->trace->stepCount(); i += 29)
+                QVERIFY(!explainStep(*run, i).heading.isEmpty());
+        }
+        QVERIFY(tests > 50);
+    }
+
+    void everySettingHasAByteOfItsOwn()
+    {
+        std::set<std::string_view> ids;
+        std::set<std::size_t> places;
+        for (const ScanSetting &setting : scanSettings()) {
+            QVERIFY(ids.insert(setting.id).second && places.insert(setting.place).second);
+            ScanBugs bugs;
+            setValue(setting, 1, bugs);
+            QVERIFY(!bugs.isRight() && valueOf(setting, bugs) == 1);
+            QCOMPARE(together(bugs, bugs).has_value(), setting.id == "order");
+            QCOMPARE(*together(bugs, {}), bugs);
         }
     }
 

@@ -2,7 +2,7 @@
 """Fills triangles between their edges, as a student writes it from the text of the assignment.
 
 trianglewalk.py NUMBERS LINES SCENE... draws each scene, a JSON file, into a PPM file beside it. NUMBERS is fraction or double;
-LINES is columns, rows (the greatest y first) or rows-from-below. Its mistakes stand in mistakes.txt, as replacements."""
+LINES is columns, rows (the greatest y first) or rows-from-below. trianglewalk.txt lists mistakes, as lines replaced."""
 import json
 import sys
 from fractions import Fraction

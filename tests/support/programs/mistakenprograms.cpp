@@ -15,41 +15,15 @@ namespace pixelplumb {
 
 namespace {
 
-/// A mistake as mistakes.txt writes it: its kind with its ids, and what is replaced by what.
-struct Mistake {
-    QStringList head;
-    std::vector<std::pair<QString, QString>> replacements;
-};
-
-const std::vector<Mistake> &allMistakes()
-{
-    static const std::vector<Mistake> mistakes = [] {
-        std::vector<Mistake> all;
-        const QString text = textInTree(QStringLiteral("tests/data/student/mistakes.txt"));
-        for (QString line : text.mid(text.indexOf(QStringLiteral("\n\n"))).split(u'\n')) {
-            if (line.trimmed().isEmpty())
-                continue;
-            if (!line.startsWith(u' ')) {
-                all.push_back({line.split(u' '), {}});
-                continue;
-            }
-            const QStringList sides = line.replace(QStringLiteral("\\n"), QStringLiteral("\n"))
-                                          .split(QStringLiteral(" => "));
-            all.back().replacements.emplace_back(sides.front().mid(4), sides.back());
-        }
-        return all;
-    }();
-    return mistakes;
-}
-
 /// The program with the mistakes; empty if one is unknown or its line is not in the program once.
-QByteArray programWith(const QStringList &mistakes)
+QByteArray programWith(const QString &name, const QStringList &mistakes)
 {
-    QString program = textInTree(QStringLiteral("tests/data/student/trianglewalk.py"));
+    QString program = textInTree(QStringLiteral("tests/data/student/%1.py").arg(name));
+    const std::vector<ProgramMistake> known = mistakesOf(name);
     for (const QString &id : mistakes) {
         const auto mistake = std::ranges::find_if(
-            allMistakes(), [&](const Mistake &each) { return each.head[1] == id; });
-        if (mistake == allMistakes().end())
+            known, [&](const ProgramMistake &each) { return each.ids.front() == id; });
+        if (mistake == known.end())
             return {};
         for (const auto &[right, wrong] : mistake->replacements) {
             if (program.count(right) != 1)
@@ -68,57 +42,44 @@ bool write(const QString &path, const QByteArray &content)
 
 } // namespace
 
-std::vector<MistakenProgram> mistakenPrograms()
+std::vector<ProgramMistake> mistakesOf(const QString &program)
 {
-    std::vector<MistakenProgram> programs;
-    for (const Mistake &mistake : allMistakes()) {
-        const QString kind = mistake.head[0];
-        const QString id = mistake.head[1];
-        const auto add = [&](WalkLines lines, const QString &found) {
-            const bool isColumns = lines == WalkLines::Columns;
-            const QString method
-                = isColumns ? QStringLiteral("column-scan") : QStringLiteral("row-walk");
-            programs.push_back({method,
-                                found,
-                                lines,
-                                {id},
-                                QStringLiteral("%1, %2 %3").arg(method, kind).arg(int(lines))});
-        };
-        if (kind == QStringLiteral("choice"))
+    std::vector<ProgramMistake> mistakes;
+    const QString text = textInTree(QStringLiteral("tests/data/student/%1.txt").arg(program));
+    for (QString line : text.mid(text.indexOf(QStringLiteral("\n\n"))).split(u'\n')) {
+        if (line.trimmed().isEmpty())
             continue;
-        add(WalkLines::Columns, id);
-        if (kind != QStringLiteral("columns"))
-            add(WalkLines::Rows, mistake.head.back());
-        const QString fromBelow = id + QStringLiteral("-from-below");
-        if (kind == QStringLiteral("edges") || kind == QStringLiteral("ordered"))
-            add(WalkLines::RowsFromBelow, fromBelow);
-        else if (kind == QStringLiteral("ends"))
-            add(WalkLines::RowsFromBelow, id);
+        if (!line.startsWith(u' ')) {
+            QStringList ids = line.split(u' ');
+            const QString kind = ids.takeFirst();
+            mistakes.push_back({kind, ids, {}});
+            continue;
+        }
+        const QStringList sides = line.replace(QStringLiteral("\\n"), QStringLiteral("\n"))
+                                      .split(QStringLiteral(" => "));
+        mistakes.back().replacements.emplace_back(sides.front().mid(4), sides.back());
     }
-    return programs;
+    return mistakes;
 }
 
-std::vector<Picture> studentPictures(std::span<const Scene> scenes, WalkLines lines,
-                                     const QStringList &mistakes, WalkNumbers numbers)
+std::vector<Picture> drawnByStudent(const QString &program, const QStringList &arguments,
+                                    const QStringList &mistakes, std::span<const Scene> scenes)
 {
-    const QByteArray program = programWith(mistakes);
+    const QByteArray text = programWith(program, mistakes);
     const QTemporaryDir folder;
-    QStringList arguments
-        = {folder.filePath(QStringLiteral("program.py")),
-           numbers == WalkNumbers::Double ? QStringLiteral("double") : QStringLiteral("fraction"),
-           QStringList{QStringLiteral("columns"), QStringLiteral("rows"),
-                       QStringLiteral("rows-from-below")}[int(lines)]};
-    bool isThere = !program.isEmpty() && write(arguments.front(), program);
+    const QString path = folder.filePath(QStringLiteral("program.py"));
+    bool isThere = !text.isEmpty() && write(path, text);
+    QStringList files;
     for (const Scene &scene : scenes) {
-        arguments += folder.filePath(QStringLiteral("%1.json").arg(arguments.size()));
-        isThere = isThere && write(arguments.back(), writeScene(scene, folder.path()));
+        files += folder.filePath(QStringLiteral("%1.json").arg(files.size()));
+        isThere = isThere && write(files.back(), writeScene(scene, folder.path()));
     }
     QProcess process;
-    process.start(QStringLiteral("python3"), arguments);
-    isThere = isThere && process.waitForFinished(60000) && process.exitCode() == 0;
+    process.start(QStringLiteral("python3"), QStringList{path} + arguments + files);
+    isThere = process.waitForFinished(60000) && process.exitCode() == 0 && isThere;
     std::vector<Picture> pictures;
     for (std::size_t i = 0; i < scenes.size() && isThere; ++i) {
-        QFile file(arguments[qsizetype(i) + 3] + QStringLiteral(".ppm"));
+        QFile file(files[qsizetype(i)] + QStringLiteral(".ppm"));
         const auto picture = file.open(QIODevice::ReadOnly)
             ? parsePicture(file.readAll(), file.fileName())
             : Result<Picture>(InputError{});
@@ -134,6 +95,47 @@ std::vector<Picture> studentPictures(std::span<const Scene> scenes, WalkLines li
         return {};
     }
     return pictures;
+}
+
+std::vector<MistakenProgram> mistakenPrograms()
+{
+    std::vector<MistakenProgram> programs;
+    for (const ProgramMistake &mistake : mistakesOf(QStringLiteral("trianglewalk"))) {
+        const QString kind = mistake.kind;
+        const QString id = mistake.ids.front();
+        const auto add = [&](WalkLines lines, const QString &found) {
+            const bool isColumns = lines == WalkLines::Columns;
+            const QString method
+                = isColumns ? QStringLiteral("column-scan") : QStringLiteral("row-walk");
+            programs.push_back({method,
+                                found,
+                                lines,
+                                {id},
+                                QStringLiteral("%1, %2 %3").arg(method, kind).arg(int(lines))});
+        };
+        if (kind == QStringLiteral("choice"))
+            continue;
+        add(WalkLines::Columns, id);
+        if (kind != QStringLiteral("columns"))
+            add(WalkLines::Rows, mistake.ids.back());
+        if (kind == QStringLiteral("edges") || kind == QStringLiteral("ordered"))
+            add(WalkLines::RowsFromBelow, id + QStringLiteral("-from-below"));
+        else if (kind == QStringLiteral("ends"))
+            add(WalkLines::RowsFromBelow, id);
+    }
+    return programs;
+}
+
+std::vector<Picture> studentPictures(std::span<const Scene> scenes, WalkLines lines,
+                                     const QStringList &mistakes, WalkNumbers numbers)
+{
+    const QStringList names
+        = {QStringLiteral("columns"), QStringLiteral("rows"), QStringLiteral("rows-from-below")};
+    return drawnByStudent(
+        QStringLiteral("trianglewalk"),
+        {numbers == WalkNumbers::Double ? QStringLiteral("double") : QStringLiteral("fraction"),
+         names[int(lines)]},
+        mistakes, scenes);
 }
 
 } // namespace pixelplumb

@@ -232,7 +232,7 @@ DefectOpening DiagnosisView::opening() const
     const auto row = std::size_t(m_candidates->currentRow());
     const DiagnosisCandidate &candidate = m_named->diagnosis.candidates[row];
     const auto &step = m_named->steps[row];
-    return {m_judged, withDefects(*m_judged, candidate.defects), step ? step->step + 1 : 0,
+    return {m_judged, steppedWithDefects(*m_judged, candidate.defects), step ? step->step + 1 : 0,
             idsText(candidate)};
 }
 

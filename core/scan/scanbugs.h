@@ -9,7 +9,7 @@
 #include <string_view>
 
 /// The mistakes of a program that walks along a triangle's edges, as settings of the mistaken scan
-/// (mistakenscan.h).
+/// (mistakes/mistakenscan.h).
 namespace pixelplumb {
 
 /// In which order a triangle's spans are visited: as the method does, or from one end.
@@ -126,8 +126,6 @@ enum class VertexOrder : std::uint8_t {
     Compared01And02,
     Compared02And12
 };
-/// Whether the three vertices are then in order of x.
-constexpr bool isSortedByX(VertexOrder order) { return order <= VertexOrder::ByXThenDown; }
 
 /// Edges of a triangle: all, or only L₀₁, L₁₂ or L₀₂.
 enum class WalkedEdges : std::uint8_t { All, First, Second, Long };

@@ -1,121 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/scan/mistakes/walkedprogram.h"
-#include "core/scan/roundedarithmetic.h"
+#include "core/scan/mistakes/mistakenedge.h"
 
 #include <optional>
-#include <type_traits>
 
 namespace pixelplumb {
 
-/// A program's walk in a rounded number type, using the steps of the scan in that type.
+/// A program's walk in one kind of numbers: the steps of the scan in numbers that round, or the
+/// same steps in fractions.
 template <class Value>
-struct RoundedWalk {
+struct MistakenNumbers {
     using Number = Value;
     using A = RoundedArithmetic<Value>;
     using Traits = NumberTraits<Value>;
 
     static bool represents(const LatticePoint &point) { return A::represents(point); }
 
-    static Value cast(const Value &quotient)
-    {
-        return Traits::fromInteger(quotient < Traits::fromInteger(0) ? A::ceil(quotient)
-                                                                     : A::floor(quotient));
-    }
-    static Value leftOf(const Value &value, Truncation kept)
-    {
-        if (kept == Truncation::Down)
-            return Traits::fromInteger(A::floor(value));
-        if (kept == Truncation::Nearest)
-            return Traits::fromInteger(A::level(value, ByteRounding::Nearest));
-        return kept == Truncation::TowardZero ? cast(value) : value;
-    }
-
-    class Edge {
-    public:
-        Edge(const WalkedEdge &edge, const ScanBugs &bugs, std::int64_t span)
-            : m_bugs(bugs)
-            , m_slope(leftOf(A::edgeSlope(edge.places.a, edge.places.b), bugs.slopes))
-            , m_along(A::edgeOrdinate(edge.firstPlace, edge.places.b,
-                                      A::runTo(span, edge.firstPlace), m_slope))
-        {
-            const auto &[a, b] = edge.colours;
-            std::array<Value, 3> rates;
-            for (std::size_t i = 0; i < 3; ++i) {
-                rates[i] = leftOf(A::edgeColourRate(a, b, sourceOf(i, bugs.ratesAlongEdgesOf)),
-                                  bugs.edgeColours);
-                const Value run = bugs.withoutEdgePreStep.isEmpty()
-                    ? A::runTo(span, edge.firstColour)
-                    : Traits::fromLattice(wayToSpan(edge.firstColour.position.x, span, bugs, i));
-                m_levels[i] = A::edgeColour(edge.firstColour, b, i, run, rates[i]);
-            }
-            if (bugs.edgeStoring == Storing::FromFirst) {
-                m_along = leftOf(m_along, bugs.edgePlaces);
-                for (Value &level : m_levels)
-                    level = leftOf(level, bugs.edgeLevels);
-            }
-            for (std::size_t i = 0; i < 3; ++i)
-                m_rates[i] = bugs.unsteppedAlongEdges.contains(i)
-                    ? Traits::fromInteger(0)
-                    : rates[sourceOf(i, bugs.stepsAlongEdgesOf)];
-        }
-
-        void stepPlace()
-        {
-            A::advance(m_along, m_slope);
-            m_along = leftOf(m_along, m_bugs.edgePlaces);
-        }
-        void stepColour()
-        {
-            for (std::size_t i = 0; i < 3; ++i) {
-                A::advance(m_levels[i], m_rates[i]);
-                m_levels[i] = leftOf(m_levels[i], m_bugs.edgeLevels);
-            }
-        }
-
-        void carryPlaceOf(const Edge &other) { m_along = other.m_along; }
-        void carryColourOf(const Edge &other) { m_levels = other.m_levels; }
-        void goOnWithPlacesOf(const Edge &other)
-        {
-            m_along = other.m_along;
-            m_slope = other.m_slope;
-        }
-        void goOnWithColoursOf(const Edge &other)
-        {
-            m_levels = other.m_levels;
-            m_rates = other.m_rates;
-        }
-        void stepAsPlacesOf(const Edge &other) { m_slope = other.m_slope; }
-        void stepAsColoursOf(const Edge &other) { m_rates = other.m_rates; }
-        void holdPlace() { m_slope = Traits::fromInteger(0); }
-        void holdColour() { m_rates.fill(Traits::fromInteger(0)); }
-
-        bool isBelow(const Edge &other) const { return m_along < other.m_along; }
-        std::int64_t floor() const { return A::floor(m_along); }
-        std::int64_t ceil() const { return A::ceil(m_along); }
-        std::int64_t nearest() const { return A::level(m_along, ByteRounding::Nearest); }
-
-        const Value &place() const { return m_along; } ///< px
-        const Value &slope() const { return m_slope; } ///< px per span
-        const std::array<Value, 3> &colour() const { return m_levels; }
-        const std::array<Value, 3> &colourRate() const { return m_rates; }
-
-    private:
-        friend struct RoundedWalk;
-
-        const ScanBugs &m_bugs;
-        Value m_slope; ///< px per span
-        Value m_along; ///< px
-        std::array<Value, 3> m_levels, m_rates;
-    };
+    using Edge = MistakenEdge<Value>;
     using Bounds = WalkedBounds<Edge>;
 
     /// Shifts an edge to a side of rounding, which is walked in float64.
     static Edge moved(Edge edge, double along)
     {
         if constexpr (std::is_same_v<Value, double>)
-            edge.m_along += along;
+            edge.moveBy(along);
         return edge;
     }
     static Value upward(const WalkedProgram &program, const Value &rate, const Value &height)
@@ -163,14 +72,22 @@ struct RoundedWalk {
             if (bugs.spanStoring != Storing::BehindSteps)
                 ramp.level = leftOf(ramp.level, bugs.levels);
             if (bugs.spanStepping == Stepping::BeforeDrawing)
-                A::advance(ramp.level, ramp.step);
-            behind.levels[i] = stored(ramp, reached, span, program, levels, i);
+                stepBy(ramp.level, ramp.step);
+            behind.levels[i] = carriedOn(stored(ramp, reached, span, program, levels, i));
         }
         if (goesOn)
             carried = behind;
     }
 
 private:
+    /// What the next span goes on with: fractions are rounded to 2^−32, or they would grow.
+    static Value carriedOn(const Value &level)
+    {
+        if constexpr (std::is_same_v<Value, Fraction>)
+            return Value((level * Value(std::int64_t(1) << 32)).nearest(), Int128(1) << 32);
+        return level;
+    }
+
     /// A level along a span: at one sample, its step, and its possible error.
     struct Ramp {
         Value level, step, error;
@@ -178,7 +95,7 @@ private:
 
     static Value levelAt(const Edge &edge, std::size_t channel, Truncation kept)
     {
-        return leftOf(edge.m_levels[channel], kept);
+        return leftOf(edge.colour()[channel], kept);
     }
 
     static std::array<Value, 3> ratesOf(const Bounds &bounds, const Value &height,
@@ -211,7 +128,7 @@ private:
         if (bugs.withoutSpanPreStep.contains(channel))
             return {from, step, none};
         const PreStep preStep = bugs.spanPreStep;
-        const Value way = preStepOf(bounds.lower.m_along, reached, preStep);
+        const Value way = preStepOf(bounds.lower.place(), reached, preStep);
         const Value preStepped
             = preStep == PreStep::WithoutRate ? way : way * leftOf(rates[channel], bugs.preSteps);
         return {from + preStepped, step, none};
@@ -241,30 +158,53 @@ private:
             = bugs.spanStoring == Storing::FirstAlone ? Truncation::All : bugs.levels;
         Value level = ramp.level;
         std::int64_t place = reached;
-        if (kept == Truncation::All && !goesOn) {
+        if (kept == Truncation::All && !goesOn && reached != span.firstDrawn) {
             level = level + Traits::fromInteger(span.firstDrawn - reached) * ramp.step;
             place = span.firstDrawn;
         }
         levels.first[channel] = level;
         levels.step[channel] = ramp.step;
+        if constexpr (std::is_same_v<Value, Fraction>) {
+            if (kept == Truncation::All && !goesOn) {
+                storeExactly(ramp, level, program.rounding(), levels, channel);
+                return level;
+            }
+        }
         for (; place < (goesOn ? span.end : span.endDrawn); ++place) {
             if (place == span.firstDrawn)
                 levels.first[channel] = level;
             if (place >= span.firstDrawn && place < span.endDrawn) {
                 const auto sample = std::size_t(place - span.firstDrawn);
-                levels.whole[sample][channel] = A::level(level + ramp.error, program.rounding());
-                if (levels.hasNumbers())
+                levels.whole[sample][channel] = wholeLevel(
+                    std::is_same_v<Value, double> ? level + ramp.error : level, program.rounding());
+                if (levels.hasNumbers)
                     levels.own[sample][channel] = level;
             }
-            A::advance(level, ramp.step);
-            level = leftOf(level, kept);
+            stepBy(level, ramp.step);
+            if (kept != Truncation::All)
+                level = leftOf(level, kept);
         }
         return level;
     }
 
+    static void storeExactly(const Ramp &ramp, const Value &level, ByteRounding rounding,
+                             SpanLevels<Value> &levels, std::size_t channel)
+    {
+        const Value half(1, 2);
+        storeFloors(rounding == ByteRounding::Nearest ? level + half : level, ramp.step,
+                    levels.whole.size(), [&](std::size_t sample, std::int64_t whole) {
+                        levels.whole[sample][channel] = whole;
+                    });
+        Value own = level;
+        for (auto &sample : levels.own) {
+            sample[channel] = own;
+            own = own + ramp.step;
+        }
+    }
+
     static Value heightOf(const Bounds &bounds, const WalkedSpan &span, SpanDivisor divisor)
     {
-        const Value height = bounds.upper.m_along - bounds.lower.m_along;
+        const Value height = bounds.upper.place() - bounds.lower.place();
         switch (divisor) {
         case SpanDivisor::Height:
             break;
@@ -275,8 +215,8 @@ private:
         case SpanDivisor::HeightFromOne:
             return height < Traits::fromInteger(1) ? Traits::fromInteger(0) : height;
         case SpanDivisor::HeightOfFloors:
-            return Traits::fromInteger(A::floor(bounds.upper.m_along)
-                                       - A::floor(bounds.lower.m_along));
+            return Traits::fromInteger(A::floor(bounds.upper.place())
+                                       - A::floor(bounds.lower.place()));
         case SpanDivisor::Samples:
             return Traits::fromInteger(span.end - span.first);
         case SpanDivisor::Steps:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/class/frameconvention.h"
+#include "core/grade/diagnose/frameconvention.h"
 
 namespace pixelplumb {
 

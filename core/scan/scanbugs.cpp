@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/scan/mistakes/scanbugs.h"
+#include "core/scan/scanbugs.h"
 
 #include <algorithm>
 #include <bit>
@@ -154,17 +154,20 @@ std::optional<ScanBugs> together(const ScanBugs &one, const ScanBugs &other)
 {
     if (spreads(one, other))
         return std::nullopt;
-    ScanBugs both = one;
+    const auto first = std::bit_cast<Bytes>(one);
+    const auto second = std::bit_cast<Bytes>(other);
+    Bytes sum = {};
     for (const ScanSetting &setting : allSettings) {
-        const std::uint8_t first = valueOf(setting, one);
-        const std::uint8_t second = valueOf(setting, other);
-        const bool isOrder = setting.place == placeOf<&ScanBugs::order>();
-        const bool isContradiction
-            = setting.isSet ? (first & second) != 0 : first != 0 && second != 0 && !isOrder;
+        const std::size_t place = setting.place;
+        const bool isOrder = place == placeOf<&ScanBugs::order>();
+        const bool isContradiction = setting.isSet
+            ? (first[place] & second[place]) != 0
+            : first[place] != 0 && second[place] != 0 && !isOrder;
         if (isContradiction)
             return std::nullopt;
-        setValue(setting, first | second, both);
+        sum[place] = first[place] | second[place];
     }
+    const auto both = std::bit_cast<ScanBugs>(sum);
     if (both.edgeChanges.contains(edgechange::divisorMinusOne
                                   | edgechange::divisorPlusOne)) // they cancel each other
         return std::nullopt;

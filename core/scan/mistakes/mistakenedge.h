@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scan/mistakes/fractionwalk.h"
+#include "core/scan/mistakes/walkedprogram.h"
+
+#include <type_traits>
+
+namespace pixelplumb {
+
+/// (int)quotient.
+template <class Value>
+Value cast(const Value &quotient)
+{
+    return NumberTraits<Value>::fromInteger(quotient < NumberTraits<Value>::fromInteger(0)
+                                                ? RoundedArithmetic<Value>::ceil(quotient)
+                                                : RoundedArithmetic<Value>::floor(quotient));
+}
+/// What is kept of a number.
+template <class Value>
+Value leftOf(const Value &value, Truncation kept)
+{
+    if (kept == Truncation::Down)
+        return NumberTraits<Value>::fromInteger(RoundedArithmetic<Value>::floor(value));
+    if (kept == Truncation::Nearest)
+        return NumberTraits<Value>::fromInteger(wholeLevel(value, ByteRounding::Nearest));
+    return kept == Truncation::TowardZero ? cast(value) : value;
+}
+
+/// Where an edge meets the current span, in the numbers of the program: the scan's own steps, in
+/// numbers that round or in fractions.
+template <class Value>
+class MistakenEdge {
+    using A = RoundedArithmetic<Value>;
+    using Traits = NumberTraits<Value>;
+
+public:
+    MistakenEdge(const WalkedEdge &edge, const ScanBugs &bugs, std::int64_t span)
+        : m_bugs(bugs)
+        , m_slope(leftOf(A::edgeSlope(edge.places.a, edge.places.b), bugs.slopes))
+        , m_along(A::edgeOrdinate(edge.firstPlace, edge.places.b, A::runTo(span, edge.firstPlace),
+                                  m_slope))
+    {
+        const auto &[a, b] = edge.colours;
+        std::array<Value, 3> rates;
+        for (std::size_t i = 0; i < 3; ++i) {
+            rates[i] = leftOf(A::edgeColourRate(a, b, sourceOf(i, bugs.ratesAlongEdgesOf)),
+                              bugs.edgeColours);
+            const Value run = bugs.withoutEdgePreStep.isEmpty()
+                ? A::runTo(span, edge.firstColour)
+                : Traits::fromLattice(wayToSpan(edge.firstColour.position.x, span, bugs, i));
+            m_levels[i] = A::edgeColour(edge.firstColour, b, i, run, rates[i]);
+        }
+        if (bugs.edgeStoring == Storing::FromFirst) {
+            m_along = leftOf(m_along, bugs.edgePlaces);
+            for (Value &level : m_levels)
+                level = leftOf(level, bugs.edgeLevels);
+        }
+        for (std::size_t i = 0; i < 3; ++i)
+            m_rates[i] = bugs.unsteppedAlongEdges.contains(i)
+                ? Traits::fromInteger(0)
+                : rates[sourceOf(i, bugs.stepsAlongEdgesOf)];
+        if constexpr (std::is_same_v<Value, Fraction>) { // steps are then added at once
+            putOverOneDenominator(m_along, m_slope);
+            for (std::size_t i = 0; i < 3; ++i)
+                putOverOneDenominator(m_levels[i], m_rates[i]);
+        }
+    }
+
+    void stepPlace()
+    {
+        stepBy(m_along, m_slope);
+        if (m_bugs.edgePlaces != Truncation::All)
+            m_along = leftOf(m_along, m_bugs.edgePlaces);
+    }
+    void stepColour()
+    {
+        for (std::size_t i = 0; i < 3; ++i) {
+            stepBy(m_levels[i], m_rates[i]);
+            if (m_bugs.edgeLevels != Truncation::All)
+                m_levels[i] = leftOf(m_levels[i], m_bugs.edgeLevels);
+        }
+    }
+
+    void carryPlaceOf(const MistakenEdge &other) { m_along = other.m_along; }
+    void carryColourOf(const MistakenEdge &other) { m_levels = other.m_levels; }
+    void goOnWithPlacesOf(const MistakenEdge &other)
+    {
+        m_along = other.m_along;
+        m_slope = other.m_slope;
+    }
+    void goOnWithColoursOf(const MistakenEdge &other)
+    {
+        m_levels = other.m_levels;
+        m_rates = other.m_rates;
+    }
+    void stepAsPlacesOf(const MistakenEdge &other) { m_slope = other.m_slope; }
+    void stepAsColoursOf(const MistakenEdge &other) { m_rates = other.m_rates; }
+    void holdPlace() { m_slope = Traits::fromInteger(0); }
+    void holdColour() { m_rates.fill(Traits::fromInteger(0)); }
+
+    void moveBy(double along) requires std::is_same_v<Value, double> { m_along += along; }
+    bool isBelow(const MistakenEdge &other) const { return m_along < other.m_along; }
+    std::int64_t floor() const { return A::floor(m_along); }
+    std::int64_t ceil() const { return A::ceil(m_along); }
+    std::int64_t nearest() const { return wholeLevel(m_along, ByteRounding::Nearest); }
+
+    const Value &place() const { return m_along; } ///< px
+    const Value &slope() const { return m_slope; } ///< px per span
+    const std::array<Value, 3> &colour() const { return m_levels; }
+    const std::array<Value, 3> &colourRate() const { return m_rates; }
+
+private:
+    const ScanBugs &m_bugs;
+    Value m_slope; ///< px per span
+    Value m_along; ///< px
+    std::array<Value, 3> m_levels, m_rates;
+};
+
+} // namespace pixelplumb
