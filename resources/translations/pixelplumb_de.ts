@@ -1034,10 +1034,6 @@
         <translation>Abgebrochen, bevor etwas gemessen war: Die vorigen Ergebnisse bleiben.</translation>
     </message>
     <message>
-        <source>Cancelled. Those before are under Files, Results before these.</source>
-        <translation>Abgebrochen. Die vorigen stehen unter Dateien, Ergebnisse davor.</translation>
-    </message>
-    <message>
         <source>The first pictures are being judged.</source>
         <translation>Die ersten Bilder werden beurteilt.</translation>
     </message>
@@ -1058,8 +1054,8 @@
         <translation>Diagramm speichern</translation>
     </message>
     <message>
-        <source>SVG drawings (*.svg);;PNG pictures (*.png);;Numbers, CSV (*.csv)</source>
-        <translation>SVG-Zeichnungen (*.svg);;PNG-Bilder (*.png);;Zahlen, CSV (*.csv)</translation>
+        <source>SVG drawings (*.svg);;PNG pictures (*.png)</source>
+        <translation>SVG-Zeichnungen (*.svg);;PNG-Bilder (*.png)</translation>
     </message>
 </context>
 <context>
@@ -1158,6 +1154,18 @@
     <message>
         <source>The student&apos;s picture (S); hold Shift for the expected one</source>
         <translation>Das eingereichte Bild (S); Umschalt halten für das erwartete</translation>
+    </message>
+    <message>
+        <source>Two coordinates are needed: x; y.</source>
+        <translation>Zwei Koordinaten werden gebraucht: x; y.</translation>
+    </message>
+    <message>
+        <source>Vertex coordinates</source>
+        <translation>Koordinaten des Eckpunkts</translation>
+    </message>
+    <message>
+        <source>x; y in px: whole numbers, decimals and fractions such as 53/2</source>
+        <translation>x; y in px: ganze Zahlen, Dezimalzahlen mit Punkt und Brüche wie 53/2</translation>
     </message>
 </context>
 <context>
@@ -1443,10 +1451,6 @@
         <source>; with %1</source>
         <translation>; mit %1</translation>
     </message>
-    <message>
-        <source>Predict hides what lies ahead.</source>
-        <translation>„Vorhersagen“ verbirgt, was noch kommt.</translation>
-    </message>
     <message numerus="yes">
         <source>%4 of %n pixels so far: %1 missing, %2 extra, %3 in another colour</source>
         <translation>
@@ -1530,79 +1534,12 @@
         <translation>%1 und %2 neben der Farbe: %3</translation>
     </message>
     <message>
-        <source>What lies ahead is hidden while Predict asks.</source>
-        <translation>Was noch kommt, ist verborgen, solange „Vorhersagen“ fragt.</translation>
-    </message>
-    <message>
-        <source>%1 agree</source>
-        <translation>%1 einig</translation>
-    </message>
-    <message>
-        <source>Pixel (%1, %2): all agree.</source>
-        <translation>Pixel (%1, %2): Alle stimmen überein.</translation>
-    </message>
-    <message>
         <source>Progress of the comparison</source>
         <translation>Fortschritt des Vergleichs</translation>
     </message>
     <message>
         <source>Finished pictures</source>
         <translation>Fertige Bilder</translation>
-    </message>
-</context>
-<context>
-    <name>pixelplumb::CostStack</name>
-    <message>
-        <source>Cost of set-up, columns and pixels</source>
-        <translation>Kosten von Vorbereitung, Spalten und Pixeln</translation>
-    </message>
-    <message>
-        <source>ns a pixel</source>
-        <translation>ns je Pixel</translation>
-    </message>
-    <message>
-        <source>Set-up, columns and pixels stand apart when several families are timed.</source>
-        <translation>Vorbereitung, Spalten und Pixel stehen getrennt, wenn mehrere Familien gemessen sind.</translation>
-    </message>
-    <message>
-        <source>set-up</source>
-        <translation>Vorbereitung</translation>
-    </message>
-    <message>
-        <source>What a triangle takes before its first column, shared out among its pixels</source>
-        <translation>Was ein Dreieck vor seiner ersten Spalte braucht, auf seine Pixel verteilt</translation>
-    </message>
-    <message>
-        <source>columns or rows</source>
-        <translation>Spalten oder Zeilen</translation>
-    </message>
-    <message>
-        <source>What a column or a row takes, shared out among its pixels</source>
-        <translation>Was eine Spalte oder Zeile braucht, auf ihre Pixel verteilt</translation>
-    </message>
-    <message>
-        <source>pixels</source>
-        <translation>Pixel</translation>
-    </message>
-    <message>
-        <source>What a pixel takes by itself</source>
-        <translation>Was ein Pixel selbst braucht</translation>
-    </message>
-    <message>
-        <source>measured</source>
-        <translation>gemessen</translation>
-    </message>
-    <message>
-        <source>The middle half of the measured times. The parts come from a fit over all families and need not add up to it.</source>
-        <translation>Die mittlere Hälfte der gemessenen Zeiten. Die Teile stammen aus einem Ausgleich über alle Familien und müssen sich nicht dazu summieren.</translation>
-    </message>
-    <message>
-        <source>of a pixel&apos;s time, set-up %1 ns, columns or rows %2 ns, the pixel itself %3 ns</source>
-        <translation>von der Zeit eines Pixels die Vorbereitung %1 ns, Spalten oder Zeilen %2 ns, das Pixel selbst %3 ns</translation>
-    </message>
-    <message>
-        <source>measured: %1 ns</source>
-        <translation>gemessen: %1 ns</translation>
     </message>
 </context>
 <context>
@@ -3294,18 +3231,6 @@
         <translation>Wie weit verfehlte Abtastpunkte vom Rand liegen</translation>
     </message>
     <message>
-        <source>Parts of the cost</source>
-        <translation>Teile der Kosten</translation>
-    </message>
-    <message>
-        <source>Parts</source>
-        <translation>Teile</translation>
-    </message>
-    <message>
-        <source>What set-up, columns and pixels take</source>
-        <translation>Was Vorbereitung, Spalten und Pixel brauchen</translation>
-    </message>
-    <message>
         <source>Effects</source>
         <translation>Effekte</translation>
     </message>
@@ -3369,24 +3294,12 @@
         <translation>Ergebnisse ö&amp;ffnen …</translation>
     </message>
     <message>
-        <source>Results &amp;before these</source>
-        <translation>Ergebnisse &amp;davor</translation>
-    </message>
-    <message>
-        <source>What a run or a file took the place of</source>
-        <translation>Was ein Lauf oder eine Datei ersetzt hat</translation>
-    </message>
-    <message>
         <source>&amp;Save results …</source>
         <translation>Ergebnisse &amp;speichern …</translation>
     </message>
     <message>
         <source>Save as a &amp;table, CSV …</source>
         <translation>Als &amp;Tabelle speichern, CSV …</translation>
-    </message>
-    <message>
-        <source>Save the chart, SVG, &amp;PNG or CSV …</source>
-        <translation>Diagramm speichern, SVG, &amp;PNG oder CSV …</translation>
     </message>
     <message>
         <source>Copy the co&amp;mmand that does it again</source>
@@ -3407,6 +3320,10 @@
     <message>
         <source>Save and open results; charts as figures</source>
         <translation>Ergebnisse speichern und öffnen; Diagramme als Abbildungen</translation>
+    </message>
+    <message>
+        <source>Save the chart, SVG or &amp;PNG …</source>
+        <translation>Diagramm speichern, SVG oder &amp;PNG …</translation>
     </message>
 </context>
 <context>
@@ -3642,6 +3559,30 @@
     <message>
         <source>remark</source>
         <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>set-up, ns</source>
+        <translation>Vorbereitung, ns</translation>
+    </message>
+    <message>
+        <source>what a triangle takes before its first column, shared out among its pixels: from a fit over all families</source>
+        <translation>was ein Dreieck vor seiner ersten Spalte braucht, auf seine Pixel verteilt: aus einem Ausgleich über alle Familien</translation>
+    </message>
+    <message>
+        <source>columns, ns</source>
+        <translation>Spalten, ns</translation>
+    </message>
+    <message>
+        <source>what a column or a row takes, shared out among its pixels: from a fit over all families</source>
+        <translation>was eine Spalte oder Zeile braucht, auf ihre Pixel verteilt: aus einem Ausgleich über alle Familien</translation>
+    </message>
+    <message>
+        <source>pixel, ns</source>
+        <translation>Pixel, ns</translation>
+    </message>
+    <message>
+        <source>what a pixel takes by itself: from a fit over all families</source>
+        <translation>was ein Pixel selbst braucht: aus einem Ausgleich über alle Familien</translation>
     </message>
 </context>
 <context>
@@ -4140,18 +4081,6 @@
     <message>
         <source>&amp;Method</source>
         <translation>&amp;Verfahren</translation>
-    </message>
-    <message>
-        <source>&amp;Arithmetic</source>
-        <translation>&amp;Arithmetik</translation>
-    </message>
-    <message>
-        <source>&amp;Fill rule</source>
-        <translation>&amp;Füllregel</translation>
-    </message>
-    <message>
-        <source>&amp;Rounding</source>
-        <translation>&amp;Rundung</translation>
     </message>
     <message>
         <source>Misprints and &amp;typical mistakes</source>
@@ -5175,10 +5104,6 @@
     <message>
         <source>Triangle %1. </source>
         <translation>Dreieck %1. </translation>
-    </message>
-    <message>
-        <source>What lies ahead is hidden while Predict asks.</source>
-        <translation>Was noch kommt, ist verborgen, solange „Vorhersagen“ fragt.</translation>
     </message>
 </context>
 <context>
@@ -6606,20 +6531,12 @@
         <translation>Nach Primitiven, Spalten (Zeilen, Schritten) oder Pixeln abspielen</translation>
     </message>
     <message>
-        <source>Speed of playing</source>
-        <translation>Tempo des Abspielens</translation>
-    </message>
-    <message>
         <source>Speed of playing, steps per second</source>
         <translation>Tempo des Abspielens, Schritte je Sekunde</translation>
     </message>
     <message>
         <source> /s</source>
         <translation> /s</translation>
-    </message>
-    <message>
-        <source>step %1 of %2</source>
-        <translation>Schritt %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -6995,29 +6912,6 @@
     </message>
 </context>
 <context>
-    <name>pixelplumb::VertexDialog</name>
-    <message>
-        <source>Vertex coordinates</source>
-        <translation>Koordinaten des Eckpunkts</translation>
-    </message>
-    <message>
-        <source>&amp;x, px</source>
-        <translation>&amp;x, px</translation>
-    </message>
-    <message>
-        <source>&amp;y, px</source>
-        <translation>&amp;y, px</translation>
-    </message>
-    <message>
-        <source>Goes to the nearest 1/256 px: (%1, %2).</source>
-        <translation>Geht auf das nächste 1/256 px: (%1, %2).</translation>
-    </message>
-    <message>
-        <source>Whole numbers, decimals and fractions such as 53/2.</source>
-        <translation>Ganze Zahlen, Dezimalzahlen mit Punkt und Brüche wie 53/2.</translation>
-    </message>
-</context>
-<context>
     <name>pixelplumb::ViewMenu</name>
     <message>
         <source>&amp;View</source>
@@ -7199,10 +7093,6 @@
         <translation>Die Spalte, die Zeile oder der Schritt des aktuellen Verfahrens.</translation>
     </message>
     <message>
-        <source>How many of the run&apos;s steps are done.</source>
-        <translation>Wie viele Schritte des Laufs getan sind.</translation>
-    </message>
-    <message>
         <source>The arithmetic, the fill rule and the frame&apos;s convention that the scene is drawn by.</source>
         <translation>Die Arithmetik, die Füllregel und die Konvention der Bildfläche, nach denen die Szene gezeichnet wird.</translation>
     </message>
@@ -7283,10 +7173,6 @@
         <translation>Geht durch den Lauf der Szene, vor und zurück.</translation>
     </message>
     <message>
-        <source>How the scene is drawn: the method, its arithmetic, its fill rule, its rounding, and its printed variants with their faults.</source>
-        <translation>Wie die Szene gezeichnet wird: das Verfahren, seine Arithmetik, seine Füllregel, seine Rundung und seine gedruckten Varianten mit ihren Fehlern.</translation>
-    </message>
-    <message>
         <source>Timeline of the steps, lined up with the picture, with marks at vertices, ties and clamps and at the first wrong pixel. A drag goes to another step. Arrows go by the unit of playing, with Ctrl from mark to mark, PageUp and PageDown by columns or rows, Home and End to the ends.</source>
         <translation>Der Lauf auf einer Linie, mit Marken, wo Eckpunkte, Grenzfälle und Begrenzungen sind und wo das erste Pixel falsch ist; Spalten stehen in jeder Vergrößerung unter denen der Zeichenfläche. Ziehen geht zu einem anderen Schritt. Pfeile gehen in der Einheit des Abspielens, mit Strg von Marke zu Marke, Bild auf und Bild ab um Spalten oder Zeilen, Pos1 und Ende an die Enden.</translation>
     </message>
@@ -7309,6 +7195,10 @@
     <message>
         <source>The manual, all keys, and what the parts of the window are.</source>
         <translation>Das Handbuch, alle Tasten, und was die Teile des Fensters sind.</translation>
+    </message>
+    <message>
+        <source>The method that draws the scene, and its printed variants with their faults.</source>
+        <translation>Das Verfahren, das die Szene zeichnet, und seine gedruckten Varianten mit ihren Fehlern.</translation>
     </message>
 </context>
 <context>

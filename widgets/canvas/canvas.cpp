@@ -4,11 +4,11 @@
 #include "widgets/canvas/canvasoutlines.h"
 #include "widgets/canvas/imagehandles.h"
 #include "widgets/canvas/pointerreadout.h"
-#include "widgets/dialogs/vertexdialog.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/parts.h"
 #include "widgets/model/effectswitches.h"
 #include "widgets/model/playhead.h"
+#include "widgets/model/runnotes.h"
 #include "widgets/model/scenetracer.h"
 #include "widgets/model/studentpicture.h"
 
@@ -30,6 +30,7 @@ Canvas::Canvas(SceneDocument *document, Playhead *playhead, DisplayOptions *opti
     , m_mouse(*this, m_view, m_sources)
     , m_keys(*this, m_view, m_mouse, m_sources)
     , m_follower(m_view, m_mouse, playhead)
+    , m_imageFollower(document, options)
 {
     installCanvasAccessible();
     named(this, "canvas", tr("Canvas"));
@@ -56,13 +57,6 @@ void Canvas::connectSources()
     const Playhead *playhead = m_sources.playhead;
     connect(document, &SceneDocument::sceneChanged, this, &Canvas::followScene);
     connect(document, &SceneDocument::currentFrameChanged, this, &Canvas::followScene);
-    connect(document, &SceneDocument::trianglesRenumbered, this,
-            [this](const TriangleRenumbering &numberAfter) {
-                followTriangle(m_sources, numberAfter, m_imageOfUndrawn);
-            });
-    connect(document, &SceneDocument::sceneChanged, this,
-            [this] { bringBackImage(m_sources, m_imageOfUndrawn); });
-    connect(document, &SceneDocument::opened, this, [this] { m_imageOfUndrawn.reset(); });
     connect(document, &SceneDocument::pendingChanged, this, &Canvas::updateVertices);
     connect(document, &SceneDocument::nextColourChanged, this, repaint);
     connect(document, &SceneDocument::selectionChanged, this, repaint);
@@ -132,15 +126,6 @@ void Canvas::zoomIn() { m_view.zoomTo(mapping().zoom().nextLarger(), keyboardAnc
 void Canvas::zoomOut() { m_view.zoomTo(mapping().zoom().nextSmaller(), keyboardAnchor()); }
 
 void Canvas::fitToView() { m_view.fit(); }
-
-void Canvas::editCoordinates(const VertexRef &ref)
-{
-    if (!m_sources.document->vertexAt(ref))
-        return;
-    auto *dialog = new VertexDialog(m_sources.document, ref, this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->open();
-}
 
 void Canvas::setTool(CanvasTool tool)
 {

@@ -123,11 +123,11 @@ private:
     CanvasHand hand() const;
 
     CanvasSources m_sources;
-    std::optional<ImageOfUndrawn> m_imageOfUndrawn;
     CanvasView m_view;
     CanvasMouse m_mouse;
     CanvasKeys m_keys;
     ViewFollower m_follower;
+    ImageFollower m_imageFollower;
     OutlineChoice m_outlines;
     CanvasLayers m_layers;
     CanvasPainter m_painter;

@@ -156,21 +156,17 @@ void enlargePicture(const QImage &picture, const ViewMapping &mapping, const QRe
 void drawValues(QPainter &painter, const FrameBuffer &frame, const ViewMapping &mapping,
                 const QRectF &area, ByteNotation notation)
 {
-    const CellValueStyle style{painter.font(), 1, notation};
+    const CellValueStyle style{painter.font(), notation};
     if (mapping.zoom().factor() / mapping.devicePixelRatio() < leastReadableCell(style))
         return;
     const QRect part = mapping.pictureIn(mapping.deviceRect(area) & mapping.devicePicture());
     if (part.width() * part.height() > mostValues)
         return;
     painter.save();
-    for (int line = part.top(); line <= part.bottom(); ++line) {
-        const auto y = int(rowOfPictureLine(frame.spec(), line));
-        for (int column = part.left(); column <= part.right(); ++column) {
-            const QPoint pixel(frame.spec().firstColumn + column, y);
-            const QRgb colour = *frame.view().at(pixel.x(), pixel.y());
-            drawCellValues(painter, mapping.cellOf(pixel), colour, textColourOn(colour), style);
-        }
-    }
+    forEachPixel(frame.spec(), part, [&](const QPoint &pixel) {
+        const QRgb colour = *frame.view().at(pixel.x(), pixel.y());
+        drawCellValues(painter, mapping.cellOf(pixel), colour, textColourOn(colour), style);
+    });
     painter.restore();
 }
 

@@ -102,33 +102,57 @@ void moveImageCorner(const CanvasSources &sources, AffineImage image, std::size_
         sources.document->undoStack()->push(new ImageEdit(*sources.options, image, drag));
 }
 
-void followTriangle(const CanvasSources &sources, const TriangleRenumbering &numberAfter,
-                    std::optional<ImageOfUndrawn> &kept)
+ImageFollower::ImageFollower(const SceneDocument *document, DisplayOptions *options)
+    : m_document(document)
+    , m_options(options)
 {
-    const std::optional<AffineImage> &asked = sources.options->affineImage();
-    if (!asked)
-        return;
-    const std::optional<std::size_t> triangle = numberAfter(asked->triangle);
-    const std::vector<Triangle> &before = sources.document->scene().triangles;
-    if (!triangle && asked->triangle < before.size())
-        kept = ImageOfUndrawn{before[asked->triangle], asked->corners};
-    sources.options->setAffineImage(triangle ? std::optional(AffineImage{*triangle, asked->corners})
-                                             : std::nullopt);
+    connect(options, &DisplayOptions::changed, this, &ImageFollower::remember);
+    connect(document, &SceneDocument::sceneChanged, this, &ImageFollower::followScene);
+    connect(document, &SceneDocument::opened, this, [this] {
+        m_triangle.reset();
+        m_gone.reset();
+    });
+    followScene();
 }
 
-void bringBackImage(const CanvasSources &sources, std::optional<ImageOfUndrawn> &kept)
+void ImageFollower::remember()
 {
-    if (sources.options->affineImage())
-        kept.reset();
-    if (!kept)
+    const std::optional<AffineImage> &asked = m_options->affineImage();
+    if (!asked)
         return;
-    const std::vector<Triangle> &triangles = sources.document->scene().triangles;
-    const auto found = std::ranges::find(triangles, kept->triangle);
-    if (found == triangles.end())
+    const std::vector<Triangle> &triangles = m_document->scene().triangles;
+    m_gone.reset();
+    m_triangle = asked->triangle < triangles.size() ? std::optional(triangles[asked->triangle])
+                                                    : std::nullopt;
+}
+
+void ImageFollower::followScene()
+{
+    const std::vector<Triangle> &triangles = m_document->scene().triangles;
+    const std::size_t before = std::exchange(m_triangles, triangles.size());
+    const std::size_t solids = m_document->scene().solids.size();
+    const bool keepsSolids = std::exchange(m_solids, solids) == solids;
+    const std::optional<AffineImage> asked = m_options->affineImage();
+    if (asked && m_triangle && asked->triangle < triangles.size()
+        && triangles[asked->triangle] == *m_triangle)
         return;
-    sources.options->setAffineImage(
-        AffineImage{std::size_t(found - triangles.begin()), kept->corners});
-    kept.reset();
+    const bool isOfSolid = asked && asked->triangle >= before;
+    const auto found = m_triangle ? std::ranges::find(triangles, *m_triangle) : triangles.end();
+    const bool isThere = found != triangles.end();
+    const auto place = std::size_t(found - triangles.begin());
+    if (isOfSolid && keepsSolids) // after the scene's own triangles
+        m_options->setAffineImage(
+            AffineImage{asked->triangle - before + triangles.size(), asked->corners});
+    else if (isThere && asked)
+        m_options->setAffineImage(AffineImage{place, asked->corners});
+    else if (isThere && m_gone)
+        m_options->setAffineImage(AffineImage{place, *std::exchange(m_gone, std::nullopt)});
+    else if (asked && !isOfSolid && triangles.size() == before)
+        remember(); // the triangle itself was changed
+    else if (asked) {
+        m_gone = asked->corners;
+        m_options->setAffineImage(std::nullopt);
+    }
 }
 
 void addImageHandles(CanvasScene &scene, const CanvasSources &sources, const CanvasView &view,

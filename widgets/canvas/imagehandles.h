@@ -4,7 +4,6 @@
 #include "core/layers/affineimage.h"
 #include "core/layers/layermoment.h"
 #include "widgets/canvas/canvasscene.h"
-#include "widgets/model/renumbering.h"
 
 #include <QUndoCommand>
 
@@ -50,19 +49,25 @@ std::optional<std::size_t> imageCornerAt(const QPointF &position, const CanvasSo
 void moveImageCorner(const CanvasSources &sources, AffineImage image, std::size_t corner,
                      const LatticePoint &target, int drag);
 
-/// The image requested for a triangle that is not drawn now: hidden or removed.
-struct ImageOfUndrawn {
-    Triangle triangle;
-    Corners corners;
+/// Keeps the requested image with its triangle, whose number edits change. The image of a triangle
+/// that is hidden or removed comes back with it.
+class ImageFollower : public QObject {
+    Q_OBJECT
+
+public:
+    ImageFollower(const SceneDocument *document, DisplayOptions *options);
+
+private:
+    void remember();
+    void followScene();
+
+    const SceneDocument *m_document;
+    DisplayOptions *m_options;
+    std::size_t m_triangles = 0; ///< the scene's own, at the last change
+    std::size_t m_solids = 0;
+    std::optional<Triangle> m_triangle; ///< of the scene's own, whose image was requested last
+    std::optional<Corners> m_gone; ///< its image, while it is not drawn
 };
-
-/// Renumbers the requested image along with its triangle; where the triangle is gone, the image is
-/// kept in `kept`.
-void followTriangle(const CanvasSources &sources, const TriangleRenumbering &numberAfter,
-                    std::optional<ImageOfUndrawn> &kept);
-
-/// Requests the kept image of a triangle that is drawn again, unless another was requested since.
-void bringBackImage(const CanvasSources &sources, std::optional<ImageOfUndrawn> &kept);
 
 /// Adds the image's corners, in the colours of the vertices they are images of.
 void addImageHandles(CanvasScene &scene, const CanvasSources &sources, const CanvasView &view,

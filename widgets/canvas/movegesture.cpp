@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/text/coordinatetext.h"
+#include "widgets/canvas/canvas.h"
 #include "widgets/canvas/canvasgesture.h"
 #include "widgets/canvas/canvasview.h"
 #include "widgets/canvas/imagehandles.h"
+#include "widgets/look/parts.h"
+#include "widgets/model/runnotes.h"
+
+#include <QInputDialog>
 
 namespace pixelplumb {
 
@@ -9,6 +15,29 @@ namespace {
 
 /// Logical pixels of tremor that a click may have.
 constexpr double tremble = 3;
+
+/// Moves a vertex to typed coordinates, "26; 53/2"; else says what is wrong with them.
+void moveVertexTo(const QString &typed, const VertexRef &ref, SceneDocument &document)
+{
+    const QStringList parts = typed.split(u';');
+    SnapReports moved;
+    std::array<Lattice, 2> place = {};
+    for (std::size_t i = 0; i < place.size(); ++i) {
+        const QString text = parts.value(qsizetype(i)).trimmed();
+        const Result<SnappedNumber> number = parseCoordinate(text);
+        if (!number || parts.size() != 2) {
+            emit document.refused(number ? Canvas::tr("Two coordinates are needed: x; y.")
+                                         : number.error().message());
+            return;
+        }
+        place[i] = number->units;
+        if (number->isDisplaced())
+            moved.add({i == 0 ? QStringLiteral("x") : QStringLiteral("y"), text, *number});
+    }
+    document.moveVertex(ref, {place[0], place[1]}, document.newDrag());
+    if (const QString note = snapNote(moved); !note.isEmpty())
+        emit document.notice(note);
+}
 
 } // namespace
 
@@ -98,6 +127,23 @@ void MoveImageCornerGesture::cancel()
 {
     if (hasMoved() && m_sources.options->affineImage() != m_before)
         m_sources.document->undoStack()->push(new ImageEdit(*m_sources.options, m_before, m_drag));
+}
+
+void Canvas::editCoordinates(const VertexRef &ref)
+{
+    SceneDocument *document = m_sources.document;
+    const std::optional<Vertex> vertex = document->vertexAt(ref);
+    if (!vertex)
+        return;
+    auto *dialog = named(new QInputDialog(this), "vertexDialog");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Vertex coordinates"));
+    dialog->setLabelText(tr("x; y in px: whole numbers, decimals and fractions such as 53/2"));
+    dialog->setTextValue(QStringLiteral("%1; %2").arg(coordinateText(vertex->position.x),
+                                                      coordinateText(vertex->position.y)));
+    connect(dialog, &QInputDialog::textValueSelected, document,
+            [document, ref](const QString &text) { moveVertexTo(text, ref, *document); });
+    dialog->open();
 }
 
 } // namespace pixelplumb

@@ -4,6 +4,7 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/canvas/canvaspainter.h"
 #include "widgets/look/framepainter.h"
+#include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 #include "widgets/model/playhead.h"
 
@@ -29,6 +30,8 @@ OverdrawOverlay::OverdrawOverlay(Canvas *canvas, Playhead *playhead)
     setGeometry(canvas->rect());
     hide();
     canvas->installEventFilter(this);
+    onEvents(this, {QEvent::Show}, [this] { followTrace(); });
+    onEvents(this, {QEvent::PaletteChange}, [this] { makeShades(); });
     connect(playhead, &Playhead::tracedChanged, this, &OverdrawOverlay::followTrace);
     connect(playhead, &Playhead::aheadHiddenChanged, this, qOverload<>(&QWidget::update));
 }
@@ -40,12 +43,6 @@ bool OverdrawOverlay::eventFilter(QObject *watched, QEvent *event)
     return QWidget::eventFilter(watched, event);
 }
 
-void OverdrawOverlay::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    followTrace();
-}
-
 void OverdrawOverlay::followTrace()
 {
     if (!isVisible() || m_counted == m_playhead->sharedTraced())
@@ -54,13 +51,6 @@ void OverdrawOverlay::followTrace()
     m_map = m_counted ? overdrawOf(*m_counted) : OverdrawMap();
     makeShades();
     update();
-}
-
-void OverdrawOverlay::changeEvent(QEvent *event)
-{
-    if (event->type() == QEvent::PaletteChange && m_counted)
-        makeShades();
-    QWidget::changeEvent(event);
 }
 
 QString OverdrawOverlay::summary() const
@@ -92,7 +82,11 @@ void OverdrawOverlay::paintEvent(QPaintEvent *)
         enlargePicture(m_shades, mapping, device, m_cells);
         m_cells.setDevicePixelRatio(mapping.devicePixelRatio());
         painter.drawImage(mapping.positionOfDevice(device.topLeft()), m_cells);
-        paintDigits(painter, mapping.pictureIn(device));
+        drawCellNumbers(painter, mapping, view, *this, [this](const QPoint &at) {
+            const int writes = m_map.writesAt(at.x(), at.y());
+            const bool isTold = writes > 1 || m_map.isGapAt(at.x(), at.y());
+            return isTold ? std::optional(writes) : std::nullopt;
+        });
     }
     FramePainter frame(painter, mapping, palette(), view);
     frame.drawNote(summary(), {view.center().x(), view.bottom()}, NoteSide::Above);
@@ -114,37 +108,9 @@ QRgb OverdrawOverlay::shadeOf(std::int64_t x, std::int64_t y) const
 void OverdrawOverlay::makeShades()
 {
     const FrameSpec &spec = m_map.spec();
-    m_shades = QImage(spec.width, spec.height, QImage::Format_ARGB32_Premultiplied);
-    for (int line = 0; line < spec.height; ++line) {
-        const std::int64_t y = rowOfPictureLine(spec, line);
-        auto *const pixels = reinterpret_cast<QRgb *>(m_shades.scanLine(line));
-        for (int column = 0; column < spec.width; ++column)
-            pixels[column] = shadeOf(std::int64_t(spec.firstColumn) + column, y);
-    }
-}
-
-/// Paints the numbers that repeat the shades as digits, where the cells have room.
-void OverdrawOverlay::paintDigits(QPainter &painter, const QRect &shown) const
-{
-    const ViewMapping &mapping = m_canvas->mapping();
-    const double cell = mapping.zoom().devicePixels / mapping.devicePixelRatio();
-    if (mapping.zoom().framePixels > 1 || cell < leastGlyphCell)
-        return;
-    QFont digits = font();
-    digits.setBold(true);
-    digits.setPixelSize(std::min(int(cell), 22));
-    painter.setFont(digits);
-    painter.setPen(isDark(palette()) ? Qt::black : Qt::white);
-    for (int line = shown.top(); line <= shown.bottom(); ++line) {
-        const std::int64_t y = rowOfPictureLine(mapping.frame(), line);
-        for (int column = shown.left(); column <= shown.right(); ++column) {
-            const int x = mapping.frame().firstColumn + column;
-            const int writes = m_map.writesAt(x, y);
-            if (writes > 1 || m_map.isGapAt(x, y))
-                painter.drawText(mapping.cellOf({x, int(y)}), Qt::AlignCenter,
-                                 QString::number(writes));
-        }
-    }
+    m_shades = pictureWith(
+        spec, [this](const QPoint &at) { return shadeOf(at.x(), at.y()); },
+        QImage::Format_ARGB32_Premultiplied);
 }
 
 } // namespace pixelplumb

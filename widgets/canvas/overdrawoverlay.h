@@ -25,15 +25,12 @@ public:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
-    void showEvent(QShowEvent *event) override;
-    void changeEvent(QEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     void followTrace();
     QRgb shadeOf(std::int64_t x, std::int64_t y) const;
     void makeShades();
-    void paintDigits(QPainter &painter, const QRect &shown) const;
 
     Canvas *m_canvas;
     Playhead *m_playhead;

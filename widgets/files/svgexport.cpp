@@ -83,17 +83,14 @@ void drawCells(QPainter &painter, const QImage &picture, const ViewMapping &mapp
 void drawDifferences(QPainter &painter, const TracedScene &traced, std::size_t position,
                      const ViewMapping &mapping, const QPalette &palette)
 {
-    const FrameSpec &frame = traced.scene.frame;
     if (traced.differences.total() == 0)
         return;
-    for (int line = 0; line < frame.height; ++line) {
-        const auto y = int(rowOfPictureLine(frame, line));
-        for (int x = frame.firstColumn; x < frame.firstColumn + frame.width; ++x) {
-            if (traced.decidedAt(x, y) <= position)
-                paintDifference(painter, mapping.cellOf({x, y}), traced.differences.at(x, y),
-                                palette);
-        }
-    }
+    const FrameSpec &frame = traced.scene.frame;
+    forEachPixel(frame, QRect(0, 0, frame.width, frame.height), [&](const QPoint &at) {
+        if (traced.decidedAt(at.x(), at.y()) <= position)
+            paintDifference(painter, mapping.cellOf(at), traced.differences.at(at.x(), at.y()),
+                            palette);
+    });
 }
 
 void drawTriangles(QPainter &painter, FramePainter &frame, const Playhead &playhead,

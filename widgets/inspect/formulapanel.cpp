@@ -98,6 +98,8 @@ FormulaPanel::FormulaPanel(Playhead *playhead, QWidget *parent)
 
     m_measuring.setSingleShot(true);
     m_measuring.setInterval(0);
+    onEvents(this, {QEvent::Show}, [this] { m_measuring.start(); });
+    onEvents(this, {QEvent::PaletteChange, QEvent::FontChange}, [this] { explainStep(); });
     connect(&m_measuring, &QTimer::timeout, this, &FormulaPanel::measureRun);
     connect(playhead, &Playhead::tracedChanged, this, &FormulaPanel::takeTraced);
     connect(playhead, &Playhead::positionChanged, this, &FormulaPanel::explainStep);
@@ -256,12 +258,6 @@ void FormulaPanel::measureRun()
     emit neededHeightChanged();
 }
 
-void FormulaPanel::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    m_measuring.start();
-}
-
 void FormulaPanel::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
@@ -272,13 +268,6 @@ void FormulaPanel::resizeEvent(QResizeEvent *event)
         = height() < m_neededHeight && QGuiApplication::mouseButtons() == Qt::NoButton;
     if (isSqueezed || event->size().width() != event->oldSize().width())
         m_measuring.start();
-}
-
-void FormulaPanel::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        explainStep();
 }
 
 } // namespace pixelplumb

@@ -64,14 +64,13 @@ MethodPanel::MethodPanel(Playhead *playhead, QWidget *parent)
     m_text->document()->setDocumentMargin(8);
     m_text->setFont(tabularFont(font()));
     withParts(new QVBoxLayout(this), {m_text}, -1, 0);
+    onEvents(this, {QEvent::Show}, [this] {
+        if (m_isStale)
+            present();
+    });
+    onEvents(this, {QEvent::Resize}, [this] { showCurrentLines(); });
+    onEvents(this, {QEvent::PaletteChange}, [this] { schedulePresentation(); });
     connect(playhead, &Playhead::positionChanged, this, &MethodPanel::schedulePresentation);
-}
-
-void MethodPanel::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    if (m_isStale)
-        present();
 }
 
 void MethodPanel::schedulePresentation()
@@ -136,19 +135,6 @@ void MethodPanel::showCurrentLines()
     const int bottom = int(lines.bottom()) + 1 + roomAround;
     const int lowest = std::max(bar->value(), bottom - m_text->viewport()->height());
     bar->setValue(std::min(lowest, top));
-}
-
-void MethodPanel::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    showCurrentLines();
-}
-
-void MethodPanel::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        schedulePresentation();
 }
 
 } // namespace pixelplumb

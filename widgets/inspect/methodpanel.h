@@ -20,11 +20,6 @@ public:
 
     QSize sizeHint() const override { return {360, 420}; }
 
-protected:
-    void changeEvent(QEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
-    void showEvent(QShowEvent *event) override;
-
 private:
     void schedulePresentation();
     void present();

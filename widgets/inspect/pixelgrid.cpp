@@ -25,9 +25,8 @@ PixelGridStyle styleOf(const QWidget &widget, const DisplayOptions &options)
 {
     PixelGridStyle style;
     style.palette = widget.palette();
-    style.scale = widget.devicePixelRatioF();
     style.font = tabularFont(widget.font());
-    style.font.setPixelSize(qRound(QFontInfo(widget.font()).pixelSize() * style.scale));
+    style.font.setPixelSize(QFontInfo(widget.font()).pixelSize());
     style.lines = options.isGridShown() ? GridLines::Shown : GridLines::Hidden;
     style.notation = options.notation();
     return style;
@@ -59,7 +58,7 @@ QSize PixelGrid::minimumSizeHint() const
     const PixelGridStyle style = styleOf(*this, *m_options);
     const QMargins margins = pixelGridMargins(style, {}, largestRowDigits(), BoundsRoom::None);
     const double cells = fewestCells * std::ceil(leastReadableCell(style.values()));
-    return {200, int(std::ceil((cells + margins.top() + margins.bottom()) / style.scale))};
+    return {200, int(std::ceil(cells)) + margins.top() + margins.bottom()};
 }
 
 QPoint PixelGrid::centre() const
@@ -89,15 +88,13 @@ BoundsRoom PixelGrid::boundsRoom() const
     return hasBounds ? BoundsRoom::Kept : BoundsRoom::None;
 }
 
-PixelGridMapping PixelGrid::mapping() const
+ViewMapping PixelGrid::mapping() const
 {
-    const double scale = devicePixelRatioF();
-    const QSize area(qRound(width() * scale), qRound(height() * scale));
     const FrameOrigin origin
         = m_playhead->traced() ? m_playhead->traced()->scene.frame.origin : FrameOrigin::BottomLeft;
     const PixelGridStyle style = styleOf(*this, *m_options);
-    const QMargins margins = pixelGridMargins(style, area, largestRowDigits(), boundsRoom());
-    const QSize inside = area.shrunkBy(margins);
+    const QMargins margins = pixelGridMargins(style, size(), largestRowDigits(), boundsRoom());
+    const QSize inside = size().shrunkBy(margins);
     const auto fitting = [](int length, double cell) { return (int(length / cell) - 1) | 1; };
     const double least = leastReadableCell(style.values());
     int rows = m_cellCount;
@@ -106,12 +103,13 @@ PixelGridMapping PixelGrid::mapping() const
     // As many columns as fit beside rows of this cell height.
     const int cell = std::max(1, inside.height() / rows);
     const int columns = std::clamp(fitting(inside.width(), cell), fewestCells, mostCells);
-    return {area, margins, {columns, rows}, centre(), origin};
+    return pixelGridMapping(size(), margins, {columns, rows}, centre(), origin,
+                            devicePixelRatioF());
 }
 
 std::optional<QPoint> PixelGrid::pixelAt(const QPointF &position) const
 {
-    return mapping().pixelAt(position * devicePixelRatioF());
+    return mapping().pixelAt(position);
 }
 
 void PixelGrid::setCellCount(int count)
@@ -141,14 +139,16 @@ void PixelGrid::paintEvent(QPaintEvent *)
                          tr("The pixels around the picked one appear here."));
         return;
     }
-    const PixelGridMapping cells = mapping();
+    const ViewMapping cells = mapping();
     const PixelGridStyle style = styleOf(*this, *m_options);
     const PixelGridScene scene = pixelGridScene(*m_playhead, *m_options, cells);
-    painter.scale(1 / style.scale, 1 / style.scale);
     PixelGridPainter(painter, style, cells, scene).paint();
     if (hasFocus()) {
-        painter.setPen(QPen(palette().color(QPalette::Highlight), style.scale));
-        painter.drawRect(QRectF(cells.grid()).adjusted(-2, -2, 3, 3));
+        const QRect grid = cells.devicePicture();
+        painter.setPen(QPen(palette().color(QPalette::Highlight), 1));
+        painter.drawRect(QRectF(cells.positionOfDevice(grid.topLeft()),
+                                QSizeF(grid.size()) / cells.devicePixelRatio())
+                             .adjusted(-2, -2, 2, 2));
     }
 }
 
@@ -184,7 +184,8 @@ void PixelGrid::wheelEvent(QWheelEvent *event)
     const int steps = m_wheelAngle / wheelStep;
     m_wheelAngle -= steps * wheelStep;
     if (steps != 0)
-        setCellCount(mapping().rows() - steps * cellsPerStep); // turning away enlarges the cells
+        setCellCount(mapping().frame().height
+                     - steps * cellsPerStep); // turning away enlarges the cells
     event->accept();
 }
 
@@ -208,10 +209,10 @@ void PixelGrid::keyPressEvent(QKeyEvent *event)
         break;
     case Qt::Key_Plus:
     case Qt::Key_Equal:
-        setCellCount(mapping().rows() - cellsPerStep);
+        setCellCount(mapping().frame().height - cellsPerStep);
         break;
     case Qt::Key_Minus:
-        setCellCount(mapping().rows() + cellsPerStep);
+        setCellCount(mapping().frame().height + cellsPerStep);
         break;
     case Qt::Key_Return:
     case Qt::Key_Enter:

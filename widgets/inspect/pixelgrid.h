@@ -26,8 +26,8 @@ public:
     /// The number of rows. Until a person chooses it, an upper limit: fewer rows keep the values
     /// readable. Odd, so that there is a middle one.
     int cellCount() const { return m_cellCount; }
-    /// Where the cells are now, in device pixels.
-    PixelGridMapping mapping() const;
+    /// Where the cells are now; its frame is just these.
+    ViewMapping mapping() const;
     /// The pixel under a position in the widget's coordinates.
     std::optional<QPoint> pixelAt(const QPointF &position) const;
 

@@ -60,13 +60,12 @@ QMargins pixelGridMargins(const PixelGridStyle &style, const QSize &area, int la
                           BoundsRoom bounds)
 {
     const QFontMetricsF metrics(style.font);
-    const auto px = [&style](double logical) { return logical * style.scale; };
-    const double left = metrics.horizontalAdvance(QString(largestRowDigits, u'0')) + px(2 * gap);
-    const double bottom = metrics.height() + px(gap);
-    const double top = px(gap);
-    const double rest = area.width() - left - std::min(px(labelColumn), double(area.width()));
-    const bool hasLabels = bounds == BoundsRoom::Kept && rest >= px(leastGrid);
-    const double right = hasLabels ? px(labelColumn) : px(gap);
+    const double left = metrics.horizontalAdvance(QString(largestRowDigits, u'0')) + 2 * gap;
+    const double bottom = metrics.height() + gap;
+    const double top = gap;
+    const double rest = area.width() - left - std::min(labelColumn, double(area.width()));
+    const bool hasLabels = bounds == BoundsRoom::Kept && rest >= leastGrid;
+    const double right = hasLabels ? labelColumn : gap;
     return {int(std::ceil(left)), int(std::ceil(top)), int(std::ceil(right)),
             int(std::ceil(bottom))};
 }
@@ -75,9 +74,9 @@ QMargins pixelGridMargins(const PixelGridStyle &style, const QSize &area, int la
 void PixelGridPainter::paintBracket(FramePainter &frame, std::int64_t along, Sign sign)
 {
     const QPoint pixel = m_scene.onSpan(along);
-    if (!m_mapping.contains(pixel))
+    if (!hasCell(pixel))
         return;
-    const QRectF cell = m_view.cellOf(pixel).adjusted(0.5, 0.5, -0.5, -0.5);
+    const QRectF cell = m_mapping.cellOf(pixel).adjusted(0.5, 0.5, -0.5, -0.5);
     const bool isLower = sign == Sign::LowerEdge;
     // The closed side, and the direction from it into the cell.
     QLineF side;
@@ -111,10 +110,11 @@ void PixelGridPainter::paintSpan(FramePainter &frame)
 
 void PixelGridPainter::paintAxes()
 {
-    const QFont font = fontOfSize(m_style.font.pixelSize() / m_style.scale);
+    const FrameSpec &cells = m_mapping.frame();
+    const QFont &font = m_style.font;
     const QFontMetricsF metrics(font);
-    const QRect grid = m_mapping.grid();
-    const double size = m_mapping.cellSize();
+    const QRectF &grid = m_grid;
+    const double size = cellSize();
     QFont bold = font;
     bold.setBold(true);
     const auto setPenFor = [&](bool current, Sign sign) {
@@ -128,23 +128,23 @@ void PixelGridPainter::paintAxes()
     const auto stepFor = [size](double room) { return std::max(1, int(std::ceil(room / size))); };
 
     const double widest
-        = std::max(metrics.horizontalAdvance(QString::number(m_mapping.firstColumn())),
-                   metrics.horizontalAdvance(QString::number(m_mapping.endColumn())));
-    const int columnStep = stepFor(widest + px(gap));
-    const double baseline = grid.top() + grid.height() + px(2) + metrics.ascent();
-    const int middle = m_mapping.firstColumn() + m_mapping.columns() / 2;
-    for (int x = m_mapping.firstColumn(); x < m_mapping.endColumn(); ++x) {
+        = std::max(metrics.horizontalAdvance(QString::number(cells.firstColumn)),
+                   metrics.horizontalAdvance(QString::number((cells.firstColumn + cells.width))));
+    const int columnStep = stepFor(widest + gap);
+    const double baseline = grid.top() + grid.height() + 2 + metrics.ascent();
+    const int middle = cells.firstColumn + cells.width / 2;
+    for (int x = cells.firstColumn; x < (cells.firstColumn + cells.width); ++x) {
         const bool current = isCurrent(SpanAxis::Column, x);
         if ((x - middle) % columnStep != 0)
             continue;
         setPenFor(current, Sign::CurrentColumn);
         const QString text = coordinateText(x);
         const double width = QFontMetricsF(m_painter.font()).horizontalAdvance(text);
-        m_painter.drawText(QPointF(m_mapping.position(x, 0).x() - width / 2, baseline), text);
+        m_painter.drawText(QPointF(m_mapping.positionOf(x, 0).x() - width / 2, baseline), text);
     }
     const int rowStep = stepFor(metrics.height());
-    const int middleRow = m_mapping.firstRow() + m_mapping.rows() / 2;
-    for (int y = m_mapping.firstRow(); y < m_mapping.endRow(); ++y) {
+    const int middleRow = cells.firstRow + cells.height / 2;
+    for (int y = cells.firstRow; y < (cells.firstRow + cells.height); ++y) {
         if ((y - middleRow) % rowStep != 0)
             continue;
         if (isCurrent(SpanAxis::Row, y))
@@ -153,19 +153,18 @@ void PixelGridPainter::paintAxes()
             setPenFor(m_scene.picked && m_scene.picked->y() == y, Sign::PickedPixel);
         const QString text = coordinateText(y);
         const double width = QFontMetricsF(m_painter.font()).horizontalAdvance(text);
-        m_painter.drawText(QPointF(grid.left() - px(gap) - width,
-                                   m_mapping.position(0, y).y() + metrics.capHeight() / 2),
+        m_painter.drawText(QPointF(grid.left() - gap - width,
+                                   m_mapping.positionOf(0, y).y() + metrics.capHeight() / 2),
                            text);
     }
 }
 
 void PixelGridPainter::paintSpanLabels()
 {
-    const QRect grid = m_mapping.grid();
+    const QRectF &grid = m_grid;
     const double left = grid.left() + grid.width();
-    // The viewport of a widget's painter is in logical pixels.
-    const double room = px(m_painter.viewport().width()) - left - px(gap);
-    if (m_scene.boundsOf.isEmpty() || room < px(labelColumn) - px(2 * gap))
+    const double room = m_painter.viewport().width() - left - gap;
+    if (m_scene.boundsOf.isEmpty() || room < labelColumn - 2 * gap)
         return;
     const SpanRecord &span = *m_scene.span;
     const bool isRow = span.place.axis == SpanAxis::Row;
@@ -180,7 +179,7 @@ void PixelGridPainter::paintSpanLabels()
     const auto add = [&](const QString &symbol, const QString &value, double along, Sign sign) {
         // All labels of a row are at the row.
         const double y = isRow ? double(span.place.coordinate) : along;
-        SpanLabel label{symbol + QStringLiteral(" = "), value, m_mapping.position(0, y).y(), 0,
+        SpanLabel label{symbol + QStringLiteral(" = "), value, m_mapping.positionOf(0, y).y(), 0,
                         sign};
         if (label.wish < grid.top())
             label.value += u' ' + upward;
@@ -193,7 +192,7 @@ void PixelGridPainter::paintSpanLabels()
         QString text = displayText(quantity, m_scene.arithmetic);
         text.replace(QChar(0x2009), QChar(0x00a0)); // at this size a thin space is not noticed
         const double width = metrics.horizontalAdvance(text + QStringLiteral(" y_T = ↑"));
-        return width <= room - px(14) ? text : shortDecimal(quantity, 4);
+        return width <= room - 14 ? text : shortDecimal(quantity, 4);
     };
     const QString lower = isRow ? QStringLiteral("x_L") : QStringLiteral("y_B");
     const QString upper = isRow ? QStringLiteral("x_R") : QStringLiteral("y_T");
@@ -214,12 +213,12 @@ void PixelGridPainter::paintSpanLabels()
     m_painter.save();
     m_painter.setFont(m_style.font);
     m_painter.setPen(colour(Sign::CurrentColumn));
-    m_painter.drawText(QPointF(left + px(16), grid.top() + metrics.ascent()), m_scene.boundsOf);
+    m_painter.drawText(QPointF(left + 16, grid.top() + metrics.ascent()), m_scene.boundsOf);
     m_painter.setRenderHint(QPainter::Antialiasing, true);
     for (const SpanLabel &label : labels) {
-        m_painter.setPen(QPen(colour(label.sign), px(1)));
-        m_painter.drawLine(QPointF(left + px(2), label.wish), QPointF(left + px(12), label.place));
-        const QPointF baseline(left + px(16), label.place + metrics.capHeight() / 2);
+        m_painter.setPen(QPen(colour(label.sign), 1));
+        m_painter.drawLine(QPointF(left + 2, label.wish), QPointF(left + 12, label.place));
+        const QPointF baseline(left + 16, label.place + metrics.capHeight() / 2);
         const double width = SymbolText(label.symbol).draw(m_painter, baseline, m_style.font);
         m_painter.setFont(m_style.font);
         m_painter.drawText(baseline + QPointF(width, 0), label.value);

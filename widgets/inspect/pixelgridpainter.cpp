@@ -17,63 +17,47 @@ constexpr double dotCell = 12; // a dot would hide smaller cells
 
 constexpr float backgroundValueFade = 0.55F;
 
-QFont withSize(QFont font, double devicePixels)
-{
-    font.setPixelSize(std::max(1, int(devicePixels)));
-    return font;
-}
-
 } // namespace
 
 PixelGridPainter::PixelGridPainter(QPainter &painter, const PixelGridStyle &style,
-                                   const PixelGridMapping &mapping, const PixelGridScene &scene)
+                                   const ViewMapping &mapping, const PixelGridScene &scene)
     : m_painter(painter)
     , m_style(style)
     , m_mapping(mapping)
-    , m_view(mapping.onScreen(style.scale))
+    , m_grid(mapping.positionOfDevice(mapping.devicePicture().topLeft()),
+             QSizeF(mapping.devicePicture().size()) / mapping.devicePixelRatio())
     , m_scene(scene)
 {
 }
 
-template <class Draw>
-void PixelGridPainter::drawFrame(const Draw &draw)
+bool PixelGridPainter::hasCell(const QPoint &pixel) const
 {
-    m_painter.save();
-    m_painter.scale(m_style.scale, m_style.scale);
-    const QRect grid = m_mapping.grid();
-    FramePainter frame(
-        m_painter, m_view, m_style.palette,
-        {m_view.positionOfDevice(grid.topLeft()), QSizeF(grid.size()) / m_style.scale});
-    draw(frame);
-    m_painter.restore();
+    return windowOf(m_mapping.frame()).contains(pixel.x(), pixel.y());
 }
 
 void PixelGridPainter::paint()
 {
     for (const GridCell &cell : m_scene.cells)
         paintCell(cell);
+    FramePainter frame(m_painter, m_mapping, m_style.palette, m_grid);
     if (m_style.lines == GridLines::Shown) {
-        drawFrame([](FramePainter &frame) {
-            frame.drawGrid();
-            frame.drawFrameEdge();
-        });
+        frame.drawGrid();
+        frame.drawFrameEdge();
     }
     m_painter.save();
-    m_painter.setClipRect(m_mapping.grid());
-    drawFrame([this](FramePainter &frame) {
-        if (m_scene.triangle)
-            frame.drawOutline(*m_scene.triangle, m_scene.roles);
-        if (m_scene.hasLine())
-            frame.drawPlumbLine(m_scene.span->place);
-    });
+    m_painter.setClipRect(m_grid);
+    if (m_scene.triangle)
+        frame.drawOutline(*m_scene.triangle, m_scene.roles);
+    if (m_scene.hasLine())
+        frame.drawPlumbLine(m_scene.span->place);
+    m_painter.setRenderHint(QPainter::Antialiasing, false);
     paintSamples();
     paintCandidates();
     paintCurrentPixel();
-    drawFrame([this](FramePainter &frame) {
-        if (m_scene.picked)
-            frame.drawPickedPixel(*m_scene.picked);
-        paintSpan(frame);
-    });
+    if (m_scene.picked)
+        frame.drawPickedPixel(*m_scene.picked);
+    paintSpan(frame);
+    m_painter.setRenderHint(QPainter::Antialiasing, false);
     for (const GridCell &cell : m_scene.cells)
         paintValue(cell); // over lines and frames, which may cross it
     for (const GridCell &cell : m_scene.cells)
@@ -83,14 +67,9 @@ void PixelGridPainter::paint()
     paintSpanLabels();
 }
 
-QFont PixelGridPainter::fontOfSize(double logicalPixels) const
-{
-    return withSize(m_style.font, px(logicalPixels));
-}
-
 void PixelGridPainter::paintCell(const GridCell &cell)
 {
-    const QRect rect = m_mapping.cell(cell.pixel);
+    const QRectF rect = m_mapping.cellOf(cell.pixel);
     if (cell.isInFrame) {
         m_painter.fillRect(rect, QColor::fromRgb(cell.colour));
         return;
@@ -106,15 +85,15 @@ void PixelGridPainter::paintValue(const GridCell &cell)
     QColor ink = textColourOn(cell.colour);
     if (cell.isBackground)
         ink = blended(ink, QColor::fromRgb(cell.colour), backgroundValueFade);
-    drawCellValues(m_painter, m_mapping.cell(cell.pixel), cell.colour, ink, m_style.values());
+    drawCellValues(m_painter, m_mapping.cellOf(cell.pixel), cell.colour, ink, m_style.values());
 }
 
 void PixelGridPainter::paintSamples()
 {
-    const double size = m_mapping.cellSize();
-    if (size < px(dotCell))
+    const double size = cellSize();
+    if (size < dotCell)
         return;
-    const double radius = std::clamp(size / 24, px(1), px(2.5));
+    const double radius = std::clamp(size / 24, 1.0, 2.5);
     m_painter.save();
     m_painter.setRenderHint(QPainter::Antialiasing, true);
     for (const GridCell &cell : m_scene.cells) {
@@ -123,7 +102,7 @@ void PixelGridPainter::paintSamples()
         const QColor dot = textColourOn(cell.colour);
         m_painter.setPen(Qt::NoPen);
         m_painter.setBrush(blended(dot, QColor::fromRgb(cell.colour), 0.3F));
-        m_painter.drawEllipse(m_mapping.sample(cell.pixel), radius, radius);
+        m_painter.drawEllipse(m_mapping.positionOf(cell.pixel), radius, radius);
     }
     m_painter.restore();
 }
@@ -133,17 +112,18 @@ void PixelGridPainter::paintCandidates()
     if (!m_scene.hasLine())
         return;
     const bool isRow = m_scene.span->place.axis == SpanAxis::Row;
-    const std::int64_t firstShown = isRow ? m_mapping.firstColumn() : m_mapping.firstRow();
-    const std::int64_t endShown = isRow ? m_mapping.endColumn() : m_mapping.endRow();
-    const std::int64_t first = std::max(m_scene.firstCandidate, firstShown);
-    const std::int64_t end = std::min(m_scene.endCandidate, endShown);
-    const double inset = px(3);
-    QPen pen(colour(Sign::CurrentColumn), px(1.5));
+    const FrameView shown = windowOf(m_mapping.frame());
+    const std::int64_t first = std::max<std::int64_t>(m_scene.firstCandidate,
+                                                      isRow ? shown.firstColumn : shown.firstRow);
+    const std::int64_t end
+        = std::min(m_scene.endCandidate, isRow ? shown.endColumn() : shown.endRow());
+    const double inset = 3;
+    QPen pen(colour(Sign::CurrentColumn), 1.5);
     pen.setDashPattern({3, 2});
-    QPen halo(m_style.palette.color(QPalette::Base), px(1.5));
+    QPen halo(m_style.palette.color(QPalette::Base), 1.5);
     for (std::int64_t along = first; along < end; ++along) {
         const QRectF rect
-            = QRectF(m_mapping.cell(m_scene.onSpan(along))).adjusted(inset, inset, -inset, -inset);
+            = m_mapping.cellOf(m_scene.onSpan(along)).adjusted(inset, inset, -inset, -inset);
         m_painter.setPen(halo);
         m_painter.drawRect(rect);
         m_painter.setPen(pen);
@@ -153,41 +133,42 @@ void PixelGridPainter::paintCandidates()
 
 void PixelGridPainter::paintCurrentPixel()
 {
-    if (!m_scene.currentPixel || !m_mapping.contains(*m_scene.currentPixel))
+    if (!m_scene.currentPixel || !hasCell(*m_scene.currentPixel))
         return;
-    const double inset = px(3);
+    const double inset = 3;
     const QRectF rect
-        = QRectF(m_mapping.cell(*m_scene.currentPixel)).adjusted(inset, inset, -inset, -inset);
-    m_painter.setPen(QPen(m_style.palette.color(QPalette::Base), px(4)));
+        = m_mapping.cellOf(*m_scene.currentPixel).adjusted(inset, inset, -inset, -inset);
+    m_painter.setPen(QPen(m_style.palette.color(QPalette::Base), 4));
     m_painter.drawRect(rect);
-    m_painter.setPen(QPen(colour(Sign::CurrentColumn), px(2)));
+    m_painter.setPen(QPen(colour(Sign::CurrentColumn), 2));
     m_painter.drawRect(rect);
 }
 
 void PixelGridPainter::paintSigns(const GridCell &cell)
 {
-    const double size = m_mapping.cellSize();
-    if (cell.signs.empty() || size < px(12))
+    const double size = cellSize();
+    if (cell.signs.empty() || size < 12)
         return;
     const QFont font = [&] {
-        QFont bold = fontOfSize(std::clamp(size / m_style.scale / 3.4, 7.0, 13.0));
+        QFont bold = m_style.font;
+        bold.setPixelSize(int(std::clamp(size / 3.4, 7.0, 13.0)));
         bold.setBold(true);
         return bold;
     }();
     const QFontMetricsF metrics(font);
-    const double side = std::min(metrics.height() * 0.95, size / 2 - px(2)); // right of the values
-    const QRectF rect = m_mapping.cell(cell.pixel);
+    const double side = std::min(metrics.height() * 0.95, size / 2 - 2); // right of the values
+    const QRectF rect = m_mapping.cellOf(cell.pixel);
     m_painter.save();
     m_painter.setRenderHint(QPainter::Antialiasing, true);
     m_painter.setFont(font);
-    double top = rect.top() + px(1);
+    double top = rect.top() + 1;
     for (const Sign sign : cell.signs) {
-        const QRectF badge(rect.right() - side - px(1), top, side, side);
-        m_painter.setPen(QPen(colour(sign), px(1)));
+        const QRectF badge(rect.right() - side - 1, top, side, side);
+        m_painter.setPen(QPen(colour(sign), 1));
         m_painter.setBrush(m_style.palette.color(QPalette::Base));
-        m_painter.drawRoundedRect(badge, px(2), px(2));
+        m_painter.drawRoundedRect(badge, 2, 2);
         m_painter.drawText(badge, Qt::AlignCenter, signGlyph(sign));
-        top += side + px(1);
+        top += side + 1;
     }
     m_painter.restore();
 }

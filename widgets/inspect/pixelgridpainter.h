@@ -13,15 +13,14 @@ namespace pixelplumb {
 
 enum class GridLines { Hidden, Shown };
 
-/// How the pixel grid is drawn: palette, font and pen widths in device pixels.
+/// How the pixel grid is drawn.
 struct PixelGridStyle {
     QPalette palette;
-    QFont font; ///< its size in device pixels
-    double scale = 1; ///< device pixels per logical pixel
+    QFont font;
     GridLines lines = GridLines::Shown;
     ByteNotation notation = ByteNotation::Decimal;
 
-    CellValueStyle values() const { return {font, scale, notation}; }
+    CellValueStyle values() const { return {font, notation}; }
 };
 
 /// Whether room for y_B and y_T is kept beside the cells; without a current column or row the cells
@@ -32,12 +31,12 @@ enum class BoundsRoom { None, Kept };
 QMargins pixelGridMargins(const PixelGridStyle &style, const QSize &area, int largestRowDigits,
                           BoundsRoom bounds);
 
-/// Draws a PixelGridScene with a painter that works in device pixels. FramePainter draws what the
-/// canvas shows too; this class adds the values and signs for which only large cells have room.
+/// Draws a PixelGridScene. FramePainter draws what the canvas shows too; this class adds the values
+/// and signs for which only large cells have room.
 class PixelGridPainter {
 public:
-    PixelGridPainter(QPainter &painter, const PixelGridStyle &style,
-                     const PixelGridMapping &mapping, const PixelGridScene &scene);
+    PixelGridPainter(QPainter &painter, const PixelGridStyle &style, const ViewMapping &mapping,
+                     const PixelGridScene &scene);
 
     void paint();
 
@@ -53,17 +52,14 @@ private:
     void paintAxes();
     void paintSpanLabels();
 
-    double px(double logical) const { return logical * m_style.scale; }
     QColor colour(Sign sign) const { return signColour(sign, m_style.palette); }
-    /// Calls draw(frame), whose positions are logical pixels.
-    template <class Draw>
-    void drawFrame(const Draw &draw);
-    QFont fontOfSize(double logicalPixels) const;
+    double cellSize() const { return m_grid.height() / m_mapping.frame().height; }
+    bool hasCell(const QPoint &pixel) const;
 
     QPainter &m_painter;
     const PixelGridStyle &m_style;
-    const PixelGridMapping &m_mapping;
-    ViewMapping m_view; ///< m_mapping in logical pixels
+    const ViewMapping &m_mapping;
+    QRectF m_grid; ///< all cells
     const PixelGridScene &m_scene;
 };
 

@@ -24,12 +24,13 @@ bool isTie(const Triangle &triangle, FillRule rule, const QPoint &pixel)
 }
 
 /// The name of a span that crosses the cells; empty for other spans.
-QString nameAmongCells(const SpanPlace &place, const PixelGridMapping &mapping)
+QString nameAmongCells(const SpanPlace &place, const ViewMapping &mapping)
 {
+    const FrameView cells = windowOf(mapping.frame());
     const std::int64_t at = place.coordinate;
-    if (place.axis == SpanAxis::Column && at >= mapping.firstColumn() && at < mapping.endColumn())
+    if (place.axis == SpanAxis::Column && at >= cells.firstColumn && at < cells.endColumn())
         return QCoreApplication::translate("pixelplumb::PixelGrid", "column %1").arg(at);
-    if (place.axis == SpanAxis::Row && at >= mapping.firstRow() && at < mapping.endRow())
+    if (place.axis == SpanAxis::Row && at >= cells.firstRow && at < cells.endRow())
         return QCoreApplication::translate("pixelplumb::PixelGrid", "row %1").arg(at);
     return {};
 }
@@ -99,26 +100,22 @@ private:
 
 } // namespace
 
-PixelGridMapping::PixelGridMapping(const QSize &area, const QMargins &margins,
-                                   const CellCount &count, const QPoint &centre, FrameOrigin origin)
+ViewMapping pixelGridMapping(const QSize &area, const QMargins &margins, const QSize &cells,
+                             const QPoint &centre, FrameOrigin origin, double devicePixelRatio)
 {
-    const QRect inside = QRect(QPoint(0, 0), area).marginsRemoved(margins);
-    const int cellSize
-        = std::max(1, std::min(inside.width() / count.columns, inside.height() / count.rows));
-    const int above = std::max(0, (inside.height() - cellSize * count.rows) / 2);
-    FrameSpec cells;
-    cells.width = count.columns;
-    cells.height = count.rows;
-    cells.firstColumn = centre.x() - count.columns / 2;
-    cells.firstRow = centre.y() - count.rows / 2;
-    cells.origin = origin;
-    m_view = ViewMapping(cells, {cellSize, 1}, inside.topLeft() + QPoint(0, above));
-}
-
-bool PixelGridMapping::contains(const QPoint &pixel) const
-{
-    return pixel.x() >= firstColumn() && pixel.x() < endColumn() && pixel.y() >= firstRow()
-        && pixel.y() < endRow();
+    const QRect inside = QRect(QPoint(), area).marginsRemoved(margins);
+    const int across = int(inside.width() * devicePixelRatio);
+    const int up = int(inside.height() * devicePixelRatio);
+    const int cell = std::max(1, std::min(across / cells.width(), up / cells.height()));
+    const int above = std::max(0, (up - cell * cells.height()) / 2);
+    FrameSpec frame;
+    frame.width = cells.width();
+    frame.height = cells.height();
+    frame.firstColumn = centre.x() - cells.width() / 2;
+    frame.firstRow = centre.y() - cells.height() / 2;
+    frame.origin = origin;
+    const QPoint corner = (QPointF(inside.topLeft()) * devicePixelRatio).toPoint();
+    return {frame, {cell, 1}, corner + QPoint(0, above), devicePixelRatio};
 }
 
 std::optional<std::size_t> currentTriangle(const Playhead &playhead)
@@ -133,7 +130,7 @@ std::optional<std::size_t> currentTriangle(const Playhead &playhead)
 }
 
 PixelGridScene pixelGridScene(const Playhead &playhead, const DisplayOptions &options,
-                              const PixelGridMapping &mapping)
+                              const ViewMapping &mapping)
 {
     const TracedScene &traced = *playhead.traced();
     const ScanTrace &trace = *traced.trace;
@@ -161,10 +158,10 @@ PixelGridScene pixelGridScene(const Playhead &playhead, const DisplayOptions &op
     }
 
     const CellMaker maker(playhead, options);
-    scene.cells.reserve(std::size_t(mapping.columns()) * std::size_t(mapping.rows()));
-    for (int x = mapping.firstColumn(); x < mapping.endColumn(); ++x) {
+    const FrameView cells = windowOf(mapping.frame());
+    for (int x = int(cells.firstColumn); x < cells.endColumn(); ++x) {
         const bool columnHasTie = maker.hasTie(x);
-        for (int y = mapping.firstRow(); y < mapping.endRow(); ++y)
+        for (int y = int(cells.firstRow); y < cells.endRow(); ++y)
             scene.cells.push_back(maker.cellAt(QPoint(x, y), columnHasTie));
     }
     return scene;

@@ -21,63 +21,11 @@ namespace pixelplumb {
 class DisplayOptions;
 class Playhead;
 
-/// How many cells are shown; a single number means as many in both directions.
-struct CellCount {
-    int columns = 1;
-    int rows = 1;
-
-    CellCount(int side)
-        : columns(side)
-        , rows(side)
-    {
-    }
-    CellCount(int across, int up)
-        : columns(across)
-        , rows(up)
-    {
-    }
-};
-
-/// Where the pixel grid's cells are: a mapping whose small frame is just these cells. All lengths
-/// are device pixels, so that every cell is a whole number of them wide at any screen scale.
-class PixelGridMapping {
-public:
-    /// Makes cells as large as the area inside the margins allows, with the pixel `centre` in the
-    /// middle cell.
-    PixelGridMapping(const QSize &area, const QMargins &margins, const CellCount &count,
-                     const QPoint &centre, FrameOrigin origin);
-
-    int columns() const { return m_view.frame().width; }
-    int rows() const { return m_view.frame().height; }
-    int cellSize() const { return m_view.zoom().devicePixels; }
-    /// All cells.
-    QRect grid() const { return m_view.devicePicture(); }
-    /// The grid's mapping in logical pixels of a screen.
-    ViewMapping onScreen(double devicePixelRatio) const
-    {
-        return {m_view.frame(), m_view.zoom(), m_view.origin(), devicePixelRatio};
-    }
-
-    int firstColumn() const { return m_view.frame().firstColumn; }
-    int endColumn() const { return firstColumn() + columns(); }
-    int firstRow() const { return m_view.frame().firstRow; }
-    int endRow() const { return firstRow() + rows(); }
-    bool contains(const QPoint &pixel) const;
-
-    QRect cell(const QPoint &pixel) const { return m_view.deviceCellOf(pixel); }
-    std::optional<QPoint> pixelAt(const QPointF &position) const
-    {
-        return m_view.pixelAt(position);
-    }
-    /// Where a point in sample coordinates is drawn: pixel (x, y) is sampled in the middle of its
-    /// cell.
-    QPointF position(double x, double y) const { return m_view.positionOf(x, y); }
-    /// A pixel's sample point, the middle of its cell.
-    QPointF sample(const QPoint &pixel) const { return position(pixel.x(), pixel.y()); }
-
-private:
-    ViewMapping m_view;
-};
+/// Where the pixel grid's cells are: a mapping whose frame is just these cells, with the pixel
+/// `centre` in the middle one, as large as the area inside the margins allows. Every cell is a
+/// whole number of device pixels wide.
+ViewMapping pixelGridMapping(const QSize &area, const QMargins &margins, const QSize &cells,
+                             const QPoint &centre, FrameOrigin origin, double devicePixelRatio = 1);
 
 /// One cell of the pixel grid.
 struct GridCell {
@@ -119,7 +67,7 @@ struct PixelGridScene {
 
 /// The scene of the cells that a mapping shows. The playhead must have a run.
 PixelGridScene pixelGridScene(const Playhead &playhead, const DisplayOptions &options,
-                              const PixelGridMapping &mapping);
+                              const ViewMapping &mapping);
 
 /// The triangle of the current step; the first triangle before the first step; none where the scene
 /// has no triangle or the step belongs to a shape.

@@ -90,6 +90,10 @@ PixelHistoryPanel::PixelHistoryPanel(Playhead *playhead, QWidget *parent)
     auto *layout = withParts(new QVBoxLayout(this), {headingRow, {m_attempts, 1}, m_reasonArea}, 4);
     layout->setContentsMargins(8, 4, 0, 0);
 
+    onEvents(this, {QEvent::Resize}, [this] {
+        fitColumns();
+        fitReason();
+    });
     connect(previous, &QToolButton::clicked, playhead,
             [playhead] { playhead->runToPickedPixel(StepDirection::Backward); });
     connect(next, &QToolButton::clicked, playhead,
@@ -113,13 +117,6 @@ void PixelHistoryPanel::showEvent(QShowEvent *event)
         takePixel();
     // Its height is known only after the layout.
     QTimer::singleShot(0, m_attempts, [this] { m_attempts->scrollTo(m_attempts->currentIndex()); });
-}
-
-void PixelHistoryPanel::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    fitColumns();
-    fitReason();
 }
 
 /// Shows all of the reason if it fits into half of the panel; else it scrolls.

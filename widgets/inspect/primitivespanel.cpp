@@ -46,6 +46,10 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     withParts(new QVBoxLayout(this), {m_tree, row, m_summary}, 4, 8);
     setFocusProxy(m_tree);
 
+    onEvents(this, {QEvent::Resize}, [this] {
+        m_tree->setColumnHidden(PrimitiveListModel::Place, width() < widthForPlaces);
+        fitColumns();
+    });
     m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(m_tree, &QWidget::customContextMenuRequested, this, [this](const QPoint &position) {
         if (m_tree->indexAt(position).isValid())
@@ -91,14 +95,6 @@ void PrimitivesPanel::fitColumns()
     }
     header->setStretchLastSection(false);
     header->setSectionResizeMode(PrimitiveListModel::Name, QHeaderView::Stretch);
-}
-
-/// In a narrow panel, which leaves names no room, only the order of the rows shows their places.
-void PrimitivesPanel::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    m_tree->setColumnHidden(PrimitiveListModel::Place, width() < widthForPlaces);
-    fitColumns();
 }
 
 /// Adds each action as a button below the list and as an entry of the row menu.

@@ -32,9 +32,6 @@ public:
 
     QSize sizeHint() const override { return {384, 480}; }
 
-protected:
-    void resizeEvent(QResizeEvent *event) override;
-
 private:
     void addActions(QHBoxLayout *row);
     void fitColumns();

@@ -55,6 +55,15 @@ AccuracyLab::AccuracyLab(Playhead *playhead, QWidget *parent)
     connect(m_files, &LabFiles::complaint, this, &AccuracyLab::complaint);
     connect(m_files, &LabFiles::notice, this, &AccuracyLab::notice);
     connectControls();
+    // In a low panel the foot has one line, which leaves the charts the other. Warnings that come
+    // or go never resize a chart.
+    onEvents(this, {QEvent::Resize}, [this] {
+        const bool isLow = height() < lowPanel;
+        m_foot->setDirection(isLow ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+        QSizePolicy policy = m_warnings->sizePolicy();
+        policy.setRetainSizeWhenHidden(!isLow);
+        m_warnings->setSizePolicy(policy);
+    });
     showState();
 }
 
@@ -81,7 +90,6 @@ void AccuracyLab::connectControls()
             m_files->writeTable(path, *results());
     });
     connect(m_controls, &LabControls::saveChartRequested, this, &AccuracyLab::saveChart);
-    connect(m_controls, &LabControls::earlierRequested, this, &AccuracyLab::showEarlier);
     connect(m_controls, &LabControls::copyCommandRequested, this, [this] {
         if (results()->command.isEmpty()) {
             emit complaint(tr("There is no command: the scene had not been saved when measured. "
@@ -135,21 +143,7 @@ void AccuracyLab::endRun()
         showResults();
     if (results() && !m_shown.areOfRun())
         emit notice(tr("Cancelled before anything was timed: the results before it stay."));
-    else if (earlierResults() && !results()->isComplete)
-        emit notice(tr("Cancelled. Those before are under Files, Results before these."));
     showState();
-}
-
-void AccuracyLab::replaceBy(const SharedResults &results)
-{
-    m_shown.replaceBy(results);
-    showResults();
-}
-
-void AccuracyLab::showEarlier()
-{
-    if (earlierResults() && !isRunning())
-        replaceBy(earlierResults());
 }
 
 void AccuracyLab::showResults()
@@ -170,7 +164,6 @@ void AccuracyLab::showState()
 {
     m_controls->showRunning();
     m_controls->setHasResults(results() != nullptr);
-    m_controls->setHasEarlier(earlierResults() && !isRunning());
     const bool hadCharts = m_charts->isVisibleTo(this);
     m_charts->setVisible(results() != nullptr);
     m_lastLine->setCurrentWidget(isRunning() ? m_controls->progress() : m_conditions);
@@ -193,18 +186,6 @@ void AccuracyLab::showState()
     }
 }
 
-/// In a low panel the foot has one line, which leaves the charts the other. Warnings that come or
-/// go never resize a chart.
-void AccuracyLab::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    const bool isLow = height() < lowPanel;
-    m_foot->setDirection(isLow ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    QSizePolicy policy = m_warnings->sizePolicy();
-    policy.setRetainSizeWhenHidden(!isLow);
-    m_warnings->setSizePolicy(policy);
-}
-
 void AccuracyLab::openMiss(const QString &contender)
 {
     const LabRow *row = results() ? results()->row(contender, m_controls->family()) : nullptr;
@@ -224,8 +205,7 @@ void AccuracyLab::saveChart()
         return;
     }
     const QString path = m_files->askForOutput(tr("Save the Chart"),
-                                               tr("SVG drawings (*.svg);;PNG pictures (*.png);;"
-                                                  "Numbers, CSV (*.csv)"),
+                                               tr("SVG drawings (*.svg);;PNG pictures (*.png)"),
                                                QStringLiteral("svg"));
     if (!path.isEmpty())
         m_files->writeChart(path, *chart, *results());
@@ -237,7 +217,8 @@ bool AccuracyLab::openResults(const QString &path)
     if (!study)
         return false;
     m_run->drop();
-    replaceBy(std::make_shared<const Study>(std::move(*study)));
+    m_shown.replaceBy(std::make_shared<const Study>(std::move(*study)));
+    showResults();
     return true;
 }
 

@@ -30,8 +30,6 @@ public:
     /// Null before the first run or opened file. While a run has no times yet, the previous
     /// results.
     const SharedResults &results() const { return m_shown.results(); }
-    /// The results before these.
-    const SharedResults &earlierResults() const { return m_shown.earlier(); }
     LabFiles *files() const { return m_files; }
 
     /// Study settings other than its extent, its scene and the hard cases.
@@ -48,8 +46,6 @@ public:
 public slots:
     void run();
     void cancel();
-    /// Swaps the current results with the earlier ones.
-    void showEarlier();
 
 signals:
     /// Without results there are no charts, which need the most room.
@@ -60,15 +56,11 @@ signals:
     void complaint(const QString &text);
     void notice(const QString &text);
 
-protected:
-    void resizeEvent(QResizeEvent *event) override;
-
 private:
     void connectControls();
     StudySettings settings() const;
     void takeNews(const SharedResults &news);
     void endRun();
-    void replaceBy(const SharedResults &results);
     void showResults();
     void showChoice();
     void showState();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/lab/labcharts.h"
 
-#include "widgets/lab/coststack.h"
 #include "widgets/lab/labanswers.h"
 #include "widgets/lab/labfiltermenu.h"
 #include "widgets/lab/labtable.h"
@@ -92,7 +91,6 @@ LabCharts::LabCharts(QWidget *parent)
     , m_table(new LabTable(this))
     , m_answers(new LabAnswers(this))
     , m_misses(new MissPlot(this))
-    , m_costs(new CostStack(this))
     , m_effects(new LabEffects(this))
     , m_contender(namedBox("labMissContender", tr("Whose misses"), this))
     , m_filter(new LabFilterMenu(this))
@@ -109,12 +107,6 @@ LabCharts::LabCharts(QWidget *parent)
             tr("The cheapest contender that is accurate enough"));
     addPage(m_contender, m_misses, tr("Misses"),
             tr("How far missed samples lie from the boundary"));
-    auto *scroller = new QScrollArea(this);
-    scroller->setAccessibleName(tr("Parts of the cost"));
-    scroller->setFrameShape(QFrame::NoFrame);
-    scroller->setWidgetResizable(true);
-    scroller->setWidget(m_costs);
-    addPage(nullptr, scroller, tr("Parts"), tr("What set-up, columns and pixels take"));
     addPage(nullptr, m_effects, tr("Effects"), tr("What effects cost and what they mend"));
 
     connect(m_pareto, &ParetoPlot::contenderClicked, this, [this](const QString &contender) {
@@ -156,7 +148,6 @@ void LabCharts::showAll()
     m_price->setWholeText(priceText(*m_results, m_family));
     fillContenders();
     showMisses();
-    m_costs->show(m_shown, m_family);
     m_effects->show(*m_results);
 }
 

@@ -10,7 +10,6 @@ class QComboBox;
 
 namespace pixelplumb {
 
-class CostStack;
 class ElidedLabel;
 class LabAnswers;
 class LabEffects;
@@ -53,7 +52,6 @@ private:
     LabTable *m_table;
     LabAnswers *m_answers;
     MissPlot *m_misses;
-    CostStack *m_costs;
     LabEffects *m_effects;
     QComboBox *m_contender; ///< whose misses are shown
     LabFilterMenu *m_filter;

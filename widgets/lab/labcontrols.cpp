@@ -49,7 +49,6 @@ LabControls::LabControls(const LabRun *run, QWidget *parent)
     connect(m_error, &QComboBox::currentIndexChanged, this, &LabControls::choiceChanged);
     connect(run, &LabRun::progressed, this, &LabControls::tellProgress);
     setHasResults(false);
-    setHasEarlier(false);
     showRunning();
 }
 
@@ -81,13 +80,11 @@ void LabControls::addFileMenu(QBoxLayout *row)
         return action;
     };
     add("labOpen", tr("&Open results …"), &LabControls::openRequested);
-    m_earlier = add("labEarlier", tr("Results &before these"), &LabControls::earlierRequested);
-    m_earlier->setToolTip(tr("What a run or a file took the place of"));
     m_outputs += add("labSave", tr("&Save results …"), &LabControls::saveRequested);
     m_outputs
         += add("labSaveTable", tr("Save as a &table, CSV …"), &LabControls::saveTableRequested);
     menu->addSeparator();
-    m_outputs += add("labSaveChart", tr("Save the chart, SVG, &PNG or CSV …"),
+    m_outputs += add("labSaveChart", tr("Save the chart, SVG or &PNG …"),
                      &LabControls::saveChartRequested);
     m_outputs += add("labCopyCommand", tr("Copy the co&mmand that does it again"),
                      &LabControls::copyCommandRequested);
@@ -143,8 +140,6 @@ void LabControls::setHasResults(bool hasResults)
     m_family->setEnabled(hasResults);
     m_error->setEnabled(hasResults);
 }
-
-void LabControls::setHasEarlier(bool hasEarlier) { m_earlier->setEnabled(hasEarlier); }
 
 void LabControls::showRunning()
 {

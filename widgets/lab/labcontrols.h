@@ -33,7 +33,6 @@ public:
     void setFamilies(const std::vector<StudyFamily> &families);
     /// Whether there is anything to save.
     void setHasResults(bool hasResults);
-    void setHasEarlier(bool hasEarlier); ///< results that can be restored
     void showRunning(); ///< or not, following the run
 
 signals:
@@ -42,7 +41,6 @@ signals:
     void extentChanged();
     void choiceChanged(); ///< of the family or the error
     void openRequested();
-    void earlierRequested();
     void saveRequested();
     void saveTableRequested();
     void saveChartRequested();
@@ -63,7 +61,6 @@ private:
     QWidget *m_running = nullptr; ///< the line of the progress
     QProgressBar *m_progress = nullptr;
     QList<QAction *> m_outputs; ///< that need results
-    QAction *m_earlier = nullptr;
 };
 
 } // namespace pixelplumb

@@ -31,8 +31,6 @@ bool LabFiles::writeTable(const QString &path, const Study &study)
 bool LabFiles::writeChart(const QString &path, LabPlot &chart, const Study &study)
 {
     const QStringList origin = figureOrigin(study);
-    if (path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive))
-        return write(path, chart.csv(origin));
     const bool isPicture = path.endsWith(QStringLiteral(".png"), Qt::CaseInsensitive);
     return write(path, isPicture ? chart.png(origin) : chart.svg(origin));
 }

@@ -23,8 +23,8 @@ public:
     /// These return false or none after a complaint.
     bool writeResults(const QString &path, const Study &study);
     bool writeTable(const QString &path, const Study &study);
-    /// Writes a figure or its numbers, SVG, PNG or CSV by the path's ending, with the machine, the
-    /// command and all warnings.
+    /// Writes a figure, SVG or PNG by the path's ending, with the machine, the command and all
+    /// warnings.
     bool writeChart(const QString &path, LabPlot &chart, const Study &study);
     std::optional<Study> read(const QString &path);
 

@@ -28,15 +28,6 @@ QIcon iconOf(const QCPScatterStyle &dot, const QWidget &widget)
     return QIcon(picture);
 }
 
-template <class Value>
-void leaveOut(std::set<Value> &values, const Value &value, bool isShown)
-{
-    if (isShown)
-        values.erase(value);
-    else
-        values.insert(value);
-}
-
 QString titleOf(LabKernel kernel)
 {
     switch (kernel) {
@@ -54,22 +45,23 @@ QString titleOf(LabKernel kernel)
 
 bool LabFilter::leavesOut(const QString &contender) const
 {
-    if (kernels.contains(kernelOf(contender)) || methods.contains(contender.section(u':', 0, 0)))
+    if (leftOut.contains(nameOf(kernelOf(contender)))
+        || leftOut.contains(contender.section(u':', 0, 0)))
         return true;
     const std::optional<LabContender> known = labContenderNamed(contender);
-    return known && arithmetics.contains(known->arithmetic);
+    return known && leftOut.contains(nameText(nameOf(known->arithmetic)));
 }
 
 std::shared_ptr<const Study> filtered(const std::shared_ptr<const Study> &results,
                                       const LabFilter &filter)
 {
-    if (!results || filter.leavesNobodyOut())
+    if (!results || filter.leftOut.empty())
         return results;
     auto kept = std::make_shared<Study>(*results);
     const auto isOut = [&filter](const QString &contender) { return filter.leavesOut(contender); };
     std::erase_if(kept->contenders, [&](const StudyContender &each) { return isOut(each.id); });
     std::erase_if(kept->rows, [&](const LabRow &each) { return isOut(each.contender); });
-    if (filter.straightLoops == LabFilter::StraightLoops::LeftOut) {
+    if (filter.leftOut.contains(LabFilter::straightLoops)) {
         for (LabRow &row : kept->rows) {
             if (row.cost)
                 row.cost->straight.reset();
@@ -88,6 +80,7 @@ LabFilterMenu::LabFilterMenu(QWidget *parent)
     setPopupMode(QToolButton::InstantPopup);
     setAutoRaise(true);
     setMenu(m_menu);
+    onEvents(this, {QEvent::PaletteChange}, [this] { fill(); });
     fill();
     tell();
 }
@@ -105,15 +98,17 @@ void LabFilterMenu::setContenders(const std::vector<StudyContender> &contenders)
     fill();
 }
 
-void LabFilterMenu::addTick(const QString &name, const QString &text, const QIcon &icon,
-                            bool isShown, const std::function<void(bool)> &show)
+void LabFilterMenu::addTick(const QString &name, const QString &text, const QIcon &icon)
 {
     QAction *tick = m_menu->addAction(icon, text);
     tick->setObjectName(name);
     tick->setCheckable(true);
-    tick->setChecked(isShown);
-    connect(tick, &QAction::toggled, this, [this, show](bool isOn) {
-        show(isOn);
+    tick->setChecked(!m_filter.leftOut.contains(name));
+    connect(tick, &QAction::toggled, this, [this, name](bool isShown) {
+        if (isShown)
+            m_filter.leftOut.erase(name);
+        else
+            m_filter.leftOut.insert(name);
         tell();
         emit filterChanged();
     });
@@ -124,41 +119,24 @@ void LabFilterMenu::fill()
     m_menu->clear();
     for (const Arithmetic arithmetic : allArithmetics)
         addTick(nameText(nameOf(arithmetic)), nameText(nameOf(arithmetic)),
-                iconOf(kernelDot(arithmetic, LabKernel::Plain, palette()), *this),
-                !m_filter.arithmetics.contains(arithmetic), [this, arithmetic](bool isShown) {
-                    leaveOut(m_filter.arithmetics, arithmetic, isShown);
-                });
+                iconOf(kernelDot(arithmetic, LabKernel::Plain, palette()), *this));
     m_menu->addSeparator();
     for (const LabKernel kernel : allLabKernels)
         addTick(nameOf(kernel), titleOf(kernel),
-                iconOf(kernelDot(Arithmetic::Exact, kernel, palette()), *this),
-                !m_filter.kernels.contains(kernel),
-                [this, kernel](bool isShown) { leaveOut(m_filter.kernels, kernel, isShown); });
-    addTick(QStringLiteral("straight"), tr("straight loops"),
-            iconOf(straightLoopDot(Arithmetic::Exact, palette()), *this),
-            m_filter.straightLoops == LabFilter::StraightLoops::Shown, [this](bool isShown) {
-                m_filter.straightLoops
-                    = isShown ? LabFilter::StraightLoops::Shown : LabFilter::StraightLoops::LeftOut;
-            });
+                iconOf(kernelDot(Arithmetic::Exact, kernel, palette()), *this));
+    addTick(LabFilter::straightLoops, tr("straight loops"),
+            iconOf(straightLoopDot(Arithmetic::Exact, palette()), *this));
     m_menu->addSeparator();
     for (const QString &id : std::as_const(m_methods)) {
         const Method *method = methodNamed(id);
-        addTick(id, method ? methodTitle(*method) : id, {}, !m_filter.methods.contains(id),
-                [this, id](bool isShown) { leaveOut(m_filter.methods, id, isShown); });
+        addTick(id, method ? methodTitle(*method) : id);
     }
 }
 
 /// Shows without opening the menu that some are left out.
 void LabFilterMenu::tell()
 {
-    setText(m_filter.leavesNobodyOut() ? tr("Show: all") : tr("Show: some"));
-}
-
-void LabFilterMenu::changeEvent(QEvent *event)
-{
-    QToolButton::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        fill();
+    setText(m_filter.leftOut.empty() ? tr("Show: all") : tr("Show: some"));
 }
 
 } // namespace pixelplumb

@@ -12,18 +12,14 @@ class QMenu;
 
 namespace pixelplumb {
 
-/// The contenders left out of charts and table.
+/// The contenders left out of charts and table: by the names of arithmetics and kernels, by the ids
+/// of methods; the straight loops by `straightLoops`.
 struct LabFilter {
-    std::set<Arithmetic> arithmetics;
-    std::set<LabKernel> kernels;
-    std::set<QString> methods; ///< ids
-    enum class StraightLoops { Shown, LeftOut } straightLoops = StraightLoops::Shown;
+    static inline const QString straightLoops = QStringLiteral("straight");
+    std::set<QString> leftOut;
 
-    bool leavesNobodyOut() const { return *this == LabFilter(); }
     /// By the contender's id.
     bool leavesOut(const QString &contender) const;
-
-    friend bool operator==(const LabFilter &, const LabFilter &) = default;
 };
 
 /// The results without the contenders left out.
@@ -45,13 +41,10 @@ public:
 signals:
     void filterChanged();
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void fill();
-    void addTick(const QString &name, const QString &text, const QIcon &icon, bool isShown,
-                 const std::function<void(bool isShown)> &show);
+    /// What the tick shows or leaves out has this name.
+    void addTick(const QString &name, const QString &text, const QIcon &icon = {});
     void tell();
 
     QMenu *m_menu;

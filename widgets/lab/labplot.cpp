@@ -30,6 +30,8 @@ LabPlot::LabPlot(const char *name, const QString &accessibleName, QWidget *paren
     , m_plot(makePlot(this, [this](const QPointF &position) { clickAt(position); }))
 {
     named(this, name, accessibleName);
+    onEvents(this, {QEvent::Resize, QEvent::PaletteChange, QEvent::FontChange},
+             [this] { rebuild(); });
     m_plot->setAutoAddPlottableToLegend(false);
     m_plot->setAntialiasedElements(QCP::aeAll);
     connect(m_plot, &QCustomPlot::mouseMove, this, [this](QMouseEvent *event) {
@@ -178,12 +180,6 @@ void LabPlot::setLogRange(QCPAxis *axis, double low, double high, const QString 
     axis->setTicker(ticker);
 }
 
-void LabPlot::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    rebuild();
-}
-
 void LabPlot::focusInEvent(QFocusEvent *event)
 {
     QWidget::focusInEvent(event);
@@ -194,13 +190,6 @@ void LabPlot::focusOutEvent(QFocusEvent *event)
 {
     QWidget::focusOutEvent(event);
     rebuild();
-}
-
-void LabPlot::changeEvent(QEvent *event)
-{
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        rebuild();
-    QWidget::changeEvent(event);
 }
 
 } // namespace pixelplumb

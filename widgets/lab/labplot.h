@@ -29,28 +29,20 @@ public:
 
     /// The title above the figure on paper: what it shows, and of which triangles.
     virtual QString figureTitle() const { return accessibleName(); }
-    /// The shown data as numbers: a row of column names, then the rows.
-    virtual std::vector<QStringList> numbers() const = 0;
 
     /// A figure in light colours, with its title above and paragraphs about its origin below.
     QByteArray svg(const QStringList &origin);
     QByteArray png(const QStringList &origin);
-    /// The numbers, after lines that begin with "# ": the title and the origin.
-    QByteArray csv(const QStringList &origin) const;
 
     QSize sizeHint() const override { return {640, 280}; }
-    QSize minimumSizeHint() const override { return {200, std::max(72, neededHeight())}; }
+    QSize minimumSizeHint() const override { return {200, 72}; }
 
 protected:
     LabPlot(const char *name, const QString &accessibleName, QWidget *parent);
 
-    void changeEvent(QEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
     void focusInEvent(QFocusEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
 
-    /// The height below which something would be left out, logical pixels; 0 where nothing would.
-    virtual int neededHeight() const { return 0; }
     /// Puts everything into the empty plot.
     virtual void build() = 0;
     virtual void clickAt(const QPointF &) { }
@@ -81,7 +73,6 @@ private:
     void fitLegend();
     void frameFocus();
     QFont titleFont() const;
-    QSize sizeOnPaper(const QStringList &origin) const; ///< logical pixels
     void paintFigure(QCPPainter &painter, const QStringList &origin);
     /// Paints without the window's colours and size.
     void asFigure(const std::function<void()> &paint);

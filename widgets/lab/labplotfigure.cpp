@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/rowwriter.h"
-#include "core/export/spreadsheettext.h"
-#include "core/grade/showntext.h"
 #include "widgets/lab/labplot.h"
 #include "widgets/lab/labtext.h"
 #include "widgets/look/appearance.h"
@@ -14,7 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr QSize figureSize(960, 640); ///< logical pixels, with captions; the height is a minimum
+constexpr QSize figureSize(960, 640); ///< logical pixels, with captions
 constexpr int figureMargin = 16;
 constexpr double figureRatio = 2; ///< picture pixels per logical one
 
@@ -68,26 +65,18 @@ QFont LabPlot::titleFont() const
     return bold;
 }
 
-QSize LabPlot::sizeOnPaper(const QStringList &origin) const
-{
-    const int captions = Caption({figureTitle()}, titleFont()).height()
-        + Caption(origin, smallFont()).height() + 3 * figureMargin;
-    return {figureSize.width(), std::max(figureSize.height(), neededHeight() + captions)};
-}
-
 void LabPlot::paintFigure(QCPPainter &painter, const QStringList &origin)
 {
-    const QSize size = sizeOnPaper(origin);
     const Caption title({figureTitle()}, titleFont());
     const Caption below(origin, smallFont());
     const int top = figureMargin + title.height() + figureMargin / 2;
-    const int bottom = size.height() - figureMargin - below.height();
-    const int width = size.width() - 2 * figureMargin;
+    const int bottom = figureSize.height() - figureMargin - below.height();
+    const int width = figureSize.width() - 2 * figureMargin;
     const int height = bottom - figureMargin / 2 - top;
     // Labels depend on the current size.
     m_plot->setGeometry(0, 0, width, height);
     rebuild();
-    painter.fillRect(QRect(QPoint(), size), Qt::white);
+    painter.fillRect(QRect(QPoint(), figureSize), Qt::white);
     title.paint(painter, figureMargin);
     below.paint(painter, bottom);
     painter.translate(figureMargin, top);
@@ -101,8 +90,8 @@ QByteArray LabPlot::svg(const QStringList &origin)
     asFigure([&] {
         QSvgGenerator generator;
         generator.setOutputDevice(&buffer);
-        generator.setSize(sizeOnPaper(origin));
-        generator.setViewBox(QRect(QPoint(), sizeOnPaper(origin)));
+        generator.setSize(figureSize);
+        generator.setViewBox(QRect(QPoint(), figureSize));
         generator.setTitle(figureTitle());
         generator.setDescription(origin.join(u'\n'));
         QCPPainter painter(&generator);
@@ -113,7 +102,7 @@ QByteArray LabPlot::svg(const QStringList &origin)
 
 QByteArray LabPlot::png(const QStringList &origin)
 {
-    QImage picture(sizeOnPaper(origin) * figureRatio, QImage::Format_RGB32);
+    QImage picture(figureSize * figureRatio, QImage::Format_RGB32);
     picture.setDevicePixelRatio(figureRatio);
     asFigure([&] {
         QCPPainter painter(&picture);
@@ -122,40 +111,6 @@ QByteArray LabPlot::png(const QStringList &origin)
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     picture.save(&buffer, "PNG");
-    return buffer.data();
-}
-
-namespace {
-
-/// Numbers as they are, and names made safe, which may come from a results file.
-std::vector<Cell> cellsOf(const QStringList &texts)
-{
-    std::vector<Cell> cells;
-    for (const QString &text : texts) {
-        bool isNumber = false;
-        text.toDouble(&isNumber);
-        cells.emplace_back(isNumber ? text : spreadsheetText(text));
-    }
-    return cells;
-}
-
-} // namespace
-
-QByteArray LabPlot::csv(const QStringList &origin) const
-{
-    QBuffer buffer;
-    buffer.open(QIODevice::WriteOnly);
-    for (const QString &line : QStringList(figureTitle()) + origin)
-        buffer.write("# " + spreadsheetText(escapedControls(line)).toUtf8() + "\r\n");
-    const std::unique_ptr<RowWriter> writer = makeCsvWriter(buffer);
-    const std::vector<QStringList> lines = numbers();
-    std::vector<Field> fields;
-    for (const QString &name : lines.front())
-        fields.push_back({name});
-    writer->begin(fields);
-    for (std::size_t i = 1; i < lines.size(); ++i)
-        writer->writeRow(cellsOf(lines[i]));
-    writer->end();
     return buffer.data();
 }
 

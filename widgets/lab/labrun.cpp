@@ -141,19 +141,9 @@ bool ShownResults::endRun()
 
 bool ShownResults::showNews()
 {
-    if (m_areOfRun)
-        m_results = std::exchange(m_news, nullptr);
-    else
-        replaceBy(std::exchange(m_news, nullptr));
+    m_results = std::exchange(m_news, nullptr);
     m_areOfRun = true;
     return true;
-}
-
-void ShownResults::replaceBy(SharedResults results)
-{
-    if (m_results)
-        m_earlier = m_results;
-    m_results = std::move(results);
 }
 
 } // namespace pixelplumb

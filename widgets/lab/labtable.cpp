@@ -58,6 +58,13 @@ Figure timesStraight(const Study &, const LabRow &row)
                                                : std::nullopt;
 }
 
+template <auto Part>
+Figure costPart(const Study &study, const LabRow &row)
+{
+    const std::optional<CostParts> parts = costPartsOf(study, row);
+    return parts ? Figure((*parts).*Part) : std::nullopt;
+}
+
 enum class Shown { AsFigure, AsCount };
 
 struct FigureColumn {
@@ -88,6 +95,20 @@ constexpr FigureColumn figureColumns[] = {
     {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "spread, %"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTable", "the middle half of all rounds, of their median"),
      spreadShare, Shown::AsFigure},
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "set-up, ns"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTable",
+                       "what a triangle takes before its first column, shared out among its "
+                       "pixels: from a fit over all families"),
+     costPart<&CostParts::setUp>, Shown::AsFigure},
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "columns, ns"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTable",
+                       "what a column or a row takes, shared out among its pixels: from a fit "
+                       "over all families"),
+     costPart<&CostParts::columns>, Shown::AsFigure},
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "pixel, ns"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTable",
+                       "what a pixel takes by itself: from a fit over all families"),
+     costPart<&CostParts::pixels>, Shown::AsFigure},
     {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "missing ?"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTable", "samples inside that are not painted"),
      countOf<&AccuracyFigures::missing>, Shown::AsCount},
@@ -147,6 +168,19 @@ std::vector<RowsColumn<LabTableRow>> columns()
 }
 
 } // namespace
+
+std::optional<CostParts> costPartsOf(const Study &study, const LabRow &row)
+{
+    const StudyContender *contender = study.contender(row.contender);
+    const StudyFamily *family = study.family(row.family);
+    if (!contender || !contender->fit || !family || family->timedPixels == 0)
+        return std::nullopt;
+    const CostFit &fit = *contender->fit;
+    const auto pixels = double(family->timedPixels);
+    return CostParts{fit.perTriangle * double(family->timedTriangles) / pixels,
+                     fit.perColumn * double(family->timedSpans(row.contender)) / pixels,
+                     fit.perPixel};
+}
 
 LabTable::LabTable(QWidget *parent)
     : QTableView(parent)

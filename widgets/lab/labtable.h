@@ -10,6 +10,20 @@ class QSortFilterProxyModel;
 
 namespace pixelplumb {
 
+/// What a pixel of a family costs, ns, split into the set-up of its triangle, its column or row,
+/// and itself. The parts come from the fit over all families, so that the sum is near the measured
+/// time, not equal.
+struct CostParts {
+    double setUp = 0;
+    double columns = 0;
+    double pixels = 0;
+
+    friend bool operator==(const CostParts &, const CostParts &) = default;
+};
+
+/// None where the contender or the family was not timed.
+std::optional<CostParts> costPartsOf(const Study &study, const LabRow &row);
+
 /// A contender of a study on one family.
 struct LabTableRow {
     std::shared_ptr<const Study> study;

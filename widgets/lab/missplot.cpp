@@ -139,15 +139,6 @@ QString MissPlot::figureTitle() const
     return contender ? tr("%1; %2").arg(title, contender->label) : title;
 }
 
-std::vector<QStringList> MissPlot::numbers() const
-{
-    std::vector<QStringList> lines
-        = {{QStringLiteral("contender"), QStringLiteral("samples"), QStringLiteral("count")}};
-    for (const Bar &bar : m_bars)
-        lines.push_back({m_contender, bar.meaning, QString::number(bar.count)});
-    return lines;
-}
-
 QString MissPlot::textAt(const QPointF &position) const
 {
     const double place = plot()->xAxis->pixelToCoord(position.x());

@@ -22,7 +22,6 @@ public:
 
     QString textAt(const QPointF &position) const override;
     QString figureTitle() const override;
-    std::vector<QStringList> numbers() const override;
 
 protected:
     void build() override;

@@ -198,26 +198,4 @@ void ParetoPlot::keyPressEvent(QKeyEvent *event)
     }
 }
 
-std::vector<QStringList> ParetoPlot::numbers() const
-{
-    std::vector<QStringList> lines
-        = {{QStringLiteral("contender"), QStringLiteral("kernel"), QStringLiteral("error"),
-            QStringLiteral("unit"), QStringLiteral("zero"), QStringLiteral("pixels"),
-            QStringLiteral("nsPerPixelLower"), QStringLiteral("nsPerPixel"),
-            QStringLiteral("nsPerPixelUpper"), QStringLiteral("straightNsPerPixel"),
-            QStringLiteral("frontier")}};
-    for (const Dot &dot : m_dots) {
-        const ParetoPoint &point = dot.point;
-        const auto time
-            = [&dot](double value) { return dot.isTimed ? QString::number(value) : QString(); };
-        lines.push_back({point.contender, nameOf(point.kernel), QString::number(point.error),
-                         QString::fromUtf8(m_axis->unit), nameOf(point.errorClass),
-                         QString::number(point.pixels), time(point.cost.lower),
-                         time(point.cost.median), time(point.cost.upper),
-                         point.straight ? QString::number(point.straight->median) : QString(),
-                         QString::number(int(point.isOnFrontier))});
-    }
-    return lines;
-}
-
 } // namespace pixelplumb

@@ -78,7 +78,6 @@ public:
 
     QString textAt(const QPointF &position) const override;
     QString figureTitle() const override { return titleOn(m_results, m_family); }
-    std::vector<QStringList> numbers() const override;
 
 signals:
     void contenderSelected(const QString &contender); ///< by a key

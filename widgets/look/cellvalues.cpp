@@ -48,37 +48,36 @@ QColor textColourOn(QRgb colour)
 
 double leastReadableCell(const CellValueStyle &style)
 {
-    const double value = widestValue(withSize(style.font, leastValueSize * style.scale));
-    return 2 * (value + (valueGap + sampleGap) * style.scale);
+    const double value = widestValue(withSize(style.font, leastValueSize));
+    return 2 * (value + valueGap + sampleGap);
 }
 
 void drawCellValues(QPainter &painter, const QRectF &cell, QRgb colour, const QColor &ink,
                     const CellValueStyle &style)
 {
-    const auto px = [&style](double logical) { return logical * style.scale; };
     const double size = cell.height();
     if (size < leastReadableCell(style))
         return;
-    const double room = size / 2 - px(valueGap + sampleGap);
-    const double lineHeight = (size - px(2)) / 3;
+    const double room = size / 2 - (valueGap + sampleGap);
+    const double lineHeight = (size - 2) / 3;
     double fontSize = largestValueSize;
     while (fontSize > leastValueSize
-           && (widestValue(withSize(style.font, px(fontSize))) > room || px(fontSize) > lineHeight))
+           && (widestValue(withSize(style.font, fontSize)) > room || fontSize > lineHeight))
         --fontSize;
-    const QFont font = withSize(style.font, px(fontSize));
+    const QFont font = withSize(style.font, fontSize);
     const QFontMetricsF metrics(font);
     painter.setPen(ink);
     painter.setFont(font);
-    const double right = cell.left() + px(valueGap) + widestValue(font);
+    const double right = cell.left() + valueGap + widestValue(font);
     const std::array<int, 3> bytes = {qRed(colour), qGreen(colour), qBlue(colour)};
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         const QString text = byteText(bytes[i], style.notation);
-        const double middle = cell.top() + px(1) + lineHeight * (double(i) + 0.5);
+        const double middle = cell.top() + 1 + lineHeight * (double(i) + 0.5);
         const double left = right - metrics.horizontalAdvance(text);
         const double height = metrics.capHeight();
-        painter.fillRect(QRectF(left, middle - height / 2, right - left, height)
-                             .adjusted(-px(1), -px(1), px(1), px(1)),
-                         QColor::fromRgb(colour));
+        painter.fillRect(
+            QRectF(left, middle - height / 2, right - left, height).adjusted(-1, -1, 1, 1),
+            QColor::fromRgb(colour));
         painter.drawText(QPointF(left, middle + height / 2), text);
     }
 }

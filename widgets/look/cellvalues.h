@@ -14,7 +14,6 @@ namespace pixelplumb {
 /// How the three bytes of a pixel are written into its cell, left of its sample.
 struct CellValueStyle {
     QFont font; ///< its size is chosen by the cell
-    double scale = 1; ///< of the painter's units: how many make a logical pixel
     ByteNotation notation = ByteNotation::Decimal;
 };
 
@@ -22,7 +21,7 @@ struct CellValueStyle {
 /// middle (WCAG 2.1).
 QColor textColourOn(QRgb colour);
 
-/// The smallest cell with room for three numbers beside its sample, in painter's units.
+/// The smallest cell with room for three numbers beside its sample.
 double leastReadableCell(const CellValueStyle &style);
 
 /// Draws R, G and B one below the other, as large as fits; nothing in cells that are too small.

@@ -2,6 +2,7 @@
 #include "widgets/look/colourbutton.h"
 
 #include "core/scene/text/colourtext.h"
+#include "widgets/look/parts.h"
 
 #include <QtWidgets>
 
@@ -13,6 +14,7 @@ ColourButton::ColourButton(const QString &purpose, QWidget *parent)
 {
     setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     setFocusPolicy(Qt::StrongFocus);
+    onEvents(this, {QEvent::PaletteChange}, [this] { updateSwatch(); });
     connect(this, &QToolButton::clicked, this, &ColourButton::ask);
     updateSwatch();
 }
@@ -21,13 +23,6 @@ void ColourButton::setColour(const Colour &colour)
 {
     m_colour = colour;
     updateSwatch();
-}
-
-void ColourButton::changeEvent(QEvent *event)
-{
-    if (event->type() == QEvent::PaletteChange)
-        updateSwatch();
-    QToolButton::changeEvent(event);
 }
 
 void ColourButton::ask()

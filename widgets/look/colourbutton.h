@@ -24,9 +24,6 @@ signals:
     /// A person chose it; not emitted by setColour().
     void colourChosen(const pixelplumb::Colour &colour);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void ask();
     void updateSwatch();

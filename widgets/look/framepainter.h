@@ -10,11 +10,13 @@
 #include <QPalette>
 #include <QRectF>
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 class QPainter;
+class QWidget;
 
 namespace pixelplumb {
 
@@ -133,6 +135,11 @@ QColor gridColour(const ViewMapping &mapping);
 
 /// The smallest cell with room for a difference's glyph, in logical pixels.
 inline constexpr double leastGlyphCell = 9;
+
+/// Writes numbers into the cells where these have room: `numberAt(pixel)`, in the widget's font.
+void drawCellNumbers(QPainter &painter, const ViewMapping &mapping, const QRectF &view,
+                     const QWidget &widget,
+                     const std::function<std::optional<int>(const QPoint &)> &numberAt);
 
 /// Marks a cell: by the sign's glyph where it has room, else by a frame, else by the colour alone.
 void paintMark(QPainter &painter, const QRectF &cell, Sign sign, const QPalette &palette);

@@ -3,6 +3,7 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <QWidget>
 
 #include <algorithm>
 
@@ -26,6 +27,25 @@ QPainterPath glyphPath(const QString &glyph, QFont font, const QRectF &cell)
 }
 
 } // namespace
+
+void drawCellNumbers(QPainter &painter, const ViewMapping &mapping, const QRectF &view,
+                     const QWidget &widget,
+                     const std::function<std::optional<int>(const QPoint &)> &numberAt)
+{
+    const double cell = cellSideOf(mapping);
+    if (mapping.zoom().framePixels > 1 || cell < leastGlyphCell)
+        return;
+    QFont digits = widget.font();
+    digits.setBold(true);
+    digits.setPixelSize(int(std::min(cell, largestGlyph)));
+    painter.setFont(digits);
+    painter.setPen(isDark(widget.palette()) ? Qt::black : Qt::white);
+    const QRect part = mapping.pictureIn(mapping.deviceRect(view) & mapping.devicePicture());
+    forEachPixel(mapping.frame(), part, [&](const QPoint &pixel) {
+        if (const std::optional<int> number = numberAt(pixel))
+            painter.drawText(mapping.cellOf(pixel), Qt::AlignCenter, QString::number(*number));
+    });
+}
 
 void paintDifference(QPainter &painter, const QRectF &cell, Difference kind,
                      const QPalette &palette)

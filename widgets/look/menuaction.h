@@ -19,6 +19,25 @@ QAction *addMenuAction(QMenu *menu, const char *name, const QString &text, const
     return action;
 }
 
+/// Calls `update` now, and whenever the sender emits the signal.
+template <class Sender, class Signal, class Update>
+void keepUpdated(const Sender *sender, Signal signal, QObject *context, Update update)
+{
+    QObject::connect(sender, signal, context, update);
+    update();
+}
+
+/// Appends a checkable action, which is checked where `isChecked()` says so at the signal.
+template <class Trigger, class Sender, class Signal, class IsChecked>
+QAction *addSwitch(QMenu *menu, const char *name, const QString &text, const QKeySequence &key,
+                   Trigger trigger, const Sender *sender, Signal signal, IsChecked isChecked)
+{
+    QAction *action = addMenuAction(menu, name, text, key, trigger);
+    action->setCheckable(true);
+    keepUpdated(sender, signal, action, [action, isChecked] { action->setChecked(isChecked()); });
+    return action;
+}
+
 /// The menu's actions and those of its submenus, without separators.
 QList<QAction *> actionsIn(const QMenu &menu);
 

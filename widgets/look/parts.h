@@ -63,6 +63,37 @@ inline QScrollArea *columnScroll(QWidget *parent)
     return area;
 }
 
+/// Calls `act` at these events of the widget, after its layout and before the widget itself: when
+/// it is shown, resized, or looks different. Not for events that a widget gets while it is
+/// destroyed, such as being hidden.
+template <class Act>
+void onEvents(QWidget *widget, std::initializer_list<QEvent::Type> types, Act act)
+{
+    class Watch final : public QObject {
+    public:
+        Watch(QWidget *watched, std::vector<QEvent::Type> some, Act whatToDo)
+            : QObject(watched)
+            , m_types(std::move(some))
+            , m_act(std::move(whatToDo))
+        {
+            watched->installEventFilter(this);
+        }
+
+    protected:
+        bool eventFilter(QObject *, QEvent *event) override
+        {
+            if (std::ranges::find(m_types, event->type()) != m_types.end())
+                m_act();
+            return false;
+        }
+
+    private:
+        std::vector<QEvent::Type> m_types;
+        Act m_act;
+    };
+    new Watch(widget, types, std::move(act));
+}
+
 /// Empty room in a layout.
 struct Room { };
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/frame/framebuffer.h"
 #include "core/frame/framespec.h"
 #include "core/geometry/lattice.h"
 
+#include <QImage>
 #include <QPointF>
 #include <QRect>
 
@@ -105,5 +107,28 @@ private:
     double m_devicePixelRatio = 1;
     QPointF m_fraction;
 };
+
+/// Calls `use(pixel)` for the frame's pixels in a part of its picture (ViewMapping::pictureIn()),
+/// line by line.
+template <class Use>
+void forEachPixel(const FrameSpec &frame, const QRect &part, const Use &use)
+{
+    for (int line = part.top(); line <= part.bottom(); ++line) {
+        const auto y = int(rowOfPictureLine(frame, line));
+        for (int column = part.left(); column <= part.right(); ++column)
+            use(QPoint(frame.firstColumn + column, y));
+    }
+}
+
+/// The picture of the frame in which a pixel has the colour `colourAt(pixel)`.
+template <class ColourAt>
+QImage pictureWith(const FrameSpec &frame, const ColourAt &colourAt,
+                   QImage::Format format = QImage::Format_RGB32)
+{
+    QImage picture(frame.width, frame.height, format);
+    auto *next = reinterpret_cast<QRgb *>(picture.bits()); // four bytes a pixel: lines have no gaps
+    forEachPixel(frame, picture.rect(), [&](const QPoint &pixel) { *next++ = colourAt(pixel); });
+    return picture;
+}
 
 } // namespace pixelplumb

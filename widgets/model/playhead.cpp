@@ -108,11 +108,6 @@ std::optional<QPoint> Playhead::currentPixel() const
     return navigation().pixelOf(position() - 1);
 }
 
-bool Playhead::mayTell(std::int64_t x, std::int64_t y) const
-{
-    return !isAheadHidden() || (m_traced && m_traced->decidedAt(x, y) <= position());
-}
-
 void Playhead::seek(std::size_t position)
 {
     m_setOutFrom.reset();

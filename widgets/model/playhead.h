@@ -66,8 +66,6 @@ public:
     /// the run nothing is left to predict, and all is shown.
     bool isAheadHidden() const { return ahead() == Ahead::Hidden; }
     Ahead ahead() const { return aheadAt(position()); }
-    /// Whether a pixel's fate may be shown: it is decided, or nobody is predicting.
-    bool mayTell(std::int64_t x, std::int64_t y) const;
 
     const Breakpoints &breakpoints() const { return m_breakpoints; }
     const std::set<std::int64_t> &columnBreakpoints() const { return m_breakpoints.columns; }

@@ -4,7 +4,6 @@
 #include "core/geometry/shape.h"
 #include "widgets/model/scenepiece.h"
 
-#include <functional>
 #include <optional>
 
 namespace pixelplumb {
@@ -15,10 +14,6 @@ namespace pixelplumb {
 /// the scene before the edit.
 std::optional<VertexRef> renamed(const VertexRef &ref, std::size_t triangleCount,
                                  const ScenePiece &before, const ScenePiece &after);
-
-/// Maps a triangle's number before an edit to the one after it; none where the edit removes the
-/// triangle.
-using TriangleRenumbering = std::function<std::optional<std::size_t>(std::size_t)>;
 
 /// Whether a primitive is painted in one colour, that of its first vertex. A document gives it to
 /// all of its vertices, so that their handles have the visible colour.

@@ -246,31 +246,12 @@ ScenePiece SceneDocument::wholePiece() const
     return withPending(pixelplumb::wholePiece(m_scene));
 }
 
-/// The run's triangles are the scene's, followed by those of its solids.
-void SceneDocument::tellRenumbering(const ScenePiece &before, const ScenePiece &after)
-{
-    const std::size_t count = m_scene.triangles.size();
-    const std::size_t countAfter
-        = count - before.scene.triangles.size() + after.scene.triangles.size();
-    emit trianglesRenumbered([&, count, countAfter](std::size_t triangle) {
-        if (triangle >= count)
-            return solidsStay(before, after) ? std::optional(triangle - count + countAfter)
-                                             : std::nullopt;
-        const auto ref = renamed(VertexRef{int(triangle), 0}, count, before, after);
-        return ref && ref->primitive != VertexRef::pending
-            ? std::optional(std::size_t(ref->primitive))
-            : std::nullopt;
-    });
-}
-
 void SceneDocument::exchange(const ScenePiece &before, const ScenePiece &after, int state)
 {
     m_state = state;
     const std::optional<VertexRef> selected = m_selected;
     if (m_selected)
         m_selected = renamed(*m_selected, m_scene.triangles.size(), before, after);
-    if (before.scene.triangles != after.scene.triangles || !solidsStay(before, after))
-        tellRenumbering(before, after);
     replace(m_scene, before, after);
     m_pending = after.pending;
     // A colour that the person chose since does not belong to the edit.

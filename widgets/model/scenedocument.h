@@ -142,8 +142,6 @@ public slots:
 
 signals:
     void opened(); ///< reset() has taken another scene
-    /// An edit renumbers the run's triangles, including those of solids, as the function says.
-    void trianglesRenumbered(const pixelplumb::TriangleRenumbering &numberAfter);
     void sceneChanged(); ///< primitives, frame, settings or method
     void currentFrameChanged(); ///< and the scene did not
     void pendingChanged();
@@ -172,7 +170,6 @@ private:
               const std::optional<Drag> &drag = std::nullopt);
     /// `state`: the number of the scene's state afterwards.
     void exchange(const ScenePiece &before, const ScenePiece &after, int state);
-    void tellRenumbering(const ScenePiece &before, const ScenePiece &after);
     void tellModified();
     bool hasSavedScene() const;
     bool accepts(const LatticePoint &position);

@@ -66,7 +66,7 @@ void SceneDocument::moveVertex(const VertexRef &ref, const LatticePoint &positio
 void SceneDocument::setVertexColour(const VertexRef &ref, const Colour &colour)
 {
     const std::optional<Vertex> vertex = vertexAt(ref);
-    if (!vertex || vertex->colour == colour)
+    if (!vertex)
         return;
     if (ref.primitive != VertexRef::pending && hasOneColour(kindOf(ref.primitive)))
         return setPrimitiveColour(ref.primitive, colour);
@@ -209,8 +209,6 @@ void SceneDocument::setFrame(const FrameSpec &frame)
 
 void SceneDocument::setCamera(const Camera &camera, int drag)
 {
-    if (m_scene.camera == camera)
-        return;
     edit(
         tr("move camera"), pieceAtEnd(), [&](ScenePiece &piece) { piece.scene.camera = camera; },
         Drag{VertexRef(), drag});
@@ -218,16 +216,12 @@ void SceneDocument::setCamera(const Camera &camera, int drag)
 
 void SceneDocument::setAppearance(const Appearance &appearance)
 {
-    if (m_scene.appearance == appearance)
-        return;
     edit(tr("change appearance"), pieceAtEnd(),
          [&](ScenePiece &piece) { piece.scene.appearance = appearance; });
 }
 
 void SceneDocument::setLook(const std::optional<Camera> &camera, const Appearance &appearance)
 {
-    if (m_scene.camera == camera && m_scene.appearance == appearance)
-        return;
     edit(tr("change camera, light and materials"), pieceAtEnd(), [&](ScenePiece &piece) {
         piece.scene.camera = camera;
         piece.scene.appearance = appearance;
@@ -236,16 +230,12 @@ void SceneDocument::setLook(const std::optional<Camera> &camera, const Appearanc
 
 void SceneDocument::setMotion(const std::optional<Motion> &motion)
 {
-    if (m_scene.motion == motion)
-        return;
     edit(motion ? tr("change motion") : tr("end motion"), pieceAtEnd(),
          [&](ScenePiece &piece) { piece.scene.motion = motion; });
 }
 
 void SceneDocument::moveOffScreenPoint(const LatticePoint &position, int drag)
 {
-    if (m_scene.frame.offScreenPoint == position)
-        return;
     if (!pixelplumb::isWithinRange(position)) {
         emit refused(tr("The off-screen point lies beyond ±2^30 px."));
         return;

@@ -134,10 +134,8 @@ void SceneDocument::setSettings(const ScanSettings &settings)
 {
     const Method *method = methodNamed(QString::fromStdString(m_scene.method));
     const ScanSettings kept = method ? method->adapted(settings) : settings;
-    if (kept != m_scene.settings) {
-        edit(tr("change settings"), pieceAtEnd(),
-             [&](ScenePiece &piece) { piece.scene.settings = kept; });
-    }
+    edit(tr("change settings"), pieceAtEnd(),
+         [&](ScenePiece &piece) { piece.scene.settings = kept; });
     tellAdaptation(settings);
 }
 
@@ -184,7 +182,7 @@ void SceneDocument::tellAdaptation(const ScanSettings &asked)
 
 void SceneDocument::setSolid(std::size_t index, const Solid &solid, int drag)
 {
-    if (index >= m_scene.solids.size() || m_scene.solids[index] == solid)
+    if (index >= m_scene.solids.size())
         return;
     edit(
         tr("change solid"), withPending(pieceWithSolids(m_scene, index, 1)),

@@ -106,13 +106,6 @@ Vertex &ScenePiece::vertex(const VertexRef &ref)
                                 : scene.shapes.front().vertices[index];
 }
 
-bool solidsStay(const ScenePiece &before, const ScenePiece &after)
-{
-    return before.scene.solids == after.scene.solids
-        || (before.scene.solids.size() == 1 && after.scene.solids.size() == 1
-            && before.scene.solids.front().isHidden == after.scene.solids.front().isHidden);
-}
-
 ScenePiece pieceAtEnd(const Scene &scene)
 {
     ScenePiece piece;

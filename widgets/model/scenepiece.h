@@ -56,10 +56,6 @@ ScenePiece pieceWithSolids(const Scene &scene, std::size_t first, std::size_t co
 /// The piece with all primitives.
 ScenePiece wholePiece(const Scene &scene);
 
-/// Whether the triangles of solids keep their order: a change of one solid leaves it in place,
-/// though another view of it may clip it into more triangles.
-bool solidsStay(const ScenePiece &before, const ScenePiece &after);
-
 /// Replaces `before` by `after` in the scene.
 void replace(Scene &scene, const ScenePiece &before, const ScenePiece &after);
 

@@ -72,6 +72,10 @@ ProjectionPanel::ProjectionPanel(SceneDocument *document, Playhead *playhead, QW
     tabs->addTab(projection, tr("Projection"));
     tabs->addTab(m_surfaces, tr("Surfaces"));
     withParts(new QVBoxLayout(this), {tabs}, -1, 0);
+    onEvents(this, {QEvent::Show}, [this] {
+        takeTraced();
+        followPosition();
+    });
     connect(playhead, &Playhead::tracedChanged, this, &ProjectionPanel::takeTraced);
     connect(playhead, &Playhead::positionChanged, this, &ProjectionPanel::followPosition);
     connect(playhead, &Playhead::pickedPixelChanged, this, &ProjectionPanel::followPosition);
@@ -185,13 +189,6 @@ void ProjectionPanel::tell(const QString &text)
 {
     m_sentence->setText(text);
     setAccessibleDescription(text);
-}
-
-void ProjectionPanel::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    takeTraced();
-    followPosition();
 }
 
 } // namespace pixelplumb

@@ -33,9 +33,6 @@ signals:
     /// The scene's solids are projected; the panel shows them.
     void projected();
 
-protected:
-    void showEvent(QShowEvent *event) override;
-
 private:
     struct Seen {
         ProjectedSolids projected;

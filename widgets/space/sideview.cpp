@@ -75,6 +75,7 @@ SideView::SideView(QWidget *parent)
     named(this, "sideView", tr("The camera from the side"),
           tr("The eye, the near plane, the picture plane and the rays to the current face. "
              "Drag to turn, wheel to magnify, double click to put it back."));
+    onEvents(this, {QEvent::Resize}, [this] { refit(); });
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::OpenHandCursor);
     setBackgroundRole(QPalette::Base);
@@ -174,12 +175,6 @@ void SideView::keyPressEvent(QKeyEvent *event)
         QWidget::keyPressEvent(event);
         return;
     }
-    refit();
-}
-
-void SideView::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
     refit();
 }
 

@@ -148,6 +148,7 @@ SurfacesPanel::SurfacesPanel(SceneDocument *document, Playhead *playhead, QWidge
     withParts(new QVBoxLayout(this), {new SegmentSliders(document), sliders, {m_forms, 1}}, -1, 8);
     for (QSlider *slider : {m_s, m_t})
         connect(slider, &QSlider::valueChanged, this, &SurfacesPanel::fillForms);
+    onEvents(this, {QEvent::Show}, [this] { takeTraced(); });
     connect(playhead, &Playhead::tracedChanged, this, [this] {
         m_isStale = true;
         takeTraced();
@@ -190,12 +191,6 @@ void SurfacesPanel::fillForms()
     const int place = m_forms->verticalScrollBar()->value();
     m_forms->setHtml(html + QStringLiteral("</table>"));
     m_forms->verticalScrollBar()->setValue(place);
-}
-
-void SurfacesPanel::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    takeTraced();
 }
 
 } // namespace pixelplumb

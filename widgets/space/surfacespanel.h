@@ -21,9 +21,6 @@ class SurfacesPanel : public QWidget {
 public:
     SurfacesPanel(SceneDocument *document, Playhead *playhead, QWidget *parent = nullptr);
 
-protected:
-    void showEvent(QShowEvent *event) override;
-
 private:
     void takeTraced();
     void fillForms();

@@ -44,6 +44,8 @@ Scrubber::Scrubber(Playhead *playhead, QWidget *parent)
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    onEvents(this, {QEvent::Resize, QEvent::PaletteChange, QEvent::FontChange},
+             [this] { forgetBackground(); });
     m_seekTimer.setSingleShot(true);
     connect(&m_seekTimer, &QTimer::timeout, this, [this] { m_playhead->seek(m_sought); });
     connect(this, &QAbstractSlider::valueChanged, this, [this](int position) {
@@ -183,19 +185,6 @@ void Scrubber::wheelEvent(QWheelEvent *event)
         m_playhead->step(m_playhead->unit(),
                          turned < 0 ? StepDirection::Forward : StepDirection::Backward);
     event->accept();
-}
-
-void Scrubber::resizeEvent(QResizeEvent *event)
-{
-    QAbstractSlider::resizeEvent(event);
-    forgetBackground();
-}
-
-void Scrubber::changeEvent(QEvent *event)
-{
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        forgetBackground();
-    QAbstractSlider::changeEvent(event);
 }
 
 void Scrubber::takeTrace()

@@ -17,20 +17,6 @@ constexpr int padding = 8;
 constexpr int signSize = 12;
 constexpr int iconGap = 6;
 
-/// The speed slider is logarithmic: ten notches per power of ten.
-constexpr int notchesPerDecade = 10;
-
-int notchOf(double stepsPerSecond)
-{
-    return int(std::lround(std::log10(stepsPerSecond) * notchesPerDecade));
-}
-
-double speedOf(int notch)
-{
-    const double speed = std::pow(10.0, double(notch) / notchesPerDecade);
-    return speed < 10 ? std::round(speed * 10) / 10 : std::round(speed);
-}
-
 } // namespace
 
 StepButton::StepButton(QAction *action, SignSide side, QWidget *parent)
@@ -98,8 +84,6 @@ StepperBar::StepperBar(Playhead *playhead, const StepActions &actions, QWidget *
     addUnitBox(actions);
     m_layout->addSpacing(8);
     addSpeed();
-    m_layout->addSpacing(8);
-    addPositionLabel();
     m_layout->addStretch();
 }
 
@@ -141,57 +125,19 @@ void StepperBar::addUnitBox(const StepActions &actions)
 
 void StepperBar::addSpeed()
 {
-    m_speedSlider = named(new QSlider(Qt::Horizontal, this), "speedSlider", tr("Speed of playing"),
-                          tr("Speed of playing, steps per second"));
-    m_speedSlider->setRange(notchOf(Playhead::slowest), notchOf(Playhead::fastest));
-    m_speedSlider->setFixedWidth(56);
-    connect(m_speedSlider, &QSlider::valueChanged, m_playhead,
-            [playhead = m_playhead](int notch) { playhead->setStepsPerSecond(speedOf(notch)); });
-    m_layout->addWidget(m_speedSlider);
-
-    m_speedBox
+    auto *box
         = explained(new DecimalBox(this), "speedBox", tr("Speed of playing, steps per second"));
-    m_speedBox->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    m_speedBox->setRange(Playhead::slowest, Playhead::fastest);
-    m_speedBox->setDecimals(1);
-    m_speedBox->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    m_speedBox->setAlignment(Qt::AlignRight);
-    m_speedBox->setSuffix(tr(" /s"));
-    m_speedBox->setKeyboardTracking(false);
-    connect(m_speedBox, &QDoubleSpinBox::valueChanged, m_playhead, &Playhead::setStepsPerSecond);
-    connect(m_playhead, &Playhead::stepsPerSecondChanged, this, [this] { updateSpeed(); });
-    updateSpeed();
-    m_layout->addWidget(m_speedBox);
-}
-
-void StepperBar::addPositionLabel()
-{
-    m_position = named(new QLabel(this), "positionLabel");
-    m_position->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_layout->addWidget(m_position);
-    connect(m_playhead, &Playhead::tracedChanged, this, [this] { updatePosition(); });
-    connect(m_playhead, &Playhead::positionChanged, this, [this] { updatePosition(); });
-    updatePosition();
-}
-
-void StepperBar::updateSpeed()
-{
-    const QSignalBlocker sliderBlocker(m_speedSlider);
-    const QSignalBlocker boxBlocker(m_speedBox);
-    m_speedSlider->setValue(notchOf(m_playhead->stepsPerSecond()));
-    m_speedBox->setValue(m_playhead->stepsPerSecond());
-}
-
-void StepperBar::updatePosition()
-{
-    const QString end = QString::number(m_playhead->end());
-    const QString text = tr("step %1 of %2");
-    // As wide as the widest position, so that nothing moves while playing.
-    const QString widest = text.arg(QString(end.size(), QLatin1Char('8')), end);
-    m_position->setMinimumWidth(
-        std::max(QFontMetrics(m_position->font()).horizontalAdvance(widest) + 4,
-                 QFontMetrics(m_position->font()).horizontalAdvance(text.arg(8888).arg(8888)) + 4));
-    m_position->setText(text.arg(m_playhead->position()).arg(end));
+    box->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    box->setRange(Playhead::slowest, Playhead::fastest);
+    box->setDecimals(1);
+    box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    box->setAlignment(Qt::AlignRight);
+    box->setSuffix(tr(" /s"));
+    box->setKeyboardTracking(false);
+    box->setValue(m_playhead->stepsPerSecond());
+    connect(box, &QDoubleSpinBox::valueChanged, m_playhead, &Playhead::setStepsPerSecond);
+    connect(m_playhead, &Playhead::stepsPerSecondChanged, box, &QDoubleSpinBox::setValue);
+    m_layout->addWidget(box);
 }
 
 } // namespace pixelplumb

@@ -8,9 +8,6 @@
 
 class QBoxLayout;
 class QComboBox;
-class QDoubleSpinBox;
-class QLabel;
-class QSlider;
 
 namespace pixelplumb {
 
@@ -39,7 +36,7 @@ private:
 };
 
 /// The buttons that move time: to the start, back and on by column and by pixel, play, to the end;
-/// the unit and speed of playing; the playhead's position.
+/// the unit and speed of playing.
 class StepperBar : public QWidget {
     Q_OBJECT
 
@@ -50,16 +47,10 @@ private:
     void addButtons(const StepActions &actions);
     void addUnitBox(const StepActions &actions);
     void addSpeed();
-    void addPositionLabel();
-    void updateSpeed();
-    void updatePosition();
 
     Playhead *m_playhead;
     QBoxLayout *m_layout;
     QComboBox *m_unitBox = nullptr;
-    QSlider *m_speedSlider = nullptr;
-    QDoubleSpinBox *m_speedBox = nullptr;
-    QLabel *m_position = nullptr;
 };
 
 } // namespace pixelplumb

@@ -39,12 +39,7 @@ StudyPanel::StudyPanel(const char *name, const QString &inWords, QWidget *parent
     : QWidget(parent)
 {
     named(this, name, inWords);
-}
-
-void StudyPanel::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    studyIfDue();
+    onEvents(this, {QEvent::Show}, [this] { studyIfDue(); });
 }
 
 void StudyPanel::restart()

@@ -33,8 +33,6 @@ public:
     bool isRunning() const { return m_job.isRunning(); }
 
 protected:
-    void showEvent(QShowEvent *event) override;
-
     /// Begins anew, now or when the panel is seen: what is shown no longer holds.
     void restart();
     /// Starts the study, or says why there is none; false where it waits for a scene.

@@ -2,9 +2,9 @@
 #include "widgets/window/editmenu.h"
 
 #include "widgets/canvas/canvas.h"
+#include "widgets/dialogs/framedialog.h"
 #include "widgets/dialogs/lookdialog.h"
 #include "widgets/dialogs/triangledialog.h"
-#include "widgets/dialogs/vertexdialog.h"
 #include "widgets/files/sceneexports.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/files/studentpicturefiles.h"
@@ -55,16 +55,13 @@ void EditMenu::addTools()
     Canvas *canvas = m_parts.canvas;
     const auto addTool = [&](const char *name, const QString &text, const QString &iconText,
                              const QString &tip, Qt::Key key, CanvasTool tool) {
-        QAction *action
-            = addMenuAction(this, name, text, key, [canvas, tool] { canvas->setTool(tool); });
-        action->setCheckable(true);
+        QAction *action = addSwitch(
+            this, name, text, key, [canvas, tool] { canvas->setTool(tool); }, canvas,
+            &Canvas::toolChanged, [canvas, tool] { return canvas->tool() == tool; });
         action->setIconText(iconText);
         action->setToolTip(tip);
         group->addAction(action);
         confineKeyTo(canvas, action);
-        const auto update = [canvas, action, tool] { action->setChecked(canvas->tool() == tool); };
-        connect(canvas, &Canvas::toolChanged, action, update);
-        update();
         m_tools += action;
     };
     addTool("drawTool", tr("Dra&w"), tr("draw"),
@@ -116,9 +113,8 @@ void EditMenu::addVertices(QWidget *window)
     QAction *close
         = addMenuAction(this, "closePolygon", tr("Close the pol&ygon"), Qt::CTRL | Qt::Key_Return,
                         [document] { document->closePending(); });
-    const auto updateClose = [document, close] { close->setEnabled(document->canClosePending()); };
-    connect(document, &SceneDocument::pendingChanged, this, updateClose);
-    updateClose();
+    keepUpdated(document, &SceneDocument::pendingChanged, close,
+                [document, close] { close->setEnabled(document->canClosePending()); });
     addMenuAction(this, "nextVertexColour", tr("Colour of the &next vertex…"), {},
                   [this, window] { chooseNextColour(window); });
     QAction *colour = addMenuAction(this, "vertexColour", tr("Colour &of the selected vertex…"), {},
@@ -137,24 +133,18 @@ void EditMenu::addVertices(QWidget *window)
     QAction *show = addMenuAction(this, "showAllHidden", tr("Show all hidden primiti&ves"),
                                   Qt::CTRL | Qt::SHIFT | Qt::Key_H,
                                   [document] { document->showAllHidden(); });
-    const auto updateShow
-        = [document, show] { show->setEnabled(document->scene().hiddenCount() > 0); };
-    connect(document, &SceneDocument::sceneChanged, this, updateShow);
-    updateShow();
     change->setToolTip(tr("The triangle of the selected vertex; where none is selected, the one "
                           "that the current step draws"));
-    const auto updateChange
-        = [document, change] { change->setEnabled(!document->scene().triangles.empty()); };
-    connect(document, &SceneDocument::sceneChanged, this, updateChange);
-    updateChange();
-    const auto updateSelected = [document, colour, remove, hide] {
+    keepUpdated(document, &SceneDocument::sceneChanged, this, [document, show, change] {
+        show->setEnabled(document->scene().hiddenCount() > 0);
+        change->setEnabled(!document->scene().triangles.empty());
+    });
+    keepUpdated(document, &SceneDocument::selectionChanged, this, [document, colour, remove, hide] {
         const std::optional<VertexRef> selected = document->selectedVertex();
         colour->setEnabled(selected.has_value());
         remove->setEnabled(selected.has_value());
         hide->setEnabled(selected && selected->primitive != VertexRef::pending);
-    };
-    connect(document, &SceneDocument::selectionChanged, this, updateSelected);
-    updateSelected();
+    });
     addMenuAction(this, "clearScene", tr("C&lear all primitives"), {},
                   [document] { document->clear(); });
 }
@@ -211,14 +201,9 @@ void EditMenu::addFrameAndSnap(QWidget *window)
     snaps->setObjectName(QStringLiteral("snapMenu"));
     auto *group = new QActionGroup(snaps);
     const auto addSnap = [&](const char *name, const QString &text, Snap snap) {
-        QAction *action
-            = addMenuAction(snaps, name, text, {}, [document, snap] { document->setSnap(snap); });
-        action->setCheckable(true);
-        group->addAction(action);
-        const auto update
-            = [document, action, snap] { action->setChecked(document->snap() == snap); };
-        connect(document, &SceneDocument::snapChanged, action, update);
-        update();
+        group->addAction(addSwitch(
+            snaps, name, text, {}, [document, snap] { document->setSnap(snap); }, document,
+            &SceneDocument::snapChanged, [document, snap] { return document->snap() == snap; }));
     };
     addSnap("snapPixel", tr("whole &pixels"), Snap::Pixel);
     addSnap("snapSixteenth", tr("&sixteenths of a pixel"), Snap::Sixteenth);

@@ -65,9 +65,8 @@ FileMenu::FileMenu(const WindowParts &parts, QWidget *window)
                   [files] { files->saveAs(); });
     QAction *revert = addMenuAction(this, "revertScene", tr("Re&vert to the file"), {},
                                     [files] { files->revert(); });
-    const auto updateRevert = [revert, files] { revert->setEnabled(!files->path().isEmpty()); };
-    connect(files, &SceneFiles::pathChanged, revert, updateRevert);
-    updateRevert();
+    keepUpdated(files, &SceneFiles::pathChanged, revert,
+                [revert, files] { revert->setEnabled(!files->path().isEmpty()); });
     addSeparator();
     addExports(parts);
     addSeparator();
@@ -93,13 +92,11 @@ void FileMenu::addExports(const WindowParts &parts)
     QAction *spansJson = addTable("exportColumnsJson", {}, TraceLevel::Column, TableFormat::Json);
     addTable("exportPixelsCsv", tr("Pi&xels (CSV)…"), TraceLevel::Pixel, TableFormat::Csv);
     addTable("exportPixelsJson", tr("Pixels (JS&ON)…"), TraceLevel::Pixel, TableFormat::Json);
-    const auto nameSpans = [spansCsv, spansJson, playhead = parts.playhead] {
+    keepUpdated(menu, &QMenu::aboutToShow, this, [spansCsv, spansJson, playhead = parts.playhead] {
         const auto [csv, json] = spanExportNames(playhead->axis());
         spansCsv->setText(csv);
         spansJson->setText(json);
-    };
-    connect(menu, &QMenu::aboutToShow, this, nameSpans);
-    nameSpans();
+    });
     menu->addSeparator();
     addMenuAction(menu, "exportRaster", tr("&Raster (ASCII text)…"), {},
                   [exports] { exports->exportRaster(); });
@@ -117,32 +114,28 @@ LayersMenu::LayersMenu(const WindowParts &parts, QWidget *window)
     QAction *none
         = addMenuAction(this, "hideLayers", tr("&Hide all layers"),
                         Qt::CTRL | Qt::SHIFT | Qt::Key_L, [options] { options->setLayers({}); });
-    const auto update = [options, none] { none->setEnabled(!options->layers().isEmpty()); };
-    connect(options, &DisplayOptions::changed, none, update);
-    update();
     QAction *firstMap
         = addMenuAction(this, "firstAffineMap", tr("&Reset the affine map"), {},
                         [options, document = parts.document] {
                             document->undoStack()->push(new ImageEdit(*options, std::nullopt));
                         });
-    const auto follow
-        = [options, firstMap] { firstMap->setEnabled(options->affineImage().has_value()); };
-    connect(options, &DisplayOptions::changed, firstMap, follow);
+    keepUpdated(options, &DisplayOptions::changed, this, [options, none, firstMap] {
+        none->setEnabled(!options->layers().isEmpty());
+        firstMap->setEnabled(options->affineImage().has_value());
+    });
     connect(parts.document, &SceneDocument::opened, firstMap, &QAction::trigger);
-    follow();
 }
 
 void LayersMenu::addLayer(const Layer &layer, const WindowParts &parts)
 {
     DisplayOptions *options = parts.options;
     const SceneDocument *document = parts.document;
-    QAction *action = addMenuAction(this, "", coreWord(layer.title), {},
-                                    [options, &layer] { options->toggleLayer(layer.id); });
+    QAction *action = addSwitch(
+        this, "", coreWord(layer.title), {}, [options, &layer] { options->toggleLayer(layer.id); },
+        options, &DisplayOptions::changed,
+        [options, &layer] { return options->layers().contains(layer.id); });
     action->setObjectName(QStringLiteral("layer-") + layer.id);
-    action->setCheckable(true);
-    const auto check
-        = [options, action, &layer] { action->setChecked(options->layers().contains(layer.id)); };
-    const auto tell = [document, action, &layer] {
+    keepUpdated(document, &SceneDocument::sceneChanged, action, [document, action, &layer] {
         const QString objection = layer.objection(document->scene());
         const QString text
             = objection.isEmpty() ? layer.toolTip : tr("Nothing to show: %1.").arg(objection);
@@ -151,11 +144,7 @@ void LayersMenu::addLayer(const Layer &layer, const WindowParts &parts)
         // Rich text wraps.
         action->setToolTip(QStringLiteral("<p>%1</p><p>%2</p>")
                                .arg(text.toHtmlEscaped(), layer.source.toHtmlEscaped()));
-    };
-    connect(options, &DisplayOptions::changed, action, check);
-    connect(document, &SceneDocument::sceneChanged, action, tell);
-    check();
-    tell();
+    });
 }
 
 StepMenu::StepMenu(const WindowParts &parts, QWidget *window)

@@ -8,8 +8,8 @@
 
 namespace pixelplumb {
 
-/// The methods, by the digits 1 … 9 on the canvas, and the settings under which they draw. What the
-/// method refuses is grey and says why.
+/// The methods, by the digits 1 … 9 on the canvas, and departures from the right algorithm. What
+/// the method refuses is grey and says why.
 class MethodMenu : public QMenu {
     Q_OBJECT
 
@@ -18,12 +18,7 @@ public:
 
 private:
     void addMethods(Canvas *canvas);
-    /// Adds departures from the right algorithm, which can be combined.
-    void addVariants();
-    template <class Choices, class Member>
-    QMenu *addSettings(const char *name, const QString &title, const Choices &choices,
-                       Member member);
-    void greyWhereIdle(QMenu *menu, DrawingSetting setting);
+    void addVariants(); ///< can be combined
 
     SceneDocument *m_document;
 };

@@ -22,14 +22,9 @@ namespace {
 void addChoice(QActionGroup *group, QMenu *menu, const char *name, const QString &text,
                PaletteSwitch *palettes, PaletteChoice choice)
 {
-    QAction *action
-        = addMenuAction(menu, name, text, {}, [palettes, choice] { palettes->choose(choice); });
-    action->setCheckable(true);
-    group->addAction(action);
-    const auto update
-        = [palettes, action, choice] { action->setChecked(palettes->choice() == choice); };
-    QObject::connect(palettes, &PaletteSwitch::changed, action, update);
-    update();
+    group->addAction(addSwitch(
+        menu, name, text, {}, [palettes, choice] { palettes->choose(choice); }, palettes,
+        &PaletteSwitch::changed, [palettes, choice] { return palettes->choice() == choice; }));
 }
 
 } // namespace
@@ -54,17 +49,13 @@ void ViewMenu::addOptions(const WindowParts &parts)
     DisplayOptions *options = parts.options;
     const auto addOption = [&](const char *name, const QString &text, const QString &iconText,
                                const QString &tip, Qt::Key key, auto isShown, auto setShown) {
-        QAction *action = addMenuAction(this, name, text, key, [options, setShown](bool shown) {
-            (options->*setShown)(shown);
-        });
-        action->setCheckable(true);
+        QAction *action = addSwitch(
+            this, name, text, key, [options, setShown](bool shown) { (options->*setShown)(shown); },
+            options, &DisplayOptions::changed,
+            [options, isShown] { return (options->*isShown)(); });
         action->setIconText(iconText);
         action->setToolTip(tip);
         confineKeyTo(parts.canvas, action);
-        const auto update
-            = [options, action, isShown] { action->setChecked((options->*isShown)()); };
-        connect(options, &DisplayOptions::changed, action, update);
-        update();
         return action;
     };
     m_grid = addOption("showGrid", tr("&Grid"), tr("grid"), tr("Lines between the pixels (G)"),
@@ -81,11 +72,10 @@ void ViewMenu::addOptions(const WindowParts &parts)
         "showStudent", tr("Stude&nt's picture"), tr("student"),
         tr("The student's picture instead of the frame; while Shift is held, the expected one (S)"),
         Qt::Key_S, &DisplayOptions::isStudentShown, &DisplayOptions::setStudentShown);
-    const auto offer = [student, picture = parts.student] {
-        student->setEnabled(picture->judgement() != nullptr);
-    };
-    connect(parts.student, &StudentPicture::judged, student, offer);
-    offer();
+    keepUpdated(parts.student, &StudentPicture::judged, student,
+                [student, picture = parts.student] {
+                    student->setEnabled(picture->judgement() != nullptr);
+                });
     const QString clippingTip = tr("The current triangle's face as clipped by the near plane, and "
                                    "the triangles that it is drawn as (N)");
     QAction *clipping
@@ -99,8 +89,7 @@ void ViewMenu::addOptions(const WindowParts &parts)
                                  : tr("Nothing to show: the scene has no solid, so the near plane "
                                       "clips nothing."));
     };
-    connect(parts.document, &SceneDocument::sceneChanged, clipping, tell);
-    tell();
+    keepUpdated(parts.document, &SceneDocument::sceneChanged, clipping, tell);
     addOption(
         "showHexadecimal", tr("Values in &hexadecimal"), tr("hexadecimal"),
         tr("The bytes in large cells and in the pixel grid as 00 … ff instead of 0 … 255 (X)"),
@@ -151,12 +140,10 @@ void ViewMenu::addWorkspaces(Workspaces *workspaces)
     menu->addSeparator();
     addMenuAction(menu, "resetLayout", tr("&Reset this workspace"), {},
                   [workspaces] { workspaces->reset(); });
-    const auto update = [this, workspaces, back] {
+    keepUpdated(workspaces, &Workspaces::changed, this, [this, workspaces, back] {
         m_workspaces[int(workspaces->current())]->setChecked(true);
         back->setEnabled(workspaces->canGoBack());
-    };
-    connect(workspaces, &Workspaces::changed, this, update);
-    update();
+    });
 }
 
 void ViewMenu::addDocks(const WindowParts &parts, WindowDocks *docks)

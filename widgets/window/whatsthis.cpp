@@ -40,17 +40,15 @@ constexpr PartExplanation explanations[] = {
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
                        "The method that draws the scene. The buttons, the table and the formulas "
                        "follow it; the menu Method shows the keys that choose one on the canvas.")},
-    {"positionLabel",
-     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
-                       "How many of the run's steps are done. A step writes a pixel, begins a "
-                       "column or row, or sets a primitive up; Step ▸ Go to… goes to any.")},
     {"statusPixel",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
                        "The pixel under the pointer, else the picked one, and its colour.")},
     {"statusColumn",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis", "The column, row or step of the current method.")},
     {"statusStep",
-     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis", "How many of the run's steps are done.")},
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
+                       "How many of the run's steps are done. A step writes a pixel, begins a "
+                       "column or row, or sets a primitive up; Step ▸ Go to… goes to any.")},
     {"statusSettings",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
                        "The arithmetic, the fill rule and the frame's convention that the scene is "
@@ -174,8 +172,8 @@ constexpr PartExplanation explanations[] = {
                        "Goes through the run of the scene, forward and back.")},
     {"methodMenu",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
-                       "How the scene is drawn: the method, its arithmetic, its fill rule, its "
-                       "rounding, and its printed variants with their faults.")},
+                       "The method that draws the scene, and its printed variants with their "
+                       "faults.")},
     {"helpMenu",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
                        "The manual, all keys, and what the parts of the window are.")},

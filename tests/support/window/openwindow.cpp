@@ -8,6 +8,7 @@
 #include "widgets/window/paneldock.h"
 
 #include <QApplication>
+#include <QDropEvent>
 #include <QTest>
 
 #include <algorithm>
@@ -87,6 +88,37 @@ void clickPixel(const MainWindow &window, const QPoint &pixel)
 {
     Canvas *canvas = window.parts().canvas;
     QTest::mouseClick(canvas, Qt::LeftButton, {}, canvas->positionOf(pixel).toPoint());
+}
+
+bool isMarked(const MainWindow &window, const QPoint &pixel, Sign sign)
+{
+    Canvas &canvas = *window.parts().canvas;
+    const QImage seen = canvas.grab(canvas.mapping().cellOf(pixel).toAlignedRect()).toImage();
+    const QRgb colour = signColour(sign, canvas.palette()).rgb();
+    for (int y = 0; y < seen.height(); ++y) {
+        for (int x = 0; x < seen.width(); ++x) {
+            if (seen.pixel(x, y) == colour)
+                return true;
+        }
+    }
+    return false;
+}
+
+void drop(MainWindow &window, const QMimeData &data)
+{
+    const QPoint place = window.rect().center();
+    QDragEnterEvent enter(place, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent dropped(place, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &dropped);
+}
+
+void dropFile(MainWindow &window, const QString &path)
+{
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    drop(window, data);
 }
 
 void addPalettes()

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/look/signs.h"
 #include "widgets/window/mainwindow.h"
 
 #include <QAction>
+#include <QMimeData>
 
 /// Shared helpers of the window and dock tests: a window on the screen, and its parts by their
 /// promised object names.
@@ -38,6 +40,12 @@ QAction *action(const MainWindow &window, const char *name);
 
 /// A left click in the middle of a pixel's cell on the canvas.
 void clickPixel(const MainWindow &window, const QPoint &pixel);
+
+/// Whether a pixel's cell on the canvas shows the colour of a sign.
+bool isMarked(const MainWindow &window, const QPoint &pixel, Sign sign);
+/// Drops data, or a file, on the window, which must accept it.
+void drop(MainWindow &window, const QMimeData &data);
+void dropFile(MainWindow &window, const QString &path);
 
 /// Adds the rows "light" and "dark" to a test; the column is "palette".
 void addPalettes();

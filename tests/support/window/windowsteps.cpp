@@ -9,6 +9,7 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
+#include <QLabel>
 #include <QTest>
 
 namespace pixelplumb {
@@ -63,6 +64,8 @@ QString faultInSteps(const MainWindow &window)
             return QStringLiteral("%1: position %2 cannot be reached").arg(name).arg(position);
         if (position > 0 && explainStep(traced, position - 1).sentence.isEmpty())
             return QStringLiteral("%1: nothing is said of step %2").arg(name).arg(position);
+        if (named<QLabel>(window, "formulaHeading")->text().isEmpty())
+            return QStringLiteral("%1: no heading at position %2").arg(name).arg(position);
     }
     const QAbstractItemModel &table = *named<ColumnTable>(window, "columnTable")->model();
     if (traced.trace->spanCount() > 0 && lengthOfTexts(table) == 0)

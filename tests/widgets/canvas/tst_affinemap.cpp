@@ -131,6 +131,19 @@ QStringList notesOf(const LayerDrawing &drawing, const QString &beginning)
     return drawing.notes.filter(beginning);
 }
 
+/// A map of the first scene's triangle.
+const AffineImage someImage{0, {latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)}};
+
+/// A canvas with the layer and that map.
+struct MapBench : CanvasBench {
+    MapBench()
+        : CanvasBench(firstScene())
+    {
+        options.setLayers({layerId});
+        options.setAffineImage(someImage);
+    }
+};
+
 double crossProduct(const QPointF &a, const QPointF &b) { return a.x() * b.y() - a.y() * b.x(); }
 
 } // namespace
@@ -219,34 +232,6 @@ private slots:
         QCOMPARE(look.drawing("affine-map").notes.mid(0, 2),
                  QStringList({QStringLiteral("Affine map: x′ = 0·x − 1·y + 30"),
                               QStringLiteral("and y′ = 2·x + 0·y + 1")}));
-    }
-
-    void theNumbersOfASentenceAreAllExactOrAllRounded()
-    {
-        // Corners in 1/256 px, whose fractions are long.
-        Look look
-            = lookAt(sceneOf({LatticePoint{10, 3}, {2051, 17}, {519, 1531}}),
-                     {LatticePoint{7777, 301}, LatticePoint{7013, 4099}, LatticePoint{6133, 1291}});
-
-        const LayerDrawing drawing = look.drawing("affine-map");
-
-        static const QRegularExpression fraction(QStringLiteral("\\d/\\d"));
-        static const QRegularExpression decimal(QStringLiteral("\\d\\.\\d"));
-        QStringList sentences{drawing.notes[0] + u' ' + drawing.notes[1]};
-        for (const QString &note : drawing.notes.mid(2))
-            sentences += note.split(QStringLiteral(". "));
-        for (const LayerDrawing::Label &label : drawing.labels)
-            sentences += label.text;
-        int rounded = 0;
-        for (const QString &sentence : sentences) {
-            const bool isRounded = sentence.contains(u'≈');
-            rounded += int(isRounded);
-            QCOMPARE(sentence.contains(decimal), isRounded);
-            QVERIFY2(!isRounded || !sentence.contains(fraction), qPrintable(sentence));
-        }
-        QVERIFY(rounded >= 5);
-        QVERIFY2(drawing.notes[0].startsWith(QStringLiteral("Affine map: x′ ≈ ")),
-                 qPrintable(drawing.notes[0]));
     }
 
     void theWeightsAreThoseOfTheScenesVerticesWhateverTheMethodSorts()
@@ -429,11 +414,7 @@ private slots:
 
     void aDoubleClickOnACornerBringsTheFirstMapBack()
     {
-        CanvasBench bench(firstScene());
-        bench.options.setLayers({layerId});
-        bench.options.setAffineImage(
-            AffineImage{0, {latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)}});
-
+        MapBench bench;
         const QPoint corner = bench.at(30, 40);
         QTest::mouseClick(&bench.canvas, Qt::LeftButton, {}, corner);
         QVERIFY(bench.options.affineImage().has_value());
@@ -447,43 +428,19 @@ private slots:
 
     void escapeDuringADragLeavesTheMapAsItWas()
     {
-        CanvasBench bench(firstScene());
-        bench.options.setLayers({layerId});
-        const AffineImage before{
-            0, {latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)}};
-        bench.options.setAffineImage(before);
-
+        MapBench bench;
         bench.send(QEvent::MouseButtonPress, bench.at(30, 40), Qt::LeftButton, Qt::LeftButton);
         bench.send(QEvent::MouseMove, bench.at(40, 30), Qt::NoButton, Qt::LeftButton);
-        QVERIFY(bench.options.affineImage() != before);
+        QVERIFY(bench.options.affineImage() != someImage);
         QTest::keyClick(&bench.canvas, Qt::Key_Escape);
 
-        QCOMPARE(bench.options.affineImage(), std::optional(before));
+        QCOMPARE(bench.options.affineImage(), std::optional(someImage));
         QVERIFY(!bench.document.undoStack()->canUndo());
-    }
-
-    void verticesThatWaitAreDiscardedAfterADragOfACorner()
-    {
-        CanvasBench bench(firstScene());
-        bench.options.setLayers({layerId});
-        bench.options.setAffineImage(
-            AffineImage{0, {latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)}});
-        bench.document.placeVertex(latticePixel(1, 1));
-        bench.drag(bench.at(30, 40), bench.at(40, 30));
-        QTest::keyClick(&bench.canvas, Qt::Key_Escape);
-        QVERIFY(bench.document.pendingVertices().empty());
-        bench.document.undoStack()->undo(); // undoes the discarding
-        bench.document.undoStack()->undo();
-        QCOMPARE(bench.options.affineImage()->corners[1], latticePixel(30, 40));
     }
 
     void keysAloneMoveACorner()
     {
-        CanvasBench bench(firstScene());
-        bench.options.setLayers({layerId});
-        bench.options.setAffineImage(
-            AffineImage{0, {latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)}});
-
+        MapBench bench;
         QTest::keyClick(&bench.canvas, Qt::Key_BracketLeft); // the last of all handles
         QCOMPARE(bench.canvas.spokenState(), QStringLiteral("image of vertex 2 at (10, 20)"));
         QTest::keyClick(&bench.canvas, Qt::Key_Right, Qt::ControlModifier);
@@ -543,7 +500,7 @@ private slots:
         scene.triangles = {triangleAt(4, 5, 58, 12, 26, 44), triangleAt(2, 30, 20, 44, 6, 46),
                            triangleAt(30, 2, 60, 4, 44, 30)};
         CanvasBench bench(scene);
-        const Corners corners{latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)};
+        const Corners &corners = someImage.corners;
         bench.options.setAffineImage(AffineImage{1, corners});
 
         edit(bench.document);
@@ -563,8 +520,7 @@ private slots:
         Scene scene;
         scene.triangles = {triangleAt(4, 5, 58, 12, 26, 44), triangleAt(2, 30, 20, 44, 6, 46)};
         CanvasBench bench(scene);
-        const AffineImage image{1,
-                                {latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)}};
+        const AffineImage image{1, someImage.corners};
         bench.options.setAffineImage(image);
         bench.document.hidePrimitive(1);
         bench.document.hidePrimitive(0);
@@ -578,32 +534,10 @@ private slots:
         QCOMPARE(bench.options.affineImage(), std::optional(AffineImage{0, image.corners}));
     }
 
-    void allThatIsHiddenShownAgainMovesTheMapOn()
-    {
-        Scene scene;
-        scene.triangles = {triangleAt(4, 5, 58, 12, 26, 44), triangleAt(2, 30, 20, 44, 6, 46),
-                           triangleAt(30, 2, 60, 4, 44, 30)};
-        CanvasBench bench(scene);
-        bench.document.hidePrimitive(0);
-        bench.document.hidePrimitive(0);
-        const Corners corners{latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)};
-        bench.options.setAffineImage(AffineImage{0, corners});
-        bench.document.selectVertex(VertexRef{0, 1});
-
-        bench.document.showAllHidden();
-
-        QCOMPARE(bench.options.affineImage(), std::optional(AffineImage{2, corners}));
-        QCOMPARE(bench.document.selectedVertex(), std::optional(VertexRef{2, 1}));
-        bench.document.undoStack()->undo();
-        QCOMPARE(bench.options.affineImage(), std::optional(AffineImage{0, corners}));
-        QCOMPARE(bench.document.selectedVertex(), std::optional(VertexRef{0, 1}));
-    }
-
     void withoutTheLayerThereIsNothingToDrag()
     {
         CanvasBench bench(firstScene());
-        bench.options.setAffineImage(
-            AffineImage{0, {latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)}});
+        bench.options.setAffineImage(someImage);
 
         bench.click(30, 40);
 

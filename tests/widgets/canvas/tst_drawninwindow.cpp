@@ -118,9 +118,9 @@ private slots:
         QCOMPARE(playhead.position(), playhead.end());
         QCOMPARE(playhead.pickedPixel(), std::optional(QPoint(5, 5)));
         const auto *grid = named<PixelGrid>(*window, "pixelGrid");
-        QTRY_COMPARE(
-            grid->pixelAt(QRectF(grid->mapping().grid()).center() / grid->devicePixelRatioF()),
-            std::optional(QPoint(5, 5)));
+        QTRY_COMPARE(grid->pixelAt(QRectF(grid->mapping().devicePicture()).center()
+                                   / grid->devicePixelRatioF()),
+                     std::optional(QPoint(5, 5)));
     }
 
     void theStatusBarNamesThePixelUnderThePointerThatRests_data()

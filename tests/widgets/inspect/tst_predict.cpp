@@ -16,7 +16,6 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTableView>
 #include <QTest>
 #include <QTextBrowser>
 
@@ -140,67 +139,6 @@ private slots:
         QCOMPARE(judge(row, QStringLiteral("7")), Guess::Wrong);
     }
 
-    void aWrongAnswerIsToldByWhatIsWrongWithIt()
-    {
-        const Prediction bound = predictionOf(Quantity::rational(16, 3));
-        const auto told = [](const Prediction &of, const char *typed) {
-            return verdictText(of, judge(of, QString::fromLatin1(typed)));
-        };
-        QVERIFY(told(bound, "6").startsWith(QStringLiteral("That is ⌈y_B⌉")));
-        QVERIFY(told(bound, "5").startsWith(QStringLiteral("That is ⌊y_B⌋")));
-        QVERIFY(told(bound, "5.3").contains(QStringLiteral("rounded to 2 places or more")));
-        Prediction row = predictionOf(Quantity::integer(6));
-        row.rule = QStringLiteral("first row = ⌈y_B⌉");
-        row.words = QStringLiteral("the first row, ⌈y_B⌉");
-        QVERIFY(
-            told(row, "5.33").contains(QStringLiteral("a whole number is asked for: the first")));
-    }
-
-    /// The panel explains the brackets but does not reveal the number in them, which is a question
-    /// of its own.
-    void aWrongRoundingIsToldWhatItsBracketsMean_data()
-    {
-        QTest::addColumn<QString>("rule");
-        QTest::addColumn<QString>("told");
-        QTest::newRow("closed below") << "first row = ⌈y_B⌉"
-                                      << "⌈y_B⌉ is the first whole number not below y_B";
-        QTest::newRow("closed above") << "last row = ⌊y_T⌋"
-                                      << "⌊y_T⌋ is the last whole number not above y_T";
-        QTest::newRow("open above") << "last row = ⌈y_T⌉ − 1"
-                                    << "⌈y_T⌉ − 1 is the last whole number below y_T";
-        QTest::newRow("open below") << "first row = ⌊y_B⌋ + 1"
-                                    << "⌊y_B⌋ + 1 is the first whole number above y_B";
-        QTest::newRow("nearest") << "v_r = ⌊v + ½⌋"
-                                 << "⌊v + ½⌋ is the whole number nearest to v";
-    }
-    void aWrongRoundingIsToldWhatItsBracketsMean()
-    {
-        QFETCH(QString, rule);
-        QFETCH(QString, told);
-        Prediction row = predictionOf(Quantity::integer(42), Quantity::integer(38));
-        row.rule = rule;
-        const auto verdict = [&row](const char *typed) {
-            return verdictText(row, judge(row, QString::fromLatin1(typed)));
-        };
-        QCOMPARE(verdict("41"), QStringLiteral("One off: %1.").arg(told));
-        QVERIFY(verdict("38").endsWith(QStringLiteral("of the span before: %1.").arg(told)));
-        QVERIFY(verdict("7").startsWith(QStringLiteral("Not yet: %1.").arg(told)));
-    }
-
-    /// A number that is computed anew in every span is not a sum of steps.
-    void anEarlierNumberIsToldWhatMakesTheNextOne()
-    {
-        Prediction number = predictionOf(Quantity::integer(-12), Quantity::integer(-14));
-        const auto told
-            = [&number] { return verdictText(number, judge(number, QStringLiteral("-14"))); };
-        QCOMPARE(told(),
-                 QStringLiteral("That is y_B of the span before: what does one step add "
-                                "to it?"));
-        number.title = QStringLiteral("Δp");
-        number.rule = QStringLiteral("Δp = 2Δy");
-        QCOMPARE(told(), QStringLiteral("That is Δp of the span before: Δp = 2Δy."));
-    }
-
     /// The answer to a question is what the table says once the step is done.
     void everyQuestionIsANumberOfTheNextSpan()
     {
@@ -280,31 +218,6 @@ private slots:
         QCOMPARE(label("predictScore"), QStringLiteral("Right at the first try: 0 of 1"));
         QVERIFY(!named<QPushButton>(*m_window, "predictShow")->isEnabled());
         QVERIFY(named<QPushButton>(*m_window, "predictNext")->isEnabled());
-    }
-
-    void nothingAheadIsToldWhileThePanelIsSeen()
-    {
-        const auto *table = named<QTableView>(*m_window, "columnTable");
-        const int current = int(*m_playhead->currentSpan());
-        const int bound = columnOf(*table, QStringLiteral("y_B"));
-        const QString next = table->model()->index(current + 1, bound).data().toString();
-        QVERIFY(next != QStringLiteral("?"));
-
-        openPanel();
-        QCOMPARE(table->model()->index(current + 1, bound).data().toString(), QStringLiteral("?"));
-        QVERIFY(!table->model()->index(current + 1, bound).data(Qt::ToolTipRole).isValid());
-        QVERIFY(table->model()->index(current, bound).data().toString() != QStringLiteral("?"));
-        const auto ahead = nextPixelAfter(*m_playhead->traced(), m_playhead->position());
-        m_playhead->pick(ahead->pixel);
-        QVERIFY(label("pixelHistoryHeading").contains(QStringLiteral("predict it")));
-
-        m_playhead->step(StepUnit::Span, StepDirection::Forward);
-        QCOMPARE(table->model()->index(current + 1, bound).data().toString(), next);
-
-        QTest::keyClick(m_window.get(), Qt::Key_Escape);
-        action(*m_window, "predictDockToggle")->trigger();
-        QCOMPARE(table->model()->index(current + 2, bound).data().toString() != QStringLiteral("?"),
-                 true);
     }
 
     void theNextPixelIsPickedOnTheCanvas()
@@ -427,14 +340,6 @@ private:
         QTextDocument document;
         document.setHtml(named<QLabel>(*m_window, name)->text());
         return document.toPlainText();
-    }
-    static int columnOf(const QTableView &table, const QString &title)
-    {
-        for (int column = 0; column < table.model()->columnCount(); ++column) {
-            if (table.model()->headerData(column, Qt::Horizontal).toString() == title)
-                return column;
-        }
-        return -1;
     }
 
     IsolatedSettings m_settings;

@@ -196,37 +196,6 @@ private slots:
             QVERIFY2(!named<QPushButton>(*m_window, name)->shortcut().isEmpty(), name);
     }
 
-    void whatIsAskedForIsNamedWithItsTolerance()
-    {
-        pressKeyOf(QStringLiteral("predictDock"));
-        auto *choice = named<QComboBox>(*m_window, "predictChoice");
-        choice->setCurrentText(QStringLiteral("⌈y_B⌉"));
-        QCOMPARE(choice->currentText(), QStringLiteral("⌈y_B⌉"));
-        const QString question = plain(named<QLabel>(*m_window, "predictQuestion")->text());
-        QVERIFY2(question.contains(QStringLiteral("what is the first row, ⌈yB⌉?")),
-                 qPrintable(question));
-        QVERIFY(question.endsWith(QStringLiteral("A whole number.")));
-        QVERIFY(choice->findText(QStringLiteral("⌊y_T⌋")) >= 0);
-
-        choice->setCurrentText(QStringLiteral("y_B"));
-        QVERIFY(plain(named<QLabel>(*m_window, "predictQuestion")->text())
-                    .endsWith(QStringLiteral("rounded to 2 places or more.")));
-    }
-
-    void aNumberThatIsItsOwnReasonIsSaidOnce()
-    {
-        pressKeyOf(QStringLiteral("predictDock"));
-        m_window->parts().playhead->seek(0);
-        named<QComboBox>(*m_window, "predictChoice")->setCurrentText(QStringLiteral("y_B"));
-        QVERIFY(plain(named<QLabel>(*m_window, "predictQuestion")->text())
-                    .endsWith(QStringLiteral("A whole number."))); // it is the y of the vertex (4,
-                                                                   // 5)
-        auto *answer = named<QLineEdit>(*m_window, "predictAnswer");
-        QTest::keyClicks(answer, QStringLiteral("5"));
-        QTest::keyClick(answer, Qt::Key_Return);
-        QCOMPARE(verdict(), QStringLiteral("Right: yB ← y₀ = 5."));
-    }
-
 private:
     void pressKeyOf(const QString &dock)
     {

@@ -6,13 +6,10 @@
 #include "tests/support/madestudy.h"
 #include "tests/support/testprogram.h"
 #include "tests/support/window/openwindow.h"
-#include "widgets/files/scenefiles.h"
 #include "widgets/lab/accuracylab.h"
 #include "widgets/lab/labfiles.h"
 #include "widgets/lab/labtable.h"
 #include "widgets/lab/paretoplot.h"
-#include "widgets/model/playhead.h"
-#include "widgets/studies/compare/comparepanel.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -83,32 +80,6 @@ private slots:
                         ->text()
                         .contains(QStringLiteral("pixelplumb-cli lab")));
         }
-    }
-
-    void aClickOnADotOpensCompareAtItsFirstWrongPixel()
-    {
-        runToItsEnd();
-        auto *pareto = named<ParetoPlot>(*m_lab, "labPareto");
-        auto *plot = pareto->findChild<QWidget *>();
-        const LabMiss miss
-            = *m_lab->results()
-                   ->row(QStringLiteral("column-scan:float32"), QStringLiteral("own-scene"))
-                   ->firstMiss;
-
-        const QPointF dot = *pareto->positionOf(QStringLiteral("column-scan:float32"));
-        QTest::mouseClick(plot, Qt::LeftButton, {}, plot->mapFrom(pareto, dot.toPoint()));
-
-        const auto *compare = named<ComparePanel>(*m_window, "compare");
-        const Playhead *playhead = m_window->parts().playhead;
-        QTRY_VERIFY_WITH_TIMEOUT(compare->contest() && !compare->isRunning()
-                                     && compare->contest()->scene == miss.scene,
-                                 longest);
-        QVERIFY(compare->isVisible());
-        QCOMPARE(playhead->pickedPixel(), std::optional(QPoint(int(miss.x), int(miss.y))));
-        QCOMPARE(compare->contenders().front().settings.arithmetic, Arithmetic::Float32);
-        QVERIFY(compare->contenders().back().isTruth());
-        const PixelComparison pixel = comparePixel(*compare->contest(), miss.x, miss.y);
-        QVERIFY(pixel.agreeing < 2);
     }
 
     void aRowOfTheTableIsTheDotOfTheChart()

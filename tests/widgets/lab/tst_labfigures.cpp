@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/madestudy.h"
 #include "tests/support/testprogram.h"
-#include "widgets/lab/coststack.h"
 #include "widgets/lab/labfiltermenu.h"
 #include "widgets/lab/labmarks.h"
 #include "widgets/lab/labtext.h"
@@ -10,7 +9,6 @@
 
 #include <QApplication>
 #include <QFontMetricsF>
-#include <QScrollArea>
 #include <QTest>
 
 namespace tst_labfigures {
@@ -55,7 +53,7 @@ std::unique_ptr<ParetoPlot> paretoOfTwins(const QSize &size = {800, 420})
 /// All texts of a drawing, concatenated.
 QString textsOf(LabPlot &plot) { return QString::fromUtf8(plot.svg({})); }
 
-enum class Chart { Pareto, Misses, Parts };
+enum class Chart { Pareto, Misses };
 
 std::unique_ptr<LabPlot> chartOf(Chart chart)
 {
@@ -67,11 +65,6 @@ std::unique_ptr<LabPlot> chartOf(Chart chart)
     case Chart::Misses: {
         auto plot = shownPlot<MissPlot>();
         plot->show(results, family, QStringLiteral("column-scan:float32"));
-        return plot;
-    }
-    case Chart::Parts: {
-        auto plot = shownPlot<CostStack>();
-        plot->show(results, family);
         return plot;
     }
     }
@@ -190,52 +183,29 @@ private slots:
 
     void whoIsLeftOutIsInNoChart_data()
     {
-        QTest::addColumn<int>("part");
+        QTest::addColumn<QString>("out");
         QTest::addColumn<QStringList>("left");
-        QTest::newRow("nobody") << 0
+        QTest::newRow("nobody") << QString()
                                 << QStringList{"column-scan:float32", "column-scan:exact",
                                                "column-scan:float32:fast",
                                                "column-scan:exact:fast"};
         QTest::newRow("an arithmetic")
-            << 1 << QStringList{"column-scan:exact", "column-scan:exact:fast"};
-        QTest::newRow("a kernel") << 2 << QStringList{"column-scan:float32", "column-scan:exact"};
-        QTest::newRow("a method") << 3 << QStringList{};
+            << "float32" << QStringList{"column-scan:exact", "column-scan:exact:fast"};
+        QTest::newRow("a kernel") << "SIMD"
+                                  << QStringList{"column-scan:float32", "column-scan:exact"};
+        QTest::newRow("a method") << "column-scan" << QStringList{};
     }
     void whoIsLeftOutIsInNoChart()
     {
-        QFETCH(int, part);
+        QFETCH(QString, out);
         QFETCH(QStringList, left);
-        LabFilter filter;
-        if (part == 1)
-            filter.arithmetics = {Arithmetic::Float32};
-        if (part == 2)
-            filter.kernels = {LabKernel::Fast};
-        if (part == 3)
-            filter.methods = {QStringLiteral("column-scan")};
-
-        const auto results = filtered(twins(), filter);
+        const auto results = filtered(twins(), LabFilter{{out}});
 
         QStringList contenders;
         for (const StudyContender &contender : results->contenders)
             contenders.append(contender.id);
         QCOMPARE(contenders, left);
         QCOMPARE(results->rows.size(), std::size_t(2 * left.size()));
-    }
-
-    void everyBarOfThePartsHasItsHeight()
-    {
-        std::vector<MadeContender> many(40, {"one", 2.0, 0});
-        QScrollArea area;
-        auto *parts = new CostStack;
-        area.setWidget(parts);
-        area.setWidgetResizable(true);
-        area.resize(500, 150);
-        area.show();
-        parts->show(madeResults(many), QStringLiteral("f"));
-        QCoreApplication::processEvents();
-
-        QVERIFY(parts->height() >= 40 * parts->fontMetrics().height());
-        QCOMPARE(textsOf(*parts).count(QStringLiteral(">one<")), 40);
     }
 
     void longWordsAreBrokenAndNoneIsLost()
@@ -255,30 +225,21 @@ private slots:
     {
         QTest::addColumn<Chart>("chart");
         QTest::addColumn<QString>("title");
-        QTest::addColumn<QByteArray>("line");
-        QTest::newRow("pareto") << Chart::Pareto << QStringLiteral("Cost against error: Family f")
-                                << QByteArray(
-                                       "column-scan:exact:fast,SIMD,0,ppm,tested,1000000,0.45,"
-                                       "0.5,0.55,,1\r\n");
-        QTest::newRow("misses")
-            << Chart::Misses
-            << QStringLiteral("Distances of missed samples from the boundary: Family f; "
-                              "column-scan:float32")
-            << QByteArray("column-scan:float32,\"ties, missing: exactly on the boundary\",0\r\n");
-        QTest::newRow("parts") << Chart::Parts
-                               << QStringLiteral("Cost of set-up, columns and pixels: Family f")
-                               << QByteArray("column-scan:exact,0.2,0.6,0.5,3.6,4,4.4\r\n");
+        QTest::newRow("pareto") << Chart::Pareto << QStringLiteral("Cost against error: Family f");
+        QTest::newRow("misses") << Chart::Misses
+                                << QStringLiteral(
+                                       "Distances of missed samples from the boundary: Family f; "
+                                       "column-scan:float32");
     }
+
     void everyChartCarriesItsConditionsOnPaper()
     {
         QFETCH(Chart, chart);
         QFETCH(QString, title);
-        QFETCH(QByteArray, line);
         const auto plot = chartOf(chart);
         const Study study = *twins();
 
         const QString svg = QString::fromUtf8(plot->svg(figureOrigin(study)));
-        const QByteArray csv = plot->csv(figureOrigin(study));
         const QImage png = QImage::fromData(plot->png(figureOrigin(study)));
 
         // As drawn: after the description, and on separate lines.
@@ -290,10 +251,6 @@ private slots:
               QStringLiteral("⚠ This build is hardly optimised (-O0): its times say little.")})
             QVERIFY2(drawn.contains(part.toHtmlEscaped()), qPrintable(part));
         QVERIFY(warningsOf(study).size() >= 2);
-        QVERIFY2(csv.contains(line), csv.constData());
-        QVERIFY(csv.startsWith("# " + title.toUtf8() + "\r\n# a processor"));
-        for (const QString &warning : warningsOf(study))
-            QVERIFY(csv.contains("# ⚠ " + warning.toUtf8() + "\r\n"));
         QVERIFY(png.width() == 1920 && png.height() >= 1280);
     }
 };

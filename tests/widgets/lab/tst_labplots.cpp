@@ -2,7 +2,6 @@
 #include "tests/support/madestudy.h"
 #include "tests/support/testprogram.h"
 #include "tests/support/window/openwindow.h"
-#include "widgets/lab/coststack.h"
 #include "widgets/lab/labanswers.h"
 #include "widgets/lab/labelplaces.h"
 #include "widgets/lab/labtable.h"
@@ -206,7 +205,6 @@ private slots:
                      isJudged);
             QCOMPARE(shown<MissPlot>(one, family, only) != shown<MissPlot>(none, family, only),
                      isJudged);
-            QCOMPARE(shown<CostStack>(one, family) != shown<CostStack>(none, family), isJudged);
         }
     }
 

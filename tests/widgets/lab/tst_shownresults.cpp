@@ -40,7 +40,6 @@ private slots:
         QVERIFY(shown.takeNews(news, {}));
         QCOMPARE(shown.results(), news);
         QVERIFY(shown.areOfRun());
-        QVERIFY(!shown.earlier());
     }
 
     void newsTakeThePlaceOfOthersWhenTheyHaveTimes()
@@ -57,12 +56,10 @@ private slots:
         QVERIFY(!shown.areOfRun());
         QVERIFY(shown.takeNews(timed, QStringLiteral("f")));
         QCOMPARE(shown.results(), timed);
-        QCOMPARE(shown.earlier(), before);
 
         const SharedResults further = madeWith(Times::None);
         QVERIFY(shown.takeNews(further, QStringLiteral("g")));
         QCOMPARE(shown.results(), further);
-        QCOMPARE(shown.earlier(), before); // not a previous state of the same run
     }
 
     void aFamilyThatTheNewStudyLeavesOutIsNotWaitedFor()
@@ -89,21 +86,6 @@ private slots:
         shown.takeNews(timed, QStringLiteral("g"));
         QVERIFY(shown.endRun());
         QCOMPARE(shown.results(), timed);
-        QCOMPARE(shown.earlier(), before);
-    }
-
-    void theEarlierComeBackAndForth()
-    {
-        const SharedResults first = madeWith(Times::OfFirstFamily);
-        const SharedResults second = madeWith(Times::OfFirstFamily);
-        ShownResults shown;
-        shown.replaceBy(first);
-        shown.replaceBy(second);
-
-        shown.replaceBy(shown.earlier());
-        QCOMPARE(shown.results(), first);
-        shown.replaceBy(shown.earlier());
-        QCOMPARE(shown.results(), second);
     }
 };
 

@@ -3,17 +3,16 @@
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/testprogram.h"
 #include "tests/support/window/openwindow.h"
-#include "widgets/dialogs/vertexdialog.h"
+#include "widgets/canvas/canvas.h"
 #include "widgets/files/sceneexports.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/labels.h"
 #include "widgets/look/numberformat.h"
 
-#include <QDialogButtonBox>
-#include <QLabel>
+#include <QInputDialog>
 #include <QLineEdit>
-#include <QPushButton>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -129,17 +128,14 @@ private slots:
     {
         const Translation german({"de"});
         const auto window = openedWindow();
-        VertexDialog dialog(window->parts().document, {0, 0});
-        const auto *remark = named<QLabel>(dialog, "vertexRemark");
-        const QPushButton *ok
-            = dialog.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);
-
-        named<QLineEdit>(dialog, "vertexX")->setText(QStringLiteral("1,5"));
-        QVERIFY(!ok->isEnabled());
-        QVERIFY2(remark->text().contains(QStringLiteral("1,5")), qPrintable(remark->text()));
-
-        named<QLineEdit>(dialog, "vertexX")->setText(QStringLiteral("1.5"));
-        QVERIFY(ok->isEnabled());
+        QSignalSpy refused(window->parts().document, &SceneDocument::refused);
+        window->parts().canvas->editCoordinates({0, 0});
+        auto *dialog = named<QInputDialog>(*window, "vertexDialog");
+        dialog->setTextValue(QStringLiteral("1,5; 2"));
+        dialog->accept();
+        QCOMPARE(refused.count(), 1);
+        const QString told = refused.front().front().toString();
+        QVERIFY2(told.contains(QStringLiteral("1,5")), qPrintable(told));
     }
 
 private:

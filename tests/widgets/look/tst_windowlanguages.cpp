@@ -48,7 +48,7 @@ bool isOfNoLanguage(const ShownText &shown)
     // Core names methods, rules, arithmetics and cases as course texts, files and the command line
     // do, and explains them in English, as those texts do. A button has its colour's name.
     static const QRegularExpression places(QStringLiteral(
-        "^((method|variant|arithmeticMenu|fillRuleMenu|roundingMenu)-.*|layer-.* tip|precision_.*"
+        "^((method|variant)-.*|layer-.* tip|precision_.*"
         "|(method|arithmetic|fillRule|rounding)Box|compare(Method|Arithmetic|FillRule)[1-4]"
         "|(columnTable|hardCaseVerdicts) header|predictChoice|hardCaseTitle|formulaSentence"
         "|pixelHistoryReason|nextColourButton|vertex[0-2]Colour)$"));

@@ -303,12 +303,8 @@ private slots:
             QVERIFY(std::int64_t(picture.missing.size()) <= counted.truth);
             frames += int(!picture.missing.empty());
             QCOMPARE(picture.outlines.size(), std::size_t(1));
-            // y upward: the vertex (6, 6) moves 1/6 and 1/8 px a frame; sample (6, 6) is line 17.
-            const LatticePoint at
-                = sceneAtFrame(movingScene(), frame).triangles[0].vertices[0].position;
-            const QPointF corner = picture.outlines.front().front();
-            QCOMPARE(corner.x(), double(at.x) / unitsPerPixel + 0.5);
-            QCOMPARE(corner.y(), 23 - double(at.y) / unitsPerPixel + 0.5);
+            QCOMPARE(picture.outlines.front().front(),
+                     sceneAtFrame(movingScene(), frame).triangles[0].vertices[0].position);
         }
         QVERIFY(frames > 0); // float32 loses pixels of this sliver
     }

@@ -42,9 +42,6 @@ private slots:
         QCOMPARE(scale.toAxis(1e-8), 1.0);
         QCOMPARE(scale.toAxis(-1e-3), -6.0);
         QCOMPARE(scale.toAxis(1), scale.extent());
-        for (const double error : {0.0, 3e-9, -1e-8, 4e-5, -0.5, 1.0})
-            QVERIFY(std::abs(scale.toError(scale.toAxis(error)) - error)
-                    <= 1e-12 * std::abs(error));
         double before = scale.toAxis(-2);
         for (const double error : {-0.5, -1e-8, -1e-9, 0.0, 1e-9, 1e-8, 1e-7, 2.0}) {
             QVERIFY(scale.toAxis(error) > before);
@@ -76,29 +73,6 @@ private slots:
         QCOMPARE(errorLimit(Arithmetic::Float64, 2, 1024.0, 0), std::ldexp(1.0, -42));
     }
 
-    void findsTheFirstColumnThatLosesAPixel()
-    {
-        const TracedScene &traced = *m_playhead->traced();
-        const auto all = boundErrorsOf(traced.scene, 0);
-        const auto errors
-            = std::ranges::find(*all, traced.scene.settings.arithmetic, &BoundErrors::arithmetic);
-
-        const auto wrong = std::ranges::find_if(errors->spans, [](const BoundError &error) {
-            return error.isLowerWrong || error.isUpperWrong;
-        });
-        QVERIFY(wrong != errors->spans.end());
-        const std::int64_t first = wrong->place.coordinate;
-        std::int64_t expected = -1;
-        for (int x = 0; x < traced.scene.frame.width && expected < 0; ++x) {
-            for (int y = 0; y < traced.scene.frame.height; ++y) {
-                const Difference kind = traced.differences.at(x, y);
-                if (kind == Difference::Missing || kind == Difference::Extra)
-                    expected = x;
-            }
-        }
-        QCOMPARE(first, expected);
-    }
-
     void aBoundIsWrongWhereItsOwnEndOfTheSpanIs()
     {
         const TracedScene &traced = *m_playhead->traced();
@@ -117,22 +91,24 @@ private slots:
         // The lost pixels are the highest of their columns.
         QVERIFY(lower.empty());
         QCOMPARE(upper, (std::set<std::int64_t>{11, 21}));
-        QCOMPARE(traced.differences.at(11, 9), Difference::Missing);
-        QCOMPARE(traced.differences.at(21, 16), Difference::Missing);
+        std::set<std::int64_t> lost;
+        for (int x = 0; x < traced.scene.frame.width; ++x) {
+            for (int y = 0; y < traced.scene.frame.height; ++y) {
+                if (traced.differences.at(x, y) == Difference::Missing)
+                    lost.insert(x);
+            }
+        }
+        QCOMPARE(upper, lost);
     }
 
-    void hasNothingToPlotForATriangleThatIsNotThere()
+    void stopsWhenItIsToldAndHasNothingForATriangleThatIsNotThere()
     {
-        QVERIFY(boundErrorsOf(m_playhead->traced()->scene, 7)->empty());
+        const Scene &scene = m_playhead->traced()->scene;
+        QVERIFY(boundErrorsOf(scene, 7)->empty()); // there is no such triangle
+        QVERIFY(!boundErrorsOf(scene, 0, [](const JobProgress &) { return false; }));
     }
 
-    void stopsWhenItIsTold()
-    {
-        QVERIFY(!boundErrorsOf(m_playhead->traced()->scene, 0,
-                               [](const JobProgress &) { return false; }));
-    }
-
-    void plotsEveryArithmeticOfTheMethod()
+    void plotsEveryArithmeticOfTheMethodThatIsNotHidden()
     {
         open();
 
@@ -140,14 +116,8 @@ private slots:
         const QString summary = named<QLabel>(*m_panel, "precisionSummary")->text();
         QVERIFY2(summary.contains(QStringLiteral("float32: at most")), qPrintable(summary));
         QVERIFY(m_window->parts().canvas->isVisible());
-    }
-
-    void hidesACurveByItsButton()
-    {
-        open();
 
         QTest::mouseClick(named<QToolButton>(*m_panel, "precision_fixed16.16"), Qt::LeftButton);
-
         QCOMPARE(m_panel->plot()->curveCount(), 3);
     }
 

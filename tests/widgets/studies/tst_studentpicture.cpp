@@ -19,12 +19,9 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
-#include <QDebug>
 #include <QDockWidget>
-#include <QDropEvent>
 #include <QLabel>
 #include <QListWidget>
-#include <QMimeData>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTemporaryDir>
@@ -58,24 +55,6 @@ QImage wrongPicture(const Scene &scene)
     return picture;
 }
 
-void drop(MainWindow &window, const QMimeData &data)
-{
-    const QPoint place
-        = window.parts().canvas->mapTo(&window, window.parts().canvas->rect().center());
-    QDragEnterEvent enter(place, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&window, &enter);
-    QVERIFY(enter.isAccepted());
-    QDropEvent event(place, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&window, &event);
-}
-
-void dropFile(MainWindow &window, const QString &path)
-{
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(path)});
-    drop(window, data);
-}
-
 const PictureJudgement *judgement(const MainWindow &window)
 {
     return window.parts().student->judgement().get();
@@ -84,6 +63,17 @@ const PictureJudgement *judgement(const MainWindow &window)
 QString text(const MainWindow &window, const char *name)
 {
     return named<QLabel>(window, name)->text();
+}
+
+/// A window in which a picture of the default scene has been pasted and judged.
+std::unique_ptr<MainWindow> windowWith(QImage (*picture)(const Scene &scene))
+{
+    auto window = openedWindow();
+    QApplication::clipboard()->setImage(picture(window->parts().document->scene()));
+    action(*window, "pasteStudentPicture")->trigger();
+    if (!QTest::qWaitFor([&window] { return judgement(*window) != nullptr; }))
+        qFatal("the picture is not judged");
+    return window;
 }
 
 std::vector<Defect> defectIn(const Scene &right, const QString &id)
@@ -127,22 +117,6 @@ void choose(const MainWindow &window, const QString &id)
     const QList<QListWidgetItem *> items = candidates->findItems(id, Qt::MatchExactly);
     QCOMPARE(items.size(), 1);
     candidates->setCurrentItem(items.front());
-}
-
-/// Whether a pixel's cell shows the colour of a sign.
-bool isMarked(MainWindow &window, const QPoint &pixel, Sign sign)
-{
-    Canvas &canvas = *window.parts().canvas;
-    const QImage seen = canvas.grab().toImage();
-    const QRect cell = canvas.mapping().cellOf(pixel).toAlignedRect();
-    const QRgb colour = signColour(sign, canvas.palette()).rgb();
-    for (int y = cell.top(); y <= cell.bottom(); ++y) {
-        for (int x = cell.left(); x <= cell.right(); ++x) {
-            if (seen.pixel(x, y) == colour)
-                return true;
-        }
-    }
-    return false;
 }
 
 } // namespace
@@ -202,12 +176,9 @@ private slots:
 
     void theCanvasShowsThePictureAndForAWhileTheExpectedOne()
     {
-        const auto window = openedWindow();
+        QVERIFY(!action(*openedWindow(), "showStudent")->isEnabled());
+        const auto window = windowWith(&wrongPicture);
         const auto &parts = window->parts();
-        QVERIFY(!action(*window, "showStudent")->isEnabled());
-        QApplication::clipboard()->setImage(wrongPicture(parts.document->scene()));
-        action(*window, "pasteStudentPicture")->trigger();
-        QTRY_VERIFY(judgement(*window));
         QVERIFY(action(*window, "showStudent")->isChecked());
         const auto &frames = parts.student->frames();
         const auto colourIn = [](const FrameBuffer &frame, const QPoint &pixel) {
@@ -243,10 +214,7 @@ private slots:
 
     void thePicturesGrowWithThePanel()
     {
-        const auto window = openedWindow();
-        QApplication::clipboard()->setImage(wrongPicture(window->parts().document->scene()));
-        action(*window, "pasteStudentPicture")->trigger();
-        QTRY_VERIFY(judgement(*window));
+        const auto window = windowWith(&wrongPicture);
         settle();
         const auto *panel = named<QWidget>(*window, "submission");
         const auto *picture = named<QWidget>(*window, "submissionPicture");
@@ -298,17 +266,6 @@ private slots:
         QCOMPARE(judgement(*window)->diff.count(Difference::Extra), std::int64_t(1));
     }
 
-    void aPastedPictureIsCompared()
-    {
-        const auto window = openedWindow();
-        QApplication::clipboard()->setImage(drawn(window->parts().document->scene()));
-
-        action(*window, "pasteStudentPicture")->trigger();
-
-        QTRY_VERIFY(judgement(*window));
-        QCOMPARE(judgement(*window)->diff.differing(), std::int64_t(0));
-    }
-
     void transparencyIsIgnoredAndThatIsSaid_data()
     {
         QTest::addColumn<int>("alpha");
@@ -343,11 +300,8 @@ private slots:
 
     void theMarksFollowADraggedVertex()
     {
-        const auto window = openedWindow();
+        const auto window = windowWith(&drawn);
         SceneDocument *document = window->parts().document;
-        QApplication::clipboard()->setImage(drawn(document->scene()));
-        action(*window, "pasteStudentPicture")->trigger();
-        QTRY_COMPARE(text(*window, "submissionVerdict"), "Right: no pixel differs.");
         action(*window, "drawTool")->trigger();
         Canvas *canvas = window->parts().canvas;
         QTest::qWait(50);
@@ -364,28 +318,10 @@ private slots:
         QTRY_COMPARE(text(*window, "submissionVerdict"), "Right: no pixel differs.");
     }
 
-    void theMarksFollowASetting()
-    {
-        const auto window = openedWindow();
-        SceneDocument *document = window->parts().document;
-        QApplication::clipboard()->setImage(drawn(document->scene()));
-        action(*window, "pasteStudentPicture")->trigger();
-        QTRY_VERIFY(judgement(*window));
-        ScanSettings settings = document->scene().settings;
-        settings.rounding = ByteRounding::Truncate;
-
-        document->setSettings(settings);
-
-        QTRY_VERIFY(judgement(*window)->diff.count(Difference::Colour) > 0);
-    }
-
     void aPictureOfAnotherSizeIsRefusedAndNothingIsLost()
     {
-        const auto window = openedWindow();
+        const auto window = windowWith(&drawn);
         const Scene before = window->parts().document->scene();
-        QApplication::clipboard()->setImage(drawn(before));
-        action(*window, "pasteStudentPicture")->trigger();
-        QTRY_VERIFY(judgement(*window));
         const QString path = m_folder.filePath("small.png");
         QVERIFY(drawn(before).copy(0, 0, 32, 24).save(path));
 
@@ -403,11 +339,8 @@ private slots:
 
     void anotherFrameWaitsForThePictureToFitAgain()
     {
-        const auto window = openedWindow();
+        const auto window = windowWith(&drawn);
         SceneDocument *document = window->parts().document;
-        QApplication::clipboard()->setImage(drawn(document->scene()));
-        action(*window, "pasteStudentPicture")->trigger();
-        QTRY_VERIFY(judgement(*window));
         FrameSpec frame = document->scene().frame;
         frame.width += 6;
 
@@ -446,10 +379,7 @@ private slots:
 
     void aMarkedPixelOpensItsHistory()
     {
-        const auto window = openedWindow();
-        QApplication::clipboard()->setImage(wrongPicture(window->parts().document->scene()));
-        action(*window, "pasteStudentPicture")->trigger();
-        QTRY_VERIFY(judgement(*window));
+        const auto window = windowWith(&wrongPicture);
         action(*window, "stepWorkspace")->trigger();
         auto *history = named<QDockWidget>(*window, "pixelHistoryDock");
         history->hide();
@@ -466,12 +396,9 @@ private slots:
             qPrintable(text(*window, "submissionPixel")));
     }
 
-    void theButtonGoesFromDifferenceToDifference()
+    void buttonsGoFromDifferenceToDifferenceAndRemoveThePicture()
     {
-        const auto window = openedWindow();
-        QApplication::clipboard()->setImage(wrongPicture(window->parts().document->scene()));
-        action(*window, "pasteStudentPicture")->trigger();
-        QTRY_VERIFY(judgement(*window));
+        const auto window = windowWith(&wrongPicture);
         auto *next = named<QToolButton>(*window, "submissionNext");
         window->parts().playhead->pick(QPoint(0, 47));
 
@@ -481,18 +408,8 @@ private slots:
         QCOMPARE(window->parts().playhead->pickedPixel(), missing);
         QTest::mouseClick(next, Qt::LeftButton);
         QCOMPARE(window->parts().playhead->pickedPixel(), extra);
-    }
-
-    void removedItLeavesNoMark()
-    {
-        const auto window = openedWindow();
-        QApplication::clipboard()->setImage(wrongPicture(window->parts().document->scene()));
-        action(*window, "pasteStudentPicture")->trigger();
-        QTRY_VERIFY(judgement(*window));
-        QTest::qWait(50);
 
         QTest::mouseClick(named<QToolButton>(*window, "submissionRemove"), Qt::LeftButton);
-
         QVERIFY(!judgement(*window));
         QVERIFY(!isMarked(*window, extra, Sign::Extra));
         QCOMPARE(text(*window, "submissionName"), "No student's picture");
@@ -508,10 +425,7 @@ private slots:
     void withItsPanelClosedItEndsWithItsScene()
     {
         QFETCH(bool, isClosed);
-        const auto window = openedWindow();
-        QApplication::clipboard()->setImage(wrongPicture(window->parts().document->scene()));
-        action(*window, "pasteStudentPicture")->trigger();
-        QTRY_VERIFY(judgement(*window));
+        const auto window = windowWith(&wrongPicture);
         auto *dock = named<QDockWidget>(*window, "submissionDock");
         if (isClosed)
             dock->close();
@@ -523,31 +437,23 @@ private slots:
         QCOMPARE(window->parts().student->isThere(), !isClosed);
     }
 
-    void whatNamesTheBugIsInSightBeforeAnythingIsScrolled()
+    /// The button that names the bug before anything is scrolled, and then the answer.
+    void whatIsAskedAndAnsweredIsInView()
     {
         const auto window = windowWithDefect("rounding-truncate");
+        const QWidget *view = named<QScrollArea>(*window, "submissionArea")->viewport();
+        const auto isInView = [&](const char *part) {
+            const auto *widget = named<QWidget>(*window, part);
+            return view->rect().contains(QRect(widget->mapTo(view, QPoint()), widget->size()));
+        };
         window->resize(1366, 768);
         QTRY_VERIFY(judgement(*window));
-        const QWidget *view = named<QScrollArea>(*window, "submissionArea")->viewport();
-        const auto *button = named<QPushButton>(*window, "nameTheBug");
-        const auto place = [&] { return QRect(button->mapTo(view, QPoint()), button->size()); };
-        QTRY_VERIFY2(view->rect().contains(place()), qPrintable(QDebug::toString(place())));
-        QVERIFY(button->isEnabled());
-    }
-
-    void theAnswerComesIntoViewInASmallWindow()
-    {
-        const auto window = windowWithDefect("rounding-truncate");
+        QTRY_VERIFY(isInView("nameTheBug"));
+        QVERIFY(named<QPushButton>(*window, "nameTheBug")->isEnabled());
         window->resize(1024, 640);
         nameTheBug(*window);
-        const QWidget *view = named<QScrollArea>(*window, "submissionArea")->viewport();
-        const auto placeInView = [&](const char *part) {
-            const auto *widget = named<QWidget>(*window, part);
-            return QRect(widget->mapTo(view, QPoint()), widget->size());
-        };
         for (const char *part : {"diagnosisVerdict", "diagnosisCandidates"})
-            QTRY_VERIFY2(view->rect().contains(placeInView(part)),
-                         qPrintable(QDebug::toString(placeInView(part))));
+            QTRY_VERIFY2(isInView(part), part);
     }
 
     /// The method draws the scene right; shown together with a wrong picture, that would be a
@@ -566,7 +472,7 @@ private slots:
         QTRY_COMPARE(figures->text(), QStringLiteral("When finished: all pixels correct"));
     }
 
-    void theBugIsNamedInWordsForBoth()
+    void theBugIsNamedInWordsForBothUntilTheSceneChanges()
     {
         const auto window = windowWithDefect("rounding-truncate");
 
@@ -583,6 +489,12 @@ private slots:
             text(*window, "diagnosisSentence").startsWith("Levels are cut to bytes, not rounded"),
             qPrintable(text(*window, "diagnosisSentence")));
         grabbed(*window, "diagnosis");
+
+        ScanSettings settings = window->parts().document->scene().settings;
+        settings.arithmetic = Arithmetic::Float32;
+        window->parts().document->setSettings(settings);
+        QTRY_COMPARE(candidates->count(), 0);
+        QVERIFY(named<QPushButton>(*window, "nameTheBug")->isEnabled());
     }
 
     void aDefectIsOpenedWhereItPartsAndLeftAgain()
@@ -662,20 +574,6 @@ private slots:
         QCOMPARE(compare->contenders().size(), std::size_t(2));
         QCOMPARE(compare->contenders()[0].settings.fillRule, FillRule::Open);
         QCOMPARE(compare->contenders()[1].settings.fillRule, FillRule::Closed);
-    }
-
-    void whatIsFoundIsForgottenWithItsScene()
-    {
-        const auto window = windowWithDefect("rounding-truncate");
-        nameTheBug(*window);
-        QCOMPARE(named<QListWidget>(*window, "diagnosisCandidates")->count(), 1);
-
-        ScanSettings settings = window->parts().document->scene().settings;
-        settings.arithmetic = Arithmetic::Float32;
-        window->parts().document->setSettings(settings);
-
-        QTRY_COMPARE(named<QListWidget>(*window, "diagnosisCandidates")->count(), 0);
-        QVERIFY(named<QPushButton>(*window, "nameTheBug")->isEnabled());
     }
 
     void theSearchIsCancelled()

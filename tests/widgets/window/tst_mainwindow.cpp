@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/traceexport.h"
 #include "tests/support/isolatedsettings.h"
-#include "tests/support/scanning.h"
 #include "tests/support/testprogram.h"
 #include "tests/support/window/openwindow.h"
 #include "widgets/canvas/canvas.h"
-#include "widgets/inspect/columntable.h"
 #include "widgets/look/displayoptions.h"
-#include "widgets/model/columntablemodel.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QApplication>
-#include <QBuffer>
-#include <QClipboard>
 #include <QComboBox>
-#include <QDialog>
-#include <QDockWidget>
 #include <QLabel>
 #include <QTest>
 
@@ -44,61 +36,6 @@ private slots:
         QVERIFY(!playhead.isPlaying());
         QVERIFY(named<QLabel>(*window, "statusPixel")->text().startsWith("pixel (27, 19) #"));
         QCOMPARE(named<QLabel>(*window, "statusColumn")->text(), "column 27, second half");
-    }
-
-    void threeClicksOnTheCanvasDrawTheTriangle()
-    {
-        const auto window = openedWindow(Scene());
-        window->resize(1000, 700); // so that each pixel can be hit, even on a small screen
-        clickPixel(*window, {4, 5});
-        clickPixel(*window, {58, 12});
-        clickPixel(*window, {26, 44});
-
-        Scene expected;
-        expected.triangles = {triangleAt(4, 5, 58, 12, 26, 44)};
-        FrameBuffer frame(expected.frame);
-        drawScene(expected, frame);
-        QCOMPARE(window->parts().document->scene().triangles, expected.triangles);
-        QCOMPARE(window->parts().playhead->position(), window->parts().playhead->end());
-        QVERIFY(window->parts().playhead->frame()->copy() == frame.copy());
-    }
-
-    void theTableAgreesWithTheExportToTheLastDigit_data()
-    {
-        QTest::addColumn<Arithmetic>("arithmetic");
-        for (const Arithmetic arithmetic : allArithmetics)
-            QTest::newRow(std::string(nameOf(arithmetic)).c_str()) << arithmetic;
-    }
-    void theTableAgreesWithTheExportToTheLastDigit()
-    {
-        QFETCH(Arithmetic, arithmetic);
-        const auto window = openedWindow();
-        ScanSettings settings = window->parts().document->scene().settings;
-        settings.arithmetic = arithmetic;
-        window->parts().document->setSettings(settings);
-        QBuffer buffer;
-        QVERIFY(buffer.open(QIODevice::WriteOnly));
-        QVERIFY(exportTrace(*window->parts().playhead->traced(), {}, buffer));
-
-        const auto lines = QString::fromUtf8(buffer.data()).split('\n', Qt::SkipEmptyParts);
-        const QStringList names = lines.first().trimmed().split(',');
-        const auto *table = named<ColumnTable>(*window, "columnTable");
-        const auto *model = qobject_cast<ColumnTableModel *>(table->model());
-        QCOMPARE(model->rowCount(), int(lines.size() - 1));
-        QStringList wrong;
-        for (int row = 0; row < model->rowCount(); ++row) {
-            const QStringList cells = lines[row + 1].trimmed().split(',');
-            for (int column = 0; column < model->columnCount(); ++column) {
-                const auto field = names.indexOf(model->fileName(column));
-                const QString shown = model->index(row, column)
-                                          .data(ColumnTableModel::CanonicalTextRole)
-                                          .toString();
-                if (field < 0 || cells[field] != shown)
-                    wrong += model->fileName(column) + QLatin1Char(' ') + shown;
-            }
-        }
-
-        QCOMPARE(wrong, QStringList());
     }
 
     void undoTakesBackEverything()
@@ -238,22 +175,6 @@ private slots:
         window->parts().document->reset(Scene());
         QVERIFY(!options.affineImage());
         QVERIFY(!first->isEnabled());
-    }
-
-    void theLayoutLastsAndCanBeReset()
-    {
-        {
-            const auto window = openedWindow();
-            named<QDockWidget>(*window, "formulaDock")->hide();
-            window->parts().playhead->setStepsPerSecond(250);
-            QVERIFY(window->close());
-        }
-        const auto window = openedWindow();
-        QVERIFY(!named<QDockWidget>(*window, "formulaDock")->isVisible());
-        QCOMPARE(window->parts().playhead->stepsPerSecond(), 250.0);
-
-        action(*window, "resetLayout")->trigger();
-        QVERIFY(named<QDockWidget>(*window, "formulaDock")->isVisible());
     }
 
     void theStatusFieldsKeepTheirPlacesWhileStepping()

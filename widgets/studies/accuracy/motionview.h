@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/frame/framespec.h"
+#include "core/geometry/lattice.h"
+
 #include <QImage>
-#include <QPolygonF>
 #include <QWidget>
 
+#include <array>
 #include <vector>
-
-class QPainter;
 
 namespace pixelplumb {
 
 struct Scene;
 
-/// A frame's picture with marked places, px from its top left corner.
+/// A frame's picture with marked pixels.
 struct MotionPicture {
+    FrameSpec frame;
     QImage image;
     std::vector<QPoint> toggled; ///< came or went since the frame before
     std::vector<QPoint> missing; ///< painted in truth, not here
-    std::vector<QPolygonF> outlines; ///< of the triangles
+    std::vector<std::array<LatticePoint, 3>> outlines; ///< of the triangles, on samples
 };
 
 /// The picture of a moving scene at a frame of its motion. A pixel is painted if it does not have
@@ -44,8 +46,6 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
-    void drawMissing(QPainter &painter, double cell) const;
-
     MotionPicture m_picture;
 };
 

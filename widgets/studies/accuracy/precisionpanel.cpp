@@ -13,23 +13,6 @@
 
 namespace pixelplumb {
 
-namespace {
-
-/// Keeps the spans up to a place; none without a place. A triangle's places either ascend or
-/// descend.
-void keepUpTo(const std::optional<SpanPlace> &place, BoundErrors &errors)
-{
-    const auto coordinate = [](const BoundError &error) { return error.place.coordinate; };
-    const bool ascends = coordinate(errors.spans.front()) <= coordinate(errors.spans.back());
-    std::erase_if(errors.spans, [&](const BoundError &error) {
-        return !place
-            || (ascends ? coordinate(error) > place->coordinate
-                        : coordinate(error) < place->coordinate);
-    });
-}
-
-} // namespace
-
 PrecisionPanel::PrecisionPanel(Playhead *playhead, QWidget *parent)
     : StudyPanel("precision", {}, parent)
     , m_playhead(playhead)
@@ -61,18 +44,12 @@ PrecisionPanel::PrecisionPanel(Playhead *playhead, QWidget *parent)
     m_summary = readingLabel("precisionSummary", {}, this);
     withParts(new QVBoxLayout(this), {controls, {m_plot, 1}, m_summary}, 8, 8);
 
+    onEvents(this, {QEvent::Show}, [this] { followPosition(); });
     connect(m_bound, &QComboBox::currentIndexChanged, this, &PrecisionPanel::showErrors);
     connect(m_plot, &PrecisionPlot::coordinateClicked, this, &PrecisionPanel::jumpTo);
     connect(playhead, &Playhead::tracedChanged, this, &PrecisionPanel::restart);
     connect(playhead, &Playhead::positionChanged, this, &PrecisionPanel::followPosition);
-    connect(playhead, &Playhead::aheadHiddenChanged, this, &PrecisionPanel::showErrors);
     showErrors();
-}
-
-void PrecisionPanel::showEvent(QShowEvent *event)
-{
-    StudyPanel::showEvent(event);
-    followPosition();
 }
 
 bool PrecisionPanel::beginStudy()
@@ -122,29 +99,12 @@ void PrecisionPanel::showErrors()
         if (m_arithmetics[i]->isChecked())
             shown.push_back(allArithmetics[i + 1]);
     }
-    const std::vector<BoundErrors> told = toldErrors();
-    m_plot->plot(told, PlottedBound(m_bound->currentIndex()), shown);
-    m_summary->setText(summary(told));
+    m_plot->plot(m_errors, PlottedBound(m_bound->currentIndex()), shown);
+    m_summary->setText(summary());
 }
 
-std::vector<BoundErrors> PrecisionPanel::toldErrors() const
+QString PrecisionPanel::summary() const
 {
-    std::vector<BoundErrors> told = m_errors;
-    const std::optional<TraceStep> step = m_playhead->currentStep();
-    const bool isDone
-        = m_playhead->position() == m_playhead->end() || (step && step->primitive > m_triangle);
-    if (!m_playhead->isAheadHidden() || isDone)
-        return told;
-    for (BoundErrors &errors : told)
-        keepUpTo(m_playhead->currentPlace(), errors);
-    std::erase_if(told, [](const BoundErrors &errors) { return errors.spans.empty(); });
-    return told;
-}
-
-QString PrecisionPanel::summary(const std::vector<BoundErrors> &told) const
-{
-    if (told.empty() && !m_errors.empty())
-        return tr("What lies ahead is hidden while Predict asks.");
     if (m_errors.empty()) {
         const TracedScene *traced = m_playhead->traced();
         if (!traced)
@@ -155,7 +115,7 @@ QString PrecisionPanel::summary(const std::vector<BoundErrors> &told) const
     }
     QStringList parts;
     const auto bound = PlottedBound(m_bound->currentIndex());
-    for (const BoundErrors &errors : told) {
+    for (const BoundErrors &errors : m_errors) {
         double largest = 0;
         for (const BoundError &error : errors.spans)
             largest = std::max(largest, std::abs(valueOf(error, bound)));
@@ -189,8 +149,6 @@ void PrecisionPanel::followPosition()
     if (step && traced && traced->primitives.isTriangle(step->primitive)
         && step->primitive != m_triangle)
         restart();
-    else if (m_playhead->isAheadHidden())
-        showErrors();
     m_plot->setCurrentPlace(m_playhead->currentPlace());
 }
 

@@ -13,8 +13,7 @@ class Playhead;
 class PrecisionPlot;
 
 /// How far the bounds that each arithmetic computes are from the exact edges of the current
-/// triangle. Computed in a worker thread, and only while visible. While what is ahead is hidden,
-/// only for spans already entered.
+/// triangle. Computed in a worker thread, and only while visible.
 class PrecisionPanel : public StudyPanel {
     Q_OBJECT
 
@@ -24,17 +23,13 @@ public:
     const std::vector<BoundErrors> &errors() const { return m_errors; }
     PrecisionPlot *plot() const { return m_plot; }
 
-protected:
-    void showEvent(QShowEvent *event) override;
-
 private:
     bool beginStudy() override;
     void take(std::vector<BoundErrors> errors);
     void showErrors();
     void followPosition();
     void jumpTo(std::int64_t coordinate);
-    std::vector<BoundErrors> toldErrors() const;
-    QString summary(const std::vector<BoundErrors> &told) const;
+    QString summary() const;
 
     Playhead *m_playhead;
     QComboBox *m_bound = nullptr;

@@ -111,6 +111,8 @@ PrecisionPlot::PrecisionPlot(QWidget *parent)
     }))
 {
     named(this, "precisionPlot", tr("Error of a bound over the columns"));
+    onEvents(this, {QEvent::Resize, QEvent::PaletteChange, QEvent::FontChange},
+             [this] { replot(); });
     m_plot->setMinimumSize(minimumSizeHint());
     m_plot->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     m_plot->axisRect()->setRangeDrag(Qt::Horizontal);
@@ -278,19 +280,6 @@ void PrecisionPlot::addFences()
     if (m_place && m_place->axis != SpanAxis::Free)
         line({double(m_place->coordinate), 0}, {double(m_place->coordinate), 1},
              QPen(signColour(Sign::CurrentColumn, palette()), 1.5));
-}
-
-void PrecisionPlot::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    replot();
-}
-
-void PrecisionPlot::changeEvent(QEvent *event)
-{
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        replot();
-    QWidget::changeEvent(event);
 }
 
 } // namespace pixelplumb

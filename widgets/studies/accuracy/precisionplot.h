@@ -66,10 +66,6 @@ public:
 signals:
     void coordinateClicked(std::int64_t coordinate);
 
-protected:
-    void changeEvent(QEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
-
 private:
     void replot();
     void addCurve(const BoundErrors &errors);

@@ -30,14 +30,6 @@ double PrecisionScale::toAxis(double error) const
     return std::copysign(axis, error);
 }
 
-double PrecisionScale::toError(double axis) const
-{
-    const double distance = std::abs(axis);
-    const double magnitude = distance < 1 ? distance * std::pow(10.0, m_least)
-                                          : std::pow(10.0, distance - 1 + m_least);
-    return std::copysign(magnitude, axis);
-}
-
 std::vector<PrecisionScale::Tick> PrecisionScale::ticks(int perSide) const
 {
     const int decades = m_largest - m_least;

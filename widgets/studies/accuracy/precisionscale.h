@@ -21,7 +21,6 @@ public:
     int leastExponent() const { return m_least; }
     int largestExponent() const { return m_largest; }
     double toAxis(double error) const;
-    double toError(double axis) const;
     /// The axis length from 0 to its end.
     double extent() const { return double(m_largest - m_least) + 1; }
 

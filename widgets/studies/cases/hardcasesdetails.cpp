@@ -37,6 +37,11 @@ HardCasesDetails::HardCasesDetails(QWidget *parent)
     bold.setBold(true);
     m_title->setFont(bold);
     withParts(new QVBoxLayout(this), {m_title}, 8, 0);
+    onEvents(this, {QEvent::Show}, [this] { checkNext(); });
+    onEvents(this, {QEvent::PaletteChange}, [this] {
+        if (m_case)
+            showPicture();
+    });
     addReading();
     addButtons();
     tell(tr("Choose a case."));
@@ -230,19 +235,6 @@ void HardCasesDetails::compare()
         contenders.push_back({nullptr, scene.settings});
     open();
     emit compareRequested(contenders);
-}
-
-void HardCasesDetails::changeEvent(QEvent *event)
-{
-    if (event->type() == QEvent::PaletteChange && m_case)
-        showPicture();
-    QWidget::changeEvent(event);
-}
-
-void HardCasesDetails::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    checkNext();
 }
 
 void HardCasesDetails::resizeEvent(QResizeEvent *event)

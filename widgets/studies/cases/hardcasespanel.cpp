@@ -48,6 +48,10 @@ HardCasesPanel::HardCasesPanel(Playhead *playhead, QWidget *parent)
     splitter->setStretchFactor(1, 1);
     withParts(new QVBoxLayout(this), {splitter}, -1, 8);
 
+    onEvents(this, {QEvent::Show}, [this] {
+        load();
+        followMethod();
+    });
     connect(m_tree, &QTreeWidget::currentItemChanged, this, &HardCasesPanel::showChosen);
     // A double click or Enter.
     connect(m_tree, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem *item) {
@@ -60,13 +64,6 @@ HardCasesPanel::HardCasesPanel(Playhead *playhead, QWidget *parent)
     connect(m_details, &HardCasesDetails::precisionRequested, this,
             &HardCasesPanel::precisionRequested);
     connect(playhead, &Playhead::tracedChanged, this, &HardCasesPanel::followMethod);
-}
-
-void HardCasesPanel::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    load();
-    followMethod();
 }
 
 void HardCasesPanel::load()

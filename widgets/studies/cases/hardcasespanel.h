@@ -44,9 +44,6 @@ signals:
     void compareRequested(const std::vector<pixelplumb::Contender> &contenders);
     void precisionRequested();
 
-protected:
-    void showEvent(QShowEvent *event) override;
-
 private:
     void readCases();
     void fillTree();

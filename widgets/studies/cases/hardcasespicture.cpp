@@ -64,58 +64,6 @@ private:
     std::vector<QPoint> m_covered;
 };
 
-QImage crop(const WrittenFrame &written, const FrameSpec &frame, const QRect &part)
-{
-    QImage picture(part.size(), QImage::Format_RGB32);
-    for (int row = 0; row < part.height(); ++row) {
-        auto *const pixels = reinterpret_cast<QRgb *>(picture.scanLine(part.height() - 1 - row));
-        for (int column = 0; column < part.width(); ++column) {
-            const std::int64_t x = part.left() + column;
-            const std::int64_t y = part.top() + row;
-            pixels[column]
-                = packed(written.isWritten(x, y) ? written.colourAt(x, y) : frame.background);
-        }
-    }
-    return picture;
-}
-
-/// The edges in pixels of a part of the frame, from its upper left.
-std::vector<QLineF> edgesOf(const Primitives &primitives, const QRect &part)
-{
-    const auto placed = [&part](const LatticePoint &point) {
-        return QPointF(double(point.x) / unitsPerPixel - part.left() + 0.5,
-                       part.top() + part.height() - 0.5 - double(point.y) / unitsPerPixel);
-    };
-    std::vector<QLineF> edges;
-    for (const Triangle &triangle : primitives.triangles) {
-        for (std::size_t i = 0; i < 3; ++i)
-            edges.emplace_back(placed(triangle.vertices[i].position),
-                               placed(triangle.vertices[(i + 1) % 3].position));
-    }
-    return edges;
-}
-
-/// Paints edges over a picture that is enlarged into a rectangle.
-void paintEdges(QPainter &painter, const std::vector<QLineF> &edges, const QRect &place, int cell,
-                const QPalette &palette)
-{
-    painter.save();
-    painter.setClipRect(place);
-    painter.setRenderHint(QPainter::Antialiasing);
-    QColor casing = isDark(palette) ? Qt::black : Qt::white;
-    casing.setAlphaF(0.8F);
-    for (const QPen &pen : {QPen(casing, 3), QPen(signColour(Sign::VertexMark, palette), 1)}) {
-        painter.setPen(pen);
-        for (const QLineF &edge : edges) {
-            const QLineF enlarged(place.topLeft() + edge.p1() * cell,
-                                  place.topLeft() + edge.p2() * cell);
-            if (const auto visible = clipped(enlarged, QRectF(place).adjusted(-4, -4, 4, 4)))
-                painter.drawLine(*visible);
-        }
-    }
-    painter.restore();
-}
-
 struct CaseVerdict {
     Q_DECLARE_TR_FUNCTIONS(pixelplumb::HardCasePicture)
 };
@@ -193,20 +141,28 @@ HardCasePicture pictureOf(const HardCase &hardCase, const Method &method,
     const auto placed = [](int centre, int size, std::int64_t first, std::int64_t end) {
         return int(std::clamp<std::int64_t>(centre - size / 2, first, end - size));
     };
-    picture.firstPixel = {placed(middle.x(), width, window.firstColumn, window.endColumn()),
-                          placed(middle.y(), height, window.firstRow, window.endRow())};
-    const QRect part(picture.firstPixel, QSize(width, height));
-    picture.drawn = crop(drawn, scene.frame, part);
-    picture.truth = crop(truth, scene.frame, part);
-    picture.edges = edgesOf(run.primitives, part);
-    for (int row = 0; row < height; ++row) {
-        for (int column = 0; column < width; ++column) {
-            const Difference kind
-                = differenceAt(drawn, truth, part.left() + column, part.top() + row);
-            if (kind != Difference::None)
-                picture.marks.emplace_back(QPoint(column, height - 1 - row), kind);
-        }
+    picture.part = scene.frame;
+    picture.part.firstColumn = placed(middle.x(), width, window.firstColumn, window.endColumn());
+    picture.part.firstRow = placed(middle.y(), height, window.firstRow, window.endRow());
+    picture.part.width = width;
+    picture.part.height = height;
+    const auto crop = [&picture](const WrittenFrame &written) {
+        return pictureWith(picture.part, [&](const QPoint &at) {
+            const bool isWritten = written.isWritten(at.x(), at.y());
+            return packed(isWritten ? written.colourAt(at.x(), at.y()) : picture.part.background);
+        });
+    };
+    picture.drawn = crop(drawn);
+    picture.truth = crop(truth);
+    for (const Triangle &triangle : run.primitives.triangles) {
+        const auto &[a, b, c] = triangle.vertices;
+        picture.outlines.push_back({a.position, b.position, c.position});
     }
+    forEachPixel(picture.part, picture.drawn.rect(), [&](const QPoint &at) {
+        const Difference kind = differenceAt(drawn, truth, at.x(), at.y());
+        if (kind != Difference::None)
+            picture.marks.emplace_back(at, kind);
+    });
     return picture;
 }
 
@@ -220,21 +176,26 @@ QPixmap sideBySide(const HardCasePicture &picture, const QSize &size, const QPal
         return pixmap;
     constexpr int gap = 4;
     QPainter painter(&pixmap);
-    const int cell = std::max(1,
-                              std::min((size.width() - gap) / 2 / picture.drawn.width(),
-                                       size.height() / picture.drawn.height()));
-    const QSize part = picture.drawn.size() * cell;
     const int half = (size.width() - gap) / 2;
-    const QPoint left((half - part.width()) / 2, (size.height() - part.height()) / 2);
-    const QPoint right = left + QPoint(half + gap, 0);
-    painter.drawImage(QRect(left, part), picture.drawn);
-    painter.drawImage(QRect(right, part), picture.truth);
-    if (cell >= leastOutlinedCell) {
-        paintEdges(painter, picture.edges, QRect(left, part), cell, palette);
-        paintEdges(painter, picture.edges, QRect(right, part), cell, palette);
-    }
+    const auto paint = [&](const QImage &image, int left) {
+        const QRectF view(left, 0, half, size.height());
+        const ViewMapping mapping = ViewMapping::fitted(picture.part, view, devicePixelRatio);
+        const QRect device = mapping.devicePicture();
+        painter.setClipRect(view);
+        painter.drawImage(QRectF(mapping.positionOfDevice(device.topLeft()),
+                                 QSizeF(device.size()) / devicePixelRatio),
+                          image);
+        FramePainter frame(painter, mapping, palette, view);
+        if (cellSideOf(mapping) >= leastOutlinedCell) {
+            for (const std::array<LatticePoint, 3> &outline : picture.outlines)
+                frame.drawOutline(outline, {});
+        }
+        return mapping;
+    };
+    paint(picture.truth, half + gap);
+    const ViewMapping mapping = paint(picture.drawn, 0);
     for (const auto &[at, kind] : picture.marks)
-        paintDifference(painter, QRectF(left + at * cell, QSizeF(cell, cell)), kind, palette);
+        paintDifference(painter, mapping.cellOf(at), kind, palette);
     return pixmap;
 }
 

@@ -8,7 +8,6 @@
 #include "widgets/look/rowsmodel.h"
 
 #include <QImage>
-#include <QLineF>
 #include <QPalette>
 
 namespace pixelplumb {
@@ -18,12 +17,10 @@ namespace pixelplumb {
 struct HardCasePicture {
     Contender contender; ///< who drew it: the current method, or the first that can draw the case
     QImage drawn, truth; ///< one pixel per frame pixel
-    /// The cells of `drawn` that differ, from its upper left.
-    std::vector<std::pair<QPoint, Difference>> marks;
-    /// Edges of triangles, in the pictures' pixels from their upper left; they may reach far
-    /// beyond.
-    std::vector<QLineF> edges;
-    QPoint firstPixel; ///< (x, y) of the lower left pixel
+    FrameSpec part; ///< of the frame, that the pictures show
+    std::vector<std::pair<QPoint, Difference>> marks; ///< pixels of `drawn` that differ
+    /// Of triangles, on samples; they may reach far beyond the part.
+    std::vector<std::array<LatticePoint, 3>> outlines;
     std::int64_t missing = 0, extra = 0, otherColour = 0; ///< of the whole canvas
 
     bool isRight() const { return missing == 0 && extra == 0 && otherColour == 0; }

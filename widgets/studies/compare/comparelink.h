@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/compare/contest.h"
-#include "core/lab/study/scenecost.h"
 #include "widgets/look/viewmapping.h"
-#include "widgets/model/job.h"
 
 #include <QObject>
 
@@ -54,24 +51,6 @@ private:
     Place m_place = Place::Fitted;
     ViewZoom m_zoom;
     QPointF m_centre; ///< in px of sample coordinates; meaningful when not fitted
-};
-
-/// Measures what each contender of a contest costs, in a worker thread, after their pictures are
-/// drawn. The truth is not timed.
-class ContestTiming : public QObject {
-    Q_OBJECT
-
-public:
-    explicit ContestTiming(QObject *parent = nullptr);
-
-    void measure(const std::shared_ptr<const Contest> &contest);
-    void cancel() { m_job.cancel(); }
-
-signals:
-    void measured(std::size_t run, const pixelplumb::SceneCost &cost);
-
-private:
-    Job m_job;
 };
 
 } // namespace pixelplumb

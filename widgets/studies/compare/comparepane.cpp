@@ -24,17 +24,10 @@ constexpr int leastBoxWidth = 48; ///< logical pixels
 /// A finished picture's pixels on the background.
 QImage onBackground(const WrittenFrame &written, const FrameSpec &spec)
 {
-    QImage picture(spec.width, spec.height, QImage::Format_RGB32);
-    for (int line = 0; line < spec.height; ++line) {
-        const std::int64_t y = rowOfPictureLine(spec, line);
-        auto *const pixels = reinterpret_cast<QRgb *>(picture.scanLine(line));
-        for (int column = 0; column < spec.width; ++column) {
-            const std::int64_t x = std::int64_t(spec.firstColumn) + column;
-            pixels[column]
-                = packed(written.isWritten(x, y) ? written.colourAt(x, y) : spec.background);
-        }
-    }
-    return picture;
+    return pictureWith(spec, [&](const QPoint &at) {
+        const bool isWritten = written.isWritten(at.x(), at.y());
+        return packed(isWritten ? written.colourAt(at.x(), at.y()) : spec.background);
+    });
 }
 
 } // namespace
@@ -88,6 +81,10 @@ ComparePane::ComparePane(int number, CompareLink *link, Playhead *playhead, QWid
     m_settings = withParts(new QHBoxLayout, {{m_arithmetic, 1}, {m_fillRule, 1}}, 4);
     withParts(new QVBoxLayout(this), {first, m_settings, {m_view, 1}, m_result}, 4, 0);
 
+    onEvents(this, {QEvent::Resize}, [this] {
+        m_settings->setDirection(isNarrow() ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+        tellResult();
+    });
     connect(m_method, &QComboBox::activated, this, [this] {
         offerSettings(contender().settings);
         emit contenderChanged();
@@ -95,10 +92,6 @@ ComparePane::ComparePane(int number, CompareLink *link, Playhead *playhead, QWid
     connect(m_arithmetic, &QComboBox::activated, this, &ComparePane::contenderChanged);
     connect(m_fillRule, &QComboBox::activated, this, &ComparePane::contenderChanged);
     connect(playhead, &Playhead::positionChanged, this, &ComparePane::followPlayhead);
-    connect(playhead, &Playhead::aheadHiddenChanged, this, [this] {
-        tellResult();
-        followPlayhead();
-    });
     offerSettings({});
 }
 
@@ -181,28 +174,19 @@ bool ComparePane::isNarrow() const
     return width() < names + 2 * leastBoxWidth;
 }
 
-void ComparePane::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    m_settings->setDirection(isNarrow() ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
-    tellResult();
-}
-
 void ComparePane::tellResult()
 {
     if (!m_contest)
         return;
-    const bool isTold = !m_playhead->isAheadHidden();
     const ContenderRun &run = m_contest->runs[m_run];
-    const ContenderTally tally = isTold ? tallyNow() : ContenderTally();
-    const QString whole
-        = isTold ? resultText(run, tally) + m_figures : tr("Predict hides what lies ahead.");
-    const bool isShort = isTold && isNarrow();
+    const ContenderTally tally = tallyNow();
+    const QString whole = resultText(run, tally) + m_figures;
+    const bool isShort = isNarrow();
     m_result->setText(isShort ? shortResultText(run, tally) : whole);
     QStringList beside;
     if (isShort)
         beside += whole;
-    if (isTold && !m_details.isEmpty())
+    if (!m_details.isEmpty())
         beside += m_details;
     m_result->setToolTip(beside.join(u'\n'));
 }
@@ -252,7 +236,7 @@ void ComparePane::followPlayhead()
     const ContenderRun &run = m_contest->runs[m_run];
     if (!m_cursor) {
         tellResult();
-        return showPicture(onBackground(run.picture, m_contest->scene.frame));
+        return m_view->setPicture(onBackground(run.picture, m_contest->scene.frame));
     }
     const ScanTrace &trace = *run.traced->trace;
     const std::size_t position
@@ -261,33 +245,10 @@ void ComparePane::followPlayhead()
     tellResult();
     if (position > 0) {
         const TraceStep step = trace.stepAt(position - 1);
-        if (step.kind != StepKind::SetUp && goesTheSameWay())
+        if (step.kind != StepKind::SetUp)
             m_view->currentSpan = trace.span(step.span);
     }
-    showPicture(m_cursor->frame().image());
-}
-
-bool ComparePane::goesTheSameWay() const
-{
-    return !m_playhead->isAheadHidden()
-        || m_contest->runs[m_run].contender.method == m_playhead->traced()->method;
-}
-
-void ComparePane::showPicture(const QImage &picture)
-{
-    if (goesTheSameWay())
-        return m_view->setPicture(picture);
-    const FrameSpec &spec = m_contest->scene.frame;
-    QImage told = picture.copy();
-    for (int line = 0; line < spec.height; ++line) {
-        const std::int64_t y = rowOfPictureLine(spec, line);
-        auto *const pixels = reinterpret_cast<QRgb *>(told.scanLine(line));
-        for (int column = 0; column < spec.width; ++column) {
-            if (!m_playhead->mayTell(spec.firstColumn + column, y))
-                pixels[column] = packed(spec.background);
-        }
-    }
-    m_view->setPicture(told);
+    m_view->setPicture(m_cursor->frame().image());
 }
 
 } // namespace pixelplumb

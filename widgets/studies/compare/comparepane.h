@@ -18,9 +18,8 @@ class Playhead;
 struct SceneCost;
 
 /// One contender: its method and settings, and its own run at the playhead's place. The truth has
-/// no run and is shown finished. While what is ahead is hidden, the truth and other methods are
-/// shown only at decided pixels, and nothing is counted. A narrow pane stacks its boxes and shows
-/// short counts with their signs.
+/// no run and is shown finished. A narrow pane stacks its boxes and shows short counts with their
+/// signs.
 class ComparePane : public QWidget {
     Q_OBJECT
 
@@ -43,9 +42,6 @@ public:
 signals:
     void contenderChanged();
 
-protected:
-    void resizeEvent(QResizeEvent *event) override;
-
 private:
     class View;
 
@@ -55,8 +51,6 @@ private:
     ContenderTally tallyNow();
     bool isNarrow() const;
     void followPlayhead();
-    bool goesTheSameWay() const; ///< as the playhead's run, or nothing is hidden
-    void showPicture(const QImage &picture);
 
     int m_number;
     Playhead *m_playhead;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/compare/comparepanel.h"
 
+#include "core/lab/study/scenecost.h"
 #include "core/runs/scenerun.h"
 #include "widgets/look/labels.h"
 #include "widgets/look/parts.h"
@@ -19,6 +20,7 @@ ComparePanel::ComparePanel(Playhead *playhead, QWidget *parent)
     : StudyPanel("compare", {}, parent)
     , m_playhead(playhead)
     , m_link(new CompareLink(this))
+    , m_timing(nullptr, measuringPool())
 {
     auto *layout = withParts(new QVBoxLayout(this), {}, 8, 8);
     m_row = new QHBoxLayout;
@@ -38,18 +40,8 @@ ComparePanel::ComparePanel(Playhead *playhead, QWidget *parent)
                                  tr("Why the picked pixel differs"), this);
     layout->addWidget(m_reason);
 
-    connect(&m_timing, &ContestTiming::measured, this,
-            [this](std::size_t run, const SceneCost &cost) {
-                if (run < m_panes.size())
-                    m_panes[run]->showCost(cost);
-            });
     connect(playhead, &Playhead::tracedChanged, this, &ComparePanel::compareAnew);
     connect(playhead, &Playhead::pickedPixelChanged, this, &ComparePanel::tellPixel);
-    connect(playhead, &Playhead::aheadHiddenChanged, this, &ComparePanel::tellAgreement);
-    connect(playhead, &Playhead::positionChanged, this, [this] {
-        if (m_playhead->isAheadHidden())
-            tellPixel(); // it may be decided now
-    });
     addPane();
     addPane();
     m_reason->setText(tr("Nothing is compared yet."));
@@ -226,28 +218,41 @@ void ComparePanel::take(const std::shared_ptr<const Contest> &contest)
         m_panes[i]->show(contest, i);
     m_agreement->setContest(contest);
     m_contest = contest;
-    tellAgreement();
-    m_timing.measure(contest);
+    m_legend->setText(agreementLegend(contest->agreement, palette()));
+    tellPixel();
+    measure();
 }
 
-void ComparePanel::tellAgreement()
+/// Measures what each contender costs, now that their pictures are drawn. The truth is not timed.
+void ComparePanel::measure()
 {
-    if (!m_contest)
-        return;
-    m_legend->setText(agreementLegend(m_contest->agreement, palette(), m_playhead->ahead()));
-    tellPixel();
+    std::vector<std::shared_ptr<const Scene>> scenes; ///< null for the truth
+    for (const ContenderRun &run : m_contest->runs)
+        scenes.push_back(run.contender.isTruth() ? nullptr
+                                                 : std::make_shared<const Scene>(
+                                                     sceneFor(m_contest->scene, run.contender)));
+    using Costs = std::vector<std::optional<SceneCost>>;
+    m_timing.start(
+        [scenes](const ProgressListener &listener) {
+            Costs costs;
+            for (const auto &scene : scenes)
+                costs.push_back(scene ? costOf(scene, listener) : std::nullopt);
+            return costs;
+        },
+        [this](const Costs &costs) {
+            for (std::size_t run = 0; run < std::min(costs.size(), m_panes.size()); ++run) {
+                if (costs[run])
+                    m_panes[run]->showCost(*costs[run]);
+            }
+        });
 }
 
 void ComparePanel::tellPixel()
 {
     if (!m_contest)
         return;
-    const auto picked = m_playhead->pickedPixel();
-    const bool isHidden = m_playhead->isAheadHidden();
-    if (isHidden && !(picked && m_playhead->mayTell(picked->x(), picked->y())))
-        return m_reason->setText(tr("What lies ahead is hidden while Predict asks."));
-    const QString carried = isHidden ? QString() : carriedText(*m_contest);
-    m_reason->setText(pixelText(*m_contest, picked, m_playhead->ahead())
+    const QString carried = carriedText(*m_contest);
+    m_reason->setText(pixelText(*m_contest, m_playhead->pickedPixel())
                       + (carried.isEmpty() ? QString() : u'\n' + carried));
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/compare/contest.h"
-#include "widgets/studies/compare/comparelink.h"
 #include "widgets/studies/studypanel.h"
 
 class QBoxLayout;
@@ -49,7 +48,7 @@ private:
     bool beginStudy() override;
     bool canAllDraw(const Scene &scene, const std::vector<Contender> &contenders);
     void take(const std::shared_ptr<const Contest> &contest);
-    void tellAgreement();
+    void measure();
     void tellPixel();
 
     Playhead *m_playhead;
@@ -64,7 +63,7 @@ private:
     bool m_isChosen = false; ///< the panes have contenders
     std::shared_ptr<const Contest> m_contest;
     std::optional<QPoint> m_lookedAt; ///< to be centred when the next contest is finished
-    ContestTiming m_timing;
+    Job m_timing;
 };
 
 } // namespace pixelplumb

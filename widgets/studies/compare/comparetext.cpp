@@ -19,13 +19,12 @@ QString countOf(const ContenderTally &tally, Difference kind)
 
 } // namespace
 
-QString agreementLegend(const AgreementMap &agreement, const QPalette &palette, Ahead ahead)
+QString agreementLegend(const AgreementMap &agreement, const QPalette &palette)
 {
     QStringList legend;
     for (int agreeing = agreement.contenderCount(); agreeing > 0; --agreeing) {
-        QString meaning = ahead == Ahead::Hidden
-            ? ComparePanel::tr("%1 agree").arg(agreeing)
-            : ComparePanel::tr("%1 agree: %2").arg(agreeing).arg(agreement.countAgreeing(agreeing));
+        QString meaning
+            = ComparePanel::tr("%1 agree: %2").arg(agreeing).arg(agreement.countAgreeing(agreeing));
         meaning.replace(u' ', QStringLiteral("&nbsp;")); // lines break only between the colours
         legend.append(
             QStringLiteral("<span style=\"background:%1\">&nbsp;&nbsp;&nbsp;</span>&nbsp;%2")
@@ -90,9 +89,9 @@ QString carriedText(const Contest &contest)
     return lines.join(u'\n');
 }
 
-QString pixelText(const Contest &contest, const std::optional<QPoint> &picked, Ahead ahead)
+QString pixelText(const Contest &contest, const std::optional<QPoint> &picked)
 {
-    if (contest.agreement.differing() == 0 && ahead == Ahead::Shown)
+    if (contest.agreement.differing() == 0)
         return ComparePanel::tr("All agree on every pixel.");
     if (!picked || !contest.runs.front().picture.view().contains(picked->x(), picked->y()))
         return ComparePanel::tr(
@@ -100,8 +99,6 @@ QString pixelText(const Contest &contest, const std::optional<QPoint> &picked, A
             .arg(contest.agreement.differing());
     const PixelComparison pixel = comparePixel(contest, picked->x(), picked->y());
     const int all = contest.agreement.contenderCount();
-    if (pixel.agreeing == all && ahead == Ahead::Hidden)
-        return ComparePanel::tr("Pixel (%1, %2): all agree.").arg(picked->x()).arg(picked->y());
     if (pixel.agreeing == all)
         return ComparePanel::tr(
                    "Pixel (%1, %2): all agree. Pixels that differ: %3; click one in the agreement "

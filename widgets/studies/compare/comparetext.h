@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/compare/contest.h"
-#include "core/runs/ahead.h"
 
 #include <QPalette>
 #include <QPoint>
@@ -12,9 +11,8 @@
 
 namespace pixelplumb {
 
-/// What the colours of the agreement map mean, with the number of pixels of each, unless some
-/// pixels are ahead and hidden.
-QString agreementLegend(const AgreementMap &agreement, const QPalette &palette, Ahead ahead);
+/// What the colours of the agreement map mean, with the number of pixels of each.
+QString agreementLegend(const AgreementMap &agreement, const QPalette &palette);
 
 /// How many pixels a contender writes, and how many differ from the truth: "984 pixels: 0 missing
 /// …"; with the tally of an earlier position, up to there: "412 of 984 pixels so far: …".
@@ -27,7 +25,7 @@ QString shortResultText(const ContenderRun &run, const ContenderTally &tally);
 QString carriedText(const Contest &contest);
 
 /// How many contenders agree on a pixel, and why the others do not; without a pixel, how many
-/// pixels differ. While what is ahead is hidden, only for a decided pixel.
-QString pixelText(const Contest &contest, const std::optional<QPoint> &picked, Ahead ahead);
+/// pixels differ.
+QString pixelText(const Contest &contest, const std::optional<QPoint> &picked);
 
 } // namespace pixelplumb

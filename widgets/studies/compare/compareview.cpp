@@ -193,11 +193,7 @@ AgreementView::AgreementView(CompareLink *link, Playhead *playhead, QWidget *par
 {
     named(this, "agreementMap", tr("Agreement map"),
           tr("How many agree on each pixel. A click tells the reason."));
-    connect(playhead, &Playhead::aheadHiddenChanged, this, &AgreementView::makePicture);
-    connect(playhead, &Playhead::positionChanged, this, [this, playhead] {
-        if (playhead->isAheadHidden() && isVisible())
-            makePicture();
-    });
+    onEvents(this, {QEvent::PaletteChange}, [this] { makePicture(); });
 }
 
 void AgreementView::setContest(const std::shared_ptr<const Contest> &contest)
@@ -219,60 +215,23 @@ void AgreementView::makePicture()
     for (int agreeing = 0; agreeing <= contenders; ++agreeing)
         colours.push_back(agreementColour(agreeing, contenders, palette()).rgb());
     const QRgb untouched = palette().color(QPalette::Base).rgb();
-    QImage picture(spec.width, spec.height, QImage::Format_RGB32);
-    for (int line = 0; line < spec.height; ++line) {
-        const std::int64_t y = rowOfPictureLine(spec, line);
-        auto *const pixels = reinterpret_cast<QRgb *>(picture.scanLine(line));
-        for (int column = 0; column < spec.width; ++column) {
-            const std::int64_t x = std::int64_t(spec.firstColumn) + column;
-            const int agreeing = agreement.agreeingAt(x, y);
-            const bool isUntouched
-                = agreeing == contenders && !isWrittenBySomeone(*m_contest, x, y);
-            pixels[column] = isUntouched || !playhead()->mayTell(x, y)
-                ? untouched
-                : colours[std::size_t(agreeing)];
-        }
-    }
-    setPicture(picture);
+    setPicture(pictureWith(spec, [&](const QPoint &at) {
+        const int agreeing = agreement.agreeingAt(at.x(), at.y());
+        const bool isUntouched
+            = agreeing == contenders && !isWrittenBySomeone(*m_contest, at.x(), at.y());
+        return isUntouched ? untouched : colours[std::size_t(agreeing)];
+    }));
 }
 
 void AgreementView::paintSigns(QPainter &painter, FramePainter &, const ViewMapping &mapping)
 {
-    const double cell = mapping.zoom().devicePixels / mapping.devicePixelRatio();
-    if (!m_contest || mapping.zoom().framePixels > 1 || cell < leastGlyphCell)
+    if (!m_contest)
         return;
-    const FrameSpec &spec = m_contest->scene.frame;
     const AgreementMap &agreement = m_contest->agreement;
-    const QRect shown = mapping.pictureIn(mapping.deviceRect(rect()) & mapping.devicePicture());
-    QFont digits = font();
-    digits.setBold(true);
-    digits.setPixelSize(std::min(int(cell), 22));
-    painter.setFont(digits);
-    for (int line = shown.top(); line <= shown.bottom(); ++line) {
-        const std::int64_t y = rowOfPictureLine(spec, line);
-        for (int column = shown.left(); column <= shown.right(); ++column) {
-            const int x = spec.firstColumn + column;
-            const int agreeing = agreement.agreeingAt(x, y);
-            if (agreeing == agreement.contenderCount() || !playhead()->mayTell(x, y))
-                continue;
-            painter.setPen(isDark(palette()) ? Qt::black : Qt::white);
-            painter.drawText(mapping.cellOf({x, int(y)}), Qt::AlignCenter,
-                             QString::number(agreeing));
-        }
-    }
-}
-
-void AgreementView::showEvent(QShowEvent *event)
-{
-    makePicture(); // the current step may have changed
-    CompareView::showEvent(event);
-}
-
-void AgreementView::changeEvent(QEvent *event)
-{
-    if (event->type() == QEvent::PaletteChange)
-        makePicture();
-    CompareView::changeEvent(event);
+    drawCellNumbers(painter, mapping, rect(), *this, [&agreement](const QPoint &at) {
+        const int agreeing = agreement.agreeingAt(at.x(), at.y());
+        return agreeing == agreement.contenderCount() ? std::nullopt : std::optional(agreeing);
+    });
 }
 
 } // namespace pixelplumb

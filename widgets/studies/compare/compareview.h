@@ -37,7 +37,6 @@ public:
 protected:
     /// Draws over the cells.
     virtual void paintSigns(QPainter &painter, FramePainter &frame, const ViewMapping &mapping);
-    Playhead *playhead() const { return m_playhead; }
 
     void paintEvent(QPaintEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
@@ -64,7 +63,7 @@ private:
 QColor agreementColour(int agreeing, int contenders, const QPalette &palette);
 
 /// The agreement map: each pixel coloured by how many contenders agree on it, with the number in
-/// its cell where that has room. Pixels hidden because they are ahead are left out.
+/// its cell where that has room.
 class AgreementView : public CompareView {
     Q_OBJECT
 
@@ -75,8 +74,6 @@ public:
 
 protected:
     void paintSigns(QPainter &painter, FramePainter &frame, const ViewMapping &mapping) override;
-    void changeEvent(QEvent *event) override;
-    void showEvent(QShowEvent *event) override;
 
 private:
     void makePicture();

@@ -136,6 +136,7 @@ PerformancePanel::PerformancePanel(Playhead *playhead, QWidget *parent)
     auto *layout = withParts(new QVBoxLayout(this), {controls(), {scroll, 1}}, 8);
     layout->setContentsMargins(8, 8, 0, 0);
 
+    onEvents(this, {QEvent::PaletteChange, QEvent::FontChange}, [this] { present(); });
     connect(playhead, &Playhead::tracedChanged, this, &PerformancePanel::forget);
     forget();
 }
@@ -228,13 +229,6 @@ void PerformancePanel::present()
     m_times->setText(isTimed ? timesHtml(*m_timing) : QString());
     m_routes->setText(isTimed ? routesHtml(m_timing->report, palette())
                               : tr("Known after a measurement."));
-}
-
-void PerformancePanel::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (m_routes && (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange))
-        present();
 }
 
 } // namespace pixelplumb

@@ -45,9 +45,6 @@ public slots:
 signals:
     void measured();
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     QBoxLayout *controls();
     QWidget *contents();

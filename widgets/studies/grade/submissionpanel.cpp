@@ -50,6 +50,8 @@ SubmissionPanel::SubmissionPanel(StudentPicture *student, Playhead *playhead, QW
         area->ensureVisible(0, answer.bottom(), 0, 4);
         area->ensureVisible(0, answer.top(), 0, 0);
     });
+    onEvents(this, {QEvent::Resize}, [this] { fitPictures(); });
+    onEvents(this, {QEvent::PaletteChange}, [this] { showJudgement(); });
     connect(student, &StudentPicture::taken, this, &SubmissionPanel::showJudgement);
     connect(student, &StudentPicture::taken, m_link, &CompareLink::fit);
     connect(student, &StudentPicture::judged, this, &SubmissionPanel::showJudgement);
@@ -132,12 +134,6 @@ void SubmissionPanel::fitPictures()
         view->setMinimumHeight(std::clamp(asked, leastPicture, most));
 }
 
-void SubmissionPanel::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    fitPictures();
-}
-
 void SubmissionPanel::lookAt(const QPoint &pixel) { m_link->lookAt(pixel); }
 
 void SubmissionPanel::pickNext()
@@ -191,13 +187,6 @@ void SubmissionPanel::showPixel()
     const auto &judgement = m_student->judgement();
     const std::optional<QPoint> picked = m_playhead->pickedPixel();
     m_pixel->setText(judgement && picked ? pixelText(*judgement, *picked) : QString());
-}
-
-void SubmissionPanel::changeEvent(QEvent *event)
-{
-    if (event->type() == QEvent::PaletteChange)
-        showJudgement();
-    QWidget::changeEvent(event);
 }
 
 } // namespace pixelplumb

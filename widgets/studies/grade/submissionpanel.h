@@ -36,10 +36,6 @@ public slots:
 signals:
     void openRequested(); ///< another picture
 
-protected:
-    void changeEvent(QEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
-
 private:
     void addHead(QBoxLayout *layout);
     void addTexts(QBoxLayout *layout);

@@ -130,17 +130,12 @@ void SubmissionView::paintSigns(QPainter &painter, FramePainter &, const ViewMap
     const double cell = mapping.zoom().devicePixels / mapping.devicePixelRatio();
     if (!m_judgement || mapping.zoom().framePixels > 1 || cell < leastGlyphCell)
         return; // smaller marks would hide the picture
-    const FrameSpec &frame = m_judgement->frame;
     const QRect shown = mapping.pictureIn(mapping.deviceRect(rect()) & mapping.devicePicture());
-    for (int line = shown.top(); line <= shown.bottom(); ++line) {
-        for (int column = shown.left(); column <= shown.right(); ++column) {
-            const Difference verdict
-                = m_judgement->diff.verdicts[m_judgement->expected.placeOf(column, line)];
-            const QPoint pixel(frame.firstColumn + column, int(rowOfPictureLine(frame, line)));
-            if (verdict != Difference::None)
-                paintMark(painter, mapping.cellOf(pixel), signOf(verdict), palette());
-        }
-    }
+    forEachPixel(m_judgement->frame, shown, [&](const QPoint &pixel) {
+        const Difference verdict = m_judgement->verdictAt(pixel);
+        if (verdict != Difference::None)
+            paintMark(painter, mapping.cellOf(pixel), signOf(verdict), palette());
+    });
 }
 
 } // namespace pixelplumb
